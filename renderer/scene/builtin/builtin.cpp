@@ -1,0 +1,23 @@
+#include "renderer/scene/builtin/scenes.h"
+#include "renderer/scene/load.h"
+
+namespace asos {
+
+const std::vector<BuiltinScene>& builtin_scenes() {
+  static const std::vector<BuiltinScene> scenes{
+      {"office", "a room with desk, chair, whiteboard, shelf and a ceiling light panel",
+       builtin::make_office},
+      {"primitives", "sphere, cylinder, cone, truncated cone, box and disk over a plane",
+       builtin::make_primitives},
+      {"house", "about 2,800 polygons: a house with a porch, and a gazebo, on a plane",
+       builtin::make_house},
+      {"fence", "hair-thin poles and wires from near to the horizon", builtin::make_fence},
+      {"boxes", "a few hundred triangles: boxes and a picket fence", builtin::make_boxes},
+      {"mixed", "about 50 thousand triangles: sphere, torus knot, boxes and a fence",
+       builtin::make_mixed},
+      {"dense", "1.2 million triangles in a few smooth closed meshes", builtin::make_dense},
+  };
+  return scenes;
+}
+
+}  // namespace asos

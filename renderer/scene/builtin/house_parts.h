@@ -1,0 +1,33 @@
+#pragma once
+
+#include "renderer/scene/builtin/stage.h"
+
+#include <glm/glm.hpp>
+
+// Parts of the built-in house.
+
+namespace asos::builtin {
+
+/// Appends one slope of a roof whose ridge runs along x, as courses of tiles one above the other
+/// (12 triangles each). `eave` and `ridge` are (distance from the ridge's plane, height) of the
+/// slope's underside; `side` is +1 for the slope that falls towards +z and -1 for the other.
+void add_tiled_slope(Mesh& mesh, glm::vec2 eave, glm::vec2 ridge, float half_length, float side,
+                     int courses);
+
+/// A window with mullions and shutters, around the origin and facing +z, to be placed often.
+struct WindowMeshes {
+  int frame = -1;
+  int pane = -1;
+  int shutters = -1;
+};
+[[nodiscard]] WindowMeshes keep_window(Stage& stage);
+void place_window(Stage& stage, const WindowMeshes& window, const glm::dmat4& placement,
+                  int number);
+
+/// A porch along the wall z = `wall`, from x0 to x1: deck, steps, posts, railing and lean-to roof.
+void add_porch(Stage& stage, float x0, float x1, float wall);
+
+/// An eight-sided gazebo with posts, railing and conical roof, standing at `place`.
+void add_gazebo(Stage& stage, glm::dvec3 place);
+
+}  // namespace asos::builtin

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+// The built-in scenes, a source file each; load.h lists them by name.
+
+namespace asos::builtin {
+
+[[nodiscard]] Scene make_office();
+[[nodiscard]] Scene make_primitives();
+[[nodiscard]] Scene make_house();
+[[nodiscard]] Scene make_fence();
+[[nodiscard]] Scene make_boxes();
+[[nodiscard]] Scene make_mixed();
+[[nodiscard]] Scene make_dense();
+
+}  // namespace asos::builtin

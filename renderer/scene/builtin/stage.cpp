@@ -1,0 +1,101 @@
+#include "renderer/scene/builtin/stage.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace asos::builtin {
+
+namespace {
+
+glm::vec3 linear_from_srgb(std::uint32_t srgb) {
+  const auto channel = [srgb](int shift) {
+    const double s = ((srgb >> shift) & 0xffu) / 255.0;
+    return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+  };
+  return {channel(16), channel(8), channel(0)};
+}
+
+}  // namespace
+
+Stage::Stage(const std::string& name) {
+  scene_.name = name;
+  scene_.source = "builtin:" + name;
+}
+
+int Stage::paint(const std::string& name, std::uint32_t srgb, float roughness, float metallic) {
+  Material material;
+  material.name = name;
+  material.base_color = glm::vec4(linear_from_srgb(srgb), 1.0f);
+  material.roughness = roughness;
+  material.metallic = metallic;
+  scene_.materials.push_back(material);
+  return static_cast<int>(scene_.materials.size()) - 1;
+}
+
+int Stage::glow(const std::string& name, std::uint32_t srgb, float nits) {
+  const int index = paint(name, 0x000000, 1.0f);
+  scene_.materials[index].emissive = linear_from_srgb(srgb);
+  scene_.materials[index].emissive_strength = nits;
+  return index;
+}
+
+int Stage::keep(const std::string& name, Mesh mesh, int material) {
+  mesh.name = name;
+  mesh.material = material;
+  scene_.meshes.push_back(std::move(mesh));
+  return static_cast<int>(scene_.meshes.size()) - 1;
+}
+
+void Stage::place(const std::string& name, int mesh, const glm::dmat4& world_from_mesh) {
+  scene_.instances.push_back({name, mesh, world_from_mesh});
+}
+
+void Stage::add(const std::string& name, Mesh mesh, int material) {
+  place(name, keep(name, std::move(mesh), material), glm::dmat4(1.0));
+}
+
+void Stage::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux) {
+  Light light;
+  light.name = name;
+  light.type = Light::Type::directional;
+  light.color = linear_from_srgb(srgb);
+  light.intensity = lux;
+  light.direction = glm::normalize(travel);
+  scene_.lights.push_back(light);
+}
+
+void Stage::lamp(const std::string& name, glm::dvec3 position, std::uint32_t srgb, float candela) {
+  Light light;
+  light.name = name;
+  light.type = Light::Type::point;
+  light.color = linear_from_srgb(srgb);
+  light.intensity = candela;
+  light.position = position;
+  scene_.lights.push_back(light);
+}
+
+void Stage::spot(const std::string& name, glm::dvec3 position, glm::dvec3 target,
+                 std::uint32_t srgb, float candela, double outer_cone_deg) {
+  lamp(name, position, srgb, candela);
+  Light& light = scene_.lights.back();
+  light.type = Light::Type::spot;
+  light.direction = glm::normalize(target - position);
+  light.outer_cone_rad = glm::radians(outer_cone_deg);
+  light.inner_cone_rad = 0.6 * light.outer_cone_rad;
+}
+
+void Stage::camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {
+  Camera camera;
+  camera.name = name;
+  camera.world_from_camera = glm::inverse(glm::lookAt(eye, target, glm::dvec3(0, 1, 0)));
+  camera.fov_y_rad = glm::radians(fov_y_deg);
+  scene_.cameras.push_back(camera);
+}
+
+glm::dmat4 turned(glm::dvec3 position, double degrees) {
+  return glm::rotate(glm::translate(glm::dmat4(1.0), position), glm::radians(degrees),
+                     glm::dvec3(0, 1, 0));
+}
+
+}  // namespace asos::builtin

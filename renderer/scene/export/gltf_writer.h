@@ -1,0 +1,79 @@
+#pragma once
+
+#include "renderer/result.h"
+#include "renderer/scene/scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asos::exporting {
+
+/// A glTF document in the making: its JSON and its one binary buffer. Members that add something
+/// return its index in the document.
+class GltfDocument {
+ public:
+  GltfDocument();
+
+  /// Appends bytes as a buffer view that starts at a multiple of four. `target`: 34962 for vertex
+  /// attributes, 34963 for indices, 0 for neither.
+  int add_view(std::span<const std::uint8_t> bytes, int target);
+
+  /// An accessor over all of `values`, whose members are floats or 32-bit integers.
+  template <typename T>
+  int add_accessor(const std::vector<T>& values, const char* type, int component_type, int target) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());
+    return add("accessors", {{"bufferView", add_view({first, values.size() * sizeof(T)}, target)},
+                             {"componentType", component_type},
+                             {"count", values.size()},
+                             {"type", type}});
+  }
+
+  /// Appends to one of the document's lists, such as "nodes".
+  int add(const char* list, nlohmann::json value);
+  /// Appends a node that is a root of the scene.
+  void add_root_node(nlohmann::json node);
+  void use_extension(const std::string& name) { extensions_.insert(name); }
+
+  nlohmann::json root;
+
+  /// The whole file. Errors: too large for the container.
+  [[nodiscard]] Result<std::string> as_glb(const std::string& path);
+  [[nodiscard]] std::string as_gltf();
+
+ private:
+  void finish();
+
+  std::set<std::string> extensions_;
+  std::vector<std::uint8_t> binary_;
+};
+
+/// Why `scene` cannot be written as glTF, naming the part; empty when it can.
+[[nodiscard]] std::string why_not_exportable(const Scene& scene);
+
+/// KHR_texture_transform's translation * rotation * scale for `uv_transform`; nullopt where it
+/// shears or projects, which the extension cannot say.
+struct TextureTransform {
+  glm::dvec2 offset{0.0};
+  double rotation_rad = 0.0;  ///< counter-clockwise as the picture is seen, v running downwards
+  glm::dvec2 scale{1.0};
+};
+[[nodiscard]] std::optional<TextureTransform> decompose(const glm::mat3& uv_transform);
+
+// Each writes one kind of thing; indices in the document are those in the scene.
+[[nodiscard]] Result<void> write_images(const Scene& scene, const std::string& path,
+                                        GltfDocument& document);
+void write_materials(const Scene& scene, GltfDocument& document);
+void write_meshes(const Scene& scene, GltfDocument& document);
+void write_lights(const Scene& scene, GltfDocument& document);
+void write_cameras(const Scene& scene, GltfDocument& document);
+
+/// Writes all of `bytes` beside `path` and renames it to `path`, so that nobody sees half a file.
+[[nodiscard]] Result<void> write_atomically(const std::string& path, const std::string& bytes);
+
+}  // namespace asos::exporting

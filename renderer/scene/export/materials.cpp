@@ -1,0 +1,112 @@
+#include "renderer/scene/export/gltf_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos::exporting {
+
+using nlohmann::json;
+
+namespace {
+
+json numbers(const glm::vec3& v) {
+  return json::array({v.x, v.y, v.z});
+}
+
+json texture_info(const TextureUse& use, GltfDocument& document) {
+  json info{{"index", use.texture}};
+  if (use.texcoord != 0) info["texCoord"] = use.texcoord;
+  if (use.uv_transform == glm::mat3(1.0f)) return info;
+  const TextureTransform t = decompose(use.uv_transform).value();
+  document.use_extension("KHR_texture_transform");
+  info["extensions"]["KHR_texture_transform"] = {{"offset", {t.offset.x, t.offset.y}},
+                                                 {"rotation", t.rotation_rad},
+                                                 {"scale", {t.scale.x, t.scale.y}}};
+  return info;
+}
+
+void write_emission(const Material& material, json& out, GltfDocument& document) {
+  // glTF's factor ends at 1; what is brighter goes into the strength.
+  const float brightest =
+      std::max({material.emissive.x, material.emissive.y, material.emissive.z, 1.0f});
+  const glm::vec3 factor = material.emissive / brightest;
+  const float strength = material.emissive_strength * brightest;
+  if (factor != glm::vec3(0.0f)) out["emissiveFactor"] = numbers(factor);
+  if (strength != 1.0f) {
+    document.use_extension("KHR_materials_emissive_strength");
+    out["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+  }
+}
+
+json material_json(const Material& material, GltfDocument& document) {
+  json out{{"name", material.name}};
+  json& pbr = out["pbrMetallicRoughness"];
+  const glm::vec4& c = material.base_color;
+  pbr = {{"baseColorFactor", {c.r, c.g, c.b, c.a}},
+         {"metallicFactor", material.metallic},
+         {"roughnessFactor", material.roughness}};
+  if (material.base_color_texture.used()) {
+    pbr["baseColorTexture"] = texture_info(material.base_color_texture, document);
+  }
+  if (material.metallic_roughness_texture.used()) {
+    pbr["metallicRoughnessTexture"] = texture_info(material.metallic_roughness_texture, document);
+  }
+  if (material.normal_texture.used()) {
+    out["normalTexture"] = texture_info(material.normal_texture, document);
+    out["normalTexture"]["scale"] = material.normal_texture.scale;
+  }
+  if (material.emissive_texture.used()) {
+    out["emissiveTexture"] = texture_info(material.emissive_texture, document);
+  }
+  write_emission(material, out, document);
+
+  if (material.alpha_mode == AlphaMode::mask) {
+    out["alphaMode"] = "MASK";
+    out["alphaCutoff"] = material.alpha_cutoff;
+  } else if (material.alpha_mode == AlphaMode::blend) {
+    out["alphaMode"] = "BLEND";
+  }
+  if (material.double_sided) out["doubleSided"] = true;
+  if (material.unlit) {
+    document.use_extension("KHR_materials_unlit");
+    out["extensions"]["KHR_materials_unlit"] = json::object();
+  }
+  if (material.ior != 1.5f) {
+    document.use_extension("KHR_materials_ior");
+    out["extensions"]["KHR_materials_ior"]["ior"] = material.ior;
+  }
+  if (material.transmission != 0.0f) {
+    document.use_extension("KHR_materials_transmission");
+    out["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = material.transmission;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<TextureTransform> decompose(const glm::mat3& uv_transform) {
+  const glm::dmat3 m(uv_transform);
+  if (m[0].z != 0.0 || m[1].z != 0.0 || m[2].z != 1.0) return std::nullopt;
+  const glm::dvec2 x(m[0]), y(m[1]);
+  const double sx = glm::length(x), sy = glm::length(y);
+  // The columns are sx (cos, -sin) and sy (sin, cos): at right angles, up to a float's rounding.
+  if (std::abs(glm::dot(x, y)) > 1e-5 * sx * sy) return std::nullopt;
+  TextureTransform t;
+  t.offset = glm::dvec2(m[2]);
+  const bool mirrored = x.x * y.y - x.y * y.x < 0.0;
+  t.scale = {sx, mirrored ? -sy : sy};
+  if (sx > 0.0) {
+    t.rotation_rad = std::atan2(-x.y, x.x);
+  } else if (sy > 0.0) {
+    t.rotation_rad = std::atan2(y.x, y.y);
+  }
+  return t;
+}
+
+void write_materials(const Scene& scene, GltfDocument& document) {
+  for (const Material& material : scene.materials) {
+    document.add("materials", material_json(material, document));
+  }
+}
+
+}  // namespace asos::exporting

@@ -1,0 +1,155 @@
+#include "renderer/scene/export/gltf_writer.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos::exporting {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr int float_type = 5126, uint_type = 5125;
+constexpr int vertex_target = 34962, index_target = 34963;
+
+/// Doubles are written with as many digits as they have, so nothing is rounded.
+json matrix_json(const glm::dmat4& m) {
+  json out = json::array();
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) out.push_back(m[column][row]);
+  }
+  return out;
+}
+
+json named_node(const std::string& name) {
+  return name.empty() ? json::object() : json{{"name", name}};
+}
+
+int write_positions(const Mesh& mesh, GltfDocument& document) {
+  glm::vec3 lo = mesh.positions[0], hi = lo;
+  for (const glm::vec3& p : mesh.positions) lo = glm::min(lo, p), hi = glm::max(hi, p);
+  const int accessor = document.add_accessor(mesh.positions, "VEC3", float_type, vertex_target);
+  json& out = document.root["accessors"][static_cast<std::size_t>(accessor)];
+  out["min"] = {lo.x, lo.y, lo.z};
+  out["max"] = {hi.x, hi.y, hi.z};
+  return accessor;
+}
+
+json mesh_json(const Mesh& mesh, GltfDocument& document) {
+  json primitive;
+  json& attributes = primitive["attributes"];
+  const auto attribute = [&](const char* name, const auto& values, const char* type) {
+    if (values.empty()) return;
+    attributes[name] = document.add_accessor(values, type, float_type, vertex_target);
+  };
+  attributes["POSITION"] = write_positions(mesh, document);
+  attribute("NORMAL", mesh.normals, "VEC3");
+  attribute("TANGENT", mesh.tangents, "VEC4");
+  attribute("TEXCOORD_0", mesh.texcoords[0], "VEC2");
+  attribute("TEXCOORD_1", mesh.texcoords[1], "VEC2");
+  attribute("COLOR_0", mesh.colors, "VEC4");
+  // The indices go out as the plain numbers that the triangles are made of.
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * mesh.triangles.size());
+  for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+  primitive["indices"] = document.add_accessor(indices, "SCALAR", uint_type, index_target);
+  if (mesh.material >= 0) primitive["material"] = mesh.material;
+  json out{{"primitives", json::array({primitive})}};
+  if (!mesh.name.empty()) out["name"] = mesh.name;
+  return out;
+}
+
+/// The turn that takes -Z to the unit `direction`, as glTF's (x, y, z, w).
+json rotation_json(const glm::dvec3& direction) {
+  const glm::dvec3 away(0.0, 0.0, -1.0);
+  // Straight back, every half turn about an axis across -Z does; elsewhere the shortest turn.
+  const double w = 1.0 + glm::dot(away, direction);
+  const glm::dquat q = w < 1e-12 ? glm::dquat(0.0, 0.0, 1.0, 0.0)
+                                 : glm::normalize(glm::dquat(w, glm::cross(away, direction)));
+  return json::array({q.x, q.y, q.z, q.w});
+}
+
+json light_json(const Light& light) {
+  json out{{"color", {light.color.r, light.color.g, light.color.b}},
+           {"intensity", light.intensity}};
+  if (!light.name.empty()) out["name"] = light.name;
+  if (light.type == Light::Type::directional) {
+    out["type"] = "directional";
+  } else {
+    out["type"] = light.type == Light::Type::spot ? "spot" : "point";
+    if (std::isfinite(light.range)) out["range"] = light.range;
+  }
+  if (light.type == Light::Type::spot) {
+    // glTF wants the inner cone smaller than the outer one, if only by a hair.
+    const double inner = std::min(light.inner_cone_rad, light.outer_cone_rad * (1.0 - 1e-12));
+    out["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", light.outer_cone_rad}};
+  }
+  // glTF has no word for it; other programs keep extras and do not mind them.
+  if (!light.casts_shadows) out["extras"]["casts_shadows"] = false;
+  return out;
+}
+
+json camera_json(const Camera& camera) {
+  json out;
+  if (!camera.name.empty()) out["name"] = camera.name;
+  if (camera.type == Camera::Type::perspective) {
+    out["type"] = "perspective";
+    out["perspective"] = {{"yfov", camera.fov_y_rad}, {"znear", 0.01}};
+    if (camera.aspect_ratio) out["perspective"]["aspectRatio"] = *camera.aspect_ratio;
+  } else {
+    const double half = 0.5 * camera.height;
+    out["type"] = "orthographic";
+    out["orthographic"] = {{"xmag", half * camera.aspect_ratio.value_or(1.0)},
+                           {"ymag", half},
+                           {"znear", 0.0},
+                           {"zfar", 1e6}};
+  }
+  return out;
+}
+
+}  // namespace
+
+void write_meshes(const Scene& scene, GltfDocument& document) {
+  // glTF has no empty meshes: one without triangles is left out, and its instances stay as nodes.
+  std::vector<int> mesh_of(scene.meshes.size(), -1);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (scene.meshes[i].triangles.empty()) continue;
+    mesh_of[i] = document.add("meshes", mesh_json(scene.meshes[i], document));
+  }
+  for (const Instance& instance : scene.instances) {
+    json node = named_node(instance.name);
+    const int mesh = mesh_of[static_cast<std::size_t>(instance.mesh)];
+    if (mesh >= 0) node["mesh"] = mesh;
+    if (instance.world_from_mesh != glm::dmat4(1.0)) {
+      node["matrix"] = matrix_json(instance.world_from_mesh);
+    }
+    document.add_root_node(std::move(node));
+  }
+}
+
+void write_lights(const Scene& scene, GltfDocument& document) {
+  if (scene.lights.empty()) return;
+  document.use_extension("KHR_lights_punctual");
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    document.root["extensions"]["KHR_lights_punctual"]["lights"].push_back(light_json(light));
+    json node = named_node(light.name);
+    node["extensions"]["KHR_lights_punctual"]["light"] = i;
+    node["translation"] = {light.position.x, light.position.y, light.position.z};
+    if (light.type != Light::Type::point) node["rotation"] = rotation_json(light.direction);
+    document.add_root_node(std::move(node));
+  }
+}
+
+void write_cameras(const Scene& scene, GltfDocument& document) {
+  for (const Camera& camera : scene.cameras) {
+    json node = named_node(camera.name);
+    node["camera"] = document.add("cameras", camera_json(camera));
+    node["matrix"] = matrix_json(camera.world_from_camera);
+    document.add_root_node(std::move(node));
+  }
+}
+
+}  // namespace asos::exporting

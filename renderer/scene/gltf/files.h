@@ -1,0 +1,34 @@
+#pragma once
+
+#include "renderer/scene/gltf/warnings.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asos::gltf {
+
+using FileBytes = std::vector<std::uint8_t>;
+
+/// A regular file's contents. Directories, pipes, devices and files above `max_bytes` are refused.
+[[nodiscard]] Checked<FileBytes> read_file(const std::filesystem::path& path,
+                                           std::uint64_t max_bytes);
+
+/// What a glTF `uri` refers to: an embedded `data:` URI, or a file in `folder` or below it. Other
+/// schemes, absolute paths and paths that lead out of the folder (also through symbolic links) are
+/// refused, so that a downloaded model cannot read elsewhere.
+[[nodiscard]] Checked<FileBytes> read_uri(const std::filesystem::path& folder,
+                                          std::string_view uri);
+
+/// Takes %41 back to A. Incomplete escapes stay as they are.
+[[nodiscard]] std::string percent_decoded(std::string_view text);
+
+/// Faults: characters that are not base64, a length that no bytes have.
+[[nodiscard]] Checked<FileBytes> base64_decoded(std::string_view text);
+
+/// A uri as a message may show it: data URIs and very long names are shortened.
+[[nodiscard]] std::string shown_uri(std::string_view uri);
+
+}  // namespace asos::gltf

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "renderer/scene/gltf/accessors.h"
+#include "renderer/scene/scene.h"
+
+#include <vector>
+
+namespace asos::gltf {
+
+/// Decodes a PNG or JPEG to 8-bit RGBA (16-bit PNGs lose their lower half). Faults: another
+/// format, broken data, and dimensions that the bytes cannot stand for, before they are allocated.
+[[nodiscard]] Checked<Image> decode_image(Bytes bytes);
+
+/// Takes over a document's textures as materials ask for them, so that images that nothing shows
+/// are neither decoded nor kept.
+class Textures {
+ public:
+  Textures(Document& document, Accessors& accessors, Scene& scene);
+
+  /// The scene's texture for one of the document's, or -1 with a warning where it has no usable
+  /// image: the material is then drawn without it.
+  [[nodiscard]] int use(int texture);
+
+ private:
+  [[nodiscard]] int load(int texture);
+  [[nodiscard]] int use_image(int image);
+  [[nodiscard]] Checked<Image> load_image(int image);
+
+  Document& doc_;
+  Accessors& accessors_;
+  Scene& scene_;
+  std::vector<int> texture_of_;  // by document texture: unknown, or the scene's
+  std::vector<int> image_of_;
+};
+
+}  // namespace asos::gltf

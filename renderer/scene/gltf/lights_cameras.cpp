@@ -1,0 +1,153 @@
+#include "renderer/scene/gltf/lights_cameras.h"
+
+#include "renderer/scene/gltf/values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace asos::gltf {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+bool positive(double value) {
+  return std::isfinite(value) && value > 0.0;
+}
+
+/// Rotation and position of `m` without its scale; nullopt where it has lost a direction.
+std::optional<glm::dmat4> rigid(const glm::dmat4& m) {
+  const glm::dvec3 back(m[2]), up(m[1]);
+  if (!positive(glm::length(back)) || !positive(glm::length(up))) return std::nullopt;
+  const glm::dvec3 z = glm::normalize(back);
+  const glm::dvec3 across = glm::cross(glm::normalize(up), z);
+  if (!(glm::length(across) > 1e-9)) return std::nullopt;
+  const glm::dvec3 x = glm::normalize(across);
+  return glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0), glm::dvec4(z, 0.0),
+                    m[3]);
+}
+
+/// Why the camera is none, or empty.
+std::string read_projection(const tinygltf::Camera& source, Camera& camera) {
+  if (source.type == "perspective") {
+    const tinygltf::PerspectiveCamera& p = source.perspective;
+    if (!positive(p.yfov) || p.yfov >= pi) return fmt::format("a field of view of {}", p.yfov);
+    camera.type = Camera::Type::perspective;
+    camera.fov_y_rad = p.yfov;
+    if (positive(p.aspectRatio)) camera.aspect_ratio = p.aspectRatio;
+    return {};
+  }
+  if (source.type == "orthographic") {
+    const tinygltf::OrthographicCamera& o = source.orthographic;
+    if (!positive(std::abs(o.xmag)) || !positive(std::abs(o.ymag))) return "no extent";
+    camera.type = Camera::Type::orthographic;
+    camera.height = 2.0 * std::abs(o.ymag);
+    camera.aspect_ratio = std::abs(o.xmag / o.ymag);
+    return {};
+  }
+  return fmt::format("the unknown type '{}'", source.type);
+}
+
+/// Why the light is none, or empty.
+std::string read_light(const tinygltf::Light& source, const std::string& place, Light& light,
+                       Warnings& warnings) {
+  light.name = source.name;
+  if (source.type == "point") {
+    light.type = Light::Type::point;
+  } else if (source.type == "spot") {
+    light.type = Light::Type::spot;
+  } else if (source.type == "directional") {
+    light.type = Light::Type::directional;
+  } else {
+    return fmt::format("has the unknown type '{}'", source.type);
+  }
+  light.intensity = static_cast<float>(source.intensity);
+  if (!std::isfinite(light.intensity) || light.intensity < 0.0f) {
+    return fmt::format("has an intensity of {}", source.intensity);
+  }
+  if (source.color.size() == 3) {
+    for (int c = 0; c < 3; ++c) {
+      light.color[c] = static_cast<float>(source.color[static_cast<std::size_t>(c)]);
+      if (!std::isfinite(light.color[c]) || light.color[c] < 0.0f) return "has no valid colour";
+    }
+  } else if (!source.color.empty()) {
+    warnings.add(place + ": its colour is not three numbers; white is used");
+  }
+  if (positive(source.range)) light.range = source.range;  // tinygltf's 0: without end
+  if (light.type != Light::Type::spot) return {};
+
+  light.inner_cone_rad = source.spot.innerConeAngle;
+  light.outer_cone_rad = source.spot.outerConeAngle;
+  const bool valid = light.inner_cone_rad >= 0.0 && light.inner_cone_rad < light.outer_cone_rad &&
+                     light.outer_cone_rad <= 0.5 * pi + 1e-6;
+  if (!valid) {
+    warnings.add(fmt::format("{}: its cone angles {} and {} are not valid; brought into order",
+                             place, light.inner_cone_rad, light.outer_cone_rad));
+    if (!positive(light.outer_cone_rad)) light.outer_cone_rad = 0.25 * pi;
+    if (!(light.inner_cone_rad >= 0.0)) light.inner_cone_rad = 0.0;
+    light.outer_cone_rad = std::min(light.outer_cone_rad, 0.5 * pi);
+    light.inner_cone_rad = std::min(light.inner_cone_rad, light.outer_cone_rad);
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
+                Scene& scene) {
+  if (node.camera < 0) return;
+  if (static_cast<std::size_t>(node.camera) >= document.model.cameras.size()) {
+    document.warnings.add(fmt::format("camera {} does not exist; left out", node.camera));
+    return;
+  }
+  const auto& source = document.model.cameras[static_cast<std::size_t>(node.camera)];
+  const std::string place = fmt::format("camera {}", node.camera);
+  Camera camera;
+  camera.name = source.name.empty() ? node.name : source.name;
+  if (const std::string why = read_projection(source, camera); !why.empty()) {
+    document.warnings.add(fmt::format("{} has {}; left out", place, why));
+    return;
+  }
+  const std::optional<glm::dmat4> placed = rigid(world_from_node);
+  if (!placed) {
+    document.warnings.add(place + " is placed by a matrix that squeezes it flat; left out");
+    return;
+  }
+  camera.world_from_camera = *placed;
+  scene.cameras.push_back(std::move(camera));
+}
+
+void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
+               Scene& scene) {
+  const tinygltf::Value* reference = extension(node.extensions, "KHR_lights_punctual");
+  if (!reference) return;
+  const int index = whole(*reference, "light").value_or(-1);
+  if (index < 0 || static_cast<std::size_t>(index) >= document.model.lights.size()) {
+    document.warnings.add(fmt::format(
+        "node '{}' has light {}, which the file does not define; left out", node.name, index));
+    return;
+  }
+  const std::string place = fmt::format("light {}", index);
+  Light light;
+  if (const std::string why = read_light(document.model.lights[static_cast<std::size_t>(index)],
+                                         place, light, document.warnings);
+      !why.empty()) {
+    document.warnings.add(fmt::format("{} {}; left out", place, why));
+    return;
+  }
+  if (light.name.empty()) light.name = node.name;
+  light.position = glm::dvec3(world_from_node[3]);
+  const glm::dvec3 along = -glm::dvec3(world_from_node[2]);
+  if (positive(glm::length(along))) {
+    light.direction = glm::normalize(along);
+  } else if (light.type != Light::Type::point) {
+    document.warnings.add(place + " is placed by a matrix that leaves it no direction; left out");
+    return;
+  }
+  scene.lights.push_back(std::move(light));
+}
+
+}  // namespace asos::gltf

@@ -1,0 +1,170 @@
+#include "renderer/scene/gltf/materials.h"
+
+#include "renderer/scene/gltf/values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos::gltf {
+
+namespace {
+
+class MaterialReader {
+ public:
+  MaterialReader(const tinygltf::Material& source, std::string place, Textures& textures,
+                 Warnings& warnings)
+      : source_(source), place_(std::move(place)), textures_(textures), warnings_(warnings) {}
+
+  Material read() {
+    Material m;
+    m.name = source_.name;
+    read_surface(m);
+    read_emission(m);
+    read_alpha(m);
+    read_extensions(m);
+    // Textures last: an unlit material needs none but its base colour's.
+    const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
+    m.base_color_texture = use(pbr.baseColorTexture, "base colour");
+    if (m.unlit) return m;
+    m.metallic_roughness_texture = use(pbr.metallicRoughnessTexture, "metallic-roughness");
+    m.normal_texture = use(source_.normalTexture, "normal");
+    m.normal_texture.scale = finite(source_.normalTexture.scale, 1.0, "normal scale");
+    m.emissive_texture = use(source_.emissiveTexture, "emissive");
+    return m;
+  }
+
+ private:
+  /// `value` as a float, or `otherwise` where a float cannot hold it.
+  float finite(double value, double otherwise, const char* what) {
+    const auto single = static_cast<float>(value);
+    if (std::isfinite(single)) return single;
+    warnings_.add(fmt::format("{}: its {} is not finite", place_, what));
+    return static_cast<float>(otherwise);
+  }
+
+  float within(double value, double low, double high, double otherwise, const char* what) {
+    const double number = static_cast<double>(finite(value, otherwise, what));
+    const double clamped = std::clamp(number, low, high);
+    if (clamped != number) {
+      warnings_.add(fmt::format("{}: its {} of {} is out of range; {} is used", place_, what,
+                                number, clamped));
+    }
+    return static_cast<float>(clamped);
+  }
+
+  void read_surface(Material& m) {
+    const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
+    if (pbr.baseColorFactor.size() == 4) {
+      for (int c = 0; c < 4; ++c) {
+        m.base_color[c] = within(pbr.baseColorFactor[static_cast<std::size_t>(c)], 0.0, 1.0, 1.0,
+                                 "base colour factor");
+      }
+    } else {
+      warnings_.add(place_ + ": its base colour factor is not four numbers; white is used");
+    }
+    m.metallic = within(pbr.metallicFactor, 0.0, 1.0, 1.0, "metallic factor");
+    m.roughness = within(pbr.roughnessFactor, 0.0, 1.0, 1.0, "roughness factor");
+    m.double_sided = source_.doubleSided;
+  }
+
+  void read_emission(Material& m) {
+    if (source_.emissiveFactor.empty()) return;
+    if (source_.emissiveFactor.size() != 3) {
+      warnings_.add(place_ + ": its emissive factor is not three numbers; ignored");
+      return;
+    }
+    for (int c = 0; c < 3; ++c) {
+      const double value = source_.emissiveFactor[static_cast<std::size_t>(c)];
+      // Exporters write more than 1 for bright lamps; that is what they mean.
+      if (value > 1.0) warnings_.add(place_ + ": its emissive factor is above 1; used as it is");
+      m.emissive[c] = within(value, 0.0, 1e30, 0.0, "emissive factor");
+    }
+  }
+
+  void read_alpha(Material& m) {
+    if (source_.alphaMode == "MASK") {
+      m.alpha_mode = AlphaMode::mask;
+    } else if (source_.alphaMode == "BLEND") {
+      m.alpha_mode = AlphaMode::blend;
+    } else if (source_.alphaMode != "OPAQUE") {
+      warnings_.add(fmt::format("{}: its alpha mode '{}' is unknown; drawn opaque", place_,
+                                source_.alphaMode));
+    }
+    m.alpha_cutoff = within(source_.alphaCutoff, 0.0, 1e30, 0.5, "alpha cut-off");
+  }
+
+  void read_extensions(Material& m) {
+    m.unlit = source_.extensions.contains("KHR_materials_unlit");
+    if (const auto* e = extension(source_.extensions, "KHR_materials_emissive_strength")) {
+      m.emissive_strength =
+          within(number(*e, "emissiveStrength").value_or(1.0), 0.0, 1e30, 1.0, "emissive strength");
+    }
+    if (const auto* e = extension(source_.extensions, "KHR_materials_ior")) {
+      const double ior = number(*e, "ior").value_or(1.5);
+      // 0 stands for an infinite index: everything is reflected.
+      m.ior = ior == 0.0 ? 0.0f : within(ior, 1.0, 1e6, 1.5, "index of refraction");
+    }
+    if (const auto* e = extension(source_.extensions, "KHR_materials_transmission")) {
+      m.transmission = within(number(*e, "transmissionFactor").value_or(0.0), 0.0, 1.0, 0.0,
+                              "transmission factor");
+      if (e->Has("transmissionTexture") && m.transmission > 0.0f) {
+        warnings_.add(place_ + ": its transmission texture is not used, only the factor");
+      }
+    }
+  }
+
+  /// `Info` is one of tinygltf's texture references, which share these members.
+  template <typename Info>
+  TextureUse use(const Info& info, const char* what) {
+    TextureUse use;
+    if (info.index < 0) return use;
+    use.texcoord = info.texCoord;
+    if (const auto* e = extension(info.extensions, "KHR_texture_transform")) {
+      use.texcoord = whole(*e, "texCoord").value_or(use.texcoord);
+      use.uv_transform = transform(*e);
+    }
+    if (use.texcoord < 0 || use.texcoord > 1) {
+      warnings_.add(
+          fmt::format("{}: its {} texture uses TEXCOORD_{}; only 0 and 1 are supported, "
+                      "so it is left out",
+                      place_, what, use.texcoord));
+      return {};
+    }
+    use.texture = textures_.use(info.index);
+    return use;
+  }
+
+  static glm::mat3 transform(const tinygltf::Value& e) {
+    const auto at = [&](const char* name, int i, double otherwise) {
+      return static_cast<float>(number_at(e, name, i).value_or(otherwise));
+    };
+    const float x = at("offset", 0, 0.0), y = at("offset", 1, 0.0);
+    const float sx = at("scale", 0, 1.0), sy = at("scale", 1, 1.0);
+    const auto angle = static_cast<float>(number(e, "rotation").value_or(0.0));
+    const float c = std::cos(angle), s = std::sin(angle);
+    // Translation * rotation * scale; the rotation is counter-clockwise as the picture is seen,
+    // whose v runs downwards. Columns.
+    return {glm::vec3(c * sx, -s * sx, 0.0f), glm::vec3(s * sy, c * sy, 0.0f),
+            glm::vec3(x, y, 1.0f)};
+  }
+
+  const tinygltf::Material& source_;
+  std::string place_;
+  Textures& textures_;
+  Warnings& warnings_;
+};
+
+}  // namespace
+
+void import_materials(Document& document, Textures& textures, Scene& scene) {
+  for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+    const tinygltf::Material& source = document.model.materials[i];
+    const std::string place = source.name.empty() ? fmt::format("material {}", i)
+                                                  : fmt::format("material '{}'", source.name);
+    scene.materials.push_back(MaterialReader(source, place, textures, document.warnings).read());
+  }
+}
+
+}  // namespace asos::gltf

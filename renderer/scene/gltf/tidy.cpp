@@ -1,0 +1,277 @@
+#include "renderer/scene/gltf/tidy.h"
+
+#include "renderer/scene/gltf/document.h"
+
+#include <climits>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace asos::gltf {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::array<std::string_view, 13> supported = {"KHR_lights_punctual",
+                                                        "KHR_materials_unlit",
+                                                        "KHR_materials_ior",
+                                                        "KHR_materials_emissive_strength",
+                                                        "KHR_materials_transmission",
+                                                        "KHR_texture_transform",
+                                                        "KHR_mesh_quantization",
+                                                        "KHR_draco_mesh_compression",
+                                                        "EXT_meshopt_compression",
+                                                        "KHR_meshopt_compression",
+                                                        "EXT_mesh_gpu_instancing",
+                                                        "KHR_node_visibility",
+                                                        "MSFT_lod"};
+
+// Properties whose values are indices, and those whose values are sizes.
+constexpr std::array<std::string_view, 17> reference_names = {
+    "bufferView", "buffer", "mesh",    "skin",     "camera",  "material",
+    "indices",    "source", "sampler", "index",    "scene",   "input",
+    "output",     "node",   "light",   "texCoord", "skeleton"};
+constexpr std::array<std::string_view, 5> size_names = {"byteOffset", "byteLength", "byteStride",
+                                                        "count", "componentType"};
+constexpr std::array<std::string_view, 4> list_names = {"children", "nodes", "joints", "ids"};
+
+template <std::size_t N>
+bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Writes 3.0 as 3, which tinygltf would not take for an index.
+void make_whole(json& value) {
+  if (!value.is_number_float()) return;
+  const double number = value.get<double>();
+  if (number >= 0.0 && number < 9e15 && number == std::floor(number)) {
+    value = static_cast<std::uint64_t>(number);
+  }
+}
+
+bool is_index(const json& value) {
+  return value.is_number_unsigned() && value.get<std::uint64_t>() <= INT_MAX;
+}
+
+/// Where an extension may stand, for those that are often put in the wrong place.
+bool is_misplaced(std::string_view extension, std::string_view place) {
+  const bool at_material =
+      place.starts_with("/materials/") && std::count(place.begin(), place.end(), '/') == 2;
+  const bool in_material = place.starts_with("/materials/") && !at_material;
+  if (extension.starts_with("KHR_materials_variants")) {
+    return !place.empty() && place.find("/primitives/") == std::string_view::npos;
+  }
+  if (extension.starts_with("KHR_materials_")) return !at_material;
+  if (extension == "KHR_texture_transform") return !in_material;
+  if (extension == "KHR_lights_punctual") return !place.empty() && !place.starts_with("/nodes/");
+  if (extension == "KHR_node_visibility") return !place.starts_with("/nodes/");
+  return false;
+}
+
+std::set<std::string> strings_of(const json& root, const char* name, Warnings& warnings) {
+  std::set<std::string> strings;
+  const auto found = root.find(name);
+  if (found == root.end()) return strings;
+  if (!found->is_array()) {
+    warnings.add(fmt::format("/{} is not a list", name));
+    return strings;
+  }
+  for (const json& value : *found) {
+    if (!value.is_string()) {
+      warnings.add(fmt::format("/{} has an entry that is not a name", name));
+    } else if (!strings.insert(value.get<std::string>()).second) {
+      warnings.add(fmt::format("/{} lists {} twice", name, value.get<std::string>()));
+    }
+  }
+  return strings;
+}
+
+class Tidier {
+ public:
+  Tidier(Warnings& warnings, std::set<std::string> declared)
+      : warnings_(warnings), declared_(std::move(declared)) {}
+
+  Checked<void> visit(json& value, const std::string& place) {
+    if (value.is_array()) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        if (!value[i].is_structured()) continue;
+        if (auto r = visit(value[i], fmt::format("{}/{}", place, i)); !r) return r;
+      }
+    }
+    if (!value.is_object()) return {};
+    value.erase("extras");
+    tidy_extensions(value, place);
+    for (auto it = value.begin(); it != value.end();) {
+      if (auto r = tidy_number(it.key(), it.value(), place); !r) return r;
+      tidy_list(it.key(), it.value(), place);
+      it = it.value().is_null() ? value.erase(it) : std::next(it);
+    }
+    for (auto it = value.begin(); it != value.end(); ++it) {
+      if (!it.value().is_structured()) continue;
+      if (auto r = visit(it.value(), place + "/" + it.key()); !r) return r;
+    }
+    return {};
+  }
+
+ private:
+  void tidy_extensions(json& object, const std::string& place) {
+    const auto found = object.find("extensions");
+    if (found == object.end()) return;
+    if (!found->is_object()) {
+      warnings_.add(fmt::format("{}/extensions is not an object; ignored", place));
+      object.erase(found);
+      return;
+    }
+    for (auto it = found->begin(); it != found->end();) {
+      const std::string& name = it.key();
+      if (!declared_.contains(name)) {
+        warnings_.add(fmt::format("{} uses the extension {} without declaring it",
+                                  place.empty() ? "the file" : place, name));
+      }
+      if (!it.value().is_object()) {
+        warnings_.add(fmt::format("{}/extensions/{} is not an object; ignored", place, name));
+      } else if (is_misplaced(name, place)) {
+        warnings_.add(fmt::format("{}/extensions/{} is out of place; ignored", place, name));
+      } else if (supports_extension(name)) {
+        ++it;
+        continue;
+      }
+      it = found->erase(it);
+    }
+  }
+
+  /// Sets a reference that is none to null, which takes it out.
+  Checked<void> tidy_number(const std::string& name, json& value, const std::string& place) {
+    const bool size = is_one_of(name, size_names);
+    if (!size && !is_one_of(name, reference_names)) return {};
+    if (value.is_structured()) return {};  // sparse.indices and the like
+    make_whole(value);
+    if (size && !value.is_number_unsigned()) {
+      return fault(fmt::format("{}/{} is not a whole number", place, name));
+    }
+    if (!size && !is_index(value)) {
+      warnings_.add(fmt::format("{}/{} is not an index; ignored", place, name));
+      value = nullptr;
+    }
+    return {};
+  }
+
+  void tidy_list(const std::string& name, json& value, const std::string& place) {
+    if (!is_one_of(name, list_names) || !value.is_array() || place.empty()) return;
+    if (value.empty()) warnings_.add(fmt::format("{}/{} is an empty list", place, name));
+    json kept = json::array();
+    for (json& entry : value) {
+      make_whole(entry);
+      if (is_index(entry)) kept.push_back(entry);
+    }
+    if (kept.size() < value.size()) {
+      warnings_.add(fmt::format("{}/{} has entries that are not indices; ignored", place, name));
+    }
+    value = std::move(kept);
+  }
+
+  Warnings& warnings_;
+  std::set<std::string> declared_;
+};
+
+void tidy_primitive(json& primitive, const std::string& place, Warnings& warnings) {
+  json attributes = json::object();
+  if (const auto found = primitive.find("attributes");
+      found != primitive.end() && found->is_object()) {
+    for (auto it = found->begin(); it != found->end(); ++it) {
+      make_whole(it.value());
+      if (is_index(it.value())) {
+        attributes[it.key()] = it.value();
+      } else {
+        warnings.add(fmt::format("{}: attribute {} is not an index; ignored", place, it.key()));
+      }
+      // Application-specific attributes begin with an underscore.
+      constexpr std::array<std::string_view, 7> known = {
+          "POSITION", "NORMAL", "TANGENT", "TEXCOORD_", "COLOR_", "JOINTS_", "WEIGHTS_"};
+      if (!it.key().starts_with('_') &&
+          std::none_of(known.begin(), known.end(),
+                       [&](std::string_view k) { return it.key().starts_with(k); })) {
+        warnings.add(fmt::format("{}: attribute {} is unknown; ignored", place, it.key()));
+      }
+    }
+  }
+  if (const auto found = primitive.find("indices"); found != primitive.end()) {
+    attributes[Document::indices_attribute] = *found;
+    primitive.erase(found);
+  }
+  if (attributes.empty()) warnings.add_loss(place + " has no attributes");
+  primitive["attributes"] = std::move(attributes);
+}
+
+void tidy_meshes(json& root, Warnings& warnings) {
+  const auto meshes = root.find("meshes");
+  if (meshes == root.end() || !meshes->is_array()) return;
+  for (std::size_t m = 0; m < meshes->size(); ++m) {
+    if (!(*meshes)[m].is_object()) continue;
+    const auto primitives = (*meshes)[m].find("primitives");
+    if (primitives == (*meshes)[m].end() || !primitives->is_array()) continue;
+    for (std::size_t p = 0; p < primitives->size(); ++p) {
+      if (!(*primitives)[p].is_object()) continue;
+      tidy_primitive((*primitives)[p], fmt::format("mesh {} primitive {}", m, p), warnings);
+    }
+  }
+}
+
+}  // namespace
+
+bool supports_extension(std::string_view name) {
+  return is_one_of(name, supported);
+}
+
+Checked<std::vector<std::string>> check_header(const json& root, Warnings& warnings) {
+  const auto asset = root.find("asset");
+  if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
+      !(*asset)["version"].is_string()) {
+    return fault("has no asset version, so it is not a glTF 2.0 file");
+  }
+  const std::string version = (*asset)["version"].get<std::string>();
+  if (!version.starts_with("2.")) {
+    return fault(
+        fmt::format("glTF version '{}' is not supported, only 2.0", version.substr(0, 20)));
+  }
+  if (const auto least = asset->find("minVersion"); least != asset->end()) {
+    if (!least->is_string() || least->get<std::string>() != "2.0") {
+      return fault("needs a newer glTF version than 2.0 (asset.minVersion)");
+    }
+  }
+  std::string refused;
+  const std::set<std::string> used = strings_of(root, "extensionsUsed", warnings);
+  for (const std::string& name : strings_of(root, "extensionsRequired", warnings)) {
+    if (!used.contains(name)) warnings.add(name + " is required but not listed as used");
+    if (supports_extension(name)) continue;
+    refused += (refused.empty() ? "" : ", ") + name;
+  }
+  if (!refused.empty()) {
+    const bool several = refused.find(',') != std::string::npos;
+    return fault(fmt::format("requires the extension{} {}, which {} not supported",
+                             several ? "s" : "", refused, several ? "are" : "is"));
+  }
+  std::vector<std::string> optional;
+  for (const std::string& name : used) {
+    if (!supports_extension(name)) optional.push_back(name);
+  }
+  return optional;
+}
+
+Checked<void> tidy(json& root, Warnings& warnings) {
+  for (auto it = root.begin(); it != root.end(); ++it) {
+    if (it.value().is_array() && it.value().empty()) {
+      warnings.add(fmt::format("/{} is an empty list", it.key()));
+    }
+  }
+  Tidier tidier(warnings, strings_of(root, "extensionsUsed", warnings));
+  if (auto done = tidier.visit(root, ""); !done) return done;
+  tidy_meshes(root, warnings);
+  return {};
+}
+
+}  // namespace asos::gltf

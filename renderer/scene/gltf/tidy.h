@@ -1,0 +1,28 @@
+#pragma once
+
+#include "renderer/scene/gltf/warnings.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asos::gltf {
+
+/// True for the extensions that the importer honours.
+[[nodiscard]] bool supports_extension(std::string_view name);
+
+/// Faults: no asset version, a version other than 2, or an extension that the file requires and
+/// that is not supported, by name. Returns the optional extensions that are not honoured.
+[[nodiscard]] Checked<std::vector<std::string>> check_header(const nlohmann::json& root,
+                                                             Warnings& warnings);
+
+/// Makes a parsed document fit for tinygltf, which takes much on trust: drops `extras` and unknown
+/// extensions (their values would be copied many times over), drops references that are not whole
+/// numbers and would wrap around, and moves each primitive's `indices` among its attributes, since
+/// tinygltf refuses indices without a buffer view, which Draco and sparse accessors have. Faults:
+/// offsets and lengths that are not whole numbers. Recursive: check the nesting depth first.
+[[nodiscard]] Checked<void> tidy(nlohmann::json& root, Warnings& warnings);
+
+}  // namespace asos::gltf

@@ -1,0 +1,46 @@
+#include "renderer/scene/gltf/triangles.h"
+
+#include "renderer/scene/gltf/primitive.h"
+
+namespace asos::gltf {
+
+std::vector<glm::uvec3> triangles_of(int mode, const std::vector<std::uint32_t>& indices) {
+  std::vector<glm::uvec3> triangles;
+  const std::size_t n = indices.size();
+  if (n < 3) return triangles;
+  triangles.reserve(drawn_count(mode, n));
+  if (mode == TINYGLTF_MODE_TRIANGLES) {
+    for (std::size_t i = 0; i + 2 < n; i += 3) {
+      triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+    }
+  } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+    // Every second triangle of a strip is turned round.
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      triangles.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
+    }
+  } else {
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      triangles.emplace_back(indices[i + 1], indices[i + 2], indices[0]);
+    }
+  }
+  return triangles;
+}
+
+std::uint64_t drawn_count(int mode, std::uint64_t elements) {
+  switch (mode) {
+    case TINYGLTF_MODE_POINTS:
+      return elements;
+    case TINYGLTF_MODE_LINE:
+      return elements / 2;
+    case TINYGLTF_MODE_LINE_LOOP:
+      return elements < 2 ? 0 : elements;
+    case TINYGLTF_MODE_LINE_STRIP:
+      return elements < 2 ? 0 : elements - 1;
+    case TINYGLTF_MODE_TRIANGLES:
+      return elements / 3;
+    default:
+      return elements < 3 ? 0 : elements - 2;
+  }
+}
+
+}  // namespace asos::gltf

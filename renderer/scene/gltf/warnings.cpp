@@ -1,0 +1,35 @@
+#include "renderer/scene/gltf/warnings.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace asos::gltf {
+
+namespace {
+constexpr std::size_t most_warnings = 100;
+}
+
+void Warnings::add(std::string text) {
+  if (seen_.contains(text)) return;
+  if (texts_.size() >= most_warnings) {
+    ++dropped_;
+    return;
+  }
+  seen_.insert(text);
+  texts_.push_back(std::move(text));
+}
+
+void Warnings::add_loss(std::string text) {
+  if (first_loss_.empty()) first_loss_ = text;
+  add(std::move(text));
+}
+
+std::vector<std::string> Warnings::take() {
+  if (dropped_ > 0) texts_.push_back(fmt::format("and {} more", dropped_));
+  dropped_ = 0;
+  seen_.clear();
+  return std::exchange(texts_, {});
+}
+
+}  // namespace asos::gltf

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace asos::gltf {
+
+/// A value, or in words why the file does not yield it.
+template <typename T>
+using Checked = tl::expected<T, std::string>;
+
+inline tl::unexpected<std::string> fault(std::string reason) {
+  return tl::unexpected<std::string>(std::move(reason));
+}
+
+/// What the importer repaired or ignored, each said once. A broken file can have a million faults,
+/// so the list is bounded and its last line counts the rest.
+class Warnings {
+ public:
+  /// Something is wrong, but nothing is lost by it.
+  void add(std::string text);
+  /// Something that should be drawn is lost. If nothing is left to draw, this becomes the error.
+  void add_loss(std::string text);
+
+  [[nodiscard]] const std::string& first_loss() const { return first_loss_; }
+  [[nodiscard]] std::vector<std::string> take();
+
+ private:
+  std::vector<std::string> texts_;
+  std::unordered_set<std::string> seen_;
+  std::string first_loss_;
+  std::size_t dropped_ = 0;
+};
+
+}  // namespace asos::gltf

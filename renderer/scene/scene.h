@@ -1,0 +1,142 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+// A scene as an author wrote it: meshes placed by instances, materials, lights and cameras. Plain
+// data; the importer and the built-in scenes fill it, the exporter writes it, `World` flattens it.
+// Conventions are glTF's: right-handed, +Y up, metres, radians; colours linear.
+
+namespace asos {
+
+/// 8-bit RGBA, rows from top to bottom, `4 * width * height` bytes. Whether the red, green and blue
+/// bytes are sRGB-encoded is decided by what the image is used for, as in glTF.
+struct Image {
+  std::string name;
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
+enum class Filter { nearest, linear };
+
+struct Texture {
+  std::string name;
+  int image = -1;  ///< index into Scene::images
+  Wrap wrap_u = Wrap::repeat;
+  Wrap wrap_v = Wrap::repeat;
+  Filter filter = Filter::linear;  ///< glTF's magFilter
+};
+
+/// A material's use of a texture. `uv_transform * (u, v, 1)` gives the coordinates to look up
+/// (KHR_texture_transform); `scale` is the normal map's or the occlusion's strength.
+struct TextureUse {
+  int texture = -1;  ///< index into Scene::textures; -1: none
+  int texcoord = 0;  ///< which set: 0 or 1
+  glm::mat3 uv_transform{1.0f};
+  float scale = 1.0f;
+
+  [[nodiscard]] bool used() const { return texture >= 0; }
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
+struct Material {
+  std::string name;
+  glm::vec4 base_color{1.0f};
+  TextureUse base_color_texture;  ///< RGB sRGB, A linear
+  float metallic = 1.0f;
+  float roughness = 1.0f;
+  TextureUse metallic_roughness_texture;  ///< G roughness, B metallic, linear
+  TextureUse normal_texture;              ///< tangent space, linear
+  glm::vec3 emissive{0.0f};               ///< times emissive_strength: nits
+  float emissive_strength = 1.0f;         ///< KHR_materials_emissive_strength
+  TextureUse emissive_texture;            ///< sRGB
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  bool unlit = false;         ///< KHR_materials_unlit
+  float ior = 1.5f;           ///< KHR_materials_ior
+  float transmission = 0.0f;  ///< KHR_materials_transmission, thin surface
+};
+
+/// One primitive's triangles in its own space. Attribute arrays are empty or as long as
+/// `positions`; every index is below that length; positions and normals are finite.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;   ///< unit; filled by the importer where the file has none
+  std::vector<glm::vec4> tangents;  ///< xyz unit, w = +-1; only where a normal map needs them
+  std::vector<glm::vec2> texcoords[2];
+  std::vector<glm::vec4> colors;  ///< linear RGBA
+  std::vector<glm::uvec3> triangles;
+  int material = -1;  ///< index into Scene::materials; -1: glTF's default material
+};
+
+/// A mesh placed in the world. A negative determinant mirrors it.
+struct Instance {
+  std::string name;
+  int mesh = -1;  ///< index into Scene::meshes
+  glm::dmat4 world_from_mesh{1.0};
+};
+
+/// A punctual light (KHR_lights_punctual), already placed in the world.
+struct Light {
+  enum class Type { point, spot, directional };
+
+  std::string name;
+  Type type = Type::point;
+  glm::vec3 color{1.0f};
+  float intensity = 1.0f;          ///< candela (point, spot) or lux (directional)
+  glm::dvec3 position{0.0};        ///< point and spot
+  glm::dvec3 direction{0, 0, -1};  ///< unit, the way the light travels: spot and directional
+  double range = std::numeric_limits<double>::infinity();
+  double inner_cone_rad = 0.0;
+  double outer_cone_rad = 0.7853981633974483;
+  bool casts_shadows = true;
+};
+
+/// A camera placed in the world; it looks along -Z of `world_from_camera`, +Y is up, the columns of
+/// its upper 3x3 are orthonormal.
+struct Camera {
+  enum class Type { perspective, orthographic };
+
+  std::string name;
+  Type type = Type::perspective;
+  glm::dmat4 world_from_camera{1.0};
+  double fov_y_rad = 0.8726646259971648;  ///< perspective: full vertical angle, in (0, pi)
+  double height = 1.0;                    ///< orthographic: full height in world units
+  std::optional<double> aspect_ratio;     ///< width over height, where the file asks for one
+};
+
+/// What the file held that is not drawn or not supported, in words for a person.
+struct SceneNotes {
+  std::vector<std::string> warnings;                ///< repaired or ignored, with the reason
+  std::vector<std::string> unsupported_extensions;  ///< optional ones that are not honoured
+  std::uint64_t points_not_drawn = 0;               ///< POINTS primitives' vertices
+  std::uint64_t lines_not_drawn = 0;                ///< segments of LINES, LINE_STRIP, LINE_LOOP
+};
+
+struct Scene {
+  std::string name;    ///< of the glTF scene, or the built-in scene
+  std::string source;  ///< path, or "builtin:NAME"
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Image> images;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  SceneNotes notes;
+
+  [[nodiscard]] std::uint64_t instanced_triangles() const;
+};
+
+}  // namespace asos

@@ -1,0 +1,372 @@
+#include "renderer/scene/world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace asos {
+
+namespace {
+
+// Beyond this the squares of distances between points do not fit a float either.
+constexpr double largest_extent = 1e18;
+constexpr std::uint64_t largest_vertex_count = 0xfffffffeu;
+
+bool finite(glm::dvec3 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Which of a mesh's vertices go into the world, and as what triangles.
+struct PlacedMesh {
+  const Mesh* mesh = nullptr;
+  bool flat = false;                      ///< no normals: each triangle has vertices of its own
+  std::vector<std::uint32_t> source;      ///< world vertex -> mesh vertex; empty: the same
+  std::vector<glm::uvec3> own_triangles;  ///< where `source` is not empty
+  [[nodiscard]] const std::vector<glm::uvec3>& triangles() const {
+    return source.empty() ? mesh->triangles : own_triangles;
+  }
+  [[nodiscard]] std::size_t vertex_count() const {
+    return source.empty() ? mesh->positions.size() : source.size();
+  }
+  [[nodiscard]] std::size_t vertex(std::size_t i) const { return source.empty() ? i : source[i]; }
+};
+
+/// What attributes the world keeps.
+struct Attributes {
+  bool tangents = false;
+  bool texcoords[2] = {false, false};
+  bool colors = false;
+};
+
+unexpected<Error> refuse(const Scene& scene, std::string reason) {
+  return unexpected(
+      Error{scene.source.empty() ? std::string("scene") : scene.source, std::move(reason)});
+}
+
+// --- Is the scene what its header promises? ----------------------------------------------------
+
+bool in_range(int index, std::size_t size) {
+  return index >= -1 && (index < 0 || static_cast<std::size_t>(index) < size);
+}
+
+bool valid_mesh(const Mesh& mesh) {
+  const std::size_t n = mesh.positions.size();
+  const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
+  if (n > largest_vertex_count || !fits(mesh.normals.size()) || !fits(mesh.tangents.size()) ||
+      !fits(mesh.texcoords[0].size()) || !fits(mesh.texcoords[1].size()) ||
+      !fits(mesh.colors.size())) {
+    return false;
+  }
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [n](glm::uvec3 t) { return t.x < n && t.y < n && t.z < n; });
+}
+
+bool valid_textures(const Scene& scene, const Material& m) {
+  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
+                                &m.normal_texture, &m.emissive_texture}) {
+    if (!in_range(use->texture, scene.textures.size()) || use->texcoord < 0 || use->texcoord > 1) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string find_fault(const Scene& scene) {
+  for (const Mesh& mesh : scene.meshes) {
+    if (!valid_mesh(mesh)) return fmt::format("mesh '{}' has mismatched arrays", mesh.name);
+    if (!in_range(mesh.material, scene.materials.size())) {
+      return fmt::format("mesh '{}' has a material that does not exist", mesh.name);
+    }
+  }
+  for (const Instance& instance : scene.instances) {
+    if (instance.mesh < 0 || !in_range(instance.mesh, scene.meshes.size())) {
+      return fmt::format("instance '{}' has a mesh that does not exist", instance.name);
+    }
+  }
+  for (const Material& material : scene.materials) {
+    if (!valid_textures(scene, material)) {
+      return fmt::format("material '{}' has a texture that does not exist", material.name);
+    }
+  }
+  for (const Texture& texture : scene.textures) {
+    if (!in_range(texture.image, scene.images.size())) {
+      return fmt::format("texture '{}' has an image that does not exist", texture.name);
+    }
+  }
+  return {};
+}
+
+// --- What is placed ----------------------------------------------------------------------------
+
+PlacedMesh place_flat(const Mesh& mesh) {
+  PlacedMesh placed{&mesh, true, {}, {}};
+  placed.source.reserve(mesh.triangles.size() * 3);
+  placed.own_triangles.reserve(mesh.triangles.size());
+  for (const glm::uvec3 t : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(placed.source.size());
+    placed.source.insert(placed.source.end(), {t.x, t.y, t.z});
+    placed.own_triangles.emplace_back(first, first + 1, first + 2);
+  }
+  return placed;
+}
+
+/// Leaves out the vertices that no triangle uses, since they may lie anywhere.
+PlacedMesh place(const Mesh& mesh) {
+  if (mesh.normals.empty()) return place_flat(mesh);
+  PlacedMesh placed{&mesh, false, {}, {}};
+  constexpr std::uint32_t unused = 0xffffffffu;
+  std::vector<std::uint32_t> to_placed(mesh.positions.size(), unused);
+  for (const glm::uvec3 t : mesh.triangles) to_placed[t.x] = to_placed[t.y] = to_placed[t.z] = 0;
+  if (std::find(to_placed.begin(), to_placed.end(), unused) == to_placed.end()) return placed;
+  for (std::size_t i = 0; i < to_placed.size(); ++i) {
+    if (to_placed[i] == unused) continue;
+    to_placed[i] = static_cast<std::uint32_t>(placed.source.size());
+    placed.source.push_back(static_cast<std::uint32_t>(i));
+  }
+  placed.own_triangles.reserve(mesh.triangles.size());
+  for (const glm::uvec3 t : mesh.triangles) {
+    placed.own_triangles.emplace_back(to_placed[t.x], to_placed[t.y], to_placed[t.z]);
+  }
+  return placed;
+}
+
+Attributes find_attributes(const Scene& scene, const std::vector<bool>& shown) {
+  Attributes keep;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!shown[i]) continue;
+    const Mesh& mesh = scene.meshes[i];
+    keep.colors |= std::any_of(mesh.colors.begin(), mesh.colors.end(),
+                               [](glm::vec4 c) { return c != glm::vec4(1.0f); });
+    if (mesh.material < 0) continue;
+    const Material& m = scene.materials[static_cast<std::size_t>(mesh.material)];
+    const auto use = [&](const TextureUse& t) {
+      if (t.used()) keep.texcoords[t.texcoord] = true;
+    };
+    use(m.base_color_texture);
+    if (m.unlit) continue;
+    use(m.metallic_roughness_texture);
+    use(m.normal_texture);
+    use(m.emissive_texture);
+    keep.tangents |= m.normal_texture.used();
+  }
+  return keep;
+}
+
+glm::vec3 any_perpendicular(glm::vec3 n) {
+  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, n));
+}
+
+/// A unit vector along `v`, or `fallback` where it has no direction.
+glm::vec3 unit_or(glm::dvec3 v, glm::vec3 fallback) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0.0) || !std::isfinite(largest)) return fallback;
+  return glm::vec3(glm::normalize(v / largest));
+}
+
+/// A matrix brought to a size where products of its entries neither overflow nor vanish.
+glm::dmat3 linear_part(const glm::dmat4& m) {
+  glm::dmat3 linear(m);
+  double largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(linear[c][r]));
+  }
+  return largest > 0.0 ? linear * (1.0 / largest) : linear;
+}
+
+class Flattener {
+ public:
+  explicit Flattener(const Scene& scene) : scene_(scene) {}
+
+  Result<World> run(std::uint64_t max_triangles) {
+    if (std::string fault = find_fault(scene_); !fault.empty()) return refuse(scene_, fault);
+    if (scene_.instanced_triangles() > max_triangles) {
+      return refuse(scene_, fmt::format("has {} triangles; the limit is {}",
+                                        scene_.instanced_triangles(), max_triangles));
+    }
+    choose_meshes();
+    std::uint64_t vertices = 0;
+    for (const Instance& instance : scene_.instances) vertices += mesh_of(instance).vertex_count();
+    if (vertices > largest_vertex_count) {
+      return refuse(scene_, fmt::format("has {} vertices, more than 32 bits count", vertices));
+    }
+    if (std::string fault = find_origin(); !fault.empty()) return refuse(scene_, fault);
+    reserve(vertices, scene_.instanced_triangles());
+    for (const Instance& instance : scene_.instances) add(instance);
+    add_rest();
+    return std::move(world_);
+  }
+
+ private:
+  [[nodiscard]] const PlacedMesh& mesh_of(const Instance& instance) const {
+    return placed_[static_cast<std::size_t>(instance.mesh)];
+  }
+
+  void choose_meshes() {
+    std::vector<bool> shown(scene_.meshes.size(), false);
+    for (const Instance& instance : scene_.instances) {
+      const auto mesh = static_cast<std::size_t>(instance.mesh);
+      shown[mesh] = !scene_.meshes[mesh].triangles.empty();
+    }
+    placed_.resize(scene_.meshes.size());
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (shown[i]) placed_[i] = place(scene_.meshes[i]);
+    }
+    keep_ = find_attributes(scene_, shown);
+  }
+
+  /// The centre of all placed positions in double precision.
+  std::string find_origin() {
+    glm::dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+    for (const Instance& instance : scene_.instances) {
+      const PlacedMesh& placed = mesh_of(instance);
+      if (!placed.mesh) continue;
+      for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
+        const glm::dvec3 p = glm::dvec3(instance.world_from_mesh *
+                                        glm::dvec4(placed.mesh->positions[placed.vertex(i)], 1.0));
+        if (!finite(p)) {
+          return fmt::format("instance '{}' has positions that are not finite", instance.name);
+        }
+        lo = glm::min(lo, p), hi = glm::max(hi, p);
+      }
+    }
+    if (lo.x > hi.x) return {};
+    world_.origin = 0.5 * lo + 0.5 * hi;
+    const glm::dvec3 extent = hi - lo;
+    if (!(std::max({extent.x, extent.y, extent.z}) <= largest_extent)) {
+      return fmt::format("is {:g} units across, too large for single precision",
+                         std::max({extent.x, extent.y, extent.z}));
+    }
+    return {};
+  }
+
+  void reserve(std::size_t vertices, std::size_t triangles) {
+    world_.positions.reserve(vertices);
+    world_.normals.reserve(vertices);
+    if (keep_.tangents) world_.tangents.reserve(vertices);
+    for (int set = 0; set < 2; ++set) {
+      if (keep_.texcoords[set]) world_.texcoords[set].reserve(vertices);
+    }
+    if (keep_.colors) world_.colors.reserve(vertices);
+    world_.triangles.reserve(triangles);
+    world_.triangle_part.reserve(triangles);
+  }
+
+  void add(const Instance& instance) {
+    const PlacedMesh& placed = mesh_of(instance);
+    if (!placed.mesh) return;
+    const glm::dmat3 linear = linear_part(instance.world_from_mesh);
+    const bool mirrored = glm::determinant(linear) < 0.0;
+
+    Part part;
+    part.name = instance.name.empty() ? placed.mesh->name : instance.name;
+    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
+    part.triangle_count = static_cast<std::uint32_t>(placed.triangles().size());
+    part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+    part.vertex_count = static_cast<std::uint32_t>(placed.vertex_count());
+    part.material = placed.mesh->material >= 0
+                        ? static_cast<std::uint32_t>(placed.mesh->material)
+                        : static_cast<std::uint32_t>(scene_.materials.size());
+
+    add_positions(placed, instance.world_from_mesh);
+    for (glm::uvec3 t : placed.triangles()) {
+      t += part.first_vertex;
+      // A mirror turns triangles inside out; glTF keeps the front side in front.
+      if (mirrored) std::swap(t.y, t.z);
+      world_.triangles.push_back(t);
+      world_.triangle_part.push_back(static_cast<std::uint32_t>(world_.parts.size()));
+    }
+    if (placed.flat) {
+      add_flat_normals(part);
+    } else {
+      add_normals(placed, linear, mirrored);
+    }
+    add_attributes(placed, linear, mirrored, part);
+    world_.parts.push_back(std::move(part));
+  }
+
+  void add_positions(const PlacedMesh& placed, const glm::dmat4& world_from_mesh) {
+    for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
+      const glm::dvec4 p(placed.mesh->positions[placed.vertex(i)], 1.0);
+      const glm::vec3 q(glm::dvec3(world_from_mesh * p) - world_.origin);
+      world_.positions.push_back(q);
+      world_.bounds.grow(q);
+    }
+  }
+
+  void add_normals(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored) {
+    // The cofactors are the inverse transpose times the determinant; they exist for singular
+    // matrices too, where a mesh is squeezed into a plane.
+    const double sign = mirrored ? -1.0 : 1.0;
+    const glm::dmat3 cofactors(sign * glm::cross(linear[1], linear[2]),
+                               sign * glm::cross(linear[2], linear[0]),
+                               sign * glm::cross(linear[0], linear[1]));
+    for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
+      const glm::vec3 n = placed.mesh->normals[placed.vertex(i)];
+      world_.normals.push_back(unit_or(cofactors * glm::dvec3(n), n));
+    }
+  }
+
+  void add_flat_normals(const Part& part) {
+    for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+      const glm::uvec3 v = world_.triangles[part.first_triangle + t];
+      const glm::dvec3 a(world_.positions[v.x]), b(world_.positions[v.y]), c(world_.positions[v.z]);
+      const glm::vec3 n = unit_or(glm::cross(b - a, c - a), glm::vec3(0, 0, 1));
+      world_.normals.insert(world_.normals.end(), 3, n);
+    }
+  }
+
+  void add_attributes(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored,
+                      const Part& part) {
+    const Mesh& mesh = *placed.mesh;
+    const std::size_t n = placed.vertex_count();
+    for (std::size_t i = 0; keep_.tangents && i < n; ++i) {
+      const glm::vec3 across = any_perpendicular(world_.normals[part.first_vertex + i]);
+      glm::vec4 t(across, 1.0f);
+      if (!mesh.tangents.empty()) {
+        const glm::vec4 s = mesh.tangents[placed.vertex(i)];
+        t = glm::vec4(unit_or(linear * glm::dvec3(s), across), mirrored ? -s.w : s.w);
+      }
+      world_.tangents.push_back(t);
+    }
+    for (int set = 0; set < 2; ++set) {
+      const std::vector<glm::vec2>& uv = mesh.texcoords[set];
+      for (std::size_t i = 0; keep_.texcoords[set] && i < n; ++i) {
+        world_.texcoords[set].push_back(uv.empty() ? glm::vec2(0.0f) : uv[placed.vertex(i)]);
+      }
+    }
+    for (std::size_t i = 0; keep_.colors && i < n; ++i) {
+      world_.colors.push_back(mesh.colors.empty() ? glm::vec4(1.0f)
+                                                  : mesh.colors[placed.vertex(i)]);
+    }
+  }
+
+  void add_rest() {
+    world_.materials = scene_.materials;
+    world_.materials.emplace_back();
+    world_.materials.back().name = "default";
+    world_.textures = scene_.textures;
+    world_.images = scene_.images;
+    world_.lights = scene_.lights;
+    for (Light& light : world_.lights) light.position -= world_.origin;
+    world_.cameras = scene_.cameras;
+    for (Camera& camera : world_.cameras) {
+      camera.world_from_camera[3] -= glm::dvec4(world_.origin, 0.0);
+    }
+  }
+
+  const Scene& scene_;
+  World world_;
+  std::vector<PlacedMesh> placed_;  // one a mesh; `mesh` is null where nothing shows it
+  Attributes keep_;
+};
+
+}  // namespace
+
+Result<World> flatten(const Scene& scene, std::uint64_t max_triangles) {
+  return Flattener(scene).run(max_triangles);
+}
+
+}  // namespace asos

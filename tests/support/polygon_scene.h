@@ -1,0 +1,163 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/geometry/ray.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/pyray/hit_list.h"
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace asos::test {
+
+/// Flat convex polygons, one part each, for tests of the engine: a world without importer.
+class PolygonScene {
+ public:
+  PolygonScene() { world.materials.resize(1); }
+
+  /// Adds a convex polygon as a fan of triangles; returns its part.
+  std::uint32_t add(const std::vector<glm::vec3>& corners) {
+    Part part;
+    part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
+    part.first_vertex = static_cast<std::uint32_t>(world.positions.size());
+    part.vertex_count = static_cast<std::uint32_t>(corners.size());
+    part.triangle_count = part.vertex_count - 2;
+    const auto id = static_cast<std::uint32_t>(world.parts.size());
+    const glm::vec3 normal =
+        glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    for (const glm::vec3& p : corners) {
+      world.positions.push_back(p);
+      world.normals.push_back(normal);
+      world.bounds.grow(p);
+    }
+    for (std::uint32_t i = 1; i + 1 < part.vertex_count; ++i) {
+      world.triangles.push_back(part.first_vertex + glm::uvec3(0, i, i + 1));
+      world.triangle_part.push_back(id);
+    }
+    world.parts.push_back(part);
+    return id;
+  }
+
+  World world;
+};
+
+/// A Caster that looks through a frame by testing every triangle in double precision, and adds up
+/// what share of the root each part covers.
+class BruteForceCaster final : public Caster {
+ public:
+  BruteForceCaster(const World& world, const FeatureSet& features, const Frame& frame)
+      : coverage(world.parts.size()), world_(world), features_(features), frame_(frame) {}
+
+  SampleId probe(std::span<const glm::vec2> points) override {
+    const std::size_t first = samples_.size();
+    for (const glm::vec2& p : points) samples_.push_back(look(p.x, p.y));
+    return static_cast<SampleId>(first);
+  }
+
+  [[nodiscard]] Cover cover(SampleId id) const override {
+    const Sample& s = samples_[id];
+    if (s.triangle == Hit::none) return Cover::none();
+    const glm::uvec3 i = world_.triangles[s.triangle];
+    const glm::dvec3 a(world_.positions[i.x]);
+    return Cover::plane(
+        frame_, s.point,
+        glm::cross(glm::dvec3(world_.positions[i.y]) - a, glm::dvec3(world_.positions[i.z]) - a));
+  }
+
+  [[nodiscard]] std::uint32_t surface(SampleId id) const override {
+    const std::uint32_t t = samples_[id].triangle;
+    return t == Hit::none ? Hit::none : features_.sheet(t);
+  }
+
+  void leaf(std::uint32_t, SampleId id, double weight) override {
+    total += weight;
+    const std::uint32_t t = samples_[id].triangle;
+    if (t != Hit::none) coverage[world_.triangle_part[t]] += weight;
+  }
+
+  [[nodiscard]] int probes() const { return static_cast<int>(samples_.size()); }
+
+  std::vector<double> coverage;  ///< of each part, 0 to 1
+  double total = 0.0;            ///< of all leaves
+
+ private:
+  struct Sample {
+    std::uint32_t triangle = Hit::none;
+    glm::dvec3 point{0.0};
+  };
+
+  [[nodiscard]] Sample look(float u, float v) const {
+    const double near = frame_.parallel() ? 0.0 : 1.0;
+    const glm::dvec3 origin = frame_.parallel() ? frame_.world({u, v, 0.0}) : frame_.apex();
+    const glm::dvec3 d = frame_.world({u, v, near ? 1.0 : -1.0}) - origin;
+    Sample best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < world_.triangles.size(); ++t) {
+      const glm::uvec3 i = world_.triangles[t];
+      const glm::dvec3 a(world_.positions[i.x]);
+      const glm::dvec3 e1 = glm::dvec3(world_.positions[i.y]) - a;
+      const glm::dvec3 e2 = glm::dvec3(world_.positions[i.z]) - a;
+      const glm::dvec3 p = glm::cross(d, e2);
+      const double det = glm::dot(e1, p);
+      const glm::dvec3 s = origin - a;
+      const double b1 = glm::dot(s, p) / det;
+      const glm::dvec3 q = glm::cross(s, e1);
+      const double b2 = glm::dot(d, q) / det;
+      const double at = glm::dot(e2, q) / det;
+      if (!(b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 && at > 0.0 && at < nearest)) continue;
+      nearest = at;
+      best = {t, origin + at * d};
+    }
+    return best;
+  }
+
+  const World& world_;
+  const FeatureSet& features_;
+  const Frame& frame_;
+  std::vector<Sample> samples_;
+};
+
+/// The part of a convex polygon inside the unit square, by Sutherland and Hodgman.
+inline std::vector<glm::dvec2> clip_to_unit_square(std::vector<glm::dvec2> polygon) {
+  for (int side = 0; side < 4; ++side) {
+    const int k = side & 1;
+    const auto depth = [&](glm::dvec2 p) { return side < 2 ? p[k] : 1.0 - p[k]; };
+    std::vector<glm::dvec2> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const glm::dvec2 p = polygon[i];
+      const glm::dvec2 q = polygon[(i + 1) % polygon.size()];
+      if (depth(p) >= 0.0) kept.push_back(p);
+      if ((depth(p) < 0.0) != (depth(q) < 0.0))
+        kept.push_back(p + (q - p) * (depth(p) / (depth(p) - depth(q))));
+    }
+    polygon = kept;
+  }
+  return polygon;
+}
+
+inline double area(const std::vector<glm::dvec2>& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 p = polygon[i];
+    const glm::dvec2 q = polygon[(i + 1) % polygon.size()];
+    twice += p.x * q.y - p.y * q.x;
+  }
+  return 0.5 * std::abs(twice);
+}
+
+/// Looks down -Z from the origin at the square 0 <= x, y <= 1 at distance 1, so that a point
+/// (x, y, 1) * d in (x, -y, -z) is at (u, v) = (x, y). The world point at (u, v) and depth d:
+inline glm::vec3 at_depth(double u, double v, double depth) {
+  return glm::vec3(glm::dvec3(u, -v, -1.0) * depth);
+}
+inline Frame unit_frame() {
+  return Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0});
+}
+
+}  // namespace asos::test

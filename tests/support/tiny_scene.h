@@ -1,0 +1,26 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/methods/render_scene.h"
+#include "renderer/rays/ray_scene.h"
+#include "renderer/scene/needs.h"
+#include "renderer/shading/shade.h"
+#include "tests/support/tiny_world.h"
+
+#include <memory>
+#include <utility>
+
+namespace asos::test {
+
+/// A world with the hierarchies it needs, where it stays.
+inline std::shared_ptr<const RenderScene> make_render_scene(World world) {
+  auto scene = std::make_shared<RenderScene>();
+  scene->world = std::move(world);
+  scene->needs = find_needs(scene->world);
+  scene->rays = std::move(RayScene::build(scene->world, alpha_at).value());
+  scene->features = FeatureSet(scene->world);
+  scene->name = "tiny";
+  return scene;
+}
+
+}  // namespace asos::test
