@@ -1,0 +1,48 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// A finished part of a picture, as a worker publishes it. Arrays are row-major, rect.width *
+/// rect.height long.
+struct FinishedTile {
+  PixelRect rect;
+  std::vector<glm::vec3> radiance;        ///< linear
+  std::vector<std::uint8_t> split_level;  ///< deepest level that the pixel split to; 0: not split
+};
+
+/// A whole picture: linear radiance and the split map, row-major from the top left.
+struct Film {
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec3> radiance;
+  std::vector<std::uint8_t> split_level;
+
+  Film() = default;
+  Film(int w, int h);
+  /// Copies a tile in; what lies outside the picture is left out.
+  void put(const FinishedTile& tile);
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// Display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. The stopping rules and
+/// the window use the same transform.
+[[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev);
+/// The same as bytes, rounded; fast enough for whole pictures. What is not a number shows as black.
+[[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev);
+
+/// The split map's colour of a level on the absolute scale 0..max_level: sRGB bytes, brighter for
+/// deeper levels. Level 0 (not split) is black and no other level is: an overlay leaves its pixels
+/// out. A level above max_level has max_level's colour.
+[[nodiscard]] glm::u8vec3 split_colour(int level, int max_level);
+
+}  // namespace asos

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/result.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asos {
+
+/// Keys and values that travel inside a picture's file, in order.
+using ImageText = std::vector<std::pair<std::string, std::string>>;
+
+/// 8-bit RGB, rows from top to bottom, 3 * width * height bytes.
+struct RgbImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+  ImageText text;
+};
+
+// The writers put the file beside its place and rename it there when it is whole: a reader never
+// sees half a picture, and a failure leaves what was there. Errors name the file and the reason.
+
+/// A PNG with `text` as tEXt chunks (iTXt where a value is not plain ASCII). Keys have 1 to 79
+/// printable ASCII characters and no spaces at their ends.
+[[nodiscard]] Result<void> write_png(const std::string& path, const RgbImage& image);
+
+/// The picture as the display shows it.
+[[nodiscard]] Result<void> write_png(const std::string& path, const Film& film, float exposure_ev,
+                                     const ImageText& text);
+
+/// The split map in the colours of `split_colour`.
+[[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,
+                                               int max_level, const ImageText& text = {});
+
+/// Linear radiance as 32-bit floats, ZIP-compressed, with `attributes` as string attributes (at
+/// most 128; keys of 1 to 255 bytes).
+[[nodiscard]] Result<void> write_exr(const std::string& path, const Film& film,
+                                     const ImageText& attributes);
+
+[[nodiscard]] Result<RgbImage> read_png(const std::string& path);
+
+struct ExrImage {
+  Film film;  ///< without split levels
+  ImageText attributes;
+};
+[[nodiscard]] Result<ExrImage> read_exr(const std::string& path);
+
+/// Writes `bytes` to `path` by way of a file beside it. For every file that the program makes.
+[[nodiscard]] Result<void> write_file_atomically(const std::string& path,
+                                                 const std::vector<std::uint8_t>& bytes);
+
+}  // namespace asos

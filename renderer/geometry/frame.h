@@ -1,0 +1,67 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// A point of a frame's square with its nearness: u and v run from 0 to 1 across the pyray; q is
+/// larger for nearer points and linear along straight lines and across planes (1 / W for an apex,
+/// -W for an apex at infinity).
+struct FramePoint {
+  double u = 0.0;
+  double v = 0.0;
+  double q = 0.0;
+};
+
+/// The projective frame of a root pyray (design section 2): takes a world point p to (U, V, W) with
+/// p - apex = U a + V b + W c, so that the pyramid is 0 <= U/W, V/W <= 1, W > 0. For an apex at
+/// infinity ("parallel") the map is affine and the pyray is the prism 0 <= U, V <= 1.
+/// Distances are taken from the apex before anything is multiplied; double precision throughout.
+class Frame {
+ public:
+  /// Pyramid from `apex` through the parallelogram with corner apex + c and edges a, b. The three
+  /// vectors must be linearly independent.
+  static Frame pyramid(glm::dvec3 apex, glm::dvec3 c, glm::dvec3 a, glm::dvec3 b);
+  /// Prism along `direction` (unit) over the parallelogram with corner `corner` and edges a, b.
+  static Frame prism(glm::dvec3 corner, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b);
+
+  [[nodiscard]] bool parallel() const { return parallel_; }
+  /// The apex, or for a prism a point of its base.
+  [[nodiscard]] glm::dvec3 apex() const { return apex_; }
+  /// Unit, the way a prism's rays go; for a pyramid the direction through its middle.
+  [[nodiscard]] glm::dvec3 direction() const { return direction_; }
+
+  /// (U, V, W) of a world point.
+  [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const {
+    const glm::dvec3 d = p - apex_;
+    return {glm::dot(row_u_, d), glm::dot(row_v_, d), glm::dot(row_w_, d)};
+  }
+  /// A homogeneous point with W > 0 on the square.
+  [[nodiscard]] FramePoint project(glm::dvec3 h) const {
+    if (parallel_) return {h.x, h.y, -h.z};
+    const double q = 1.0 / h.z;
+    return {h.x * q, h.y * q, q};
+  }
+  /// The world point at (u, v) whose nearness is q.
+  [[nodiscard]] glm::dvec3 world(FramePoint p) const;
+
+  [[nodiscard]] glm::dvec3 row_u() const { return row_u_; }
+  [[nodiscard]] glm::dvec3 row_v() const { return row_v_; }
+  [[nodiscard]] glm::dvec3 row_w() const { return row_w_; }
+  /// Edges of the base: the pyray at W = 1 is |a| wide and |b| high.
+  [[nodiscard]] glm::dvec3 base_u() const { return a_; }
+  [[nodiscard]] glm::dvec3 base_v() const { return b_; }
+  [[nodiscard]] glm::dvec3 base_corner() const { return c_; }
+
+ private:
+  Frame(bool parallel, glm::dvec3 apex, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b,
+        glm::dvec3 c);
+
+  bool parallel_;
+  glm::dvec3 apex_;
+  glm::dvec3 direction_;
+  glm::dvec3 a_, b_, c_;              // columns
+  glm::dvec3 row_u_, row_v_, row_w_;  // rows of the inverse of [a b c]
+};
+
+}  // namespace asos

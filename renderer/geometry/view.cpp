@@ -1,0 +1,41 @@
+#include "renderer/geometry/view.h"
+
+#include <cmath>
+
+namespace asos {
+
+View::View(const Camera& camera, int width, int height)
+    : perspective_(camera.type == Camera::Type::perspective), width_(width), height_(height) {
+  const glm::dmat4& m = camera.world_from_camera;
+  const glm::dvec3 right(m[0]), up(m[1]);
+  forward_ = -glm::dvec3(m[2]);
+  eye_ = glm::dvec3(m[3]);
+  const double full_height = perspective_ ? 2.0 * std::tan(0.5 * camera.fov_y_rad) : camera.height;
+  const double pixel = full_height / height;
+  pixel_right_ = right * pixel;
+  pixel_down_ = -up * pixel;
+  corner_ = forward_ - (0.5 * width) * pixel_right_ - (0.5 * height) * pixel_down_;
+}
+
+Ray View::ray(double x, double y) const {
+  const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
+  Ray ray;
+  if (perspective_) {
+    ray.origin = glm::vec3(eye_);
+    ray.direction = glm::vec3(glm::normalize(target));
+  } else {
+    ray.origin = glm::vec3(eye_ + target - forward_);
+    ray.direction = glm::vec3(forward_);
+  }
+  return ray;
+}
+
+Frame View::frame(double x, double y, double width, double height) const {
+  const glm::dvec3 corner = corner_ + x * pixel_right_ + y * pixel_down_;
+  const glm::dvec3 a = width * pixel_right_;
+  const glm::dvec3 b = height * pixel_down_;
+  if (perspective_) return Frame::pyramid(eye_, corner, a, b);
+  return Frame::prism(eye_ + corner - forward_, forward_, a, b);
+}
+
+}  // namespace asos

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "renderer/geometry/frame.h"
+#include "renderer/geometry/ray.h"
+#include "renderer/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// Pixels, x to the right and y down, from (x, y) inclusive to (x + width, y + height) exclusive.
+struct PixelRect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// A camera and the picture that it fills: makes eye rays and eye frames. The vertical extent is
+/// the camera's; the horizontal one follows the picture's proportions. Pixel (0, 0) is at the top
+/// left and its centre is (0.5, 0.5). `camera` is relative to World::origin. Thread-safe.
+class View {
+ public:
+  View(const Camera& camera, int width, int height);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+  /// The eye ray through a point of the picture, in pixels; unit direction.
+  [[nodiscard]] Ray ray(double x, double y) const;
+
+  /// The frame of the pyray through a rectangle of the picture, in pixels: (u, v) runs from 0 to 1
+  /// from its top left to its bottom right corner.
+  [[nodiscard]] Frame frame(double x, double y, double width, double height) const;
+
+ private:
+  bool perspective_;
+  glm::dvec3 eye_;          // perspective: the apex; orthographic: a point of the image plane
+  glm::dvec3 corner_;       // from eye_ to the picture's top left corner, one unit ahead
+  glm::dvec3 pixel_right_;  // one pixel to the right, in world units
+  glm::dvec3 pixel_down_;
+  glm::dvec3 forward_;  // unit
+  int width_;
+  int height_;
+};
+
+}  // namespace asos

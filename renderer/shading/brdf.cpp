@@ -1,0 +1,57 @@
+#include "renderer/shading/brdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+float floored(float roughness) {
+  return std::clamp(roughness, roughness_floor, 1.0f);
+}
+
+glm::vec3 fresnel_schlick(glm::vec3 f0, float v_dot_h) {
+  const float m = std::clamp(1.0f - v_dot_h, 0.0f, 1.0f);
+  const float m2 = m * m;
+  return f0 + (1.0f - f0) * (m2 * m2 * m);
+}
+
+float largest(glm::vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+}  // namespace
+
+float ggx_lobe(float roughness, const BrdfAngles& angles) {
+  const float alpha = floored(roughness) * floored(roughness);
+  const float a2 = alpha * alpha;
+  const float d = angles.n_dot_h * angles.n_dot_h * (a2 - 1.0f) + 1.0f;
+  const float distribution = a2 / (std::numbers::pi_v<float> * d * d);
+  const float nl = angles.n_dot_l;
+  const float nv = angles.n_dot_v;
+  const float shadowing =
+      nl * std::sqrt(nv * nv * (1.0f - a2) + a2) + nv * std::sqrt(nl * nl * (1.0f - a2) + a2);
+  return distribution * 0.5f / shadowing;
+}
+
+glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v) {
+  const glm::vec4 r = floored(roughness) * glm::vec4(-1.0f, -0.0275f, -0.572f, 0.022f) +
+                      glm::vec4(1.0f, 0.0425f, 1.04f, -0.04f);
+  const float a004 = std::min(r.x * r.x, std::exp2(-9.28f * n_dot_v)) * r.x + r.y;
+  return glm::clamp(f0 * (-1.04f * a004 + r.z) + (1.04f * a004 + r.w), 0.0f, 1.0f);
+}
+
+ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
+  const glm::vec3 specular = environment_specular(material.f0, material.roughness, n_dot_v);
+  const float left =
+      (1.0f - largest(specular)) * (1.0f - material.metallic) * (1.0f - material.transmission);
+  return {material.base_color * left, specular, material.f0, material.roughness};
+}
+
+glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
+  return material.diffuse * std::numbers::inv_pi_v<float> +
+         fresnel_schlick(material.f0, angles.v_dot_h) * ggx_lobe(material.roughness, angles);
+}
+
+}  // namespace asos

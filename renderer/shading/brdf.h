@@ -1,0 +1,47 @@
+#pragma once
+
+#include "renderer/shading/surface.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// glTF 2.0's metallic-roughness reflection (appendix B): Lambert and a GGX lobe with Schlick's
+/// Fresnel term and height-correlated Smith shadowing. Angles are cosines to the shading normal.
+struct BrdfAngles {
+  float n_dot_l = 0.0f;
+  float n_dot_v = 0.0f;
+  float n_dot_h = 0.0f;
+  float v_dot_h = 0.0f;
+};
+
+/// Below this a highlight from a punctual light is a few pixels wide at most and hundreds of times
+/// brighter than white: point samples would meet it or miss it by chance, and no method could
+/// antialias it. A perfect mirror is shown with this roughness instead.
+inline constexpr float roughness_floor = 0.1f;
+
+/// What does not depend on the light: made once a point.
+struct ViewedMaterial {
+  glm::vec3 diffuse;   ///< albedo of the Lambert part: what is not mirrored towards this viewer
+  glm::vec3 specular;  ///< share of a constant environment that the GGX lobe returns
+  glm::vec3 f0;
+  float roughness;
+};
+
+/// The diffuse part is what the specular lobe leaves of light *for this viewer*. (glTF's own
+/// weight, 1 - F(v.h), returns up to 1.5 times the light of a white surface seen at a grazing
+/// angle.) A transmissive surface reflects nothing diffusely of the share that it lets through.
+[[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
+
+/// What the surface reflects of light from one direction: radiance per irradiance (1 / sr), so
+/// that the cosine is the caller's.
+[[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
+
+/// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.
+[[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);
+
+/// The share of a constant environment that the lobe returns: the split-sum integral in its
+/// analytic form (Karis 2014 after Lazarov 2013).
+[[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v);
+
+}  // namespace asos

@@ -1,0 +1,174 @@
+#include "renderer/shading/surface.h"
+
+#include "renderer/shading/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+/// Bound of the relative error of n float operations in a row (Higham's gamma).
+constexpr float gamma_bound(int n) {
+  constexpr float half_ulp = 0.5f * std::numeric_limits<float>::epsilon();
+  return static_cast<float>(n) * half_ulp / (1.0f - static_cast<float>(n) * half_ulp);
+}
+
+glm::vec3 normalized_or(glm::vec3 v, glm::vec3 fallback) {
+  const float length2 = glm::dot(v, v);
+  return length2 > 0.0f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
+}
+
+struct Triangle {
+  glm::uvec3 v;
+  float b0, b1, b2;
+
+  Triangle(const World& world, const Hit& hit)
+      : v(world.triangles[hit.triangle]), b0(1.0f - hit.b1 - hit.b2), b1(hit.b1), b2(hit.b2) {}
+
+  template <typename T>
+  [[nodiscard]] T mix(const std::vector<T>& attribute) const {
+    return b0 * attribute[v.x] + b1 * attribute[v.y] + b2 * attribute[v.z];
+  }
+};
+
+/// The tangent (w: handedness) of a triangle without authored tangents: the direction in which u
+/// grows. Zero where the coordinates do not span the triangle.
+glm::vec4 tangent_from_texcoords(const World& world, const Triangle& t, const TextureUse& use,
+                                 glm::vec3 normal) {
+  if (use.texcoord < 0 || use.texcoord > 1 || world.texcoords[use.texcoord].empty()) return {};
+  const auto& uv = world.texcoords[use.texcoord];
+  const glm::vec3 e1 = world.positions[t.v.y] - world.positions[t.v.x];
+  const glm::vec3 e2 = world.positions[t.v.z] - world.positions[t.v.x];
+  const glm::vec2 d1 = uv[t.v.y] - uv[t.v.x];
+  const glm::vec2 d2 = uv[t.v.z] - uv[t.v.x];
+  const float det = d1.x * d2.y - d1.y * d2.x;
+  if (det == 0.0f || !std::isfinite(det)) return {};
+  const float sign = det < 0.0f ? -1.0f : 1.0f;
+  const glm::vec3 along_u = sign * (e1 * d2.y - e2 * d1.y);
+  const glm::vec3 along_v = sign * (e2 * d1.x - e1 * d2.x);
+  // glTF's v runs down the image and a normal map's green points up it: against v. Judged by the
+  // normal, not by the triangle's winding.
+  const bool mirrored = glm::dot(glm::cross(normal, along_u), along_v) > 0.0f;
+  return {along_u, mirrored ? -1.0f : 1.0f};
+}
+
+glm::vec3 mapped_normal(const World& world, const Hit& hit, const Triangle& t,
+                        const Material& material, glm::vec3 normal) {
+  const TextureUse& use = material.normal_texture;
+  glm::vec4 tangent{0.0f};
+  if (!world.tangents.empty()) {
+    tangent = t.mix(world.tangents);
+    tangent.w = world.tangents[t.v.x].w;
+  }
+  glm::vec3 along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
+  if (!(glm::dot(along_u, along_u) > 0.0f)) {
+    tangent = tangent_from_texcoords(world, t, use, normal);
+    along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
+  }
+  along_u = normalized_or(along_u, glm::vec3(0.0f));
+  if (along_u == glm::vec3(0.0f)) return normal;
+  const glm::vec3 along_v = glm::cross(normal, along_u) * (tangent.w < 0.0f ? -1.0f : 1.0f);
+  const glm::vec4 texel =
+      sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear);
+  glm::vec3 local = 2.0f * glm::vec3(texel) - 1.0f;
+  local.x *= use.scale;
+  local.y *= use.scale;
+  return normalized_or(local.x * along_u + local.y * along_v + local.z * normal, normal);
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
+                           glm::vec3 to_viewer) {
+  const Triangle t(world, hit);
+  const glm::vec3 p0 = world.positions[t.v.x];
+  const glm::vec3 p1 = world.positions[t.v.y];
+  const glm::vec3 p2 = world.positions[t.v.z];
+
+  // Position from the corners: its error is bounded by their size alone, not by the distance that
+  // the ray came.
+  SurfacePoint point;
+  point.position = t.b0 * p0 + t.b1 * p1 + t.b2 * p2;
+  point.error = gamma_bound(7) * (glm::abs(t.b0 * p0) + glm::abs(t.b1 * p1) + glm::abs(t.b2 * p2));
+  const glm::vec3 size = glm::max(p0, glm::max(p1, p2)) - glm::min(p0, glm::min(p1, p2));
+  point.extent = std::max({size.x, size.y, size.z});
+
+  // The geometric normal in double: slivers cancel badly, and shadows hang on it.
+  const glm::dvec3 cross =
+      glm::cross(glm::dvec3(p1) - glm::dvec3(p0), glm::dvec3(p2) - glm::dvec3(p0));
+  const double length = glm::length(cross);
+  if (length > 0.0) point.geometric_normal = glm::vec3(cross / length);
+  if (glm::dot(point.geometric_normal, to_viewer) < 0.0f) {
+    point.geometric_normal = -point.geometric_normal;
+  }
+
+  // The shading normal goes to the geometric normal's side, whatever the winding.
+  point.shading_normal = point.geometric_normal;
+  if (world.normals.empty()) return point;
+  const glm::vec3 smooth = normalized_or(t.mix(world.normals), point.geometric_normal);
+  const float side = glm::dot(smooth, point.geometric_normal) < 0.0f ? -1.0f : 1.0f;
+  point.shading_normal = side * smooth;
+  const Material& material = world.material_of(hit.triangle);
+  if (needs.normal_maps && material.normal_texture.used()) {
+    const glm::vec3 mapped = side * mapped_normal(world, hit, t, material, smooth);
+    // A map that tilts the normal below the surface is not followed that far.
+    if (glm::dot(mapped, point.geometric_normal) > 0.0f) point.shading_normal = mapped;
+  }
+  return point;
+}
+
+SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit) {
+  const Material& material = world.material_of(hit.triangle);
+  const auto sample = [&](const TextureUse& use, Encoding encoding) {
+    return sample_texture(world, use, hit.triangle, hit.b1, hit.b2, encoding);
+  };
+
+  glm::vec4 base = material.base_color;
+  if (needs.textures && material.base_color_texture.used()) {
+    base *= sample(material.base_color_texture, Encoding::srgb);
+  }
+  if (needs.vertex_colors && !world.colors.empty()) base *= Triangle(world, hit).mix(world.colors);
+
+  SurfaceMaterial surface;
+  surface.base_color = glm::vec3(base);
+  surface.unlit = material.unlit;
+  surface.transmission = std::clamp(material.transmission, 0.0f, 1.0f);
+  if (material.alpha_mode == AlphaMode::blend) {
+    surface.opacity = std::clamp(base.a, 0.0f, 1.0f);
+  } else if (material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
+    // Without transmission RayScene has applied the cut-off already.
+    surface.opacity = base.a >= material.alpha_cutoff ? 1.0f : 0.0f;
+  }
+  if (surface.unlit) return surface;
+
+  surface.metallic = material.metallic;
+  surface.roughness = material.roughness;
+  if (needs.textures && material.metallic_roughness_texture.used()) {
+    const glm::vec4 texel = sample(material.metallic_roughness_texture, Encoding::linear);
+    surface.roughness *= texel.g;
+    surface.metallic *= texel.b;
+  }
+  const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
+  surface.f0 = glm::mix(glm::vec3(dielectric * dielectric), surface.base_color, surface.metallic);
+
+  if (needs.emission) {
+    surface.emission = material.emissive * material.emissive_strength;
+    if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {
+      surface.emission *= glm::vec3(sample(material.emissive_texture, Encoding::srgb));
+    }
+  }
+  return surface;
+}
+
+glm::vec3 spawn_origin(const SurfacePoint& point, glm::vec3 direction) {
+  // The test of a ray against the triangle works on corners relative to the ray's origin: a dozen
+  // operations on lengths of up to the triangle's extent.
+  const glm::vec3 n = point.geometric_normal;
+  const float distance =
+      2.0f * (glm::dot(glm::abs(n), point.error) + gamma_bound(12) * point.extent);
+  return point.position + (glm::dot(n, direction) < 0.0f ? -distance : distance) * n;
+}
+
+}  // namespace asos

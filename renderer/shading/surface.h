@@ -1,0 +1,43 @@
+#pragma once
+
+#include "renderer/geometry/ray.h"
+#include "renderer/scene/needs.h"
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// The geometry of a hit, turned to the viewer: the winding of a triangle does not matter.
+struct SurfacePoint {
+  glm::vec3 position{0.0f};
+  glm::vec3 error{0.0f};             ///< bound of position's rounding error, by coordinate
+  glm::vec3 geometric_normal{0.0f};  ///< unit, towards the viewer; 0 for a zero-area triangle
+  glm::vec3 shading_normal{0.0f};    ///< unit, in the geometric normal's half-space
+  float extent = 0.0f;               ///< largest side of the triangle's box
+};
+
+/// Reflectance and emission of a material at a point: factors, textures and vertex colours.
+struct SurfaceMaterial {
+  glm::vec3 base_color{1.0f};
+  float opacity = 1.0f;  ///< coverage by the alpha mode, 0 to 1, without transmission
+  float transmission = 0.0f;
+  float metallic = 0.0f;
+  float roughness = 1.0f;
+  glm::vec3 emission{0.0f};
+  glm::vec3 f0{0.04f};  ///< reflectance at normal incidence
+  bool unlit = false;
+};
+
+/// `to_viewer` is unit.
+[[nodiscard]] SurfacePoint surface_point(const World& world, const SceneNeeds& needs,
+                                         const Hit& hit, glm::vec3 to_viewer);
+[[nodiscard]] SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs,
+                                               const Hit& hit);
+
+/// Where a ray towards `direction` leaves a surface without meeting it again: the point moved along
+/// the geometric normal by its own error bound and that of the ray-triangle test, which grows with
+/// the triangle (pbrt, "Managing Rounding Error").
+[[nodiscard]] glm::vec3 spawn_origin(const SurfacePoint& point, glm::vec3 direction);
+
+}  // namespace asos

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// What the RGB bytes of an image mean where it is looked up. Alpha is always linear.
+enum class Encoding { srgb, linear };
+
+/// The linear value of an sRGB-encoded byte.
+[[nodiscard]] float srgb_byte_to_linear(std::uint8_t byte);
+
+/// A texture at (u, v): the nearest texel, or the bilinear mean of four *linear* values (decoded
+/// before they are mixed). Coordinates of any size wrap; those that are not finite read as 0. White
+/// where texture or image is missing or empty. Point-sampled: no mip levels.
+[[nodiscard]] glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv,
+                                       Encoding encoding);
+
+/// The same at a point of a triangle, through a material's use of it: picks the set of coordinates
+/// and applies the use's transform. `use.used()` must hold.
+[[nodiscard]] glm::vec4 sample_texture(const World& world, const TextureUse& use,
+                                       std::uint32_t triangle, float b1, float b2,
+                                       Encoding encoding);
+
+/// Texture coordinates of a triangle's point, before any transform; 0 where the set is missing.
+[[nodiscard]] glm::vec2 texcoord_at(const World& world, int set, std::uint32_t triangle, float b1,
+                                    float b2);
+
+}  // namespace asos

@@ -1,0 +1,113 @@
+#include "renderer/film/film.h"
+
+#include "renderer/film/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace asos {
+namespace {
+
+TEST(Film, PutsTilesAndLeavesOutWhatLiesOutside) {
+  Film film(4, 3);
+  FinishedTile tile;
+  tile.rect = {3, -1, 2, 3};
+  for (int i = 0; i < 6; ++i) {
+    tile.radiance.emplace_back(static_cast<float>(i + 1));
+    tile.split_level.push_back(static_cast<std::uint8_t>(i + 1));
+  }
+  film.put(tile);
+  EXPECT_EQ(film.radiance[film.index(3, 0)].x, 3.0f);
+  EXPECT_EQ(film.radiance[film.index(3, 1)].x, 5.0f);
+  EXPECT_EQ(film.split_level[film.index(3, 1)], 5);
+  float sum = 0.0f;
+  for (const glm::vec3& c : film.radiance) sum += c.x;
+  EXPECT_EQ(sum, 8.0f);
+}
+
+TEST(Film, IgnoresTilesWithoutTheirData) {
+  Film film(4, 4);
+  FinishedTile tile;
+  tile.rect = {0, 0, 2, 2};
+  tile.radiance.resize(3, glm::vec3(1.0f));
+  tile.split_level.resize(4, 1);
+  film.put(tile);
+  for (const glm::vec3& c : film.radiance) EXPECT_EQ(c, glm::vec3(0.0f));
+  EXPECT_TRUE(Film(-1, 5).radiance.empty());
+}
+
+TEST(Display, IsTheSrgbCurveClippedAtWhite) {
+  const glm::vec3 c = display_rgb({0.001f, 0.5f, 2.0f}, 0.0f);
+  EXPECT_FLOAT_EQ(c.r, 0.01292f);
+  EXPECT_NEAR(c.g, 1.055 * std::pow(0.5, 1.0 / 2.4) - 0.055, 1e-6);
+  EXPECT_EQ(c.b, 1.0f);
+  EXPECT_EQ(display_rgb(glm::vec3(-1.0f), 0.0f), glm::vec3(0.0f));
+  EXPECT_EQ(display_rgb(glm::vec3(std::numeric_limits<float>::quiet_NaN()), 0.0f), glm::vec3(0));
+}
+
+TEST(Display, ExposureCountsInStops) {
+  EXPECT_EQ(display_rgb(glm::vec3(0.125f), 2.0f), display_rgb(glm::vec3(0.5f), 0.0f));
+  EXPECT_EQ(display_bytes(glm::vec3(0.5f), -1.0f), display_bytes(glm::vec3(0.25f), 0.0f));
+}
+
+TEST(Display, BytesAreTheRoundedCurve) {
+  std::mt19937 rng(4);
+  std::uniform_real_distribution<float> d(-0.1f, 1.1f);
+  for (int i = 0; i < 100000; ++i) {
+    const float x = i < 5000 ? static_cast<float>(i) * 1e-6f : d(rng);
+    const float exact = 255.0f * display_rgb(glm::vec3(x), 0.0f).r;
+    // Within float's error of a half the two may round to either side.
+    const float to_half = std::abs(exact - std::floor(exact) - 0.5f);
+    if (to_half < 1e-3f) continue;
+    EXPECT_EQ(display_bytes(glm::vec3(x), 0.0f).r, static_cast<int>(exact + 0.5f)) << x;
+  }
+  EXPECT_EQ(display_bytes(glm::vec3(std::numeric_limits<float>::quiet_NaN()), 0.0f),
+            glm::u8vec3(0));
+  EXPECT_EQ(display_bytes(glm::vec3(std::numeric_limits<float>::infinity()), 0.0f),
+            glm::u8vec3(255));
+}
+
+TEST(SplitColour, GrowsBrighterWithTheLevelAndIsBlackForNone) {
+  for (int max_level = 1; max_level <= 8; ++max_level) {
+    EXPECT_EQ(split_colour(0, max_level), glm::u8vec3(0));
+    double last = 0.0;
+    for (int level = 1; level <= max_level; ++level) {
+      const glm::u8vec3 c = split_colour(level, max_level);
+      const double luma = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+      EXPECT_GT(luma, last) << level << " of " << max_level;
+      last = luma;
+    }
+    EXPECT_EQ(split_colour(max_level + 3, max_level), split_colour(max_level, max_level));
+  }
+  EXPECT_EQ(split_colour(3, 0), glm::u8vec3(0));
+}
+
+TEST(Statistics, AddUp) {
+  RenderStatistics a;
+  a.eye_rays = 1;
+  a.shadow_rays = 2;
+  a.reflection_rays = 3;
+  a.pyrays_by_level[8] = 4;
+  a.split_pixels = 5;
+  a.missed_splits = 6;
+  a.saturated_pixels = 7;
+  a.unresolved_area = 0.5;
+  a.rejected_samples = 8;
+  RenderStatistics b = a;
+  b += a;
+  EXPECT_EQ(b.eye_rays, 2u);
+  EXPECT_EQ(b.shadow_rays, 4u);
+  EXPECT_EQ(b.reflection_rays, 6u);
+  EXPECT_EQ(b.pyrays_by_level[8], 8u);
+  EXPECT_EQ(b.split_pixels, 10u);
+  EXPECT_EQ(b.missed_splits, 12u);
+  EXPECT_EQ(b.saturated_pixels, 14u);
+  EXPECT_EQ(b.unresolved_area, 1.0);
+  EXPECT_EQ(b.rejected_samples, 16u);
+}
+
+}  // namespace
+}  // namespace asos

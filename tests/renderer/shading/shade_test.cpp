@@ -1,0 +1,354 @@
+#include "renderer/shading/shade.h"
+
+#include "renderer/shading/default_rig.h"
+#include "renderer/shading/environment.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace asos {
+namespace {
+
+using test::add_quad;
+using test::matte;
+using test::unlit;
+
+/// A world, what it needs and its rays, together.
+struct Lit {
+  World world;
+  SceneNeeds needs;
+  RayScene rays;
+
+  explicit Lit(World w) : world(std::move(w)), needs(find_needs(world)) {
+    auto built = RayScene::build(world, alpha_at);
+    EXPECT_TRUE(built.has_value());
+    rays = std::move(*built);
+  }
+  Lit(const Lit&) = delete;
+
+  glm::vec3 look(const Ray& ray) {
+    return Shader(world, needs, rays).radiance(ray, rays.closest(ray), counts);
+  }
+  RenderStatistics counts;
+};
+
+Ray straight_down(float x, float z) {
+  Ray ray;
+  ray.origin = {x, 10, z};
+  ray.direction = {0, -1, 0};
+  return ray;
+}
+
+World floor_world(const Material& material) {
+  World world;
+  add_quad(world, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, material);
+  return world;
+}
+
+Light sun(glm::dvec3 direction, float lux) {
+  Light light;
+  light.type = Light::Type::directional;
+  light.direction = glm::normalize(direction);
+  light.intensity = lux;
+  return light;
+}
+
+TEST(Shader, NothingIsTheBackground) {
+  Lit lit{World{}};
+  EXPECT_EQ(lit.look(straight_down(0, 0)), background_radiance);
+}
+
+TEST(Shader, AmbientOfAMatteSurfaceIsItsAlbedo) {
+  Lit lit{floor_world(matte({1, 0.5f, 0}))};
+  const glm::vec3 c = lit.look(straight_down(0, 0));
+  // The diffuse part gives way to the mirrored one, which is white and a few hundredths.
+  EXPECT_NEAR(c.r, ambient_radiance, 1e-6f);
+  EXPECT_NEAR(c.g, 0.5f * ambient_radiance, 0.03f * ambient_radiance);
+  EXPECT_LT(c.b, 0.05f * ambient_radiance);
+  EXPECT_EQ(lit.counts.shadow_rays, 0u);
+}
+
+TEST(Shader, DirectLightFollowsTheCosine) {
+  Material rough = matte(glm::vec3(0.5f));
+  rough.ior = 1.0f;  // no mirror at all but at grazing angles: Lambert alone
+  for (const double angle : {0.0, 0.5, 1.0}) {
+    World world = floor_world(rough);
+    world.lights.push_back(sun({std::sin(angle), -std::cos(angle), 0}, 3.0f));
+    Lit lit{std::move(world)};
+    Lit dark{floor_world(rough)};
+    const float direct = lit.look(straight_down(1, 1)).r - dark.look(straight_down(1, 1)).r;
+    const double expected = 0.5 * 3.0 / std::numbers::pi * std::cos(angle);
+    // Schlick's term at the half angle takes (1 - cos(angle / 2))^5, below a thousandth here.
+    EXPECT_NEAR(direct, expected, 1e-3 * expected) << angle;
+    EXPECT_EQ(lit.counts.shadow_rays, 1u);
+  }
+}
+
+TEST(Shader, ShadowsAreHardAndBlendedSurfacesTintThem) {
+  for (const float alpha : {1.0f, 0.25f}) {
+    World world = floor_world(matte(glm::vec3(1)));
+    Material blocker = matte(glm::vec3(1));
+    blocker.base_color.a = alpha;
+    if (alpha < 1.0f) blocker.alpha_mode = AlphaMode::blend;
+    add_quad(world, {2, 1, 1}, {2, 0, 0}, {0, 0, -2}, blocker);
+    world.lights.push_back(sun({-1, -1, 0}, 3.0f));
+    Lit lit{std::move(world)};
+    Lit dark{floor_world(matte(glm::vec3(1)))};
+    const float ambient = dark.look(straight_down(0, 0)).r;
+    const float bright = lit.look(straight_down(0.99f, 0)).r - ambient;
+    const float shaded = lit.look(straight_down(1.01f, 0)).r - ambient;
+    EXPECT_GT(bright, 0.5f);
+    EXPECT_NEAR(shaded, (1.0f - alpha) * bright, 1e-5f) << alpha;
+  }
+}
+
+TEST(Shader, LightFromBehindDoesNotLeakWhateverTheNormals) {
+  // Shading normals bent far over, towards a light that is behind the surface.
+  World world = floor_world(matte(glm::vec3(1)));
+  for (glm::vec3& n : world.normals) n = glm::normalize(glm::vec3(1, 0.2f, 0));
+  World dark = world;
+  world.lights.push_back(sun({-1, 0.1, 0}, 100.0f));
+  Light below;
+  below.position = {3, -0.01, 0};
+  below.intensity = 100.0f;
+  world.lights.push_back(below);
+  Lit lit{std::move(world)};
+  Lit unlit_scene{std::move(dark)};
+  EXPECT_EQ(lit.look(straight_down(0, 0)), unlit_scene.look(straight_down(0, 0)));
+  EXPECT_EQ(lit.counts.shadow_rays, 0u);
+}
+
+TEST(Shader, WindingDoesNotMatter) {
+  World up = floor_world(matte(glm::vec3(0.7f)));
+  World down = up;
+  for (glm::uvec3& t : down.triangles) std::swap(t.y, t.z);
+  World flipped = up;
+  for (glm::vec3& n : flipped.normals) n = -n;
+  for (World* w : {&up, &down, &flipped}) w->lights.push_back(sun({0.2, -1, 0}, 2.0f));
+  Lit a{std::move(up)};
+  Lit b{std::move(down)};
+  Lit c{std::move(flipped)};
+  const glm::vec3 expected = a.look(straight_down(0.5f, 0.5f));
+  EXPECT_NEAR(b.look(straight_down(0.5f, 0.5f)).r, expected.r, 1e-6f);
+  EXPECT_NEAR(c.look(straight_down(0.5f, 0.5f)).r, expected.r, 1e-6f);
+}
+
+TEST(Shader, NoSurfaceShadowsItself) {
+  // Convex, lit from where it is seen: any loss would be a surface that shadows itself. At several
+  // scales and far from the origin.
+  for (const float radius : {1e-3f, 1.0f, 1e4f}) {
+    for (const float away : {0.0f, 100.0f}) {
+      World world;
+      const glm::vec3 centre(away * radius, 0, -away * radius);
+      test::add_sphere(world, centre, radius, 16, matte(glm::vec3(1)));
+      world.lights.push_back(sun({0, -1, 0}, 3.0f));
+      World free = world;
+      free.lights[0].casts_shadows = false;
+      Lit lit{std::move(world)};
+      Lit unshadowed{std::move(free)};
+      std::mt19937 rng(5);
+      std::uniform_real_distribution<float> d(-0.7f, 0.7f);
+      for (int i = 0; i < 500; ++i) {
+        Ray ray;
+        ray.origin = centre + radius * glm::vec3(d(rng), 5.0f, d(rng));
+        ray.direction = {0, -1, 0};
+        EXPECT_EQ(lit.look(ray), unshadowed.look(ray)) << radius << " " << away << " " << i;
+      }
+      EXPECT_EQ(lit.counts.shadow_rays, 500u);
+    }
+  }
+}
+
+TEST(Shader, BlendedLayersAreCompositedInDepthOrder) {
+  World world;
+  add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, unlit({0, 0, 1}));
+  add_quad(world, {-1, 2, 1}, {2, 0, 0}, {0, 0, -2}, unlit({1, 0, 0}, 0.25f));
+  add_quad(world, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2}, unlit({0, 1, 0}, 0.5f));
+  Lit lit{std::move(world)};
+  const glm::vec3 c = lit.look(straight_down(0.3f, 0.2f));
+  EXPECT_FLOAT_EQ(c.r, 0.25f);
+  EXPECT_FLOAT_EQ(c.g, 0.75f * 0.5f);
+  EXPECT_FLOAT_EQ(c.b, 0.75f * 0.5f);
+  EXPECT_EQ(lit.counts.eye_rays, 2u);  // those that went on
+}
+
+TEST(Shader, AStackOfLayersEnds) {
+  World world;
+  for (int i = 0; i < 200; ++i) {
+    add_quad(world, {-1, -0.01f * static_cast<float>(i), 1}, {2, 0, 0}, {0, 0, -2},
+             unlit({1, 1, 1}, 0.001f));
+  }
+  Lit lit{std::move(world)};
+  const glm::vec3 c = lit.look(straight_down(0.3f, 0.2f));
+  EXPECT_NEAR(c.r, 1.0 - std::pow(0.999, Shader::max_layers), 1e-5);
+}
+
+TEST(Shader, ThinGlassTintsWhatLiesBehind) {
+  World world;
+  Material glass = unlit({1, 0.5f, 0.25f});
+  glass.transmission = 0.5f;
+  add_quad(world, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2}, glass);
+  Lit lit{std::move(world)};
+  const glm::vec3 c = lit.look(straight_down(0.3f, 0.2f));
+  EXPECT_FLOAT_EQ(c.r, 0.5f + 0.5f * sky_radiance);
+  EXPECT_FLOAT_EQ(c.g, 0.25f + 0.25f * sky_radiance);
+}
+
+TEST(Shader, MaskCutsByTextureAndVertexColour) {
+  World world;
+  Image image;
+  image.width = 2;
+  image.height = 1;
+  image.rgba = {255, 255, 255, 0, 255, 255, 255, 255};
+  Material cut = unlit({1, 0, 0});
+  cut.alpha_mode = AlphaMode::mask;
+  cut.base_color_texture.texture =
+      test::add_texture(world, image, Wrap::clamp_to_edge, Filter::nearest);
+  add_quad(world, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2}, cut);
+  EXPECT_EQ(alpha_at(world, 0, 0.2f, 0.0f), 0.0f);
+  EXPECT_EQ(alpha_at(world, 0, 0.8f, 0.0f), 1.0f);
+  world.colors.assign(world.positions.size(), glm::vec4(1, 1, 1, 0.6f));
+  EXPECT_FLOAT_EQ(alpha_at(world, 0, 0.8f, 0.0f), 0.6f);
+  Lit lit{std::move(world)};
+  EXPECT_EQ(lit.look(straight_down(-0.5f, 0)), background_radiance);
+  EXPECT_EQ(lit.look(straight_down(0.5f, 0)), glm::vec3(1, 0, 0));
+}
+
+TEST(Shader, NormalMapTiltsTowardsTheLight) {
+  Image image;
+  image.width = image.height = 1;
+  image.rgba = {218, 128, 218, 255};  // tilted by 45 degrees towards +u
+  const auto brightness = [&](double sun_x, bool mapped) {
+    World world;
+    Material m = matte(glm::vec3(1));
+    const int texture = test::add_texture(world, image, Wrap::repeat, Filter::linear);
+    if (mapped) m.normal_texture.texture = texture;
+    // uv as in glTF: v runs down the image, so that the up side of the map is -v.
+    add_quad(world, {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, m);
+    for (glm::vec3& n : world.normals) n = {0, 1, 0};
+    world.lights.push_back(sun({-sun_x, -1, 0}, 1.0f));
+    Lit lit{std::move(world)};
+    return lit.look(straight_down(0.3f, 0.2f)).r;
+  };
+  EXPECT_GT(brightness(1, true), 1.2f * brightness(1, false));
+  EXPECT_LT(brightness(-1, true), 0.6f * brightness(-1, false));
+}
+
+TEST(Shader, NormalMapsGreenPointsAgainstV) {
+  World world;
+  Material m = matte(glm::vec3(1));
+  Image image;
+  image.width = image.height = 1;
+  image.rgba = {128, 218, 218, 255};  // tilted towards the image's upper edge
+  m.normal_texture.texture = test::add_texture(world, image, Wrap::repeat, Filter::linear);
+  add_quad(world, {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, m);  // v grows with +z
+  for (glm::vec3& n : world.normals) n = {0, 1, 0};
+  Hit hit;
+  hit.triangle = 0;
+  hit.b1 = hit.b2 = 0.3f;
+  const SurfacePoint p = surface_point(world, find_needs(world), hit, {0, 1, 0});
+  EXPECT_LT(p.shading_normal.z, -0.6f);
+  EXPECT_NEAR(p.shading_normal.x, 0.0f, 0.01f);
+  EXPECT_GT(p.shading_normal.y, 0.6f);
+}
+
+TEST(Shader, EmissionShinesByItsStrength) {
+  Material m = matte(glm::vec3(0));
+  m.roughness = 1.0f;
+  Lit plain{floor_world(m)};
+  m.emissive = {1, 0.5f, 0};
+  m.emissive_strength = 4.0f;
+  Lit lit{floor_world(m)};
+  const glm::vec3 c = lit.look(straight_down(0, 0)) - plain.look(straight_down(0, 0));
+  EXPECT_NEAR(c.r, 4.0f, 1e-5f);
+  EXPECT_NEAR(c.g, 2.0f, 1e-5f);
+  EXPECT_NEAR(c.b, 0.0f, 1e-6f);
+}
+
+TEST(Shader, MetalUnderTheSkyIsItsColour) {
+  Material gold = matte({1.0f, 0.7f, 0.3f});
+  gold.metallic = 1.0f;
+  gold.roughness = 0.2f;
+  Lit lit{floor_world(gold)};
+  const glm::vec3 c = lit.look(straight_down(0, 0)) / ambient_radiance;
+  EXPECT_GT(c.r, 0.85f);
+  EXPECT_NEAR(c.g, 0.7f, 0.1f);
+  EXPECT_NEAR(c.b, 0.3f, 0.1f);
+}
+
+TEST(Shader, ALightOnTheSurfaceIsNotFiniteAndIsReturned) {
+  World world = floor_world(matte(glm::vec3(1)));
+  Light light;
+  light.position = {0, 0, 0};
+  world.lights.push_back(light);
+  Lit lit{std::move(world)};
+  Hit hit;
+  hit.triangle = 0;
+  hit.b1 = 0.0f;
+  hit.b2 = 0.5f;  // the middle of the quad's diagonal
+  RenderStatistics counts;
+  const glm::vec3 c =
+      Shader(lit.world, lit.needs, lit.rays).radiance(straight_down(0, 0), hit, counts);
+  EXPECT_FALSE(std::isfinite(c.r + c.g + c.b));
+}
+
+TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
+  World world;
+  add_quad(world, {1000, 500, -1000}, {1, 0, 0}, {0, 0, -1}, matte(glm::vec3(1)));
+  Hit hit;
+  hit.triangle = 0;
+  hit.b1 = 0.3f;
+  hit.b2 = 0.2f;
+  const SurfacePoint p = surface_point(world, SceneNeeds{}, hit, {0, 1, 0});
+  const float moved = spawn_origin(p, {0, 1, 0}).y - p.position.y;
+  EXPECT_GE(moved, p.error.y);
+  EXPECT_LT(moved, 500.0f * 1e-5f);
+  EXPECT_LT(spawn_origin(p, {0, -1, 0}).y, p.position.y);
+}
+
+TEST(DefaultRig, WhiteComesNearWhiteAndStaysBelow) {
+  const Camera camera = test::look_at({2, 1.5, 4}, {0, 0, 0}, 0.7);
+  World world;
+  test::add_sphere(world, {0, 0, 0}, 1.0f, 48, matte(glm::vec3(1)));
+  world.lights = default_rig(camera);
+  ASSERT_GE(world.lights.size(), 2u);
+  EXPECT_TRUE(world.lights[0].casts_shadows);
+  EXPECT_LT(world.lights[0].direction.y, -0.3);  // from above
+  Lit lit{std::move(world)};
+  float brightest = 0.0f;
+  float darkest = 1.0f;
+  std::mt19937 rng(9);
+  std::uniform_real_distribution<float> d(-0.6f, 0.6f);
+  for (int i = 0; i < 2000; ++i) {
+    Ray ray;
+    ray.origin = glm::vec3(camera.world_from_camera[3]);
+    ray.direction = glm::normalize(glm::vec3(d(rng), d(rng), d(rng)) - ray.origin);
+    const float r = lit.look(ray).r;
+    brightest = std::max(brightest, r);
+    darkest = std::min(darkest, r);
+  }
+  EXPECT_GT(brightest, 0.8f);
+  EXPECT_LT(brightest, 1.0f);
+  EXPECT_GT(darkest, 0.15f);
+}
+
+TEST(DefaultRig, AnyCameraHasUnitLightsFromAbove) {
+  Camera down;
+  down.world_from_camera = glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0),
+                                      glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 9, 0, 1));
+  for (const Camera& camera : {Camera{}, down}) {
+    for (const Light& light : default_rig(camera)) {
+      EXPECT_NEAR(glm::length(light.direction), 1.0, 1e-12);
+      EXPECT_LT(light.direction.y, 0.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos
