@@ -1,0 +1,55 @@
+#pragma once
+
+#include "renderer/scene/world.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// Why an edge of a mesh can be a boundary of what is seen (design section 3). The first three
+/// bound from every viewpoint, the last only where the two faces project to the same side.
+enum class FeatureKind : std::uint8_t {
+  open,        ///< one face, or more than two
+  crease,      ///< shading normals or vertex colours differ across the edge
+  seam,        ///< material or texture coordinates differ across the edge
+  silhouette,  ///< two faces that meet smoothly at an angle: a candidate
+};
+
+/// An edge of the welded mesh. Vertices index World::positions; of vertices at one place the first
+/// stands for all. `left` and `right` are the third vertices of the two faces (open: none).
+struct FeatureEdge {
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t left = none;
+  std::uint32_t right = none;
+  std::uint32_t sheet = none;  ///< of one of its faces
+  FeatureKind kind = FeatureKind::open;
+  bool folds = false;  ///< its two faces are not coplanar, so it can be a silhouette too
+};
+
+/// How many edges of each kind a world has. `intersection`: lines where surfaces pass through each
+/// other.
+struct FeatureCounts {
+  std::uint64_t open = 0;
+  std::uint64_t silhouette_candidates = 0;
+  std::uint64_t crease = 0;
+  std::uint64_t seam = 0;
+  std::uint64_t intersection = 0;
+};
+
+struct ExtractedFeatures {
+  std::vector<FeatureEdge> edges;
+  std::vector<std::uint32_t> sheet_of_triangle;  ///< faces joined by edges that always continue
+                                                 ///< the surface smoothly share a sheet
+  FeatureCounts counts;
+};
+
+/// Finds the feature edges of a world: welds vertices by position, pairs the faces of each edge and
+/// drops the edges between coplanar faces of one material. Never relies on the faces' winding.
+/// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over.
+[[nodiscard]] ExtractedFeatures extract_features(const World& world);
+
+}  // namespace asos

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/features/feature_edge.h"
+#include "renderer/features/hierarchy.h"
+#include "renderer/scene/world.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// All boundaries that a world can show, ready to be searched by a pyray. Refers to the world's
+/// positions, which must stay where they are and outlive it. Immutable once built, thread-safe.
+class FeatureSet {
+ public:
+  FeatureSet() = default;
+  explicit FeatureSet(const World& world);
+
+  [[nodiscard]] const FeatureCounts& counts() const { return counts_; }
+  [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
+  [[nodiscard]] std::span<const FeatureEdge> edges() const { return edges_; }
+  [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
+
+  /// The smooth, connected piece of surface that a triangle belongs to. Along a path in a picture
+  /// the visible sheet changes only across a boundary.
+  [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const {
+    return sheet_of_triangle_[triangle];
+  }
+
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+ private:
+  FeatureCounts counts_;
+  FeatureHierarchy hierarchy_;
+  std::vector<FeatureEdge> edges_;
+  std::vector<std::uint32_t> sheet_of_triangle_;
+  std::span<const glm::vec3> positions_;
+};
+
+}  // namespace asos

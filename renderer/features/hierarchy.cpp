@@ -1,0 +1,236 @@
+#include "renderer/features/hierarchy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+constexpr std::size_t leaf_size = 4;
+constexpr int bin_count = 16;
+
+struct Item {
+  Box box;
+  std::uint32_t edge = 0;
+
+  [[nodiscard]] glm::vec3 centre() const { return box.lo + box.hi; }  // doubled
+};
+
+using Items = std::span<Item>;
+
+float extent_sum(const Box& box) {
+  const glm::vec3 d = box.hi - box.lo;
+  return d.x + d.y + d.z;
+}
+
+// The normals' double cone of a subtree.
+struct Cone {
+  glm::dvec3 axis{0.0};
+  double angle = -1.0;  // radians; negative: of nothing; pi/2 or more: holds every direction
+
+  static Cone everything() { return {{0, 0, 1}, std::numbers::pi}; }
+};
+
+double angle_between(glm::dvec3 x, glm::dvec3 y) {
+  return std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y));
+}
+
+// The smallest cone that holds both, the second one turned over where that is narrower.
+Cone merge(const Cone& x, Cone y) {
+  if (x.angle < 0.0) return y;
+  if (y.angle < 0.0) return x;
+  if (glm::dot(x.axis, y.axis) < 0.0) y.axis = -y.axis;
+  const double between = angle_between(x.axis, y.axis);
+  if (between + y.angle <= x.angle) return x;
+  if (between + x.angle <= y.angle) return y;
+  const double angle = 0.5 * (x.angle + y.angle + between);
+  if (angle >= 0.5 * std::numbers::pi) return Cone::everything();
+  // Turn x's axis towards y's by what the new cone leaves.
+  const glm::dvec3 side = glm::normalize(y.axis - x.axis * glm::dot(x.axis, y.axis));
+  const double turn = angle - x.angle;
+  return {std::cos(turn) * x.axis + std::sin(turn) * side, angle};
+}
+
+class Builder {
+ public:
+  Builder(std::span<const glm::vec3> positions, std::vector<FeatureEdge>& edges)
+      : positions_(positions), edges_(edges), items_(edges.size()) {
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+      items_[i].edge = i;
+      items_[i].box.grow(positions[edges[i].a]);
+      items_[i].box.grow(positions[edges[i].b]);
+    }
+  }
+
+  FeatureHierarchy build() {
+    if (edges_.empty()) return {};
+    const auto middle = std::stable_partition(items_.begin(), items_.end(), [&](const Item& i) {
+      return edges_[i.edge].kind != FeatureKind::silhouette;
+    });
+    const auto split = static_cast<std::size_t>(middle - items_.begin());
+    const Items all(items_);
+    std::vector<Items> roots;
+    for (const Items part : {all.first(split), all.subspan(split)})
+      if (!part.empty()) roots.push_back(part);
+    nodes_.emplace_back();
+    fill(0, std::move(roots));
+    reorder();
+    return {std::move(nodes_)};
+  }
+
+ private:
+  struct Summary {
+    Box box;
+    Cone cone;
+    bool always = false;
+  };
+
+  // Fills node `index` with up to eight parts, made by splitting the largest again and again.
+  Summary fill(std::uint32_t index, std::vector<Items> parts) {
+    while (parts.size() < FeatureNode::width) {
+      const auto largest = std::max_element(parts.begin(), parts.end(),
+                                            [](Items x, Items y) { return x.size() < y.size(); });
+      if (largest->size() <= leaf_size) break;
+      const auto [left, right] = split(*largest);
+      *largest = left;
+      parts.insert(largest + 1, right);
+    }
+    Summary total;
+    nodes_[index].child_count = static_cast<std::uint32_t>(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      std::uint32_t child = 0;
+      Summary below;
+      const bool leaf = parts[i].size() <= leaf_size;
+      if (leaf) {
+        child = static_cast<std::uint32_t>(parts[i].data() - items_.data());
+        below = summarise(parts[i]);
+      } else {
+        child = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        below = fill(child, {parts[i]});
+      }
+      set_child(nodes_[index], i, child,
+                leaf ? static_cast<std::uint8_t>(parts[i].size()) : FeatureNode::inner, below);
+      total.box.grow(below.box);
+      total.cone = merge(total.cone, below.cone);
+      total.always |= below.always;
+    }
+    return total;
+  }
+
+  static void set_child(FeatureNode& node, std::size_t i, std::uint32_t child,
+                        std::uint8_t edge_count, const Summary& below) {
+    for (int k = 0; k < 3; ++k) {
+      node.lo[k][i] = below.box.lo[k];
+      node.hi[k][i] = below.box.hi[k];
+      node.axis[k][i] = static_cast<float>(below.cone.axis[k]);
+    }
+    const bool bounded = below.cone.angle < 0.5 * std::numbers::pi;
+    node.cone_sine[i] = bounded ? static_cast<float>(std::sin(below.cone.angle)) : 1.0f;
+    node.cone_cosine[i] = bounded ? static_cast<float>(std::cos(below.cone.angle)) : 0.0f;
+    node.child[i] = child;
+    node.edge_count[i] = edge_count;
+    node.always[i] = below.always;
+  }
+
+  [[nodiscard]] Summary summarise(Items items) const {
+    Summary s;
+    for (const Item& item : items) {
+      const FeatureEdge& edge = edges_[item.edge];
+      s.box.grow(item.box);
+      s.always |= edge.kind != FeatureKind::silhouette;
+      s.cone = merge(s.cone, cone_of(edge));
+    }
+    return s;
+  }
+
+  // The normals of an edge's two faces, oriented by how each face runs along the edge.
+  [[nodiscard]] Cone cone_of(const FeatureEdge& edge) const {
+    if (edge.right == FeatureEdge::none) return Cone::everything();
+    const glm::dvec3 a(positions_[edge.a]);
+    const glm::dvec3 along = glm::dvec3(positions_[edge.b]) - a;
+    const glm::dvec3 l = glm::normalize(glm::cross(along, glm::dvec3(positions_[edge.left]) - a));
+    const glm::dvec3 r = glm::normalize(glm::cross(glm::dvec3(positions_[edge.right]) - a, along));
+    const double between = angle_between(l, r);
+    // merge() would turn one of the two over, which is another pair of faces.
+    if (between > 0.5 * std::numbers::pi) return Cone::everything();
+    return merge({l, 0.0}, {r, 0.0});
+  }
+
+  // Two halves by the cheapest of the planes between bins, or by count where all centres agree.
+  static std::pair<Items, Items> split(Items items) {
+    Box centres;
+    for (const Item& i : items) centres.grow(i.centre());
+    const glm::vec3 size = centres.hi - centres.lo;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const float scale = static_cast<float>(bin_count) / size[axis];
+    const auto bin_of = [&](const Item& i) {
+      const float b = (i.centre()[axis] - centres.lo[axis]) * scale;
+      return std::clamp(static_cast<int>(b), 0, bin_count - 1);
+    };
+    if (!(size[axis] > 0.0f) || !std::isfinite(scale)) return halves(items);
+
+    struct Bin {
+      Box box;
+      std::size_t count = 0;
+    };
+    std::array<Bin, bin_count> bins;
+    for (const Item& i : items) {
+      Bin& bin = bins[static_cast<std::size_t>(bin_of(i))];
+      bin.box.grow(i.box);
+      ++bin.count;
+    }
+    std::array<float, bin_count> cost_right{};
+    Bin swept;
+    for (int b = bin_count - 1; b > 0; --b) {
+      const auto at = static_cast<std::size_t>(b);
+      swept.box.grow(bins[at].box);
+      swept.count += bins[at].count;
+      cost_right[at] = swept.count ? extent_sum(swept.box) * static_cast<float>(swept.count) : 0;
+    }
+    swept = {};
+    int best = -1;
+    float best_cost = std::numeric_limits<float>::infinity();
+    for (int b = 0; b + 1 < bin_count; ++b) {
+      const auto at = static_cast<std::size_t>(b);
+      swept.box.grow(bins[at].box);
+      swept.count += bins[at].count;
+      if (swept.count == 0 || swept.count == items.size()) continue;
+      const float cost =
+          extent_sum(swept.box) * static_cast<float>(swept.count) + cost_right[at + 1];
+      if (cost < best_cost) best_cost = cost, best = b;
+    }
+    if (best < 0) return halves(items);
+    const auto middle = std::partition(items.begin(), items.end(),
+                                       [&](const Item& i) { return bin_of(i) <= best; });
+    const auto count = static_cast<std::size_t>(middle - items.begin());
+    return {items.first(count), items.subspan(count)};
+  }
+
+  static std::pair<Items, Items> halves(Items items) {
+    return {items.first(items.size() / 2), items.subspan(items.size() / 2)};
+  }
+
+  void reorder() {
+    std::vector<FeatureEdge> ordered;
+    ordered.reserve(edges_.size());
+    for (const Item& i : items_) ordered.push_back(edges_[i.edge]);
+    edges_ = std::move(ordered);
+  }
+
+  std::span<const glm::vec3> positions_;
+  std::vector<FeatureEdge>& edges_;
+  std::vector<Item> items_;
+  std::vector<FeatureNode> nodes_;
+};
+
+}  // namespace
+
+FeatureHierarchy FeatureHierarchy::build(std::span<const glm::vec3> positions,
+                                         std::vector<FeatureEdge>& edges) {
+  return Builder(positions, edges).build();
+}
+
+}  // namespace asos

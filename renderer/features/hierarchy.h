@@ -1,0 +1,46 @@
+#pragma once
+
+#include "renderer/features/feature_edge.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Children of one node of the hierarchy over feature edges, side by side so that all are tested at
+/// once. A child is a node or a run of edges.
+struct alignas(64) FeatureNode {
+  static constexpr int width = 8;
+
+  /// Sentinel in `edge_count`: the child is a node.
+  static constexpr std::uint8_t inner = 0;
+
+  float lo[3][width];
+  float hi[3][width];
+  /// Double cone around the normals of all faces below, each edge's pair of normals taken with the
+  /// sign that suits: where a viewpoint lies outside of all the planes' uncertainty, no edge below
+  /// is a silhouette. cosine <= 0: the cone holds everything.
+  float axis[3][width];
+  float cone_sine[width];
+  float cone_cosine[width];
+  std::uint32_t child[width];      ///< node, or first edge
+  std::uint8_t edge_count[width];  ///< `inner`, or the number of edges of a leaf
+  std::uint8_t always[width];      ///< 1: some edge below bounds from every viewpoint
+  std::uint32_t child_count = 0;
+};
+
+/// Bounding hierarchy over feature edges (design section 4). Node 0 is the root; empty without
+/// edges. Building reorders `edges` so that each leaf's edges are consecutive.
+struct FeatureHierarchy {
+  std::vector<FeatureNode> nodes;
+
+  /// Top-down, split by the binned sum of the boxes' extents (a thin pyramid meets a box in
+  /// proportion to its width). Edges that bound from everywhere and mere candidates have subtrees
+  /// of their own, so that cones can reject whole meshes. Deterministic.
+  static FeatureHierarchy build(std::span<const glm::vec3> positions,
+                                std::vector<FeatureEdge>& edges);
+};
+
+}  // namespace asos

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "renderer/pyray/cover.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace asos {
+
+/// What asks the engine: knows how to look along points of the root frame's square, and what to do
+/// with what it saw. Eye, shadow and reflection pyrays are the same engine behind different
+/// casters. Samples are kept by the caster and named by number.
+class Caster {
+ public:
+  using SampleId = std::uint32_t;
+  static constexpr SampleId no_sample = 0xffffffffu;
+
+  virtual ~Caster() = default;
+
+  /// Looks along each of the points (u, v): coherent, so they can go in packets. The samples get
+  /// consecutive numbers; returns the first.
+  virtual SampleId probe(std::span<const glm::vec2> points) = 0;
+
+  /// What the surface that a sample met hides.
+  [[nodiscard]] virtual Cover cover(SampleId sample) const = 0;
+
+  /// The surface that a sample met: equal numbers for one smooth, connected piece.
+  [[nodiscard]] virtual std::uint32_t surface(SampleId sample) const = 0;
+
+  /// A finished leaf of the root whose id is `root`; `weight` is its share of the root's area.
+  virtual void leaf(std::uint32_t root, SampleId sample, double weight) = 0;
+};
+
+}  // namespace asos

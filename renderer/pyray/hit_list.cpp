@@ -1,0 +1,208 @@
+#include "renderer/pyray/hit_list.h"
+
+#include "renderer/pyray/node_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace asos {
+namespace {
+
+// So few entries that opening them may prove the cell empty or crossed by one boundary, and so many
+// that it is marginal anyway.
+constexpr std::size_t few_entries = 4;
+constexpr std::size_t many_entries = 16;
+// Segments are cut this far outside the root square, so that they are straight through its border.
+constexpr double margin = 1.0 / 16.0;
+
+// Which part of an edge between homogeneous end points lies in the pyray, drawn out by the margin:
+// parameters along the edge in world space. No division, so no case for edges behind the apex.
+struct Range {
+  double t0 = 0.0;
+  double t1 = 1.0;
+
+  // Keeps f >= 0, where f runs from f0 to f1.
+  void keep(double f0, double f1) {
+    if (f0 < 0.0 && f1 < 0.0) {
+      t1 = -1.0;
+    } else if (f0 < 0.0) {
+      t0 = std::max(t0, f0 / (f0 - f1));
+    } else if (f1 < 0.0) {
+      t1 = std::min(t1, f0 / (f0 - f1));
+    }
+  }
+};
+
+std::optional<Range> inside(const Frame& frame, glm::dvec3 h0, glm::dvec3 h1) {
+  const double w0 = frame.parallel() ? 1.0 : h0.z;
+  const double w1 = frame.parallel() ? 1.0 : h1.z;
+  Range range;
+  range.keep(h0.x + margin * w0, h1.x + margin * w1);
+  range.keep(h0.y + margin * w0, h1.y + margin * w1);
+  range.keep((1.0 + margin) * w0 - h0.x, (1.0 + margin) * w1 - h1.x);
+  range.keep((1.0 + margin) * w0 - h0.y, (1.0 + margin) * w1 - h1.y);
+  range.keep(h0.z, h1.z);
+  if (!(range.t0 < range.t1)) return std::nullopt;
+  return range;
+}
+
+// Whether both faces of an edge project to the same side of it, as seen from the apex. Decided at
+// the edge itself; the winding of the faces is not asked. Zero (a face seen edge-on) counts as yes.
+bool is_silhouette(const Frame& frame, glm::dvec3 a, glm::dvec3 b, glm::dvec3 left,
+                   glm::dvec3 right) {
+  const glm::dvec3 side =
+      frame.parallel() ? glm::cross(b - a, frame.direction()) : glm::cross(a - frame.apex(), b - a);
+  return glm::dot(side, left - a) * glm::dot(side, right - a) >= 0.0;
+}
+
+}  // namespace
+
+void HitLists::reset(const FeatureSet& features, const Frame& frame, float finest_side) {
+  features_ = &features;
+  frame_ = frame;
+  test_frame_ = NodeTestFrame(frame);
+  finest_side_ = finest_side;
+  entries_.clear();
+  segments_.clear();
+  if (features_->nodes().empty()) return;
+  HitEntry root;
+  root.u0 = root.v0 = -std::numeric_limits<float>::infinity();
+  root.u1 = root.v1 = root.q = std::numeric_limits<float>::infinity();
+  entries_.push_back(root);
+}
+
+HitLists::List HitLists::root() const {
+  if (entries_.empty()) return {};
+  return {0};
+}
+
+void HitLists::refine(const Square& cell, const HidingPlane& hiding,
+                      std::span<const std::uint32_t> parent, List& list) {
+  list.clear();
+  for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
+
+  // Few entries left: what hides in the nodes decides.
+  while (list.size() <= few_entries) {
+    const auto node = std::find_if(list.begin(), list.end(), [&](std::uint32_t i) {
+      return !entries_[i].is_segment() && !hidden(i, cell, hiding);
+    });
+    if (node == list.end()) return;
+    const std::uint32_t i = *node;
+    list.erase(node);
+    open(i);
+    const HitEntry opened = entries_[i];
+    for (std::uint32_t c = 0; c < opened.child_count; ++c)
+      visit(opened.first_child + c, cell, hiding, list);
+    if (list.size() > many_entries) return;
+  }
+}
+
+void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list) {
+  const HitEntry e = entries_[i];
+  if (!e.meets(cell)) return;
+  if (e.is_segment()) {
+    if (!clip(segments_[e.ref], cell).empty()) list.push_back(i);
+    return;
+  }
+  const float size = e.extent();
+  if (size <= 0.25f * cell.side || size <= finest_side_ ||
+      hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
+                   std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side), e.q)) {
+    list.push_back(i);
+    return;
+  }
+  open(i);
+  const std::uint32_t first = entries_[i].first_child;
+  const std::uint32_t count = entries_[i].child_count;
+  for (std::uint32_t c = 0; c < count; ++c) visit(first + c, cell, hiding, list);
+}
+
+bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const {
+  const HitEntry& e = entries_[i];
+  if (!e.is_segment()) {
+    return hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
+                        std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side),
+                        e.q);
+  }
+  const Segment& s = segments_[e.ref];
+  const Clip c = clip(s, cell);
+  for (const float t : {c.t0, c.t1}) {
+    if (!hiding.hides(s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0), s.q0 + t * (s.q1 - s.q0)))
+      return false;
+  }
+  return true;
+}
+
+void HitLists::open(std::uint32_t i) {
+  if (entries_[i].opened) return;
+  const auto first = static_cast<std::uint32_t>(entries_.size());
+  if (entries_[i].type == HitEntry::Type::node) {
+    open_node(i);
+  } else {
+    open_leaf(i);
+  }
+  entries_[i].opened = true;
+  entries_[i].first_child = first;
+  entries_[i].child_count = static_cast<std::uint16_t>(entries_.size() - first);
+}
+
+void HitLists::open_node(std::uint32_t i) {
+  const FeatureNode& node = features_->nodes()[entries_[i].ref];
+  const NodeTestResult test = test_children(node, test_frame_);
+  for (unsigned kept = test.kept; kept != 0; kept &= kept - 1) {
+    const auto c = static_cast<unsigned>(__builtin_ctz(kept));
+    HitEntry child;
+    child.u0 = test.u0[c];
+    child.v0 = test.v0[c];
+    child.u1 = test.u1[c];
+    child.v1 = test.v1[c];
+    child.q = test.q[c];
+    child.ref = node.child[c];
+    child.edge_count = node.edge_count[c];
+    child.type =
+        node.edge_count[c] == FeatureNode::inner ? HitEntry::Type::node : HitEntry::Type::leaf;
+    entries_.push_back(child);
+  }
+}
+
+void HitLists::open_leaf(std::uint32_t i) {
+  const std::uint32_t first = entries_[i].ref;
+  const std::uint32_t count = entries_[i].edge_count;
+  const std::span<const glm::vec3> positions = features_->positions();
+  for (std::uint32_t e = first; e < first + count; ++e) {
+    const FeatureEdge& edge = features_->edges()[e];
+    const glm::dvec3 a(positions[edge.a]);
+    const glm::dvec3 b(positions[edge.b]);
+    if (edge.kind == FeatureKind::silhouette &&
+        !is_silhouette(frame_, a, b, glm::dvec3(positions[edge.left]),
+                       glm::dvec3(positions[edge.right])))
+      continue;
+    const glm::dvec3 h0 = frame_.homogeneous(a);
+    const glm::dvec3 h1 = frame_.homogeneous(b);
+    const std::optional<Range> range = inside(frame_, h0, h1);
+    if (!range) continue;
+    const FramePoint p0 = frame_.project(range->t0 > 0.0 ? h0 + range->t0 * (h1 - h0) : h0);
+    const FramePoint p1 = frame_.project(range->t1 < 1.0 ? h0 + range->t1 * (h1 - h0) : h1);
+    Segment s;
+    s.u0 = static_cast<float>(p0.u), s.v0 = static_cast<float>(p0.v);
+    s.u1 = static_cast<float>(p1.u), s.v1 = static_cast<float>(p1.v);
+    s.q0 = static_cast<float>(p0.q), s.q1 = static_cast<float>(p1.q);
+    if (range->t0 == 0.0) s.vertex0 = edge.a;
+    if (range->t1 == 1.0) s.vertex1 = edge.b;
+    s.edge = e;
+    // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
+    if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1) || (s.u0 == s.u1 && s.v0 == s.v1)) continue;
+    HitEntry entry;
+    entry.type = HitEntry::Type::segment;
+    entry.u0 = std::min(s.u0, s.u1), entry.u1 = std::max(s.u0, s.u1);
+    entry.v0 = std::min(s.v0, s.v1), entry.v1 = std::max(s.v0, s.v1);
+    entry.q = std::max(s.q0, s.q1);
+    entry.ref = static_cast<std::uint32_t>(segments_.size());
+    segments_.push_back(s);
+    entries_.push_back(entry);
+  }
+}
+
+}  // namespace asos

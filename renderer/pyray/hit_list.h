@@ -1,0 +1,82 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/geometry/frame.h"
+#include "renderer/pyray/cover.h"
+#include "renderer/pyray/node_test.h"
+#include "renderer/pyray/square.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Something that may bound what a cell shows: a boundary segment, or a node of the hierarchy that
+/// has not been opened, with its rectangle in the root frame and its greatest nearness.
+struct HitEntry {
+  enum class Type : std::uint8_t { node, leaf, segment };
+
+  float u0 = 0, v0 = 0, u1 = 0, v1 = 0;
+  float q = 0;
+  std::uint32_t ref = 0;          ///< node, first edge of a leaf, or segment
+  std::uint32_t first_child = 0;  ///< of the entries made when it was opened
+  std::uint16_t child_count = 0;
+  std::uint8_t edge_count = 0;  ///< of a leaf
+  Type type = Type::node;
+  bool opened = false;
+
+  [[nodiscard]] bool is_segment() const { return type == Type::segment; }
+  [[nodiscard]] float extent() const { return u1 - u0 > v1 - v0 ? u1 - u0 : v1 - v0; }
+  [[nodiscard]] bool meets(const Square& s) const {
+    return u0 < s.u + s.side && u1 > s.u && v0 < s.v + s.side && v1 > s.v;
+  }
+};
+
+/// The boundaries that one root frame's pyray can meet: a part of the feature hierarchy, opened
+/// lazily and projected at most once (design section 4; CGF'98 sections 6.1 and 6.3). A cell's hit
+/// list is a cut through it, named by entry indices; children refine their parent's list only.
+/// One object serves one root pyray at a time; `reset` reuses its memory.
+class HitLists {
+ public:
+  using List = std::vector<std::uint32_t>;
+
+  /// Starts a new root frame among `features`, which must outlive its use. Nothing smaller than
+  /// `finest_side` is ever opened for its size.
+  void reset(const FeatureSet& features, const Frame& frame, float finest_side);
+
+  /// The list of the whole square: just the hierarchy's root, not opened.
+  [[nodiscard]] List root() const;
+
+  /// The list of a cell from its parent's. Drops what misses the cell; opens a node while it is
+  /// larger than a quarter of the cell, or while so few entries are left that the cell may turn out
+  /// empty or crossed by one boundary. What `hiding` hides is kept, but never opened.
+  void refine(const Square& cell, const HidingPlane& hiding, std::span<const std::uint32_t> parent,
+              List& list);
+
+  [[nodiscard]] const HitEntry& entry(std::uint32_t i) const { return entries_[i]; }
+  [[nodiscard]] const Segment& segment(const HitEntry& e) const { return segments_[e.ref]; }
+  [[nodiscard]] const Segment& segment(std::uint32_t i) const { return segments_[entries_[i].ref]; }
+  [[nodiscard]] const FeatureEdge& edge(const Segment& s) const {
+    return features_->edges()[s.edge];
+  }
+  [[nodiscard]] const Frame& frame() const { return frame_; }
+
+  /// Whether an entry of a cell's list lies behind `hiding` wherever it crosses the cell.
+  [[nodiscard]] bool hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const;
+
+ private:
+  void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
+  void open(std::uint32_t i);
+  void open_node(std::uint32_t i);
+  void open_leaf(std::uint32_t i);
+
+  const FeatureSet* features_ = nullptr;
+  Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
+  NodeTestFrame test_frame_{frame_};
+  float finest_side_ = 0.0f;
+  std::vector<HitEntry> entries_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace asos

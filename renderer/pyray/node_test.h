@@ -1,0 +1,35 @@
+#pragma once
+
+#include "renderer/features/hierarchy.h"
+#include "renderer/geometry/frame.h"
+
+namespace asos {
+
+/// A frame's numbers as the eight-wide node test wants them.
+struct NodeTestFrame {
+  explicit NodeTestFrame(const Frame& frame);
+
+  float apex[3];
+  float direction[3];
+  float row[3][3];  // U, V, W
+  float row_abs[3][3];
+  float opposite[2][3];  // W - U and W - V of a pyramid
+  float opposite_abs[2][3];
+  bool parallel;
+};
+
+/// What is left of a node's children: the rectangle of each in the frame and its greatest nearness.
+struct NodeTestResult {
+  unsigned kept = 0;  ///< bit i: child i may bound something inside the square
+  float u0[FeatureNode::width];
+  float v0[FeatureNode::width];
+  float u1[FeatureNode::width];
+  float v1[FeatureNode::width];
+  float q[FeatureNode::width];
+};
+
+/// Tests all children of a node: outside the pyray, or no silhouette as seen from the apex (by the
+/// normals' cone) and nothing else below: dropped. Conservative in single precision.
+[[nodiscard]] NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame);
+
+}  // namespace asos

@@ -1,0 +1,363 @@
+#include "renderer/pyray/partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace asos {
+namespace {
+
+// Points closer than this, in cells, are one. Segments come in single precision of the root frame,
+// so nothing finer has a meaning.
+constexpr double snap = 4e-6;
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+bool on_border(glm::dvec2 p) {
+  return p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0;
+}
+
+// Position along the border, 0 to 4, from the top left corner over the top right one.
+double along_border(glm::dvec2 p) {
+  if (p.y == 0.0) return p.x;
+  if (p.x == 1.0) return 1.0 + p.y;
+  if (p.y == 1.0) return 3.0 - p.x;
+  return 4.0 - p.y;
+}
+
+glm::dvec2 snapped(glm::dvec2 p) {
+  for (int k = 0; k < 2; ++k) {
+    if (p[k] < snap) p[k] = 0.0;
+    if (p[k] > 1.0 - snap) p[k] = 1.0;
+  }
+  return p;
+}
+
+bool same_side(glm::dvec2 p, glm::dvec2 q) {
+  return (p.x == q.x && (p.x == 0.0 || p.x == 1.0)) || (p.y == q.y && (p.y == 0.0 || p.y == 1.0));
+}
+
+}  // namespace
+
+std::span<const Face> CellPartition::cut(const Square& cell, std::span<const Segment> segments,
+                                         std::size_t max_faces) {
+  cell_ = cell;
+  faces_.clear();
+  pieces_.clear();
+  for (const Segment& s : segments)
+    if (!add_piece(s)) return {};
+  // Each line right through the cell adds a face, whatever else there is.
+  const auto through = std::count_if(pieces_.begin(), pieces_.end(), [](const Piece& piece) {
+    return on_border(piece.p) && on_border(piece.q);
+  });
+  if (static_cast<std::size_t>(through) >= max_faces) return {};
+  if (pieces_.size() == 1 && on_border(pieces_[0].p) && on_border(pieces_[0].q)) {
+    if (!cut_by_one()) faces_.clear();
+  } else if (!cut_by_many(max_faces)) {
+    faces_.clear();
+  }
+  return faces_;
+}
+
+// The part of a segment inside the cell, in cell units. False: not finite.
+bool CellPartition::add_piece(const Segment& s) {
+  const glm::dvec2 corner(cell_.u, cell_.v);
+  const double scale = 1.0 / static_cast<double>(cell_.side);
+  const glm::dvec2 p = (glm::dvec2(s.u0, s.v0) - corner) * scale;
+  const glm::dvec2 d = (glm::dvec2(s.u1, s.v1) - corner) * scale - p;
+  if (!std::isfinite(p.x + p.y + d.x + d.y)) return false;
+  double t0 = 0.0;
+  double t1 = 1.0;
+  for (int k = 0; k < 2; ++k) {
+    if (d[k] == 0.0) {
+      if (p[k] < 0.0 || p[k] > 1.0) return true;
+      continue;
+    }
+    const double x = (0.0 - p[k]) / d[k];
+    const double y = (1.0 - p[k]) / d[k];
+    t0 = std::max(t0, std::min(x, y));
+    t1 = std::min(t1, std::max(x, y));
+  }
+  if (!(t0 < t1)) return true;
+  const Piece piece{snapped(p + t0 * d), snapped(p + t1 * d)};
+  if (same_side(piece.p, piece.q) || glm::distance(piece.p, piece.q) < snap) return true;
+  // Edges that fall together in the picture (a face seen edge-on) are one line.
+  const auto near = [](glm::dvec2 a, glm::dvec2 b) {
+    return std::abs(a.x - b.x) < snap && std::abs(a.y - b.y) < snap;
+  };
+  for (const Piece& other : pieces_) {
+    if ((near(piece.p, other.p) && near(piece.q, other.q)) ||
+        (near(piece.p, other.q) && near(piece.q, other.p)))
+      return true;
+  }
+  pieces_.push_back(piece);
+  return true;
+}
+
+// One line through the cell: two convex parts.
+bool CellPartition::cut_by_one() {
+  const Piece piece = pieces_[0];
+  const double tp = along_border(piece.p);
+  const double tq = along_border(piece.q);
+  static constexpr glm::dvec2 corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int part = 0; part < 2; ++part) {
+    // Around the border from one end to the other, then back along the line.
+    const double from = part == 0 ? tp : tq;
+    double to = part == 0 ? tq : tp;
+    if (to <= from) to += 4.0;
+    const glm::dvec2 start = part == 0 ? piece.p : piece.q;
+    glm::dvec2 polygon[6] = {start};
+    int n = 1;
+    for (int c = static_cast<int>(std::floor(from)) + 1; c < to; ++c) polygon[n++] = corners[c % 4];
+    polygon[n++] = part == 0 ? piece.q : piece.p;
+    double area = 0.0;
+    glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
+    for (int i = 0; i < n; ++i) {
+      lo = glm::min(lo, polygon[i]);
+      hi = glm::max(hi, polygon[i]);
+      if (i < 1 || i + 1 >= n) continue;
+      const double a = 0.5 * cross(polygon[i] - start, polygon[i + 1] - start);
+      area += a;
+      centroid += a * (start + polygon[i] + polygon[i + 1]) / 3.0;
+    }
+    if (area > 0.0) emit(area, centroid / area, lo, hi);
+  }
+  return !faces_.empty();
+}
+
+bool CellPartition::cut_by_many(std::size_t max_faces) {
+  nodes_.assign({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  edges_.clear();
+  split_pieces();
+  add_border();
+  return trace_loops(max_faces) && make_faces(max_faces);
+}
+
+std::uint32_t CellPartition::node_at(glm::dvec2 p) {
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const glm::dvec2 d = glm::abs(nodes_[i] - p);
+    if (d.x < snap && d.y < snap) return i;
+  }
+  nodes_.push_back(p);
+  return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+void CellPartition::add_edge(std::uint32_t a, std::uint32_t b) {
+  if (a == b) return;
+  for (const Edge& e : edges_)
+    if ((e.from == a && e.to == b) || (e.from == b && e.to == a)) return;
+  edges_.push_back({a, b});
+}
+
+// Makes nodes of all ends and crossings, and edges between neighbouring nodes of each piece.
+void CellPartition::split_pieces() {
+  for (const Piece& piece : pieces_) {
+    (void)node_at(piece.p);
+    (void)node_at(piece.q);
+  }
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
+      const glm::dvec2 d = pieces_[i].q - pieces_[i].p;
+      const glm::dvec2 e = pieces_[j].q - pieces_[j].p;
+      const glm::dvec2 between = pieces_[j].p - pieces_[i].p;
+      const double det = cross(d, e);
+      const double t = cross(between, e) / det;
+      const double s = cross(between, d) / det;
+      if (t > 0.0 && t < 1.0 && s > 0.0 && s < 1.0) (void)node_at(snapped(pieces_[i].p + t * d));
+    }
+  }
+  for (const Piece& piece : pieces_) {
+    const glm::dvec2 d = piece.q - piece.p;
+    const double length = glm::length(d);
+    order_.clear();
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+      const glm::dvec2 to = nodes_[i] - piece.p;
+      const double t = glm::dot(to, d) / (length * length);
+      const double away = std::abs(cross(d, to)) / length;
+      if (away < 2.0 * snap && t > -2.0 * snap / length && t < 1.0 + 2.0 * snap / length)
+        order_.emplace_back(t, i);
+    }
+    std::sort(order_.begin(), order_.end());
+    for (std::size_t k = 0; k + 1 < order_.size(); ++k) {
+      const std::uint32_t a = order_[k].second;
+      const std::uint32_t b = order_[k + 1].second;
+      if (!same_side(nodes_[a], nodes_[b])) add_edge(a, b);
+    }
+  }
+}
+
+void CellPartition::add_border() {
+  order_.clear();
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+    if (on_border(nodes_[i])) order_.emplace_back(along_border(nodes_[i]), i);
+  std::sort(order_.begin(), order_.end());
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    add_edge(order_[k].second, order_[(k + 1) % order_.size()].second);
+}
+
+// Walks around all faces: half-edge 2e runs from edge e's `from` to its `to`, 2e + 1 back.
+bool CellPartition::trace_loops(std::size_t max_faces) {
+  const std::size_t count = 2 * edges_.size();
+  const auto tail = [&](std::size_t h) { return h & 1 ? edges_[h / 2].to : edges_[h / 2].from; };
+  const auto head = [&](std::size_t h) { return tail(h ^ 1); };
+
+  // Connected components, to tell islands from what holds them.
+  component_.resize(nodes_.size());
+  std::iota(component_.begin(), component_.end(), 0u);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Edge& e : edges_) {
+      const std::uint32_t low = std::min(component_[e.from], component_[e.to]);
+      if (component_[e.from] == low && component_[e.to] == low) continue;
+      component_[e.from] = component_[e.to] = low;
+      changed = true;
+    }
+  }
+  // Euler: bounded faces = edges - nodes + components.
+  std::size_t components = 0;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) components += component_[n] == n;
+  if (edges_.size() + components > nodes_.size() + max_faces) return false;
+
+  // Around each node, half-edges by angle; the next of h is what precedes its twin there. Sorting
+  // by (node, angle) in one go; the angle as a number that grows with it, from 0 to 4.
+  around_.clear();
+  for (std::uint32_t h = 0; h < count; ++h) {
+    const glm::dvec2 d = nodes_[head(h)] - nodes_[tail(h)];
+    const double slope = d.y / (std::abs(d.x) + std::abs(d.y));
+    around_.push_back({tail(h), d.x < 0.0 ? 2.0 - slope : slope < 0.0 ? 4.0 + slope : slope, h});
+  }
+  std::sort(around_.begin(), around_.end(), [](const Spoke& x, const Spoke& y) {
+    return x.node != y.node ? x.node < y.node : x.angle < y.angle;
+  });
+  next_.resize(count);
+  for (std::size_t k = 0; k < count;) {
+    std::size_t end = k;
+    while (end < count && around_[end].node == around_[k].node) ++end;
+    for (std::size_t i = k; i < end; ++i)
+      next_[around_[i].half_edge ^ 1u] = around_[i == k ? end - 1 : i - 1].half_edge;
+    k = end;
+  }
+
+  loops_.clear();
+  loop_nodes_.clear();
+  visited_.assign(count, 0);
+  for (std::size_t start = 0; start < count; ++start) {
+    if (visited_[start]) continue;
+    Loop loop;
+    loop.first = static_cast<std::uint32_t>(loop_nodes_.size());
+    loop.component = component_[tail(start)];
+    for (std::size_t h = start; !visited_[h]; h = next_[h]) {
+      visited_[h] = 1;
+      loop_nodes_.push_back(tail(h));
+      loop.area += 0.5 * cross(nodes_[tail(h)], nodes_[head(h)]);
+    }
+    loop.count = static_cast<std::uint32_t>(loop_nodes_.size()) - loop.first;
+    loops_.push_back(loop);
+  }
+  return true;
+}
+
+// Faces from loops: each loop of positive area, less the islands inside it.
+bool CellPartition::make_faces(std::size_t max_faces) {
+  std::int32_t faces = 0;
+  for (Loop& loop : loops_)
+    if (loop.area > 0.0) loop.face = faces++;
+  if (faces == 0 || static_cast<std::size_t>(faces) > max_faces) return false;
+  for (Loop& island : loops_) {
+    if (island.area > 0.0 || island.component == component_[0]) continue;
+    const glm::dvec2 p = nodes_[loop_nodes_[island.first]];
+    double smallest = 2.0;
+    for (const Loop& loop : loops_) {
+      if (loop.area <= 0.0 || loop.component == island.component || loop.area >= smallest) continue;
+      if (!inside(loop, p)) continue;
+      smallest = loop.area;
+      island.face = loop.face;
+    }
+    if (island.face < 0) return false;
+  }
+  for (const Loop& loop : loops_) {
+    if (loop.area <= 0.0) continue;
+    if (!place_sample(loop.face, loop)) return false;
+  }
+  double total = 0.0;
+  for (const Face& face : faces_) total += face.area;
+  return std::abs(total - 1.0) < 1e-5;
+}
+
+bool CellPartition::inside(const Loop& loop, glm::dvec2 p) const {
+  bool in = false;
+  for (std::uint32_t k = 0; k < loop.count; ++k) {
+    const glm::dvec2 a = nodes_[loop_nodes_[loop.first + k]];
+    const glm::dvec2 b = nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) in = !in;
+  }
+  return in;
+}
+
+bool CellPartition::inside_face(std::int32_t face, glm::dvec2 p) const {
+  bool in = false;
+  for (const Loop& loop : loops_)
+    if (loop.face == face && inside(loop, p)) in = !in;
+  return in;
+}
+
+// Area, and the centroid where it lies inside; else the middle of the longest of a few chords.
+bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
+  double area = 0.0;
+  glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
+  bool simple = true;
+  for (const Loop& loop : loops_) {
+    if (loop.face != face) continue;
+    simple &= loop.area > 0.0;
+    area += loop.area;
+    for (std::uint32_t k = 0; k < loop.count; ++k) {
+      const glm::dvec2 a = nodes_[loop_nodes_[loop.first + k]];
+      const glm::dvec2 b = nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]];
+      centroid += cross(a, b) * (a + b) / 6.0;
+    }
+  }
+  for (std::uint32_t k = 0; k < outer.count; ++k) {
+    lo = glm::min(lo, nodes_[loop_nodes_[outer.first + k]]);
+    hi = glm::max(hi, nodes_[loop_nodes_[outer.first + k]]);
+  }
+  if (area < 1e-12) return true;
+  centroid /= area;
+  if ((simple && outer.count <= 3) || inside_face(face, centroid)) {
+    emit(area, centroid, lo, hi);
+    return true;
+  }
+  double longest = 0.0;
+  glm::dvec2 best(0.0);
+  for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
+    const double y = lo.y + f * (hi.y - lo.y);
+    crossings_.clear();
+    for (const Loop& loop : loops_) {
+      if (loop.face != face) continue;
+      for (std::uint32_t k = 0; k < loop.count; ++k) {
+        const glm::dvec2 a = nodes_[loop_nodes_[loop.first + k]];
+        const glm::dvec2 b = nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]];
+        if ((a.y > y) != (b.y > y))
+          crossings_.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+      }
+    }
+    std::sort(crossings_.begin(), crossings_.end());
+    for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2) {
+      if (crossings_[k + 1] - crossings_[k] <= longest) continue;
+      longest = crossings_[k + 1] - crossings_[k];
+      best = {0.5 * (crossings_[k] + crossings_[k + 1]), y};
+    }
+  }
+  if (longest <= 0.0) return false;
+  emit(area, best, lo, hi);
+  return true;
+}
+
+void CellPartition::emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi) {
+  const auto u = [&](double x) { return cell_.u + cell_.side * static_cast<float>(x); };
+  const auto v = [&](double y) { return cell_.v + cell_.side * static_cast<float>(y); };
+  faces_.push_back({area, u(at.x), v(at.y), u(lo.x), v(lo.y), u(hi.x), v(hi.y)});
+}
+
+}  // namespace asos

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "renderer/pyray/square.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// One part of a cell that its boundary lines leave: uniform, where those are all the lines.
+struct Face {
+  double area = 0.0;  ///< share of the cell, 0 to 1
+  float u = 0.0f;     ///< a point well inside it, in the root frame
+  float v = 0.0f;
+  float u0 = 0, v0 = 0, u1 = 0, v1 = 0;  ///< its bounding rectangle
+};
+
+/// Cuts a cell along the boundary segments that cross it, with exact areas ("exact leaf"). CGF'98
+/// sections 6.2 and 6.4 hint at it for a single edge; this is the planar arrangement of any few
+/// segments: lines, chains, corners, junctions, crossings, slivers and islands.
+/// Double precision in cell units; keeps its memory between calls; one object a thread.
+class CellPartition {
+ public:
+  /// The faces, their areas adding up to 1, or nothing where the lines are too many for
+  /// `max_faces` or too nearly degenerate to be told apart: the cell then has to be subdivided.
+  [[nodiscard]] std::span<const Face> cut(const Square& cell, std::span<const Segment> segments,
+                                          std::size_t max_faces);
+
+ private:
+  struct Edge {
+    std::uint32_t from, to;
+  };
+  struct Piece {
+    glm::dvec2 p, q;
+  };
+  struct Spoke {
+    std::uint32_t node;
+    double angle;
+    std::uint32_t half_edge;
+  };
+  struct Loop {
+    std::uint32_t first = 0;  // into loop_nodes_
+    std::uint32_t count = 0;
+    double area = 0.0;  // positive: bounds a face from outside
+    std::uint32_t component = 0;
+    std::int32_t face = -1;
+  };
+
+  bool cut_by_one();
+  bool cut_by_many(std::size_t max_faces);
+  bool add_piece(const Segment& s);
+  [[nodiscard]] std::uint32_t node_at(glm::dvec2 p);
+  void split_pieces();
+  void add_border();
+  void add_edge(std::uint32_t a, std::uint32_t b);
+  bool trace_loops(std::size_t max_faces);
+  bool make_faces(std::size_t max_faces);
+  [[nodiscard]] bool inside(const Loop& loop, glm::dvec2 p) const;
+  [[nodiscard]] bool inside_face(std::int32_t face, glm::dvec2 p) const;
+  bool place_sample(std::int32_t face, const Loop& outer);
+  void emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi);
+
+  Square cell_;
+  std::vector<Piece> pieces_;
+  std::vector<glm::dvec2> nodes_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> component_;
+  std::vector<Loop> loops_;
+  std::vector<std::uint32_t> loop_nodes_;
+  std::vector<Face> faces_;
+  std::vector<double> crossings_;
+  std::vector<std::pair<double, std::uint32_t>> order_;
+  std::vector<Spoke> around_;
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint8_t> visited_;
+};
+
+}  // namespace asos

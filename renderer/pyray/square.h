@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+
+namespace asos {
+
+/// A (sub-)pyray: an axis-aligned square of a root frame.
+struct Square {
+  float u = 0.0f;
+  float v = 0.0f;
+  float side = 1.0f;
+
+  [[nodiscard]] float centre_u() const { return u + 0.5f * side; }
+  [[nodiscard]] float centre_v() const { return v + 0.5f * side; }
+  /// Quarter 0..3: left to right, then top to bottom.
+  [[nodiscard]] Square quarter(int i) const {
+    const float h = 0.5f * side;
+    return {(i & 1) ? u + h : u, (i & 2) ? v + h : v, h};
+  }
+};
+
+/// A straight piece of a boundary in a root frame: u, v and the nearness q (see FramePoint) are
+/// linear along it.
+struct Segment {
+  static constexpr std::uint32_t cut_off = 0xffffffffu;
+
+  float u0 = 0, v0 = 0, q0 = 0;
+  float u1 = 0, v1 = 0, q1 = 0;
+  /// The welded vertex at each end, or `cut_off` where the frame's border clipped the edge.
+  std::uint32_t vertex0 = cut_off;
+  std::uint32_t vertex1 = cut_off;
+  std::uint32_t edge = 0;  ///< index into FeatureSet::edges
+};
+
+/// The part of a segment inside a square, as parameters along it: empty unless t0 < t1.
+struct Clip {
+  float t0 = 1.0f;
+  float t1 = 0.0f;
+
+  [[nodiscard]] bool empty() const { return !(t0 < t1); }
+};
+
+/// Clips by Liang and Barsky. A segment along the square's border does not cross its inside: empty.
+[[nodiscard]] inline Clip clip(const Segment& s, const Square& square) {
+  float t0 = 0.0f;
+  float t1 = 1.0f;
+  // Points with lo <= x0 + t d <= hi. The border is drawn in by a millionth, so that an edge which
+  // runs along it belongs to neither side.
+  const auto slab = [&](float x0, float x1, float lo) {
+    const float border = 1e-6f * square.side;
+    const float hi = lo + square.side - border;
+    lo += border;
+    const float d = x1 - x0;
+    if (d == 0.0f) {
+      if (x0 < lo || x0 > hi) t1 = -1.0f;
+      return;
+    }
+    float near = (lo - x0) / d;
+    float far = (hi - x0) / d;
+    if (d < 0.0f) {
+      const float swap = near;
+      near = far;
+      far = swap;
+    }
+    if (near > t0) t0 = near;
+    if (far < t1) t1 = far;
+  };
+  slab(s.u0, s.u1, square.u);
+  slab(s.v0, s.v1, square.v);
+  return {t0, t1};
+}
+
+}  // namespace asos

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "renderer/pyray/caster.h"
+#include "renderer/pyray/hit_list.h"
+#include "renderer/pyray/partition.h"
+#include "renderer/pyray/square.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+inline constexpr int max_level_limit = 8;
+
+/// When to stop and how to sample (CGF'98 section 3.1; design section 5).
+struct SubdivisionRules {
+  int max_level = 3;         ///< MAX, 0 to max_level_limit
+  double eps = 0.0;          ///< EPS: allowed change of a root's value, 0 to 1
+  bool exact_leaves = true;  ///< cut cells along their boundaries; false: point leaves
+  bool jitter = false;       ///< jitter the samples of cells that stay marginal at MAX
+};
+
+/// A pyray to subdivide: a square of the frame, and the boundaries that pass through it.
+struct Root {
+  Square square;
+  std::span<const std::uint32_t> list;          ///< hit list
+  Caster::SampleId centre = Caster::no_sample;  ///< at the square's centre, if known
+  std::uint32_t id = 0;                         ///< passed on to Caster::leaf
+  std::uint64_t seed = 0;                       ///< for jitter
+};
+
+/// What a root's subdivision came to.
+struct SubdivisionOutcome {
+  int deepest = 0;               ///< finest level examined; a cut counts as one more
+  double unresolved_area = 0.0;  ///< share of the root whose cells stayed marginal
+  bool saturated = false;        ///< some cell went to its finest samples at once
+  std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
+};
+
+/// The one subdivision routine, for every kind of pyray: splits squares level by level where
+/// boundaries pass through them, until no cell is marginal, the rule holds, or MAX is reached.
+/// Roots of one frame go together, so that their rays can go in packets; none influences another.
+/// Reuses its memory; one object a thread.
+class Subdivider {
+ public:
+  /// One outcome a root. The weights of each root's leaves add up to 1.
+  std::span<const SubdivisionOutcome> run(HitLists& lists, std::span<const Root> roots,
+                                          const SubdivisionRules& rules, Caster& caster);
+
+ private:
+  using SampleId = Caster::SampleId;
+
+  struct Cell {
+    Square square;
+    std::uint32_t root = 0;
+    std::uint32_t first = 0;  // of its list, in the level's entries
+    std::uint32_t count = 0;
+    Cover cover;  // of a sample in the cell's closure
+    SampleId centre = Caster::no_sample;
+    bool fresh = false;  // its centre was sampled in this level's first round
+    bool done = false;
+  };
+  struct Level {
+    std::vector<Cell> cells;
+    std::vector<std::uint32_t> entries;
+    [[nodiscard]] std::span<const std::uint32_t> list(const Cell& cell) const {
+      return std::span(entries).subspan(cell.first, cell.count);
+    }
+  };
+  // Samples that a cell waits for, and what becomes of it when they are there.
+  struct Plan {
+    enum class Kind : std::uint8_t { uniform, faces, centre, saturated };
+    Kind kind = Kind::centre;
+    std::uint32_t cell = 0;
+    std::uint32_t first_point = 0;
+    std::uint32_t first_face = 0;
+    std::uint32_t count = 0;
+    std::uint32_t first_excluded = 0;  // entries taken for hidden
+    std::uint32_t excluded_count = 0;
+  };
+
+  void start(std::span<const Root> roots);
+  void resolve(Level& level);
+  void plan(const Level& level, std::uint32_t cell_index, bool with_own_sample);
+  [[nodiscard]] bool plan_faces(const Level& level, std::uint32_t cell_index,
+                                std::span<const std::uint32_t> visible);
+  [[nodiscard]] bool plan_saturated(const Cell& cell, std::uint32_t cell_index);
+  void add_plan(Plan::Kind kind, std::uint32_t cell_index, std::span<const glm::vec2> points);
+  void carry_out(Level& level);
+  [[nodiscard]] bool excluded_stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const;
+  void stop_roots(Level& level);
+  [[nodiscard]] bool holds_rule(const Level& level, std::size_t first, std::size_t count) const;
+  void finish_marginal(Level& level);
+  void split(const Level& level, Level& next);
+
+  [[nodiscard]] double weight(const Cell& cell) const;
+  [[nodiscard]] std::size_t most_faces() const;
+  [[nodiscard]] glm::vec2 jittered(std::uint32_t root, const Square& s) const;
+  SubdivisionOutcome& outcome(const Cell& cell) { return outcomes_[cell.root]; }
+
+  HitLists* hits_ = nullptr;
+  Caster* caster_ = nullptr;
+  SubdivisionRules rules_;
+  std::span<const Root> roots_;
+  int level_ = 0;
+  std::vector<SubdivisionOutcome> outcomes_;
+  Level levels_[2];
+  HitLists::List list_;
+  CellPartition partition_;
+  std::vector<std::uint32_t> visible_;
+  std::vector<Segment> segments_;
+  std::vector<Plan> plans_;
+  std::vector<glm::vec2> points_;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> excluded_;
+};
+
+}  // namespace asos

@@ -1,0 +1,176 @@
+#include "renderer/pyray/partition.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace asos {
+namespace {
+
+Segment line(double u0, double v0, double u1, double v1) {
+  Segment s;
+  s.u0 = static_cast<float>(u0), s.v0 = static_cast<float>(v0);
+  s.u1 = static_cast<float>(u1), s.v1 = static_cast<float>(v1);
+  return s;
+}
+
+double total_area(std::span<const Face> faces) {
+  double sum = 0.0;
+  for (const Face& f : faces) sum += f.area;
+  return sum;
+}
+
+// The area of the face whose sample lies nearest to (u, v).
+const Face& face_near(std::span<const Face> faces, float u, float v) {
+  return *std::min_element(faces.begin(), faces.end(), [&](const Face& a, const Face& b) {
+    return std::hypot(a.u - u, a.v - v) < std::hypot(b.u - u, b.v - v);
+  });
+}
+
+TEST(CellPartition, OneLineGivesTheExactAreasOfBothSides) {
+  CellPartition partition;
+
+  const Segment s = line(0.9, 0.1, 0.4, 0.6);
+  const auto faces = partition.cut({0.5f, 0.25f, 0.25f}, std::span(&s, 1), 8);
+  ASSERT_EQ(faces.size(), 2u);
+  EXPECT_NEAR(total_area(faces), 1.0, 1e-9);
+  // u + v = 1 is the diagonal of this cell.
+  EXPECT_NEAR(faces[0].area, 0.5, 1e-6);
+}
+
+TEST(CellPartition, TwoParallelLinesLeaveASliverOfExactWidth) {
+  CellPartition partition;
+  const Segment lines[2] = {line(-1, 0.5, 2, 0.5), line(-1, 0.501, 2, 0.501)};
+  const auto faces = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(faces.size(), 3u);
+  const Face& sliver = face_near(faces, 0.5f, 0.5005f);
+  EXPECT_NEAR(sliver.area, 0.001, 1e-7);
+  EXPECT_GT(sliver.v, 0.5f);
+  EXPECT_LT(sliver.v, 0.501f);
+}
+
+TEST(CellPartition, ThreeEdgesAtOneCornerMakeThreeFaces) {
+  CellPartition partition;
+  const Segment lines[3] = {line(0.5, 0.5, 0.5, -1), line(0.5, 0.5, 2, 0.5), line(0.5, 0.5, -1, 2)};
+  const auto faces = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(faces.size(), 3u);
+  EXPECT_NEAR(total_area(faces), 1.0, 1e-9);
+  EXPECT_NEAR(face_near(faces, 0.75f, 0.25f).area, 0.25, 1e-6);
+  EXPECT_NEAR(face_near(faces, 0.2f, 0.3f).area, 0.375, 1e-6);
+}
+
+TEST(CellPartition, CrossingLinesMakeFourFaces) {
+  CellPartition partition;
+  const Segment lines[2] = {line(-1, 0.25, 2, 0.25), line(0.5, -1, 0.5, 2)};
+  const auto faces = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(faces.size(), 4u);
+  EXPECT_NEAR(face_near(faces, 0.25f, 0.1f).area, 0.125, 1e-6);
+  EXPECT_NEAR(face_near(faces, 0.75f, 0.6f).area, 0.375, 1e-6);
+}
+
+TEST(CellPartition, AnIslandIsTakenFromWhatHoldsIt) {
+  CellPartition partition;
+  const Segment lines[3] = {line(0.4, 0.4, 0.6, 0.4), line(0.6, 0.4, 0.5, 0.6),
+                            line(0.5, 0.6, 0.4, 0.4)};
+  const auto faces = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(faces.size(), 2u);
+  const Face& island = faces[0].area < faces[1].area ? faces[0] : faces[1];
+  const Face& sea = faces[0].area < faces[1].area ? faces[1] : faces[0];
+  EXPECT_NEAR(island.area, 0.02, 1e-7);
+  EXPECT_NEAR(sea.area, 0.98, 1e-7);
+  // The sea's sample is not on the island.
+  EXPECT_FALSE(sea.v > 0.4f && sea.v < 0.6f && std::abs(sea.u - 0.5f) < 0.5f * (0.6f - sea.v));
+}
+
+TEST(CellPartition, ABentChainIsOneBoundary) {
+  CellPartition partition;
+  // A zigzag from left to right around v = 0.5.
+  std::vector<Segment> chain;
+  const int n = 10;
+  const auto height = [](int i) { return i % 2 ? 0.55 : 0.45; };
+  for (int i = 0; i < n; ++i)
+    chain.push_back(line(i / 10.0, height(i), (i + 1) / 10.0, height(i + 1)));
+  const auto faces = partition.cut({0, 0, 1}, chain, 8);
+  ASSERT_EQ(faces.size(), 2u);
+  EXPECT_NEAR(faces[0].area, 0.5, 1e-6);
+  for (const Face& f : faces) EXPECT_GT(std::abs(f.v - 0.5f), 0.051f);
+}
+
+TEST(CellPartition, LinesAlongTheBorderBoundNothing) {
+  CellPartition partition;
+  const Segment lines[2] = {line(-1, 0, 2, 0), line(0.3, 0.3, 0.3 + 1e-9, 0.3)};
+  const auto faces = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_DOUBLE_EQ(faces[0].area, 1.0);
+}
+
+TEST(CellPartition, RefusesMoreFacesThanAllowed) {
+  CellPartition partition;
+  const Segment lines[2] = {line(-1, 0.25, 2, 0.25), line(0.5, -1, 0.5, 2)};
+  EXPECT_TRUE(partition.cut({0, 0, 1}, lines, 3).empty());
+  const Segment bad = line(std::nan(""), 0, 1, 1);
+  EXPECT_TRUE(partition.cut({0, 0, 1}, std::span(&bad, 1), 3).empty());
+}
+
+// Full lines split a convex polygon into convex polygons: an independent way to the same areas.
+TEST(CellPartition, AgreesWithHalfPlaneClippingOnRandomLines) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  CellPartition partition;
+  for (int repetition = 0; repetition < 1000; ++repetition) {
+    const int n = 1 + repetition % 4;
+    std::vector<Segment> lines;
+    std::vector<std::vector<glm::dvec2>> polygons{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    for (int i = 0; i < n; ++i) {
+      const glm::dvec2 p(unit(random), unit(random));
+      const double angle = unit(random) * 2.0 * std::numbers::pi;
+      const glm::dvec2 d(std::cos(angle), std::sin(angle));
+      lines.push_back(line(p.x - 3 * d.x, p.y - 3 * d.y, p.x + 3 * d.x, p.y + 3 * d.y));
+      const glm::dvec2 a(lines.back().u0, lines.back().v0);
+      const glm::dvec2 b(lines.back().u1, lines.back().v1);
+      std::vector<std::vector<glm::dvec2>> split;
+      for (const auto& polygon : polygons) {
+        for (const double sign : {1.0, -1.0}) {
+          std::vector<glm::dvec2> kept;
+          const auto side = [&](glm::dvec2 q) {
+            return sign * ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x));
+          };
+          for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const glm::dvec2 q = polygon[k];
+            const glm::dvec2 r = polygon[(k + 1) % polygon.size()];
+            if (side(q) >= 0) kept.push_back(q);
+            if ((side(q) < 0) != (side(r) < 0))
+              kept.push_back(q + (r - q) * (side(q) / (side(q) - side(r))));
+          }
+          if (kept.size() > 2) split.push_back(kept);
+        }
+      }
+      polygons = split;
+    }
+    std::vector<double> expected;
+    for (const auto& polygon : polygons) {
+      double twice = 0.0;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const glm::dvec2 q = polygon[k], r = polygon[(k + 1) % polygon.size()];
+        twice += q.x * r.y - q.y * r.x;
+      }
+      expected.push_back(0.5 * std::abs(twice));
+    }
+    std::vector<double> got;
+    for (const Face& f : partition.cut({0, 0, 1}, lines, 64)) got.push_back(f.area);
+    // Slivers below the snapping distance may go to a neighbour.
+    const auto tiny = [](double a) { return a < 2e-5; };
+    std::erase_if(expected, tiny);
+    std::erase_if(got, tiny);
+    std::sort(expected.begin(), expected.end());
+    std::sort(got.begin(), got.end());
+    ASSERT_EQ(got.size(), expected.size()) << "repetition " << repetition;
+    for (std::size_t i = 0; i < got.size(); ++i)
+      EXPECT_NEAR(got[i], expected[i], 2e-5) << "repetition " << repetition;
+  }
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,280 @@
+#include "renderer/pyray/subdivide.h"
+
+#include "tests/support/polygon_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace asos::test {
+namespace {
+
+struct Answer {
+  std::vector<double> coverage;
+  double total = 0.0;
+  int probes = 0;
+  SubdivisionOutcome outcome;
+};
+
+Answer subdivide(const PolygonScene& scene, const SubdivisionRules& rules,
+                 const Frame& frame = unit_frame()) {
+  const FeatureSet features(scene.world);
+  HitLists lists;
+  lists.reset(features, frame, std::ldexp(1.0f, -rules.max_level));
+  BruteForceCaster caster(scene.world, features, frame);
+  HitLists::List list;
+  lists.refine({0, 0, 1}, {}, lists.root(), list);
+  Root root;
+  root.list = list;
+  Subdivider subdivider;
+  Answer answer;
+  answer.outcome = subdivider.run(lists, std::span(&root, 1), rules, caster)[0];
+  answer.coverage = caster.coverage;
+  answer.total = caster.total;
+  answer.probes = caster.probes();
+  return answer;
+}
+
+SubdivisionRules rules_of(int max_level, bool exact = true) {
+  SubdivisionRules rules;
+  rules.max_level = max_level;
+  rules.exact_leaves = exact;
+  return rules;
+}
+
+// A convex polygon in the frame's square, given in (u, v), at a depth.
+std::uint32_t add_polygon(PolygonScene& scene, const std::vector<glm::dvec2>& corners,
+                          double depth) {
+  std::vector<glm::vec3> points;
+  for (const glm::dvec2& c : corners) points.push_back(at_depth(c.x, c.y, depth));
+  return scene.add(points);
+}
+
+std::vector<glm::dvec2> half_plane(glm::dvec2 p, double angle) {
+  const glm::dvec2 d(std::cos(angle), std::sin(angle));
+  const glm::dvec2 n(-d.y, d.x);
+  return {p - 4.0 * d, p + 4.0 * d, p + 4.0 * d + 4.0 * n, p - 4.0 * d + 4.0 * n};
+}
+
+TEST(Subdivide, NothingThereIsOneSample) {
+  PolygonScene scene;
+  add_polygon(scene, {{3, 3}, {4, 3}, {4, 4}}, 2.0);
+  const Answer answer = subdivide(scene, rules_of(4));
+  EXPECT_EQ(answer.probes, 1);
+  EXPECT_DOUBLE_EQ(answer.total, 1.0);
+  EXPECT_EQ(answer.outcome.deepest, 0);
+}
+
+TEST(Subdivide, HalfPlanesAreExactAtEveryLevel) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const auto polygon =
+        half_plane({unit(random), unit(random)}, unit(random) * 2.0 * std::numbers::pi);
+    PolygonScene scene;
+    add_polygon(scene, polygon, 1.0 + 9.0 * unit(random));
+    const double truth = area(clip_to_unit_square(polygon));
+    const Answer answer = subdivide(scene, rules_of(1 + i % 4));
+    ASSERT_NEAR(answer.coverage[0], truth, 1e-5) << "case " << i;
+    ASSERT_NEAR(answer.total, 1.0, 1e-9) << "case " << i;
+  }
+}
+
+TEST(Subdivide, SliversAreNeverLost) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (const double width : {1.0 / 50.0, 1.0 / 1000.0}) {
+    for (int i = 0; i < 500; ++i) {
+      const double angle = unit(random) * 2.0 * std::numbers::pi;
+      const glm::dvec2 d(std::cos(angle), std::sin(angle));
+      const glm::dvec2 n = 0.5 * width * glm::dvec2(-d.y, d.x);
+      const glm::dvec2 p(0.2 + 0.6 * unit(random), 0.2 + 0.6 * unit(random));
+      const std::vector<glm::dvec2> polygon{p - 4.0 * d - n, p + 4.0 * d - n, p + 4.0 * d + n,
+                                            p - 4.0 * d + n};
+      PolygonScene scene;
+      add_polygon(scene, polygon, 3.0);
+      const double truth = area(clip_to_unit_square(polygon));
+      const Answer answer = subdivide(scene, rules_of(4));
+      ASSERT_NEAR(answer.coverage[0], truth, 0.01 * truth) << "width " << width << " case " << i;
+    }
+  }
+}
+
+TEST(Subdivide, SmallTrianglesInsideAPixelKeepTheirArea) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec2 centre(0.1 + 0.8 * unit(random), 0.1 + 0.8 * unit(random));
+    std::vector<glm::dvec2> polygon;
+    for (int k = 0; k < 3; ++k)
+      polygon.push_back(centre + 0.1 * glm::dvec2(unit(random) - 0.5, unit(random) - 0.5));
+    PolygonScene scene;
+    add_polygon(scene, polygon, 2.0);
+    const double truth = area(clip_to_unit_square(polygon));
+    if (truth < 1e-5) continue;
+    ASSERT_NEAR(subdivide(scene, rules_of(4)).coverage[0], truth, 1e-5) << "case " << i;
+  }
+}
+
+// Two overlapping half-planes, one in front: the far one shows where the near one does not.
+TEST(Subdivide, WhatANearerSurfaceHidesDoesNotCount) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 500; ++i) {
+    const auto near = half_plane({unit(random), unit(random)}, unit(random) * 6.3);
+    const auto far = half_plane({unit(random), unit(random)}, unit(random) * 6.3);
+    PolygonScene scene;
+    add_polygon(scene, far, 5.0);
+    add_polygon(scene, near, 2.0);
+    // Visible part of the far one: its area less what both cover, by clipping one with the other.
+    std::vector<glm::dvec2> both = clip_to_unit_square(far);
+    const double far_area = area(both);
+    std::vector<glm::dvec2> kept;
+    const glm::dvec2 a = near[0], b = near[1];
+    const auto side = [&](glm::dvec2 q) {
+      return (b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x);
+    };
+    for (std::size_t k = 0; k < both.size(); ++k) {
+      const glm::dvec2 q = both[k], r = both[(k + 1) % both.size()];
+      if (side(q) >= 0) kept.push_back(q);
+      if ((side(q) < 0) != (side(r) < 0))
+        kept.push_back(q + (r - q) * (side(q) / (side(q) - side(r))));
+    }
+    const Answer answer = subdivide(scene, rules_of(5));
+    ASSERT_NEAR(answer.coverage[1], area(clip_to_unit_square(near)), 1e-5) << "case " << i;
+    ASSERT_NEAR(answer.coverage[0], far_area - area(kept), 1e-5) << "case " << i;
+  }
+}
+
+TEST(Subdivide, AWallHidesAllBehindIt) {
+  PolygonScene scene;
+  add_polygon(scene, {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}, 1.0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec2 c(unit(random), unit(random));
+    add_polygon(scene, {c, c + glm::dvec2(0.1, 0.0), c + glm::dvec2(0.0, 0.1)}, 20.0 + i);
+  }
+  const Answer answer = subdivide(scene, rules_of(4));
+  EXPECT_DOUBLE_EQ(answer.coverage[0], 1.0);
+  EXPECT_EQ(answer.outcome.deepest, 0);
+  EXPECT_EQ(answer.probes, 1);
+}
+
+TEST(Subdivide, ADiskOfManySegmentsHasItsArea) {
+  PolygonScene scene;
+  std::vector<glm::dvec2> disk;
+  const int n = 10000;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n;
+    disk.push_back(glm::dvec2(0.5, 0.5) + 0.3 * glm::dvec2(std::cos(angle), std::sin(angle)));
+  }
+  add_polygon(scene, disk, 2.0);
+  const double truth = area(disk);
+  // The outline has some thirty segments in each of the finest cells, which are point-sampled. Each
+  // is wrong by an amount spread evenly over half its area either way (standard deviation 0.29
+  // areas), so three standard deviations of the sum over n of them bound the error.
+  const Answer answer = subdivide(scene, rules_of(6));
+  const double cell = std::ldexp(1.0, -12);
+  const double cells = answer.outcome.unresolved_area / cell;
+  EXPECT_NEAR(answer.coverage[0], truth, 3.0 * 0.29 * std::sqrt(cells) * cell);
+  // The circle crosses at most 4 / pi cells for each cell's side of its length, and a cluster of
+  // segments, which is no larger than a cell, makes its neighbours marginal too.
+  EXPECT_LT(cells, 3.0 * (4.0 / std::numbers::pi) * (2.0 * std::numbers::pi * 0.3 * 64.0));
+}
+
+TEST(Subdivide, OrthographicFramesAreExactToo) {
+  const auto polygon = half_plane({0.4, 0.6}, 0.7);
+  PolygonScene scene;
+  std::vector<glm::vec3> points;
+  for (const glm::dvec2& c : polygon) points.emplace_back(c.x, -c.y, -3.0);
+  scene.add(points);
+  const Frame frame = Frame::prism({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0});
+  const Answer answer = subdivide(scene, rules_of(2), frame);
+  EXPECT_NEAR(answer.coverage[0], area(clip_to_unit_square(polygon)), 1e-6);
+}
+
+// CGF'98 section 3.1: with one object the published rule keeps its promise.
+TEST(Subdivide, PointLeavesKeepWithinEpsForOneEdge) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 300; ++i) {
+    const auto polygon = half_plane({unit(random), unit(random)}, unit(random) * 6.3);
+    PolygonScene scene;
+    add_polygon(scene, polygon, 2.0);
+    SubdivisionRules rules = rules_of(8, false);
+    rules.eps = std::ldexp(1.0, -(1 + i % 6));
+    const Answer answer = subdivide(scene, rules);
+    ASSERT_NEAR(answer.coverage[0], area(clip_to_unit_square(polygon)), rules.eps) << "case " << i;
+    // Section 6.2: K >= log2(1 / EPS) - 1 is enough.
+    ASSERT_LE(answer.outcome.deepest, std::max(0.0, std::log2(1.0 / rules.eps) - 1.0))
+        << "case " << i;
+  }
+}
+
+TEST(Subdivide, MaxZeroTakesOneSampleWithPointLeaves) {
+  PolygonScene scene;
+  add_polygon(scene, half_plane({0.5, 0.4}, 0.3), 2.0);
+  const Answer answer = subdivide(scene, rules_of(0, false));
+  EXPECT_EQ(answer.probes, 1);
+  EXPECT_DOUBLE_EQ(answer.total, 1.0);
+  EXPECT_DOUBLE_EQ(answer.outcome.unresolved_area, 1.0);
+}
+
+TEST(Subdivide, ASphereMeshShowsItsSilhouetteWhateverItsWinding) {
+  for (const bool scrambled : {false, true}) {
+    PolygonScene scene;
+    Part part;
+    part.triangle_count = 0;
+    const int rings = 16, sectors = 32;
+    const glm::vec3 centre = at_depth(0.5, 0.5, 4.0);
+    for (int r = 0; r <= rings; ++r) {
+      for (int s = 0; s < sectors; ++s) {
+        const double theta = std::numbers::pi * r / rings,
+                     phi = 2.0 * std::numbers::pi * s / sectors;
+        const glm::vec3 n(std::sin(theta) * std::cos(phi), std::cos(theta),
+                          std::sin(theta) * std::sin(phi));
+        scene.world.normals.push_back(n);
+        scene.world.positions.push_back(centre + 1.2f * (r == 0       ? glm::vec3(0, 1, 0)
+                                                         : r == rings ? glm::vec3(0, -1, 0)
+                                                                      : n));
+      }
+    }
+    std::mt19937 random(8);
+    for (int r = 0; r < rings; ++r) {
+      for (int s = 0; s < sectors; ++s) {
+        const auto at = [&](int i, int j) {
+          return static_cast<std::uint32_t>(i * sectors + j % sectors);
+        };
+        for (glm::uvec3 t : {glm::uvec3(at(r, s), at(r + 1, s), at(r + 1, s + 1)),
+                             glm::uvec3(at(r, s), at(r + 1, s + 1), at(r, s + 1))}) {
+          if (scrambled && random() % 2) std::swap(t.y, t.z);
+          scene.world.triangles.push_back(t);
+          scene.world.triangle_part.push_back(0);
+        }
+      }
+    }
+    scene.world.parts.push_back(part);
+    const FeatureSet features(scene.world);
+    EXPECT_EQ(features.counts().open, 0u);
+    EXPECT_EQ(features.counts().crease, 0u);
+    // Truth: dense regular samples.
+    const Frame frame = unit_frame();
+    BruteForceCaster truth(scene.world, features, frame);
+    const int n = 200;
+    std::vector<glm::vec2> points;
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x)
+        points.emplace_back((static_cast<float>(x) + 0.5f) / n, (static_cast<float>(y) + 0.5f) / n);
+    const Caster::SampleId first = truth.probe(points);
+    for (std::uint32_t i = 0; i < n * n; ++i) truth.leaf(0, first + i, 1.0 / (n * n));
+    const Answer answer = subdivide(scene, rules_of(5));
+    EXPECT_NEAR(answer.coverage[0], truth.coverage[0], 1e-3) << "scrambled " << scrambled;
+    EXPECT_LT(answer.probes, 600) << "scrambled " << scrambled;
+  }
+}
+
+}  // namespace
+}  // namespace asos::test
