@@ -1,0 +1,65 @@
+#include "renderer/methods/eye_caster.h"
+
+#include <cmath>
+
+namespace asos {
+
+EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const Frame& frame,
+                     PixelRect block, std::size_t roots, RenderStatistics& counts)
+    : scene_(scene),
+      view_(view),
+      frame_(frame),
+      block_(block),
+      counts_(counts),
+      shader_(scene.world, scene.needs, scene.rays),
+      sums_(roots) {}
+
+Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
+  const std::size_t first = rays_.size();
+  for (const glm::vec2& p : points) {
+    rays_.push_back(view_.ray(block_.x + static_cast<double>(p.x) * block_.width,
+                              block_.y + static_cast<double>(p.y) * block_.height));
+  }
+  hits_.resize(rays_.size());
+  scene_.rays.closest(std::span(rays_).subspan(first), std::span(hits_).subspan(first));
+  counts_.eye_rays += points.size();
+  return static_cast<SampleId>(first);
+}
+
+Cover EyeCaster::cover(SampleId sample) const {
+  const Hit& hit = hits_[sample];
+  if (!hit.valid()) return Cover::none();
+  // What is seen through a surface is not hidden by it.
+  const Material& material = scene_.world.material_of(hit.triangle);
+  if (material.alpha_mode != AlphaMode::opaque || material.transmission > 0.0f)
+    return Cover::none();
+  const glm::uvec3 t = scene_.world.triangles[hit.triangle];
+  const glm::dvec3 p0(scene_.world.positions[t.x]);
+  const glm::dvec3 e1 = glm::dvec3(scene_.world.positions[t.y]) - p0;
+  const glm::dvec3 e2 = glm::dvec3(scene_.world.positions[t.z]) - p0;
+  const glm::dvec3 p = p0 + static_cast<double>(hit.b1) * e1 + static_cast<double>(hit.b2) * e2;
+  return Cover::plane(frame_, p, glm::cross(e1, e2));
+}
+
+std::uint32_t EyeCaster::surface(SampleId sample) const {
+  // The background is a surface too.
+  const Hit& hit = hits_[sample];
+  return hit.valid() ? scene_.features.sheet(hit.triangle) : Hit::none;
+}
+
+void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
+  const glm::vec3 radiance = shader_.radiance(rays_[sample], hits_[sample], counts_);
+  if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
+    ++counts_.rejected_samples;
+    return;
+  }
+  sums_[root].radiance += weight * glm::dvec3(radiance);
+  sums_[root].weight += weight;
+}
+
+glm::vec3 EyeCaster::colour(std::uint32_t root) const {
+  const Sum& sum = sums_[root];
+  return sum.weight > 0.0 ? glm::vec3(sum.radiance / sum.weight) : glm::vec3(0.0f);
+}
+
+}  // namespace asos

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "renderer/film/statistics.h"
+#include "renderer/geometry/view.h"
+#include "renderer/methods/render_scene.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/shading/shade.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// Looks along eye rays through one square block of the picture, whose frame's (u, v) runs from 0
+/// to 1 across it: the engine's Caster for eye pyrays. Leaves are shaded and added up, root by
+/// root; a root is a pixel.
+class EyeCaster final : public Caster {
+ public:
+  EyeCaster(const RenderScene& scene, const View& view, const Frame& frame, PixelRect block,
+            std::size_t roots, RenderStatistics& counts);
+
+  [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
+  [[nodiscard]] Cover cover(SampleId sample) const override;
+  [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
+  void leaf(std::uint32_t root, SampleId sample, double weight) override;
+
+  /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
+  /// counted.
+  [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
+
+ private:
+  struct Sum {
+    glm::dvec3 radiance{0.0};
+    double weight = 0.0;
+  };
+
+  const RenderScene& scene_;
+  const View& view_;
+  const Frame& frame_;
+  PixelRect block_;
+  RenderStatistics& counts_;
+  Shader shader_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+  std::vector<Sum> sums_;
+};
+
+}  // namespace asos

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/film/statistics.h"
+#include "renderer/geometry/view.h"
+#include "renderer/methods/render_scene.h"
+#include "renderer/methods/settings.h"
+
+#include <stop_token>
+
+namespace asos {
+
+/// Side of the aligned blocks of pixels that every method works in.
+inline constexpr int block_size = 8;
+
+struct BlockResult {
+  FinishedTile tile;
+  RenderStatistics statistics;
+};
+
+/// The final pixels of one block of the picture, by the method that the settings name. `block` is
+/// aligned to block_size in the whole picture (clipped at its right and bottom edge), whatever the
+/// crop. A pure function of its arguments: any thread, any order, the same bits. Samples that are
+/// not finite are left out of their pixel's mean and counted; a pixel without any is black. Once
+/// `stop` is requested the result is unfinished and to be thrown away.
+[[nodiscard]] BlockResult render_block(const RenderScene& scene, const View& view,
+                                       const RenderSettings& settings, PixelRect block,
+                                       const std::stop_token& stop = {});
+
+// One function a method; render_block chooses.
+[[nodiscard]] BlockResult render_block_asos(const RenderScene& scene, const View& view,
+                                            const RenderSettings& settings, PixelRect block);
+/// n x n samples a pixel on a regular grid; n * n is the first square of at least `settings.spp`.
+[[nodiscard]] BlockResult render_block_uniform(const RenderScene& scene, const View& view,
+                                               const RenderSettings& settings, PixelRect block,
+                                               const std::stop_token& stop = {});
+/// One sample at a random place in each of the n x n strata, seeded by pixel and sample.
+[[nodiscard]] BlockResult render_block_stochastic(const RenderScene& scene, const View& view,
+                                                  const RenderSettings& settings, PixelRect block,
+                                                  const std::stop_token& stop = {});
+
+}  // namespace asos

@@ -1,0 +1,18 @@
+#include "renderer/methods/method.h"
+
+namespace asos {
+
+BlockResult render_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                         PixelRect block, const std::stop_token& stop) {
+  switch (settings.method) {
+    case Method::uniform:
+      return render_block_uniform(scene, view, settings, block, stop);
+    case Method::stochastic:
+      return render_block_stochastic(scene, view, settings, block, stop);
+    case Method::asos:
+      break;
+  }
+  return render_block_asos(scene, view, settings, block);
+}
+
+}  // namespace asos

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/rays/ray_scene.h"
+#include "renderer/result.h"
+#include "renderer/scene/needs.h"
+#include "renderer/scene/world.h"
+
+#include <memory>
+#include <string>
+
+namespace asos {
+
+/// A scene made ready to render: flattened, with its rays' and its boundaries' hierarchies.
+/// Immutable once built, shared by all workers; `rays` points into `world`, so it never moves.
+struct RenderScene {
+  World world;
+  SceneNeeds needs;
+  bool default_rig = false;  ///< the scene had no lights; `world.lights` is the default rig
+  RayScene rays;
+  FeatureSet features;
+  SceneNotes notes;
+  std::string name;
+  std::string source;
+  double build_seconds = 0.0;
+  double memory_mb = 0.0;  ///< of geometry, textures and both hierarchies
+};
+
+/// Flattens, lights (with the default rig where the scene has no lights) and indexes `scene`.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene);
+
+}  // namespace asos

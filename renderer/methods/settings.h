@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+#include "renderer/result.h"
+
+#include <cstdint>
+
+namespace asos {
+
+enum class Method { asos, uniform, stochastic };
+enum class Leaf { exact, point };
+
+/// What to render with. Defaulted and comparable; widgets edit a copy, work takes a copy.
+/// `validated` says what is out of range; nothing is clamped silently.
+struct RenderSettings {
+  static constexpr int max_level_limit = 8;
+
+  int width = 1280;  ///< pixels, 1 to 32768
+  int height = 720;
+  PixelRect crop;  ///< part of the picture to render; empty: all. Equals that part of the whole
+  Method method = Method::asos;
+  int max_level = 3;         ///< MAX, 0 to 8 (CGF'98 section 3.1)
+  double eps = 1.0 / 256.0;  ///< EPS, 0 to 1: allowed change of a pixel's display intensity
+  Leaf leaf = Leaf::exact;   ///< exact: cut a cell along its one boundary (6.2, 6.4)
+  bool jitter = false;       ///< jitter the samples of leaves that stay marginal at MAX
+  int spp = 16;              ///< uniform and stochastic: samples a pixel, rounded up to n * n
+  int threads = 0;           ///< workers; 0: all cores but one
+
+  bool operator==(const RenderSettings&) const = default;
+
+  /// What is rendered: the crop, or all of the picture.
+  [[nodiscard]] PixelRect visible() const {
+    return crop == PixelRect{} ? PixelRect{0, 0, width, height} : crop;
+  }
+};
+
+/// The settings as they are, or what is wrong with the first one that is out of range; the error's
+/// subject is the setting's name on the command line.
+[[nodiscard]] Result<RenderSettings> validated(const RenderSettings& settings);
+
+}  // namespace asos

@@ -1,0 +1,131 @@
+#include "renderer/session/render_session.h"
+
+#include "renderer/session/render_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace asos {
+namespace {
+
+std::size_t worker_count(int asked) {
+  if (asked > 0) return static_cast<std::size_t>(asked);
+  // One core stays free for the window.
+  return std::max(2u, std::thread::hardware_concurrency()) - 1u;
+}
+
+}  // namespace
+
+/// All of it belongs to the controlling thread, but for what the run locks itself.
+struct RenderSession::State {
+  std::function<void()> on_tiles;
+  std::optional<RenderRun> run;
+  std::vector<std::jthread> workers;
+  bool nothing_to_do = false;  ///< the last snapshot was not renderable
+
+  void stop() {
+    for (std::jthread& worker : workers) worker.request_stop();
+    join();
+  }
+  void join() {
+    workers.clear();
+    if (run) run->close();
+  }
+};
+
+RenderSession::RenderSession(std::function<void()> on_tiles) : state_(std::make_unique<State>()) {
+  state_->on_tiles = std::move(on_tiles);
+}
+
+RenderSession::~RenderSession() {
+  state_->stop();
+}
+
+void RenderSession::restart(Snapshot snapshot) {
+  state_->stop();
+  state_->run.reset();
+  state_->nothing_to_do = !snapshot.scene || !validated(snapshot.settings);
+  if (state_->nothing_to_do) return;
+  const std::size_t workers = worker_count(snapshot.settings.threads);
+  RenderRun& run = state_->run.emplace(std::move(snapshot), state_->on_tiles);
+  for (std::size_t i = 0; i < workers; ++i) {
+    state_->workers.emplace_back([&run](const std::stop_token& stop) { run.work(stop); });
+  }
+}
+
+void RenderSession::cancel() {
+  state_->stop();
+}
+
+void RenderSession::wait() {
+  for (std::jthread& worker : state_->workers) worker.join();
+  state_->join();
+}
+
+PixelRect RenderSession::visible() const {
+  return state_->run ? state_->run->visible() : PixelRect{};
+}
+
+std::vector<FinishedTile> RenderSession::take_finished() {
+  if (!state_->run) return {};
+  return state_->run->take_finished();
+}
+
+Progress RenderSession::progress() const {
+  if (state_->run) return state_->run->progress();
+  Progress progress;
+  progress.finished = state_->nothing_to_do;
+  progress.fraction = state_->nothing_to_do ? 1.0 : 0.0;
+  return progress;
+}
+
+RenderStatistics RenderSession::statistics() const {
+  return state_->run ? state_->run->statistics() : RenderStatistics{};
+}
+
+RenderResult render_to_end(Snapshot snapshot,
+                           const std::function<void(const Progress&)>& on_progress) {
+  // Workers knock when there are tiles; the pace of reports is this thread's own.
+  std::mutex mutex;
+  std::condition_variable knock;
+  bool waiting = false;
+  snapshot.progressive = false;
+  RenderSession session([&] {
+    const std::lock_guard lock(mutex);
+    waiting = true;
+    knock.notify_one();
+  });
+  session.restart(std::move(snapshot));
+
+  RenderResult result;
+  const PixelRect visible = session.visible();
+  result.film = Film(visible.width, visible.height);
+  constexpr std::chrono::milliseconds report_step{100};
+  auto next_report = std::chrono::steady_clock::now() + report_step;
+  for (;;) {
+    const Progress progress = session.progress();
+    for (const FinishedTile& tile : session.take_finished()) result.film.put(tile);
+    const auto now = std::chrono::steady_clock::now();
+    if (progress.finished || now >= next_report) {
+      if (on_progress) on_progress(progress);
+      next_report = now + report_step;
+    }
+    if (progress.finished) {
+      result.seconds = progress.seconds;
+      break;
+    }
+    std::unique_lock lock(mutex);
+    knock.wait_until(lock, next_report, [&] { return waiting; });
+    waiting = false;
+  }
+  session.wait();
+  result.statistics = session.statistics();
+  return result;
+}
+
+}  // namespace asos

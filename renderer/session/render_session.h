@@ -1,0 +1,79 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/film/statistics.h"
+#include "renderer/methods/render_scene.h"
+#include "renderer/methods/settings.h"
+#include "renderer/scene/scene.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace asos {
+
+/// Everything that a render depends on, immutable once handed over.
+struct Snapshot {
+  std::shared_ptr<const RenderScene> scene;
+  Camera camera;  ///< relative to scene->world.origin
+  RenderSettings settings;
+  bool progressive = true;  ///< coarse passes first (window); false: final pixels only (headless)
+};
+
+struct Progress {
+  bool running = false;
+  bool finished = false;       ///< every pixel is final
+  double fraction = 0.0;       ///< of the final pass, 0 to 1
+  double seconds = 0.0;        ///< since restart
+  double seconds_left = -1.0;  ///< estimate; negative: not known yet
+};
+
+/// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
+/// sample for each 8x8 block, then one for each pixel, then the method's own pixels. The result
+/// does not depend on the number of workers nor on the order of tiles. All members may be called
+/// from one controlling thread; the callback comes from workers and must not call back in.
+///
+/// With a crop, tiles are relative to the crop's top left corner, and a picture of the crop's size
+/// holds them all; their pixels equal that part of the whole picture's. A snapshot without a scene,
+/// or with settings that `validated` refuses, renders nothing and is finished at once.
+class RenderSession {
+ public:
+  /// `on_tiles` is called (from a worker) when tiles wait that did not before, and at the end.
+  explicit RenderSession(std::function<void()> on_tiles = {});
+  ~RenderSession();
+  RenderSession(const RenderSession&) = delete;
+  RenderSession& operator=(const RenderSession&) = delete;
+
+  /// Cancels what runs, waits until no worker touches it, and starts anew: a blocking handshake.
+  void restart(Snapshot snapshot);
+  /// Stops and waits. What was published stays.
+  void cancel();
+  /// Waits for the end of the render.
+  void wait();
+
+  /// The size of the picture that tiles go into: the crop's, or all.
+  [[nodiscard]] PixelRect visible() const;
+
+  /// Tiles finished since the last call, oldest first. Never tiles of an older snapshot.
+  [[nodiscard]] std::vector<FinishedTile> take_finished();
+  [[nodiscard]] Progress progress() const;
+  /// Of the final pass so far; complete and reproducible once finished.
+  [[nodiscard]] RenderStatistics statistics() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Renders all of a snapshot and returns the picture, the crop's part of it where there is one: the
+/// headless form, without coarse passes. `on_progress` is called about ten times a second from the
+/// calling thread, and once at the end.
+struct RenderResult {
+  Film film;
+  RenderStatistics statistics;
+  double seconds = 0.0;
+};
+[[nodiscard]] RenderResult render_to_end(
+    Snapshot snapshot, const std::function<void(const Progress&)>& on_progress = {});
+
+}  // namespace asos

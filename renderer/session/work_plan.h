@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// Side of the groups of blocks that are published together: a window uploads few large tiles
+/// faster than many small ones.
+inline constexpr int group_size = 32;
+
+/// A group of blocks: `rect` is aligned to group_size in the whole picture and clipped to it.
+struct BlockGroup {
+  PixelRect rect;
+  std::size_t first_block = 0;  ///< into WorkPlan::blocks
+  std::size_t block_count = 0;
+};
+
+/// How a picture, or the part of it that a crop touches, is cut into work. Blocks are aligned to
+/// block_size in the whole picture, whatever the crop, so that a crop's pixels are the picture's.
+/// Groups run from the middle of what is visible outwards; the order is the same on every machine.
+struct WorkPlan {
+  struct Block {
+    PixelRect rect;
+    std::size_t group = 0;
+  };
+  PixelRect visible;
+  std::vector<BlockGroup> groups;
+  std::vector<Block> blocks;  ///< group by group
+
+  WorkPlan() = default;
+  WorkPlan(int width, int height, PixelRect visible);
+};
+
+/// What two rectangles share; empty where they share nothing.
+[[nodiscard]] PixelRect intersection(PixelRect a, PixelRect b);
+
+}  // namespace asos

@@ -1,0 +1,267 @@
+#include "renderer/session/render_session.h"
+
+#include "renderer/methods/method.h"
+#include "renderer/session/work_plan.h"
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace asos {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Snapshot snapshot_of(Method method, int width, int height, int threads) {
+  static const auto scene = test::make_render_scene(test::still_life());
+  Snapshot snapshot;
+  snapshot.scene = scene;
+  snapshot.camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
+  snapshot.settings.method = method;
+  snapshot.settings.width = width;
+  snapshot.settings.height = height;
+  snapshot.settings.threads = threads;
+  snapshot.settings.spp = 4;
+  return snapshot;
+}
+
+/// A picture that is one flat colour wherever the camera looks.
+std::shared_ptr<const RenderScene> flat_scene(float grey) {
+  World world;
+  test::add_quad(world, {-100, -100, 0}, {200, 0, 0}, {0, 200, 0}, test::unlit(glm::vec3(grey)));
+  return test::make_render_scene(std::move(world));
+}
+
+void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
+  EXPECT_EQ(a.eye_rays, b.eye_rays);
+  EXPECT_EQ(a.shadow_rays, b.shadow_rays);
+  EXPECT_EQ(a.pyrays_by_level, b.pyrays_by_level);
+  EXPECT_EQ(a.split_pixels, b.split_pixels);
+  EXPECT_EQ(a.unresolved_area, b.unresolved_area);
+}
+
+TEST(WorkPlan, CoversThePictureOnce) {
+  for (const auto& [width, height] : {std::pair(1, 1), {8, 8}, {100, 37}, {33, 70}}) {
+    const WorkPlan plan(width, height, {0, 0, width, height});
+    std::vector<int> covered(static_cast<std::size_t>(width * height), 0);
+    for (const WorkPlan::Block& block : plan.blocks) {
+      EXPECT_EQ(block.rect.x % block_size, 0);
+      EXPECT_EQ(block.rect.y % block_size, 0);
+      for (int y = block.rect.y; y < block.rect.y + block.rect.height; ++y) {
+        for (int x = block.rect.x; x < block.rect.x + block.rect.width; ++x) {
+          ++covered[static_cast<std::size_t>(y * width + x)];
+        }
+      }
+    }
+    EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), width * height);
+  }
+}
+
+TEST(WorkPlan, ACropTakesTheBlocksThatItTouchesFromTheMiddle) {
+  const WorkPlan plan(100, 100, {7, 9, 2, 60});
+  ASSERT_EQ(plan.blocks.size(), 2u * 8u);
+  const PixelRect first = plan.groups.front().rect;
+  EXPECT_EQ(first.y, 32);  // holds the crop's middle, y = 39
+  const WorkPlan clipped(12, 12, {9, 9, 1, 1});
+  ASSERT_EQ(clipped.blocks.size(), 1u);
+  EXPECT_EQ(clipped.blocks[0].rect, (PixelRect{8, 8, 4, 4}));
+}
+
+TEST(RenderToEnd, TheSameBitsForAnyNumberOfThreads) {
+  for (const Method method : {Method::asos, Method::uniform, Method::stochastic}) {
+    const RenderResult one = render_to_end(snapshot_of(method, 150, 90, 1));
+    ASSERT_EQ(one.film.width, 150);
+    for (const int threads : {2, 5}) {
+      const RenderResult many = render_to_end(snapshot_of(method, 150, 90, threads));
+      EXPECT_EQ(many.film.radiance, one.film.radiance) << threads;
+      EXPECT_EQ(many.film.split_level, one.film.split_level) << threads;
+      expect_same(many.statistics, one.statistics);
+    }
+  }
+}
+
+TEST(RenderToEnd, ACropIsThatPartOfTheWhole) {
+  for (const Method method : {Method::asos, Method::stochastic}) {
+    Snapshot snapshot = snapshot_of(method, 120, 90, 2);
+    const RenderResult whole = render_to_end(snapshot);
+    for (const PixelRect crop : {PixelRect{37, 21, 45, 30},
+                                 {0, 0, 1, 1},
+                                 {119, 89, 1, 1},
+                                 {31, 31, 3, 3},
+                                 {0, 0, 120, 90}}) {
+      snapshot.settings.crop = crop;
+      const RenderResult part = render_to_end(snapshot);
+      ASSERT_EQ(part.film.width, crop.width);
+      ASSERT_EQ(part.film.height, crop.height);
+      for (int y = 0; y < crop.height; ++y) {
+        for (int x = 0; x < crop.width; ++x) {
+          const std::size_t there = whole.film.index(crop.x + x, crop.y + y);
+          ASSERT_EQ(part.film.radiance[part.film.index(x, y)], whole.film.radiance[there])
+              << x << " " << y;
+          ASSERT_EQ(part.film.split_level[part.film.index(x, y)], whole.film.split_level[there]);
+        }
+      }
+    }
+  }
+}
+
+TEST(RenderToEnd, ReportsProgressAndEndsWithAllOfIt) {
+  Snapshot snapshot = snapshot_of(Method::stochastic, 200, 150, 2);
+  snapshot.settings.spp = 64;
+  std::vector<Progress> reports;
+  const RenderResult result =
+      render_to_end(snapshot, [&](const Progress& p) { reports.push_back(p); });
+  ASSERT_FALSE(reports.empty());
+  EXPECT_TRUE(reports.back().finished);
+  EXPECT_FALSE(reports.back().running);
+  EXPECT_EQ(reports.back().fraction, 1.0);
+  EXPECT_EQ(reports.back().seconds_left, 0.0);
+  for (std::size_t i = 1; i < reports.size(); ++i) {
+    EXPECT_GE(reports[i].fraction, reports[i - 1].fraction);
+  }
+  EXPECT_GT(result.seconds, 0.0);
+  EXPECT_EQ(result.statistics.eye_rays, 200u * 150u * 64u);
+}
+
+TEST(RenderSession, PassesFollowEachOtherAndEndAsHeadless) {
+  Snapshot snapshot = snapshot_of(Method::asos, 100, 70, 3);
+  std::atomic<int> calls{0};
+  RenderSession session([&] { ++calls; });
+  session.restart(snapshot);
+  Film film(100, 70);
+  session.wait();
+  int middle = 0;
+  const std::vector<FinishedTile> tiles = session.take_finished();
+  for (const FinishedTile& tile : tiles) {
+    film.put(tile);
+    if (tile.rect.x <= 50 && 50 < tile.rect.x + tile.rect.width && tile.rect.y <= 35 &&
+        35 < tile.rect.y + tile.rect.height) {
+      // The coarse tile comes first and is flat in each of its blocks.
+      if (middle++ == 0) {
+        EXPECT_EQ(tile.radiance[0], tile.radiance[1]);
+      }
+    }
+  }
+  EXPECT_GE(middle, 1);
+  EXPECT_LE(middle, 3);
+  EXPECT_GE(calls, 2);
+  EXPECT_TRUE(session.progress().finished);
+  EXPECT_TRUE(session.take_finished().empty());
+  const RenderResult headless = render_to_end(snapshot);
+  EXPECT_EQ(film.radiance, headless.film.radiance);
+  expect_same(session.statistics(), headless.statistics);
+}
+
+TEST(RenderSession, NeverGivesTilesOfAnOlderSnapshot) {
+  const std::shared_ptr<const RenderScene> scenes[] = {flat_scene(0.25f), flat_scene(0.75f)};
+  RenderSession session;
+  for (int i = 0; i < 200; ++i) {
+    Snapshot snapshot = snapshot_of(Method::uniform, 64 + i % 9, 64, 2);
+    snapshot.scene = scenes[i % 2];
+    snapshot.camera = test::orthographic(8.0);
+    session.restart(snapshot);
+    if (i % 3 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200 * (i % 7)));
+    for (const FinishedTile& tile : session.take_finished()) {
+      for (const glm::vec3& c : tile.radiance) ASSERT_EQ(c.r, i % 2 ? 0.75f : 0.25f) << i;
+    }
+  }
+}
+
+TEST(RenderSession, RestartsAThousandTimes) {
+  std::atomic<int> calls{0};
+  RenderSession session([&] { ++calls; });
+  std::size_t tiles = 0;
+  for (int i = 0; i < 1000; ++i) {
+    session.restart(snapshot_of(i % 2 ? Method::asos : Method::stochastic, 96, 64, 2));
+    if (i % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    tiles += session.take_finished().size();
+    EXPECT_GE(session.progress().fraction, 0.0);
+    if (i % 50 == 0) session.cancel();
+  }
+  session.wait();
+  for (const FinishedTile& tile : session.take_finished()) tiles += !tile.radiance.empty();
+  EXPECT_TRUE(session.progress().finished);
+  EXPECT_GT(tiles, 6u);
+  EXPECT_GT(calls, 0);
+}
+
+TEST(RenderSession, CancelKeepsWhatWasPublishedAndIsQuick) {
+  Snapshot snapshot = snapshot_of(Method::stochastic, 1280, 720, 2);
+  snapshot.settings.spp = 65536;  // hours of work, and seconds for one block
+  RenderSession session;
+  std::vector<double> milliseconds;
+  for (int i = 0; i < 9; ++i) {
+    session.restart(snapshot);
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    const auto start = Clock::now();
+    session.cancel();
+    milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    EXPECT_FALSE(session.progress().running);
+    EXPECT_FALSE(session.progress().finished);
+  }
+  EXPECT_FALSE(session.take_finished().empty());
+  std::sort(milliseconds.begin(), milliseconds.end());
+#ifdef ASOS_SANITIZED
+  constexpr double limit = 100.0;  // instrumented code is ten times slower
+#else
+  constexpr double limit = 10.0;
+#endif
+  EXPECT_LT(milliseconds[4], limit) << "median of nine";
+}
+
+TEST(RenderSession, RefusesWhatCannotBeRendered) {
+  RenderSession session;
+  EXPECT_FALSE(session.progress().running);
+  EXPECT_FALSE(session.progress().finished);
+  Snapshot nothing;
+  session.restart(nothing);
+  session.wait();
+  EXPECT_TRUE(session.progress().finished);
+  Snapshot wrong = snapshot_of(Method::uniform, 64, 64, 1);
+  wrong.settings.crop = {60, 60, 10, 10};
+  session.restart(wrong);
+  EXPECT_TRUE(session.progress().finished);
+  EXPECT_TRUE(session.take_finished().empty());
+  EXPECT_TRUE(render_to_end(wrong).film.radiance.empty());
+}
+
+TEST(RenderSession, CamerasThatAreNotFiniteDoNotHang) {
+  Snapshot snapshot = snapshot_of(Method::uniform, 64, 48, 2);
+  snapshot.camera.world_from_camera[3].x = std::numeric_limits<double>::quiet_NaN();
+  const RenderResult result = render_to_end(snapshot);
+  for (const glm::vec3& c : result.film.radiance) EXPECT_TRUE(std::isfinite(c.r));
+}
+
+TEST(RenderSession, EstimateOfTheTimeLeftIsHonest) {
+  Snapshot snapshot = snapshot_of(Method::stochastic, 512, 512, 2);
+  snapshot.scene = flat_scene(0.5f);  // even work, so that the truth is known
+  snapshot.camera = test::orthographic(8.0);
+  snapshot.settings.spp = 16;
+  snapshot.progressive = false;
+  RenderSession session;
+  session.restart(snapshot);
+  std::vector<std::pair<double, double>> estimates;  // when, and of the end
+  while (!session.progress().finished) {
+    const Progress p = session.progress();
+    if (p.seconds_left > 0.0 && p.fraction > 0.3 && p.fraction < 0.9) {
+      estimates.emplace_back(p.seconds, p.seconds + p.seconds_left);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  const double total = session.progress().seconds;
+  if (estimates.empty()) GTEST_SKIP() << "rendered in " << total << " s, before any estimate";
+  std::sort(estimates.begin(), estimates.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+  const double median = estimates[estimates.size() / 2].second;
+  EXPECT_GT(median, 0.5 * total);
+  EXPECT_LT(median, 2.0 * total);
+}
+
+}  // namespace
+}  // namespace asos
