@@ -1,0 +1,195 @@
+#include "ui/orbit_camera.h"
+
+#include "renderer/geometry/view.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace asos {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Camera camera_at(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) {
+  Camera camera;
+  camera.world_from_camera = glm::inverse(glm::lookAt(eye, target, up));
+  return camera;
+}
+
+double difference(const glm::dmat4& a, const glm::dmat4& b) {
+  double worst = 0.0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      worst = std::max(worst, std::abs(a[column][row] - b[column][row]));
+    }
+  }
+  return worst;
+}
+
+glm::dvec3 eye_of(const OrbitCamera& orbit) {
+  return glm::dvec3(orbit.camera().world_from_camera[3]);
+}
+
+TEST(OrbitCamera, TakesOverAnyCameraExactly) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return glm::dvec3(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = camera_at(10.0 * vector(), vector(), vector());
+    OrbitCamera orbit;
+    orbit.set(camera, 2.5, 1.0);
+    EXPECT_LT(difference(orbit.camera().world_from_camera, camera.world_from_camera), 1e-12)
+        << "camera " << i;
+  }
+}
+
+TEST(OrbitCamera, TakesOverCamerasAtThePoles) {
+  for (const double y : {1.0, -1.0}) {
+    for (const glm::dvec3 up :
+         {glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0.6, 0, 0.8)}) {
+      const Camera camera = camera_at({0, 4 * y, 0}, {0, 0, 0}, up);
+      OrbitCamera orbit;
+      orbit.set(camera, 4.0, 1.0);
+      EXPECT_LT(difference(orbit.camera().world_from_camera, camera.world_from_camera), 1e-12);
+    }
+  }
+}
+
+TEST(OrbitCamera, AQuarterTurnMovesTheEyeByAQuarterCircle) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}), 5.0, 1.0);
+  orbit.orbit(pi / 2, 0.0);
+  EXPECT_NEAR(glm::length(eye_of(orbit) - glm::dvec3(5, 0, 0)), 0.0, 1e-12);
+  orbit.orbit(0.0, pi / 6);
+  EXPECT_NEAR(glm::length(eye_of(orbit) - glm::dvec3(5 * std::cos(pi / 6), 2.5, 0)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(orbit.pivot()), 0.0, 1e-12);
+}
+
+TEST(OrbitCamera, StopsAtThePoleWithoutFlipping) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}), 5.0, 1.0);
+  for (int i = 0; i < 100; ++i) orbit.orbit(0.0, 0.1);
+  EXPECT_NEAR(glm::length(eye_of(orbit) - glm::dvec3(0, 5, 0)), 0.0, 1e-12);
+  const glm::dmat4 top = orbit.camera().world_from_camera;
+  EXPECT_NEAR(glm::length(glm::dvec3(top[0]) - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(glm::dvec3(top[1]) - glm::dvec3(0, 0, -1)), 0.0, 1e-12);
+
+  // Turning at the pole turns the picture about its middle, and the way back is the way there.
+  orbit.orbit(pi / 2, 0.0);
+  EXPECT_NEAR(glm::length(glm::dvec3(orbit.camera().world_from_camera[0]) - glm::dvec3(0, 0, -1)),
+              0.0, 1e-12);
+  orbit.orbit(0.0, -pi / 2);
+  EXPECT_NEAR(glm::length(eye_of(orbit) - glm::dvec3(5, 0, 0)), 0.0, 1e-12);
+}
+
+TEST(OrbitCamera, PanFollowsThePointerAtThePivotsDepth) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({3, 2, 4}, {0.5, 0, 0}, {0, 1, 0}), 2.0, 1.0);
+  const glm::dvec3 grabbed = orbit.pivot();
+  orbit.pan(0.25, -0.125);
+
+  // On a picture 80 pixels high the grabbed point now shows 20 right of the middle and 10 above.
+  const View view(orbit.camera(), 120, 80);
+  const glm::dvec3 h = view.frame(60 + 20, 40 - 10, 1, 1).homogeneous(grabbed);
+  EXPECT_NEAR(h.x / h.z, 0.0, 1e-9);
+  EXPECT_NEAR(h.y / h.z, 0.0, 1e-9);
+}
+
+TEST(OrbitCamera, DollyScalesTheDistanceWithinTheScenesRange) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 0, 8}, {0, 0, 0}, {0, 1, 0}), 8.0, 2.0);
+  orbit.dolly(0.5);
+  EXPECT_DOUBLE_EQ(orbit.distance(), 4.0);
+  for (int i = 0; i < 200; ++i) orbit.dolly(0.5);
+  EXPECT_DOUBLE_EQ(orbit.distance(), 2e-4);
+  for (int i = 0; i < 200; ++i) orbit.dolly(2.0);
+  EXPECT_DOUBLE_EQ(orbit.distance(), 2e3);
+}
+
+TEST(OrbitCamera, DollyOfAnOrthographicCameraChangesItsHeight) {
+  Camera camera = camera_at({0, 0, 8}, {0, 0, 0}, {0, 1, 0});
+  camera.type = Camera::Type::orthographic;
+  camera.height = 3.0;
+  OrbitCamera orbit;
+  orbit.set(camera, 8.0, 2.0);
+  orbit.dolly(0.5);
+  EXPECT_DOUBLE_EQ(orbit.camera().height, 1.5);
+  EXPECT_DOUBLE_EQ(orbit.distance(), 8.0);
+}
+
+// The corner that is farthest out in the picture, as a share of the way from its middle to its rim.
+double farthest_corner(const Camera& camera, const Box& box, int width, int height) {
+  const Frame frame = View(camera, width, height).frame(0, 0, width, height);
+  double farthest = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 p((i & 1) ? box.hi.x : box.lo.x, (i & 2) ? box.hi.y : box.lo.y,
+                       (i & 4) ? box.hi.z : box.lo.z);
+    const glm::dvec3 h = frame.homogeneous(p);
+    const double w = frame.parallel() ? 1.0 : h.z;
+    EXPECT_GT(h.z, 0.0);
+    farthest = std::max({farthest, std::abs(2 * h.x / w - 1), std::abs(2 * h.y / w - 1)});
+  }
+  return farthest;
+}
+
+TEST(OrbitCamera, FrameAllJustFitsTheBox) {
+  Box box;
+  box.lo = {-1, 2, -7};
+  box.hi = {5, 3, 1};
+  for (const auto type : {Camera::Type::perspective, Camera::Type::orthographic}) {
+    for (const glm::ivec2 size : {glm::ivec2(1280, 720), glm::ivec2(300, 900)}) {
+      Camera camera = camera_at({40, 30, 20}, {0, 0, 0}, {0, 1, 0});
+      camera.type = type;
+      OrbitCamera orbit;
+      orbit.set(camera, 8.0, 4.0);
+      orbit.frame_all(box, static_cast<double>(size.x) / size.y);
+      const double out = farthest_corner(orbit.camera(), box, size.x, size.y);
+      EXPECT_LE(out, 1.0);
+      EXPECT_GT(out, 0.9) << "the picture is larger than it has to be";
+      // The direction stays.
+      EXPECT_NEAR(glm::distance(glm::dvec3(orbit.camera().world_from_camera[2]),
+                                glm::dvec3(camera.world_from_camera[2])),
+                  0.0, 1e-12);
+    }
+  }
+}
+
+TEST(OrbitCamera, FrameAllOfAPointOrOfNothingStaysFinite) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 0, 8}, {0, 0, 0}, {0, 1, 0}), 8.0, 0.0);
+  const std::uint64_t before = orbit.revision();
+  orbit.frame_all(Box{}, 1.5);
+  EXPECT_EQ(orbit.revision(), before);
+  Box point;
+  point.grow(glm::vec3(2, 3, 4));
+  orbit.frame_all(point, 1.5);
+  EXPECT_TRUE(std::isfinite(glm::length(eye_of(orbit))));
+  EXPECT_GT(orbit.distance(), 0.0);
+}
+
+TEST(OrbitCamera, IgnoresWhatIsNotANumber) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  OrbitCamera orbit;
+  orbit.set(camera_at({1, 2, 3}, {0, 0, 0}, {0, 1, 0}), nan, -1.0);
+  const std::uint64_t before = orbit.revision();
+  const Camera camera = orbit.camera();
+  orbit.orbit(nan, 0.0);
+  orbit.orbit(0.0, infinity);
+  orbit.pan(infinity, 0.0);
+  orbit.dolly(nan);
+  orbit.dolly(0.0);
+  orbit.dolly(-2.0);
+  orbit.look_at({0.0, nan, 0.0});
+  EXPECT_EQ(orbit.revision(), before);
+  EXPECT_EQ(difference(orbit.camera().world_from_camera, camera.world_from_camera), 0.0);
+  EXPECT_DOUBLE_EQ(orbit.distance(), 1.0);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,283 @@
+#include "tests/ui/test_scenes.h"
+#include "tests/ui/ui_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace asos {
+namespace {
+
+using test::UiRig;
+
+class PanelsTest : public testing::Test {
+ protected:
+  PanelsTest() {
+    rig.previewer().open("scene");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+    EXPECT_TRUE(rig.settle());
+    restarts_ = rig.previewer().restarts();
+  }
+
+  /// Drags a slider to a share of its width.
+  void slide(const std::string& name, float from, float to) {
+    const Controls::Placed at = rig.control(name);
+    const float y = at.centre().y;
+    rig.drag({glm::mix(at.lo.x, at.hi.x, from), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
+  }
+  bool restarted() {
+    const bool yes = rig.previewer().restarts() > restarts_;
+    restarts_ = rig.previewer().restarts();
+    return yes;
+  }
+  RenderSettings& settings() { return rig.previewer().settings(); }
+  DisplaySettings& display() { return rig.content().state().display; }
+
+  UiRig rig{[](const std::string& source) -> Result<Scene> {
+              if (source.starts_with("missing")) {
+                return unexpected(Error{source, "there is no such file"});
+              }
+              return test::two_triangles({1, 0, 0}, source);
+            },
+            {660, 1000}};
+
+ private:
+  std::uint64_t restarts_ = 0;
+};
+
+TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
+  slide("EPS", 0.6f, 0.9f);
+  const double high = settings().eps;
+  EXPECT_TRUE(restarted());
+  EXPECT_GT(high, 0.1);
+  EXPECT_LE(high, 1.0);
+  slide("EPS", 0.9f, 0.5f);
+  const double middle = settings().eps;
+  EXPECT_TRUE(restarted());
+  EXPECT_LT(middle, 0.05);
+  EXPECT_GT(middle, 1e-4);
+  slide("EPS", 0.5f, -1.0f);
+  EXPECT_EQ(settings().eps, 0.0);
+  slide("EPS", 0.0f, 2.0f);
+  EXPECT_EQ(settings().eps, 1.0);
+}
+
+TEST_F(PanelsTest, TypedValuesStayInTheirRange) {
+  for (const auto& [typed, expected] :
+       {std::pair<std::string, double>{"0.25", 0.25}, {"99", 1.0}, {"-3", 0.0}, {"1e999", 1.0}}) {
+    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.click("EPS");
+    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.frame();
+    rig.chord(Key::ctrl, Key::a);
+    rig.type(typed);
+    rig.key(Key::enter);
+    EXPECT_EQ(settings().eps, expected) << typed;
+  }
+}
+
+TEST_F(PanelsTest, MaxLeafAndJitterRestart) {
+  slide("MAX", 0.2f, 2.0f);
+  EXPECT_EQ(settings().max_level, RenderSettings::max_level_limit);
+  EXPECT_TRUE(restarted());
+  slide("MAX", 0.99f, -1.0f);
+  EXPECT_EQ(settings().max_level, 0);
+  EXPECT_TRUE(restarted());
+  rig.click("Leaf/Point");
+  EXPECT_EQ(settings().leaf, Leaf::point);
+  EXPECT_TRUE(restarted());
+  rig.click("Leaf/Exact");
+  EXPECT_EQ(settings().leaf, Leaf::exact);
+  EXPECT_TRUE(restarted());
+  rig.click("Jitter");
+  EXPECT_TRUE(settings().jitter);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
+  rig.click("Method/Stochastic");
+  EXPECT_EQ(settings().method, Method::stochastic);
+  EXPECT_TRUE(restarted());
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("EPS"));
+  slide("Samples", 0.1f, 0.2f);
+  const int side = static_cast<int>(std::lround(std::sqrt(settings().spp)));
+  EXPECT_EQ(side * side, settings().spp);
+  EXPECT_TRUE(restarted());
+  rig.click("Method/Uniform");
+  EXPECT_EQ(settings().method, Method::uniform);
+  rig.click("Method/ASOS");
+  EXPECT_EQ(settings().method, Method::asos);
+}
+
+TEST_F(PanelsTest, DisplayControlsRestartNothing) {
+  slide("Exposure", 0.5f, 0.6f);
+  EXPECT_GT(display().exposure_ev, 0.5f);
+  rig.click("Split map");
+  EXPECT_TRUE(display().show_split_map);
+  rig.frame();
+  slide("Opacity", 0.5f, 0.25f);
+  EXPECT_LT(display().split_opacity, 0.5f);
+  EXPECT_TRUE(rig.content().controls().all().contains("Legend"));
+  rig.key(Key::m);
+  EXPECT_FALSE(display().show_split_map);
+  EXPECT_FALSE(restarted());
+}
+
+TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
+  rig.click("Split map");
+  rig.frame();
+  rig.frame();
+  const Controls::Placed legend = rig.control("Legend");
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  const int levels = settings().max_level + 1;
+  for (int level = 0; level < levels; ++level) {
+    const float share = (static_cast<float>(level) + 0.5f) / static_cast<float>(levels);
+    const int x = static_cast<int>(glm::mix(legend.lo.x, legend.hi.x, share));
+    const int y = static_cast<int>(legend.lo.y) + 5;
+    EXPECT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
+              split_colour(level, settings().max_level))
+        << "level " << level;
+  }
+}
+
+TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {
+  const OrbitCamera& camera = rig.previewer().camera();
+  const glm::dvec3 pivot = camera.pivot();
+  const glm::dmat4 before = camera.camera().world_from_camera;
+  rig.drag({200, 200}, {260, 180});
+  EXPECT_TRUE(restarted());
+  EXPECT_NE(camera.camera().world_from_camera, before);
+  EXPECT_EQ(camera.pivot(), pivot) << "an orbit keeps its pivot";
+
+  rig.drag({200, 200}, {260, 180}, MouseButton::middle);
+  EXPECT_TRUE(restarted());
+  EXPECT_NE(camera.pivot(), pivot);
+
+  const double distance = camera.distance();
+  rig.wheel({200, 200}, 1.0f);
+  EXPECT_TRUE(restarted());
+  EXPECT_LT(camera.distance(), distance);
+  rig.key(Key::home);
+  EXPECT_TRUE(restarted());
+
+  const glm::dvec3 orbited = camera.pivot();
+  rig.content().input().add(KeyChanged{Key::shift, true});
+  rig.drag({200, 200}, {260, 180});
+  rig.content().input().add(KeyChanged{Key::shift, false});
+  rig.frame();
+  EXPECT_NE(camera.pivot(), orbited) << "Shift turns an orbit into a pan";
+}
+
+TEST_F(PanelsTest, ADragThatBeginsOnThePanelLeavesTheCameraAlone) {
+  const std::uint64_t revision = rig.previewer().camera().revision();
+  const Controls::Placed at = rig.control("Exposure");
+  rig.drag(at.centre(), {100.0f, 100.0f});
+  EXPECT_EQ(rig.previewer().camera().revision(), revision);
+}
+
+TEST_F(PanelsTest, CamerasAreChosenFromTheList) {
+  ASSERT_EQ(rig.previewer().chosen_camera(), 0);
+  rig.click("View");
+  rig.frame();
+  rig.click("View/Whole scene");
+  EXPECT_EQ(rig.previewer().chosen_camera(), -1);
+  EXPECT_TRUE(restarted());
+  rig.click("View");
+  rig.frame();
+  rig.click("View/front");
+  EXPECT_EQ(rig.previewer().chosen_camera(), 0);
+  rig.click("Frame all");
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(PanelsTest, TheOpenDialogOpensWhatIsTyped) {
+  rig.chord(Key::ctrl, Key::o);
+  rig.frame();
+  rig.frame();
+  rig.type("second");
+  EXPECT_EQ(rig.content().state().open_path, "second");
+  rig.key(Key::enter);
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "second"; }));
+  EXPECT_FALSE(rig.content().state().show_open);
+}
+
+TEST_F(PanelsTest, TheOpenDialogOffersTheBuiltInScenes) {
+  rig.click("Open...");
+  rig.frame();
+  rig.frame();
+  rig.click("Built-in/boxes");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "builtin:boxes"; }));
+}
+
+TEST_F(PanelsTest, TheOpenDialogCanBeCancelled) {
+  for (const bool by_key : {true, false}) {
+    rig.click("Open...");
+    rig.frame();
+    ASSERT_TRUE(rig.content().controls().all().contains("Cancel"));
+    by_key ? rig.key(Key::escape) : rig.click("Cancel");
+    EXPECT_FALSE(rig.content().state().show_open);
+    EXPECT_FALSE(rig.content().state().quit);
+  }
+  EXPECT_EQ(rig.previewer().scene()->source, "scene");
+}
+
+TEST_F(PanelsTest, LettersTypedIntoTheDialogAreNoShortcuts) {
+  rig.chord(Key::ctrl, Key::o);
+  rig.frame();
+  rig.key(Key::m);
+  rig.key(Key::tab);
+  EXPECT_FALSE(display().show_split_map);
+  EXPECT_TRUE(rig.content().state().show_panel);
+}
+
+TEST_F(PanelsTest, EscapeClosesBeforeItQuits) {
+  UiState& state = rig.content().state();
+  rig.key(Key::f1);
+  EXPECT_TRUE(state.show_help);
+  rig.key(Key::escape);
+  EXPECT_FALSE(state.show_help);
+  rig.previewer().open("missing");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+  rig.key(Key::escape);
+  EXPECT_FALSE(rig.previewer().error().has_value());
+  EXPECT_FALSE(state.quit);
+  rig.key(Key::escape);
+  EXPECT_TRUE(state.quit);
+}
+
+TEST_F(PanelsTest, CtrlQQuits) {
+  rig.chord(Key::ctrl, Key::q);
+  EXPECT_TRUE(rig.content().state().quit);
+}
+
+TEST_F(PanelsTest, ThePanelCanBeHidden) {
+  const int width = rig.content().picture_rect().width;
+  rig.key(Key::tab);
+  EXPECT_EQ(rig.content().picture_rect().width, rig.size().x);
+  rig.key(Key::tab);
+  EXPECT_EQ(rig.content().picture_rect().width, width);
+}
+
+TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
+  rig.move_to(rig.control("EPS").centre());
+  const std::vector<glm::u8vec3> before = rig.pixels();
+  ASSERT_TRUE(rig.content().seconds_to_redraw().has_value()) << "a frame is due for the tooltip";
+  for (int i = 0; i < 60; ++i) rig.frame();
+  EXPECT_NE(rig.pixels(), before);
+}
+
+TEST_F(PanelsTest, EveryWidgetThatChangesSomethingHasATooltip) {
+  rig.click("Split map");
+  rig.frame();
+  for (const char* name : {"EPS", "MAX", "Leaf/Exact", "Leaf/Point", "Jitter", "Method/ASOS",
+                           "Method/Uniform", "Method/Stochastic", "Exposure", "Split map",
+                           "Opacity", "Legend", "View", "Frame all", "Open...", "Save picture"}) {
+    EXPECT_TRUE(rig.control(name).has_tooltip) << name;
+  }
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,234 @@
+#include "ui/previewer.h"
+
+#include "tests/ui/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+namespace asos {
+namespace {
+
+using test::two_triangles;
+
+/// Knows "red", "green" and "slow" (green, after `release`); all else is an error.
+class Loader {
+ public:
+  LoadFunction function() {
+    return [this](const std::string& source) -> Result<Scene> {
+      ++calls;
+      if (source == "red") return two_triangles({1, 0, 0}, source);
+      if (source == "green") return two_triangles({0, 1, 0}, source);
+      if (source == "slow") {
+        while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return two_triangles({0, 1, 0}, source);
+      }
+      if (source == "huge") throw std::bad_alloc();
+      if (source == "odd") throw std::runtime_error("an odd thing");
+      return unexpected(Error{source, "there is no such file"});
+    };
+  }
+  std::atomic<int> calls = 0;
+  std::atomic<bool> released = false;
+};
+
+RenderSettings small() {
+  RenderSettings settings;
+  settings.threads = 1;
+  settings.max_level = 2;
+  return settings;
+}
+
+class PreviewerTest : public testing::Test {
+ protected:
+  bool update_until(const std::function<bool()>& done) {
+    for (int i = 0; i < 20000 && !done(); ++i) {
+      previewer.update(now);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return done();
+  }
+  bool opened(const std::string& source) {
+    return update_until([&] { return previewer.scene() && previewer.scene()->source == source; });
+  }
+  bool finished() {
+    return update_until([&] { return previewer.progress().finished; });
+  }
+
+  Loader loader;
+  std::atomic<int> wakes = 0;
+  Previewer previewer{{loader.function(), [this] { ++wakes; }}, small()};
+  double now = 0.0;
+};
+
+TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
+  previewer.set_picture_size(48, 32, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(finished());
+  previewer.update(now);
+  ASSERT_EQ(previewer.film().width, 48);
+  ASSERT_EQ(previewer.film().height, 32);
+  EXPECT_EQ(previewer.film().radiance[previewer.film().index(24, 16)], glm::vec3(1, 0, 0));
+  EXPECT_EQ(previewer.restarts(), 1u);
+  EXPECT_GT(wakes, 0);
+}
+
+TEST_F(PreviewerTest, UsesTheFilesCameraAndOrbitsWhatItLooksAt) {
+  previewer.set_picture_size(48, 32, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  EXPECT_EQ(previewer.chosen_camera(), 0);
+  EXPECT_NEAR(previewer.camera().distance(), 3.0, 1e-6);
+  EXPECT_NEAR(glm::length(previewer.camera().pivot() + previewer.scene()->world.origin), 0.0, 1e-6);
+}
+
+TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
+  previewer.set_picture_size(48, 32, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(finished());
+  for (int i = 0; i < 10; ++i) previewer.update(now += 1.0);
+  EXPECT_EQ(previewer.restarts(), 1u);
+
+  std::uint64_t expected = 1;
+  const auto restarts_after = [&](const std::function<void()>& change) {
+    change();
+    previewer.update(now);
+    EXPECT_EQ(previewer.restarts(), ++expected);
+  };
+  restarts_after([&] { previewer.settings().eps = 0.1; });
+  restarts_after([&] { previewer.settings().max_level = 4; });
+  restarts_after([&] { previewer.settings().leaf = Leaf::point; });
+  restarts_after([&] { previewer.settings().jitter = true; });
+  restarts_after([&] { previewer.settings().method = Method::stochastic; });
+  restarts_after([&] { previewer.camera().orbit(0.1, 0.0); });
+  restarts_after([&] { previewer.frame_all(); });
+  restarts_after([&] { previewer.choose_camera(-1); });
+}
+
+TEST_F(PreviewerTest, ResizingWaitsUntilTheSizeRests) {
+  previewer.set_picture_size(48, 32, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  for (int width = 49; width < 60; ++width) {
+    now += 0.02;
+    previewer.set_picture_size(width, 32, now);
+    previewer.update(now);
+  }
+  EXPECT_EQ(previewer.restarts(), 1u);
+  ASSERT_TRUE(previewer.seconds_to_update(now).has_value());
+  now += *previewer.seconds_to_update(now) + 1e-9;
+  previewer.set_picture_size(59, 32, now);
+  previewer.update(now);
+  EXPECT_EQ(previewer.restarts(), 2u);
+  EXPECT_EQ(previewer.film().width, 59);
+  EXPECT_FALSE(previewer.seconds_to_update(now).has_value());
+}
+
+TEST_F(PreviewerTest, ASizeWithoutAreaChangesNothing) {
+  previewer.set_picture_size(0, 0, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  EXPECT_EQ(previewer.restarts(), 0u);
+  previewer.set_picture_size(48, 32, now);
+  previewer.update(now);
+  EXPECT_EQ(previewer.restarts(), 1u);
+  previewer.set_picture_size(0, 32, now += 1.0);
+  previewer.update(now += 1.0);
+  previewer.set_picture_size(48, 32, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_EQ(previewer.restarts(), 1u);
+  EXPECT_EQ(previewer.film().width, 48);
+}
+
+TEST_F(PreviewerTest, TheOpenSceneStaysWhenAnotherFails) {
+  previewer.set_picture_size(48, 32, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  previewer.open("/no/such.glb");
+  ASSERT_TRUE(update_until([&] { return previewer.error().has_value(); }));
+  EXPECT_EQ(previewer.error()->message(), "/no/such.glb: there is no such file");
+  EXPECT_EQ(previewer.scene()->source, "red");
+  EXPECT_FALSE(previewer.loading().has_value());
+  ASSERT_TRUE(finished());
+
+  // The next scene takes the message away.
+  previewer.open("green");
+  ASSERT_TRUE(opened("green"));
+  EXPECT_FALSE(previewer.error().has_value());
+}
+
+TEST_F(PreviewerTest, ExceptionsOfTheLoaderAreErrors) {
+  previewer.open("huge");
+  ASSERT_TRUE(update_until([&] { return previewer.error().has_value(); }));
+  EXPECT_EQ(previewer.error()->reason, "not enough memory to load this scene");
+  previewer.open("odd");
+  ASSERT_TRUE(update_until([&] { return previewer.error().has_value(); }));
+  EXPECT_EQ(previewer.error()->message(), "odd: an odd thing");
+}
+
+TEST_F(PreviewerTest, ANewerSceneReplacesOneThatLoads) {
+  previewer.set_picture_size(48, 32, now);
+  previewer.open("slow");
+  ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
+  previewer.open("green");
+  previewer.open("red");
+  ASSERT_TRUE(previewer.loading().has_value());
+  EXPECT_EQ(previewer.loading()->source, "red");
+  loader.released = true;
+  std::vector<std::string> seen;
+  ASSERT_TRUE(update_until([&] {
+    if (const RenderScene* scene = previewer.scene()) {
+      if (seen.empty() || seen.back() != scene->source) seen.push_back(scene->source);
+    }
+    return !seen.empty() && seen.back() == "red";
+  }));
+  EXPECT_EQ(seen, std::vector<std::string>{"red"});
+  EXPECT_EQ(loader.calls, 2) << "what was replaced before it began need not be loaded";
+}
+
+TEST_F(PreviewerTest, ReplacingScenesWhileTheyRenderIsSafe) {
+  previewer.set_picture_size(160, 120, now);
+  for (int i = 0; i < 20; ++i) {
+    const std::string source = i % 2 == 0 ? "red" : "green";
+    previewer.open(source);
+    ASSERT_TRUE(opened(source)) << "scene " << i;
+  }
+  ASSERT_TRUE(finished());
+  previewer.update(now);
+  EXPECT_EQ(previewer.film().radiance[previewer.film().index(80, 60)], glm::vec3(0, 1, 0));
+}
+
+TEST_F(PreviewerTest, EndsWhileALoadIsWaiting) {
+  previewer.open("slow");
+  ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
+  previewer.open("red");
+  loader.released = true;
+}
+
+TEST_F(PreviewerTest, ThePivotMovesToThePointThatThePictureShows) {
+  previewer.set_picture_size(90, 60, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  const View view(previewer.camera().camera(), 90, 60);
+  const Ray ray = view.ray(50.0, 35.0);
+  previewer.set_pivot_at(50.0, 35.0);
+  const glm::dvec3 pivot = previewer.camera().pivot() + previewer.scene()->world.origin;
+  EXPECT_NEAR(pivot.z, 0.0, 1e-5);
+  EXPECT_NEAR(glm::length(glm::cross(glm::dvec3(ray.direction),
+                                     previewer.camera().pivot() - glm::dvec3(ray.origin))),
+              0.0, 1e-5);
+  // Nothing is there: the pivot stays.
+  const std::uint64_t before = previewer.camera().revision();
+  previewer.set_pivot_at(0.5, 59.5);
+  EXPECT_EQ(previewer.camera().revision(), before);
+}
+
+}  // namespace
+}  // namespace asos

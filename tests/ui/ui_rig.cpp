@@ -1,0 +1,157 @@
+#include "tests/ui/ui_rig.h"
+
+#include "ui/gl/gl.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace asos::test {
+
+namespace {
+
+template <typename T>
+T value_or_throw(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message());
+  return std::move(*result);
+}
+
+RenderSettings small_settings() {
+  RenderSettings settings;
+  settings.max_level = 2;
+  settings.threads = 1;
+  return settings;
+}
+
+}  // namespace
+
+UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale)
+    : context_(value_or_throw(OsmesaContext::make(size.x, size.y))),
+      previewer_(
+          std::make_unique<Previewer>(Previewer::Hooks{std::move(load), {}}, small_settings())),
+      content_(value_or_throw(WindowContent::make(*previewer_))),
+      size_(size),
+      content_scale_(content_scale) {}
+
+void UiRig::frame() {
+  now_seconds_ += 1.0 / 60.0;
+  content_->draw({size_, size_, content_scale_, now_seconds_});
+}
+
+bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  while (!done()) {
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
+        limit_seconds) {
+      return false;
+    }
+    frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+bool UiRig::settle() {
+  const bool finished = frames_until([this] {
+    return content_->input().empty() && !previewer_->loading() && previewer_->progress().finished &&
+           !previewer_->seconds_to_update(now_seconds_);
+  });
+  for (int i = 0; i < 3; ++i) frame();
+  return finished;
+}
+
+void UiRig::resize(glm::ivec2 size) {
+  size_ = size;
+  if (size.x > 0 && size.y > 0 && !context_->resize(size.x, size.y)) {
+    throw std::runtime_error("OSMesa refused the size");
+  }
+  frame();
+}
+
+void UiRig::run_input() {
+  while (!content_->input().empty()) frame();
+  frame();
+}
+
+void UiRig::move_to(glm::vec2 position) {
+  content_->input().add(MouseMoved{position});
+  run_input();
+}
+
+void UiRig::press(MouseButton button) {
+  content_->input().add(MouseChanged{button, true});
+  run_input();
+}
+
+void UiRig::release(MouseButton button) {
+  content_->input().add(MouseChanged{button, false});
+  run_input();
+}
+
+void UiRig::drag(glm::vec2 from, glm::vec2 to, MouseButton button) {
+  move_to(from);
+  press(button);
+  constexpr int steps = 4;
+  for (int i = 1; i <= steps; ++i) {
+    move_to(glm::mix(from, to, static_cast<float>(i) / static_cast<float>(steps)));
+  }
+  release(button);
+}
+
+void UiRig::wheel(glm::vec2 at, float steps) {
+  move_to(at);
+  content_->input().add(WheelTurned{{0.0f, steps}});
+  run_input();
+}
+
+void UiRig::key(Key key) {
+  content_->input().add(KeyChanged{key, true});
+  content_->input().add(KeyChanged{key, false});
+  run_input();
+}
+
+void UiRig::chord(Key modifier, Key key_pressed) {
+  content_->input().add(KeyChanged{modifier, true});
+  content_->input().add(KeyChanged{key_pressed, true});
+  content_->input().add(KeyChanged{key_pressed, false});
+  content_->input().add(KeyChanged{modifier, false});
+  run_input();
+}
+
+void UiRig::type(const std::string& ascii) {
+  for (const char c : ascii) content_->input().add(TextTyped{static_cast<char32_t>(c)});
+  run_input();
+}
+
+Controls::Placed UiRig::control(const std::string& name) {
+  const auto& all = content_->controls().all();
+  const auto found = all.find(name);
+  if (found == all.end()) throw std::runtime_error("no control named " + name);
+  return found->second;
+}
+
+void UiRig::click(const std::string& name) {
+  move_to(control(name).centre());
+  press(MouseButton::left);
+  release(MouseButton::left);
+}
+
+std::vector<glm::u8vec3> UiRig::pixels() const {
+  const std::size_t width = static_cast<std::size_t>(size_.x);
+  const std::size_t height = static_cast<std::size_t>(size_.y);
+  std::vector<glm::u8vec3> pixels(width * height);
+  gl::glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl::glReadPixels(0, 0, size_.x, size_.y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+  for (std::size_t y = 0; y < height / 2; ++y) {
+    std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(y * width),
+                     pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * width),
+                     pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * width));
+  }
+  return pixels;
+}
+
+}  // namespace asos::test

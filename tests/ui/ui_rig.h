@@ -1,0 +1,60 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "tests/ui/osmesa_context.h"
+#include "ui/previewer.h"
+#include "ui/window_content.h"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asos::test {
+
+/// The window's content in a context in memory, with a clock, a mouse and a keyboard that a test
+/// moves. Opens nothing by itself.
+class UiRig {
+ public:
+  explicit UiRig(LoadFunction load, glm::ivec2 size = {640, 400}, float content_scale = 1.0f);
+
+  Previewer& previewer() { return *previewer_; }
+  WindowContent& content() { return *content_; }
+
+  void frame();
+  /// Draws frames until `done`; false after `limit_seconds` of real time.
+  [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 60.0);
+  /// Frames until the render is finished and shown and the input is used up.
+  [[nodiscard]] bool settle();
+  void resize(glm::ivec2 size);
+
+  void move_to(glm::vec2 position);
+  void press(MouseButton button);
+  void release(MouseButton button);
+  void drag(glm::vec2 from, glm::vec2 to, MouseButton button = MouseButton::left);
+  void wheel(glm::vec2 at, float steps);
+  void key(Key key);
+  void chord(Key modifier, Key key);
+  void type(const std::string& ascii);
+  /// Fails the test where the control is not there.
+  Controls::Placed control(const std::string& name);
+  void click(const std::string& name);
+
+  /// What the framebuffer shows, row-major from the top left.
+  [[nodiscard]] std::vector<glm::u8vec3> pixels() const;
+  [[nodiscard]] glm::ivec2 size() const { return size_; }
+
+ private:
+  void run_input();
+
+  std::unique_ptr<OsmesaContext> context_;
+  std::unique_ptr<Previewer> previewer_;
+  std::unique_ptr<WindowContent> content_;
+  glm::ivec2 size_;
+  float content_scale_;
+  double now_seconds_ = 0.0;
+};
+
+}  // namespace asos::test

@@ -1,0 +1,262 @@
+#include "ui/window_content.h"
+
+#include "tests/ui/test_scenes.h"
+#include "tests/ui/ui_rig.h"
+#include "ui/theme.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <atomic>
+#include <chrono>
+#include <ostream>
+#include <thread>
+
+namespace asos {
+namespace {
+
+using test::two_triangles;
+using test::UiRig;
+
+Result<Scene> load(const std::string& source) {
+  if (source == "red") return two_triangles({0.8f, 0.1f, 0.1f}, source);
+  if (source == "green") return two_triangles({0.1f, 0.8f, 0.1f}, source);
+  return unexpected(Error{source, "there is no such file"});
+}
+
+class WindowContentTest : public testing::Test {
+ protected:
+  void open(const std::string& source) {
+    rig.previewer().open(source);
+    ASSERT_TRUE(rig.frames_until(
+        [&] { return rig.previewer().scene() && rig.previewer().scene()->source == source; }));
+    ASSERT_TRUE(rig.settle());
+  }
+
+  /// Compares the picture's area with `expected` of film pixels, one to one.
+  template <typename Expected>
+  void expect_area(const Expected& expected) {
+    const PixelRect area = rig.content().picture_rect();
+    const Film& film = rig.previewer().film();
+    ASSERT_EQ(film.width, area.width);
+    ASSERT_EQ(film.height, area.height);
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    int wrong = 0;
+    for (int y = 0; y < film.height; ++y) {
+      for (int x = 0; x < film.width; ++x) {
+        const glm::u8vec3 want = expected(film, film.index(x, y));
+        const glm::u8vec3 got = pixels[static_cast<std::size_t>(y * rig.size().x + x)];
+        if (want == got) continue;
+        if (++wrong <= 3) {
+          ADD_FAILURE() << "pixel " << x << ' ' << y << ": " << +got.x << ' ' << +got.y << ' '
+                        << +got.z << " instead of " << +want.x << ' ' << +want.y << ' ' << +want.z;
+        }
+      }
+    }
+    EXPECT_EQ(wrong, 0);
+  }
+
+  UiRig rig{load};
+};
+
+TEST_F(WindowContentTest, ShowsTheFilmPixelForPixel) {
+  open("red");
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+}
+
+TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
+  open("red");
+  const std::uint64_t restarts = rig.previewer().restarts();
+  const std::vector<glm::u8vec3> before = rig.pixels();
+  rig.content().state().display.exposure_ev = -1.5f;
+  rig.frame();
+  EXPECT_NE(rig.pixels(), before);
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], -1.5f); });
+  EXPECT_EQ(rig.previewer().restarts(), restarts);
+}
+
+TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtOpacityOne) {
+  open("red");
+  const std::uint64_t restarts = rig.previewer().restarts();
+  rig.content().state().display.show_split_map = true;
+  rig.content().state().display.split_opacity = 1.0f;
+  rig.frame();
+  const int max_level = rig.previewer().settings().max_level;
+  int deepest = 0;
+  expect_area([&](const Film& film, std::size_t i) {
+    deepest = std::max<int>(deepest, film.split_level[i]);
+    return split_colour(film.split_level[i], max_level);
+  });
+  EXPECT_GT(deepest, 0) << "the scene has to have split pixels for this to say anything";
+  EXPECT_EQ(rig.previewer().restarts(), restarts);
+}
+
+TEST_F(WindowContentTest, TheSplitMapBlendsByItsOpacity) {
+  open("red");
+  rig.content().state().display.show_split_map = true;
+  rig.content().state().display.split_opacity = 0.25f;
+  rig.frame();
+  const int max_level = rig.previewer().settings().max_level;
+  const PixelRect area = rig.content().picture_rect();
+  const Film& film = rig.previewer().film();
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  for (int y = 0; y < area.height; y += 7) {
+    for (int x = 0; x < area.width; x += 7) {
+      const std::size_t i = film.index(x, y);
+      const glm::vec3 want =
+          glm::mix(glm::vec3(display_bytes(film.radiance[i], 0.0f)),
+                   glm::vec3(split_colour(film.split_level[i], max_level)), 0.25f);
+      const glm::vec3 got(pixels[static_cast<std::size_t>(y * rig.size().x + x)]);
+      // Blending rounds opacity and result to bytes.
+      ASSERT_LE(glm::length(want - got), 2.0f) << x << ' ' << y;
+    }
+  }
+}
+
+TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
+  open("red");
+  const glm::vec2 pointer(200.0f, 150.0f);
+  rig.content().input().add(KeyChanged{Key::ctrl, true});
+  for (int i = 0; i < 5; ++i) rig.wheel(pointer, 1.0f);
+  rig.content().input().add(KeyChanged{Key::ctrl, false});
+  rig.frame();
+  const PictureView& view = rig.content().state().view;
+  ASSERT_EQ(view.zoom(), 8);
+  const PixelRect area = rig.content().picture_rect();
+  const Film& film = rig.previewer().film();
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  for (int y = 0; y < area.height; ++y) {
+    for (int x = 0; x < area.width; ++x) {
+      const glm::vec2 at =
+          view.picture_from_area({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+      const std::size_t i = film.index(static_cast<int>(at.x), static_cast<int>(at.y));
+      ASSERT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
+                display_bytes(film.radiance[i], 0.0f))
+          << x << ' ' << y;
+    }
+  }
+  EXPECT_EQ(rig.previewer().restarts(), 1u) << "zoom is display only";
+}
+
+TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
+  open("red");
+  rig.resize({0, 0});
+  for (int i = 0; i < 20; ++i) rig.frame();
+  rig.resize({640, 400});
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.previewer().restarts(), 1u);
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+}
+
+TEST_F(WindowContentTest, TinyWindowsAreDrawn) {
+  open("red");
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(40, 3), glm::ivec2(3, 200)}) {
+    rig.resize(size);
+    for (int i = 0; i < 30; ++i) rig.frame();
+    const PixelRect area = rig.content().picture_rect();
+    EXPECT_LE(area.width, size.x);
+    EXPECT_LE(area.height, size.y);
+  }
+  rig.resize({700, 420});
+  ASSERT_TRUE(rig.settle());
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+}
+
+TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
+  open("red");
+  rig.resize({900, 500});
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.previewer().restarts(), 2u);
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+}
+
+TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
+  open("red");
+  const std::vector<glm::u8vec3> before = rig.pixels();
+  rig.previewer().open("/no/such.glb");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+  rig.frame();
+  rig.frame();
+  EXPECT_NE(rig.pixels(), before) << "the message covers part of the picture";
+  EXPECT_EQ(rig.previewer().scene()->source, "red");
+
+  static std::string copied;
+  copied.clear();
+  ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { copied = text; };
+  rig.click("Copy");
+  EXPECT_EQ(copied, "/no/such.glb: there is no such file");
+  rig.click("Close");
+  EXPECT_FALSE(rig.previewer().error().has_value());
+  rig.move_to({-10.0f, -10.0f});
+  rig.frame();
+  EXPECT_EQ(rig.pixels(), before);
+}
+
+TEST_F(WindowContentTest, AnIdleWindowAsksForNoFrames) {
+  open("red");
+  for (int i = 0; i < 5; ++i) rig.frame();
+  EXPECT_FALSE(rig.content().seconds_to_redraw().has_value());
+  rig.content().input().add(MouseMoved{{100.0f, 100.0f}});
+  EXPECT_EQ(rig.content().seconds_to_redraw(), 0.0);
+  for (int i = 0; i < 5; ++i) rig.frame();
+  EXPECT_FALSE(rig.content().seconds_to_redraw().has_value());
+}
+
+TEST_F(WindowContentTest, WithoutASceneThereIsAnInvitation) {
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const glm::u8vec3 ground((theme::ground >> 16) & 255u, (theme::ground >> 8) & 255u,
+                           theme::ground & 255u);
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  EXPECT_EQ(pixels[5 * 640 + 5], ground);
+  const PixelRect area = rig.content().picture_rect();
+  int bright = 0;
+  for (int y = 0; y < area.height; ++y) {
+    for (int x = 0; x < area.width; ++x) {
+      bright += pixels[static_cast<std::size_t>(y * 640 + x)].y > 150 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bright, 50) << "text";
+}
+
+TEST(WindowContentScale, TextFollowsTheScreensScale) {
+  UiRig plain(load, {1000, 700});
+  plain.frame();
+  plain.frame();
+  const auto height_plain = plain.control("Open...").hi.y - plain.control("Open...").lo.y;
+  UiRig fine(load, {1000, 700}, 2.0f);
+  fine.frame();
+  fine.frame();
+  const auto height_fine = fine.control("Open...").hi.y - fine.control("Open...").lo.y;
+  EXPECT_NEAR(height_fine / height_plain, 2.0, 0.05);
+}
+
+TEST(WindowContentReplace, AnotherSceneWhileOneLoads) {
+  std::atomic<bool> released = false;
+  std::atomic<bool> begun = false;
+  UiRig rig([&](const std::string& source) -> Result<Scene> {
+    if (source == "slow") {
+      begun = true;
+      while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return two_triangles(source == "slow" ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0), source);
+  });
+  rig.previewer().open("slow");
+  ASSERT_TRUE(rig.frames_until([&] { return begun.load(); }));
+  for (int i = 0; i < 3; ++i) rig.frame();
+  rig.previewer().open("fast");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  released = true;
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.previewer().scene()->source, "fast");
+  const PixelRect area = rig.content().picture_rect();
+  const auto middle = static_cast<std::size_t>(area.height / 2 * 640 + area.width / 2);
+  EXPECT_EQ(rig.pixels()[middle], glm::u8vec3(0, 255, 0));
+}
+
+}  // namespace
+}  // namespace asos

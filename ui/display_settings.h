@@ -1,0 +1,16 @@
+#pragma once
+
+namespace asos {
+
+/// How a finished picture is shown. Nothing here restarts a render.
+struct DisplaySettings {
+  static constexpr float exposure_limit_ev = 10.0f;
+
+  float exposure_ev = 0.0f;     ///< stops
+  bool show_split_map = false;  ///< over the picture: each pixel's deepest level
+  float split_opacity = 0.7f;   ///< of the split map, 0 to 1
+
+  bool operator==(const DisplaySettings&) const = default;
+};
+
+}  // namespace asos

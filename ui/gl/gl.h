@@ -1,0 +1,80 @@
+#pragma once
+
+#include "renderer/result.h"
+
+#include <GL/glcorearb.h>
+
+// Our own table of OpenGL 3.3 core functions: the only loader that serves both a window (GLFW) and
+// a context in memory (OSMesa). The names live in a namespace because plain global variables of
+// these names would stand in for libGL's functions at link time.
+
+namespace asos::gl {
+
+using Function = void (*)();
+using GetFunction = Function (*)(const char* name);
+
+/// Fills the table for the context that is current on the calling thread. Fails, naming the
+/// function, where one is missing. All calls through the table belong to that thread.
+[[nodiscard]] Result<void> load(GetFunction get);
+
+extern PFNGLACTIVETEXTUREPROC glActiveTexture;
+extern PFNGLATTACHSHADERPROC glAttachShader;
+extern PFNGLBINDBUFFERPROC glBindBuffer;
+extern PFNGLBINDSAMPLERPROC glBindSampler;
+extern PFNGLBINDTEXTUREPROC glBindTexture;
+extern PFNGLBINDVERTEXARRAYPROC glBindVertexArray;
+extern PFNGLBLENDEQUATIONPROC glBlendEquation;
+extern PFNGLBLENDEQUATIONSEPARATEPROC glBlendEquationSeparate;
+extern PFNGLBLENDFUNCSEPARATEPROC glBlendFuncSeparate;
+extern PFNGLBUFFERDATAPROC glBufferData;
+extern PFNGLBUFFERSUBDATAPROC glBufferSubData;
+extern PFNGLCLEARPROC glClear;
+extern PFNGLCLEARCOLORPROC glClearColor;
+extern PFNGLCOMPILESHADERPROC glCompileShader;
+extern PFNGLCREATEPROGRAMPROC glCreateProgram;
+extern PFNGLCREATESHADERPROC glCreateShader;
+extern PFNGLDELETEBUFFERSPROC glDeleteBuffers;
+extern PFNGLDELETEPROGRAMPROC glDeleteProgram;
+extern PFNGLDELETESHADERPROC glDeleteShader;
+extern PFNGLDELETETEXTURESPROC glDeleteTextures;
+extern PFNGLDELETEVERTEXARRAYSPROC glDeleteVertexArrays;
+extern PFNGLDETACHSHADERPROC glDetachShader;
+extern PFNGLDISABLEPROC glDisable;
+extern PFNGLDRAWARRAYSPROC glDrawArrays;
+extern PFNGLDRAWELEMENTSPROC glDrawElements;
+extern PFNGLDRAWELEMENTSBASEVERTEXPROC glDrawElementsBaseVertex;
+extern PFNGLENABLEPROC glEnable;
+extern PFNGLENABLEVERTEXATTRIBARRAYPROC glEnableVertexAttribArray;
+extern PFNGLFINISHPROC glFinish;
+extern PFNGLGENBUFFERSPROC glGenBuffers;
+extern PFNGLGENTEXTURESPROC glGenTextures;
+extern PFNGLGENVERTEXARRAYSPROC glGenVertexArrays;
+extern PFNGLGETATTRIBLOCATIONPROC glGetAttribLocation;
+extern PFNGLGETERRORPROC glGetError;
+extern PFNGLGETINTEGERVPROC glGetIntegerv;
+extern PFNGLGETPROGRAMINFOLOGPROC glGetProgramInfoLog;
+extern PFNGLGETPROGRAMIVPROC glGetProgramiv;
+extern PFNGLGETSHADERINFOLOGPROC glGetShaderInfoLog;
+extern PFNGLGETSHADERIVPROC glGetShaderiv;
+extern PFNGLGETSTRINGPROC glGetString;
+extern PFNGLGETSTRINGIPROC glGetStringi;
+extern PFNGLGETUNIFORMLOCATIONPROC glGetUniformLocation;
+extern PFNGLISENABLEDPROC glIsEnabled;
+extern PFNGLLINKPROGRAMPROC glLinkProgram;
+extern PFNGLPIXELSTOREIPROC glPixelStorei;
+extern PFNGLPOLYGONMODEPROC glPolygonMode;
+extern PFNGLREADPIXELSPROC glReadPixels;
+extern PFNGLSCISSORPROC glScissor;
+extern PFNGLSHADERSOURCEPROC glShaderSource;
+extern PFNGLTEXIMAGE2DPROC glTexImage2D;
+extern PFNGLTEXPARAMETERIPROC glTexParameteri;
+extern PFNGLTEXSUBIMAGE2DPROC glTexSubImage2D;
+extern PFNGLUNIFORM1FPROC glUniform1f;
+extern PFNGLUNIFORM1IPROC glUniform1i;
+extern PFNGLUNIFORM4FPROC glUniform4f;
+extern PFNGLUNIFORMMATRIX4FVPROC glUniformMatrix4fv;
+extern PFNGLUSEPROGRAMPROC glUseProgram;
+extern PFNGLVERTEXATTRIBPOINTERPROC glVertexAttribPointer;
+extern PFNGLVIEWPORTPROC glViewport;
+
+}  // namespace asos::gl

@@ -1,0 +1,7 @@
+#pragma once
+
+// Included ahead of Dear ImGui's OpenGL 3 backend: lets its unqualified calls find our table.
+
+#include "ui/gl/gl.h"
+
+using namespace asos::gl;

@@ -1,0 +1,192 @@
+#include "ui/gl_display.h"
+
+#include "ui/shader_sources.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asos {
+
+using namespace gl;
+
+namespace {
+
+// Uploads go by square cells of this side: large enough that a burst of small tiles costs few
+// calls, small enough that one tile does not cost the whole picture.
+constexpr int cell_side = 64;
+
+PixelRect intersection(const PixelRect& a, const PixelRect& b) {
+  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return {x, y, std::min(a.x + a.width, b.x + b.width) - x,
+          std::min(a.y + a.height, b.y + b.height) - y};
+}
+
+}  // namespace
+
+Result<GlDisplay> GlDisplay::make() {
+  Result<Program> picture = make_program(shader_source::display_vert, shader_source::display_frag);
+  if (!picture) return unexpected(picture.error());
+  Result<Program> overlay = make_program(shader_source::display_vert, shader_source::overlay_frag);
+  if (!overlay) return unexpected(overlay.error());
+  return GlDisplay(std::move(*picture), std::move(*overlay));
+}
+
+GlDisplay::GlDisplay(Program picture, Program overlay)
+    : picture_program_(std::move(picture)),
+      overlay_program_(std::move(overlay)),
+      no_attributes_(make_vertex_array()) {}
+
+void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
+                       const DisplaySettings& display, int max_level) {
+  const PixelRect whole{0, 0, film.width, film.height};
+  if (whole.empty()) return;
+
+  // What depends on the size, the exposure or the scale of levels is renewed as a whole.
+  const bool resized = film.width != width_ || film.height != height_;
+  const bool exposed = display.exposure_ev != tone_.exposure_ev();
+  const bool rescaled = max_level != max_level_;
+  if (exposed) tone_ = ToneTable(display.exposure_ev);
+  max_level_ = max_level;
+  if (resized) {
+    width_ = film.width;
+    height_ = film.height;
+    picture_.resize(width_, height_);
+    overlay_.resize(width_, height_);
+  }
+  const bool all_picture = resized || exposed, all_overlay = resized || rescaled;
+  if (all_picture || all_overlay) convert(film, whole, all_picture, all_overlay);
+
+  for (const PixelRect& rect : changed) {
+    const PixelRect inside = intersection(rect, whole);
+    if (!inside.empty()) convert(film, inside, !all_picture, !all_overlay);
+  }
+  picture_.upload();
+  if (display.show_split_map) overlay_.upload();
+}
+
+void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, bool overlay) {
+  std::array<glm::u8vec4, 256> colours;
+  if (overlay) {
+    for (int level = 0; level <= max_level_; ++level) {
+      colours[static_cast<std::size_t>(level)] = glm::u8vec4(split_colour(level, max_level_), 255);
+    }
+  }
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    const std::size_t row = film.index(rect.x, y);
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
+      if (picture) picture_.at(i) = glm::u8vec4(tone_.bytes(film.radiance[i]), 255);
+      // Levels above MAX are left over from the snapshot before; they show as MAX until replaced.
+      if (overlay)
+        overlay_.at(i) = colours[std::min<std::size_t>(film.split_level[i],
+                                                       static_cast<std::size_t>(max_level_))];
+    }
+  }
+  if (picture) picture_.mark(rect);
+  if (overlay) overlay_.mark(rect);
+}
+
+void GlDisplay::draw(const PictureView& view, const Target& target,
+                     const DisplaySettings& display) const {
+  const PixelRect& area = target.area;
+  if (area.empty() || width_ <= 0 || view.scale() <= 0.0f) return;
+
+  // Clip coordinates of the picture within the area; OpenGL counts y from the bottom.
+  const glm::vec2 size(static_cast<float>(area.width), static_cast<float>(area.height));
+  const glm::vec2 picture(static_cast<float>(width_), static_cast<float>(height_));
+  const glm::vec2 lo = view.offset() / size, hi = (view.offset() + picture * view.scale()) / size;
+  const glm::vec4 clip_rect(2.0f * lo.x - 1.0f, 1.0f - 2.0f * lo.y, 2.0f * hi.x - 1.0f,
+                            1.0f - 2.0f * hi.y);
+  const bool magnified = view.scale() >= 1.0f;
+
+  glViewport(area.x, target.framebuffer_height - area.y - area.height, area.width, area.height);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  draw_layer(picture_program_, picture_, clip_rect, magnified);
+  if (display.show_split_map && display.split_opacity > 0.0f) {
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glUseProgram(overlay_program_.name());
+    glUniform1f(glGetUniformLocation(overlay_program_.name(), "opacity"), display.split_opacity);
+    draw_layer(overlay_program_, overlay_, clip_rect, magnified);
+    glDisable(GL_BLEND);
+  }
+}
+
+void GlDisplay::draw_layer(const Program& program, const Layer& layer, const glm::vec4& clip_rect,
+                           bool magnified) const {
+  glUseProgram(program.name());
+  glUniform4f(glGetUniformLocation(program.name(), "rect"), clip_rect.x, clip_rect.y, clip_rect.z,
+              clip_rect.w);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, layer.texture().name());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, magnified ? GL_NEAREST : GL_LINEAR);
+  glBindVertexArray(no_attributes_.name());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glBindVertexArray(0);
+}
+
+std::vector<std::uint8_t> GlDisplay::seen_rgb(const DisplaySettings& display) const {
+  const std::size_t count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  const float opacity = display.show_split_map ? display.split_opacity : 0.0f;
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec3 mixed =
+        glm::mix(glm::vec3(picture_.at(i)), glm::vec3(overlay_.at(i)), opacity) + 0.5f;
+    for (int channel = 0; channel < 3; ++channel) {
+      rgb.push_back(static_cast<std::uint8_t>(mixed[channel]));
+    }
+  }
+  return rgb;
+}
+
+void GlDisplay::Layer::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+  columns_ = (width + cell_side - 1) / cell_side;
+  const int rows = (height + cell_side - 1) / cell_side;
+  pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                 glm::u8vec4(0, 0, 0, 255));
+  stale_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows), 1);
+  texture_ = make_rgba8_texture(width, height);
+}
+
+void GlDisplay::Layer::mark(const PixelRect& rect) {
+  for (int row = rect.y / cell_side; row <= (rect.y + rect.height - 1) / cell_side; ++row) {
+    for (int column = rect.x / cell_side; column <= (rect.x + rect.width - 1) / cell_side;
+         ++column) {
+      stale_[static_cast<std::size_t>(row * columns_ + column)] = 1;
+    }
+  }
+}
+
+// Neighbouring stale cells of a row go up in one call.
+void GlDisplay::Layer::upload() {
+  if (columns_ == 0) return;
+  glBindTexture(GL_TEXTURE_2D, texture_.name());
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, width_);
+  const int rows = static_cast<int>(stale_.size()) / columns_;
+  for (int row = 0; row < rows; ++row) {
+    std::uint8_t* stale = &stale_[static_cast<std::size_t>(row * columns_)];
+    for (int begin = 0; begin < columns_; ++begin) {
+      if (!stale[begin]) continue;
+      int end = begin;
+      while (end < columns_ && stale[end]) stale[end++] = 0;
+      const PixelRect part =
+          intersection({begin * cell_side, row * cell_side, (end - begin) * cell_side, cell_side},
+                       {0, 0, width_, height_});
+      glTexSubImage2D(GL_TEXTURE_2D, 0, part.x, part.y, part.width, part.height, GL_RGBA,
+                      GL_UNSIGNED_BYTE,
+                      &pixels_[static_cast<std::size_t>(part.y) * static_cast<std::size_t>(width_) +
+                               static_cast<std::size_t>(part.x)]);
+      begin = end;
+    }
+  }
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+}  // namespace asos

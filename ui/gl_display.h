@@ -1,0 +1,81 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/result.h"
+#include "ui/display_settings.h"
+#include "ui/gl/gl_objects.h"
+#include "ui/picture_view.h"
+#include "ui/tone_table.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Shows a film in the current OpenGL context: display bytes and split map as two RGBA8 textures.
+/// Tone mapping runs on the processor for changed pixels only, and only cells that changed are
+/// uploaded. One thread, one context.
+class GlDisplay {
+ public:
+  /// The error holds the driver's message.
+  [[nodiscard]] static Result<GlDisplay> make();
+
+  /// Brings the textures up to date with `film`, of which `changed` is what differs from the last
+  /// call. Another size, exposure or `max_level` renews everything that depends on it.
+  void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
+              int max_level);
+
+  /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
+  /// `framebuffer_height` high.
+  struct Target {
+    PixelRect area;
+    int framebuffer_height = 0;
+  };
+  /// Draws the picture, and the split map over it where `display` shows it. Nothing is drawn
+  /// outside the area, nor in it before the first update.
+  void draw(const PictureView& view, const Target& target, const DisplaySettings& display) const;
+
+  /// The picture as it is shown, row-major RGB bytes from the top left: the screenshot.
+  [[nodiscard]] std::vector<std::uint8_t> seen_rgb(const DisplaySettings& display) const;
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+ private:
+  /// One texture with its copy in memory, and which cells of it are out of date.
+  class Layer {
+   public:
+    void resize(int width, int height);
+    void mark(const PixelRect& rect);
+    void upload();
+    [[nodiscard]] glm::u8vec4& at(std::size_t index) { return pixels_[index]; }
+    [[nodiscard]] glm::u8vec4 at(std::size_t index) const { return pixels_[index]; }
+    [[nodiscard]] const gl::Texture& texture() const { return texture_; }
+
+   private:
+    int width_ = 0, height_ = 0;
+    int columns_ = 0;  // of cells
+    std::vector<glm::u8vec4> pixels_;
+    std::vector<std::uint8_t> stale_;  // by cell
+    gl::Texture texture_;
+  };
+
+  GlDisplay(gl::Program picture, gl::Program overlay);
+  void convert(const Film& film, const PixelRect& rect, bool picture, bool overlay);
+  void draw_layer(const gl::Program& program, const Layer& layer, const glm::vec4& clip_rect,
+                  bool magnified) const;
+
+  gl::Program picture_program_;
+  gl::Program overlay_program_;
+  gl::VertexArray no_attributes_;
+  int width_ = 0;
+  int height_ = 0;
+  int max_level_ = -1;
+  ToneTable tone_;
+  Layer picture_;
+  Layer overlay_;
+};
+
+}  // namespace asos

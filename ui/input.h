@@ -1,0 +1,102 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <variant>
+
+struct ImGuiIO;
+
+namespace asos {
+
+/// Keys that the window knows; letters are those printed on the user's keyboard.
+enum class Key : int {
+  none,
+  tab,
+  left,
+  right,
+  up,
+  down,
+  page_up,
+  page_down,
+  home,
+  end,
+  insert,
+  erase,
+  backspace,
+  space,
+  enter,
+  keypad_enter,
+  escape,
+  ctrl,
+  shift,
+  alt,
+  super,
+  f1,
+  f12,
+  question,
+  plus,
+  minus,
+  one,
+  a,
+  c,
+  f,
+  m,
+  o,
+  p,
+  q,
+  v,
+  x,
+  y,
+  z,
+  count
+};
+
+enum class MouseButton : int { left, right, middle };
+
+struct MouseMoved {
+  glm::vec2 position;  ///< window coordinates, y down
+};
+struct MouseChanged {
+  MouseButton button;
+  bool down;
+};
+struct WheelTurned {
+  glm::vec2 steps;  ///< y > 0: away from the user
+};
+struct KeyChanged {
+  Key key;
+  bool down;
+};
+struct TextTyped {
+  char32_t character;
+};
+struct FocusLost {};
+
+using InputEvent =
+    std::variant<MouseMoved, MouseChanged, WheelTurned, KeyChanged, TextTyped, FocusLost>;
+
+/// Events on their way to Dear ImGui, whose state holds only one change of a button a frame: events
+/// that would hide one another wait for the next frame, so that a click shorter than a frame still
+/// counts. The window and the tests feed the same queue.
+class InputQueue {
+ public:
+  void add(InputEvent event) { events_.push_back(event); }
+  [[nodiscard]] bool empty() const { return events_.empty(); }
+
+  /// Moves what one frame can take into `io`; call ahead of ImGui::NewFrame.
+  void feed(ImGuiIO& io);
+
+  /// Tells Dear ImGui which of our keys is which of its own; once for each context.
+  static void map_keys(ImGuiIO& io);
+
+ private:
+  std::deque<InputEvent> events_;
+};
+
+/// Whether `key` went down in this frame (no repeat) while no text is being typed.
+[[nodiscard]] bool shortcut_pressed(Key key, bool with_ctrl = false);
+
+}  // namespace asos

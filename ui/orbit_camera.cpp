@@ -1,0 +1,127 @@
+#include "ui/orbit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+
+namespace {
+
+// Distances from the pivot, in radii of the scene.
+constexpr double nearest = 1e-4;
+constexpr double farthest = 1e3;
+// A frame around everything leaves this much room, so that outlines do not touch the rim.
+constexpr double frame_margin = 1.05;
+
+double positive_or_one(double value) {
+  return std::isfinite(value) && value > 0.0 ? value : 1.0;
+}
+
+}  // namespace
+
+void OrbitCamera::set(const Camera& camera, double pivot_distance, double scene_radius) {
+  const glm::dvec3 right(camera.world_from_camera[0]);
+  const glm::dvec3 back(camera.world_from_camera[2]);
+  const glm::dvec3 eye(camera.world_from_camera[3]);
+  lens_ = camera;
+  scene_radius_ = positive_or_one(scene_radius);
+  distance_ = positive_or_one(pivot_distance);
+  pivot_ = eye - distance_ * back;
+
+  // The azimuth follows from the view direction; at a pole, where it has none, from the picture's
+  // right. The roll is what is left.
+  const double horizontal = std::hypot(back.x, back.z);
+  elevation_rad_ = std::atan2(back.y, horizontal);
+  azimuth_rad_ = horizontal > 1e-9 ? std::atan2(back.x, back.z) : std::atan2(-right.z, right.x);
+  roll_rad_ = 0.0;
+  const Basis level = basis();
+  roll_rad_ = std::atan2(glm::dot(right, level.up), glm::dot(right, level.right));
+  ++revision_;
+}
+
+void OrbitCamera::orbit(double azimuth_rad, double elevation_rad) {
+  if (!std::isfinite(azimuth_rad) || !std::isfinite(elevation_rad)) return;
+  constexpr double pole = std::numbers::pi / 2.0;
+  azimuth_rad_ = std::remainder(azimuth_rad_ + azimuth_rad, 2.0 * std::numbers::pi);
+  elevation_rad_ = std::clamp(elevation_rad_ + elevation_rad, -pole, pole);
+  ++revision_;
+}
+
+void OrbitCamera::pan(double right, double down) {
+  if (!std::isfinite(right) || !std::isfinite(down)) return;
+  const double height = lens_.type == Camera::Type::perspective
+                            ? 2.0 * distance_ * std::tan(0.5 * lens_.fov_y_rad)
+                            : lens_.height;
+  const Basis b = basis();
+  pivot_ += height * (down * b.up - right * b.right);
+  ++revision_;
+}
+
+void OrbitCamera::dolly(double factor) {
+  if (!std::isfinite(factor) || factor <= 0.0) return;
+  double& size = lens_.type == Camera::Type::perspective ? distance_ : lens_.height;
+  // A file camera may stand outside the range; it may come back but not go farther.
+  const double lo = std::min(size, nearest * scene_radius_);
+  const double hi = std::max(size, farthest * scene_radius_);
+  size = std::clamp(size * factor, lo, hi);
+  ++revision_;
+}
+
+void OrbitCamera::frame_all(const Box& bounds, double aspect_ratio) {
+  if (bounds.empty() || !std::isfinite(aspect_ratio) || aspect_ratio <= 0.0) return;
+  const glm::dvec3 lo(bounds.lo), hi(bounds.hi);
+  const Basis b = basis();
+  pivot_ = 0.5 * (lo + hi);
+  const double radius = positive_or_one(0.5 * glm::length(hi - lo));
+
+  // The least distance at which each corner is within the picture, and the orthographic height.
+  const double tan_y = std::tan(0.5 * lens_.fov_y_rad) / frame_margin;
+  const double tan_x = tan_y * aspect_ratio;
+  double least_distance = nearest * radius;
+  double least_height = nearest * radius;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p((corner & 1) ? hi.x : lo.x, (corner & 2) ? hi.y : lo.y,
+                       (corner & 4) ? hi.z : lo.z);
+    const glm::dvec3 d = p - pivot_;
+    const double x = std::abs(glm::dot(d, b.right)), y = std::abs(glm::dot(d, b.up));
+    const double towards_eye = glm::dot(d, b.back);
+    least_distance = std::max({least_distance, x / tan_x + towards_eye, y / tan_y + towards_eye});
+    least_height = std::max({least_height, 2.0 * y, 2.0 * x / aspect_ratio});
+  }
+  if (lens_.type == Camera::Type::perspective) {
+    distance_ = least_distance;
+  } else {
+    distance_ = 2.0 * radius;
+    lens_.height = least_height * frame_margin;
+  }
+  ++revision_;
+}
+
+void OrbitCamera::look_at(glm::dvec3 pivot) {
+  if (!std::isfinite(pivot.x + pivot.y + pivot.z)) return;
+  pivot_ = pivot;
+  ++revision_;
+}
+
+Camera OrbitCamera::camera() const {
+  Camera camera = lens_;
+  const Basis b = basis();
+  camera.world_from_camera =
+      glm::dmat4(glm::dvec4(b.right, 0.0), glm::dvec4(b.up, 0.0), glm::dvec4(b.back, 0.0),
+                 glm::dvec4(pivot_ + distance_ * b.back, 1.0));
+  return camera;
+}
+
+// Built from the angles alone, without a cross product with "up", which vanishes at the poles.
+OrbitCamera::Basis OrbitCamera::basis() const {
+  const double sa = std::sin(azimuth_rad_), ca = std::cos(azimuth_rad_);
+  const double se = std::sin(elevation_rad_), ce = std::cos(elevation_rad_);
+  const double sr = std::sin(roll_rad_), cr = std::cos(roll_rad_);
+  const glm::dvec3 level_right(ca, 0.0, -sa);
+  const glm::dvec3 level_up(-sa * se, ce, -ca * se);
+  return {cr * level_right + sr * level_up, cr * level_up - sr * level_right,
+          glm::dvec3(sa * ce, se, ca * ce)};
+}
+
+}  // namespace asos

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace asos {
+
+/// A camera that circles a pivot: azimuth, elevation and roll about it, and a distance. Every file
+/// camera can be taken over exactly. +Y is up; at the poles the picture's right stays defined by
+/// the azimuth, so nothing flips. Arguments that are not finite are ignored.
+class OrbitCamera {
+ public:
+  /// Takes over `camera` (relative to World::origin) and orbits the point `pivot_distance` ahead of
+  /// it. `scene_radius` sets the range of distances; both fall back to 1 where they are not
+  /// positive.
+  void set(const Camera& camera, double pivot_distance, double scene_radius);
+
+  /// Turns about the pivot; the elevation stops at straight above and straight below.
+  void orbit(double azimuth_rad, double elevation_rad);
+  /// Moves so that what lies at the pivot's depth follows a pointer that went `right` and `down`,
+  /// in heights of the picture.
+  void pan(double right, double down);
+  /// Multiplies the distance (orthographic: the height seen), within the scene's range.
+  void dolly(double factor);
+  /// Keeps the direction and moves so that all of `bounds` just fits a picture of this shape.
+  void frame_all(const Box& bounds, double aspect_ratio);
+  /// Keeps the direction and puts the pivot into the picture's middle.
+  void look_at(glm::dvec3 pivot);
+
+  [[nodiscard]] Camera camera() const;
+  [[nodiscard]] glm::dvec3 pivot() const { return pivot_; }
+  [[nodiscard]] double distance() const { return distance_; }
+  /// Grows with every change, so that a render knows when it is out of date.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+ private:
+  struct Basis {
+    glm::dvec3 right, up, back;
+  };
+  [[nodiscard]] Basis basis() const;
+
+  Camera lens_;  // everything but the placement
+  glm::dvec3 pivot_{0.0};
+  double distance_ = 1.0;
+  double azimuth_rad_ = 0.0;
+  double elevation_rad_ = 0.0;
+  double roll_rad_ = 0.0;
+  double scene_radius_ = 1.0;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace asos

@@ -1,0 +1,140 @@
+#include "renderer/scene/load.h"
+#include "ui/input.h"
+#include "ui/panels/overlays.h"
+#include "ui/theme.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+namespace asos {
+
+namespace {
+
+struct HelpLine {
+  const char* input;
+  const char* meaning;
+};
+constexpr std::array help_lines{
+    HelpLine{"Left drag", "orbit"},
+    HelpLine{"Middle drag, Shift + left drag", "pan"},
+    HelpLine{"Wheel", "move closer, farther"},
+    HelpLine{"Double click", "orbit about this point"},
+    HelpLine{"Home, F", "frame the whole scene"},
+    HelpLine{nullptr, nullptr},
+    HelpLine{"Ctrl + wheel, + and -", "zoom into the pixels"},
+    HelpLine{"Right drag", "move the zoomed picture"},
+    HelpLine{"1", "back to one to one"},
+    HelpLine{"M", "split map"},
+    HelpLine{"Tab", "hide or show the panel"},
+    HelpLine{nullptr, nullptr},
+    HelpLine{"Ctrl + O, drop a file", "open a scene"},
+    HelpLine{"P, F12", "save the picture as PNG"},
+    HelpLine{"F1, ?", "this help"},
+    HelpLine{"Esc, Ctrl + Q", "quit"},
+};
+
+}  // namespace
+
+void help_overlay(UiState& state, const WindowRect& area) {
+  if (!state.show_help) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({area.lo.x + 0.5f * area.size.x, area.lo.y + 0.5f * area.size.y},
+                          ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.6f * em, 1.2f * em});
+  ImGui::Begin("help", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav);
+  for (const HelpLine& line : help_lines) {
+    if (!line.input) {
+      ImGui::Dummy({0.0f, 0.4f * em});
+      continue;
+    }
+    ImGui::TextUnformatted(line.input);
+    ImGui::SameLine(18.0f * em);
+    ImGui::TextDisabled("%s", line.meaning);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
+  constexpr const char* title = "Open a scene";
+  if (state.show_open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.4f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(46.0f * em, 0.9f * window.x), 0.0f});
+  if (!ImGui::BeginPopupModal(title, nullptr,
+                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_AlwaysAutoResize)) {
+    return;
+  }
+  std::string chosen;
+  ImGui::TextDisabled("Path of a .gltf or .glb file");
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool entered =
+      ImGui::InputText("##path", &state.open_path, ImGuiInputTextFlags_EnterReturnsTrue);
+  controls.placed("Path", nullptr);
+
+  ImGui::Spacing();
+  ImGui::TextDisabled("or a built-in scene");
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) {
+      chosen = "builtin:" + scene.name;
+    }
+    controls.placed("Built-in/" + scene.name, nullptr);
+    ImGui::SameLine(7.0f * em);
+    ImGui::TextDisabled("%s", scene.summary.c_str());
+  }
+
+  ImGui::Spacing();
+  if ((controls.button("Open", nullptr, 6.0f * em) || entered) && !state.open_path.empty()) {
+    chosen = state.open_path;
+  }
+  ImGui::SameLine();
+  const bool cancelled = controls.button("Cancel", nullptr, 6.0f * em) ||
+                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  if (!chosen.empty()) previewer.open(chosen);
+  if (!chosen.empty() || cancelled) {
+    state.show_open = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void handle_shortcuts(UiState& state, Previewer& previewer) {
+  if (shortcut_pressed(Key::q, true)) state.quit = true;
+  if (state.show_open) return;
+  if (shortcut_pressed(Key::o, true)) state.show_open = true;
+  if (shortcut_pressed(Key::f1) || shortcut_pressed(Key::question)) {
+    state.show_help = !state.show_help;
+  }
+  if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
+  if (shortcut_pressed(Key::home) || shortcut_pressed(Key::f)) previewer.frame_all();
+  if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
+  if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
+  if (shortcut_pressed(Key::one)) state.view.reset();
+  const glm::vec2 middle = state.view.area_middle();
+  if (shortcut_pressed(Key::plus)) state.view.zoom_at(middle, 1);
+  if (shortcut_pressed(Key::minus)) state.view.zoom_at(middle, -1);
+
+  // Escape closes what is open before it quits.
+  if (!shortcut_pressed(Key::escape)) return;
+  if (state.show_help) {
+    state.show_help = false;
+  } else if (previewer.error()) {
+    previewer.dismiss_error();
+  } else {
+    state.quit = true;
+  }
+}
+
+}  // namespace asos

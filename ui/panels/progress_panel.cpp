@@ -1,0 +1,60 @@
+#include "ui/panels/panels.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace asos {
+
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
+  const int whole = static_cast<int>(seconds);
+  if (seconds < 3600.0) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string words(const Progress& progress) {
+  if (progress.finished) return "Finished in " + duration(progress.seconds);
+  if (!progress.running) return "Stopped";
+  std::string text =
+      fmt::format("Rendering {:.0f} %   {}", 100.0 * progress.fraction, duration(progress.seconds));
+  if (progress.seconds_left >= 0.0) {
+    text += fmt::format("   about {} left", duration(progress.seconds_left));
+  }
+  return text;
+}
+
+}  // namespace
+
+void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status) {
+  // A thin bar along the upper rim, full width, so that a glance is enough.
+  const Progress progress = previewer.progress();
+  if (previewer.scene() && !progress.finished) {
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    const float height = std::max(2.0f, ImGui::GetFontSize() * 0.15f);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        corner, {corner.x + width * static_cast<float>(progress.fraction), corner.y + height},
+        theme::packed(theme::accent_bright));
+  }
+
+  if (!status.message.empty()) {
+    ImGui::TextUnformatted(status.message.c_str());
+  } else if (previewer.scene()) {
+    ImGui::TextDisabled("%s", words(progress).c_str());
+  } else {
+    ImGui::TextDisabled("%s", previewer.loading() ? "Loading" : "No scene");
+  }
+  controls.placed("Progress", nullptr);
+
+  const std::string right = fmt::format(
+      "{}   F1 help", status.zoom > 1 ? fmt::format("zoom {}x", status.zoom) : std::string());
+  const float width = ImGui::CalcTextSize(right.c_str()).x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
+  ImGui::TextDisabled("%s", right.c_str());
+}
+
+}  // namespace asos

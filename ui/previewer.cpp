@@ -1,0 +1,157 @@
+#include "ui/previewer.h"
+
+#include "renderer/scene/load.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+// A window that is being dragged larger asks for many sizes; rendering waits until it rests.
+constexpr double size_rest_seconds = 0.15;
+
+double radius_of(const Box& bounds) {
+  return bounds.empty() ? 1.0 : 0.5 * static_cast<double>(glm::length(bounds.hi - bounds.lo));
+}
+
+/// The old picture in the new size, so that the window shows something until tiles arrive.
+Film stretched(const Film& old, int width, int height) {
+  Film film(width, height);
+  if (old.width <= 0 || old.height <= 0) return film;
+  for (int y = 0; y < height; ++y) {
+    const int from_y = static_cast<int>(static_cast<std::int64_t>(y) * old.height / height);
+    for (int x = 0; x < width; ++x) {
+      const int from_x = static_cast<int>(static_cast<std::int64_t>(x) * old.width / width);
+      film.radiance[film.index(x, y)] = old.radiance[old.index(from_x, from_y)];
+      film.split_level[film.index(x, y)] = old.split_level[old.index(from_x, from_y)];
+    }
+  }
+  return film;
+}
+
+LoadFunction load_or_default(LoadFunction load) {
+  if (load) return load;
+  return [](const std::string& source) { return load_scene(source); };
+}
+
+}  // namespace
+
+Previewer::Previewer(Hooks hooks, RenderSettings settings)
+    : settings_(settings),
+      session_(hooks.wake),
+      loader_(load_or_default(std::move(hooks.load)), hooks.wake) {
+  settings_.crop = {};  // The window shows whole pictures.
+}
+
+void Previewer::open(const std::string& source) {
+  error_.reset();
+  loader_.open(source);
+}
+
+void Previewer::set_picture_size(int width, int height, double now_seconds) {
+  if (width <= 0 || height <= 0) {
+    pending_size_.reset();
+    return;
+  }
+  if (!sized_) {
+    settings_.width = width;
+    settings_.height = height;
+    sized_ = true;
+  } else if (width == settings_.width && height == settings_.height) {
+    pending_size_.reset();
+  } else if (!pending_size_ || pending_size_->width != width || pending_size_->height != height) {
+    pending_size_ = {width, height, now_seconds};
+  }
+}
+
+std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
+  if (!pending_size_) return std::nullopt;
+  return std::max(0.0, pending_size_->since_seconds + size_rest_seconds - now_seconds);
+}
+
+void Previewer::update(double now_seconds) {
+  settle_size(now_seconds);
+  if (std::optional<LoadOutcome> outcome = loader_.take_outcome()) accept(std::move(*outcome));
+  restart_if_changed();
+  take_tiles();
+}
+
+void Previewer::settle_size(double now_seconds) {
+  if (!pending_size_ || now_seconds - pending_size_->since_seconds < size_rest_seconds) return;
+  settings_.width = pending_size_->width;
+  settings_.height = pending_size_->height;
+  pending_size_.reset();
+}
+
+void Previewer::accept(LoadOutcome outcome) {
+  if (!outcome.scene) {
+    error_ = outcome.scene.error();
+    return;
+  }
+  scene_ = std::move(*outcome.scene);
+  load_seconds_ = outcome.load_seconds;
+  choose_camera(scene_->world.cameras.empty() ? -1 : 0);
+}
+
+void Previewer::choose_camera(int index) {
+  if (!scene_) return;
+  const World& world = scene_->world;
+  const bool from_file = index >= 0 && index < static_cast<int>(world.cameras.size());
+  chosen_camera_ = from_file ? index : -1;
+  const Camera camera = from_file ? world.cameras[static_cast<std::size_t>(index)]
+                                  : default_camera(world, aspect_ratio());
+
+  // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
+  const double radius = radius_of(world.bounds);
+  camera_.set(camera, radius, radius);
+  const Hit hit = scene_->rays.closest(View(camera, 1, 1).ray(0.5, 0.5));
+  double distance = static_cast<double>(hit.t);
+  if (!hit.valid() && !world.bounds.empty()) {
+    const glm::dvec3 middle(0.5f * (world.bounds.lo + world.bounds.hi));
+    const glm::dvec3 eye(camera.world_from_camera[3]);
+    distance = glm::dot(middle - eye, -glm::dvec3(camera.world_from_camera[2]));
+  }
+  if (distance > 0.0) camera_.set(camera, distance, radius);
+}
+
+void Previewer::frame_all() {
+  if (scene_) camera_.frame_all(scene_->world.bounds, aspect_ratio());
+}
+
+void Previewer::set_pivot_at(double x, double y) {
+  if (!scene_ || !sized_) return;
+  const Ray ray = View(camera_.camera(), settings_.width, settings_.height).ray(x, y);
+  const Hit hit = scene_->rays.closest(ray);
+  if (hit.valid()) camera_.look_at(glm::dvec3(ray.at(hit.t)));
+}
+
+void Previewer::restart_if_changed() {
+  if (!scene_ || !sized_) return;
+  if (rendered_.scene == scene_ && rendered_.camera_revision == camera_.revision() &&
+      rendered_.settings == settings_) {
+    return;
+  }
+  // The old scene may go only when no worker uses it any more, which restart sees to.
+  session_.restart({scene_, camera_.camera(), settings_, true});
+  rendered_ = {scene_, camera_.revision(), settings_};
+  ++restarts_;
+  if (film_.width != settings_.width || film_.height != settings_.height) {
+    film_ = stretched(film_, settings_.width, settings_.height);
+    changed_ = {{0, 0, film_.width, film_.height}};
+  }
+}
+
+void Previewer::take_tiles() {
+  for (const FinishedTile& tile : session_.take_finished()) {
+    film_.put(tile);
+    changed_.push_back(tile.rect);
+  }
+}
+
+double Previewer::aspect_ratio() const {
+  return static_cast<double>(settings_.width) / static_cast<double>(settings_.height);
+}
+
+}  // namespace asos

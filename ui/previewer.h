@@ -1,0 +1,101 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/session/render_session.h"
+#include "ui/orbit_camera.h"
+#include "ui/scene_loader.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// What the window works on: the open scene, the camera, the settings, the render that runs and its
+/// picture. Knows neither OpenGL nor ImGui. One thread; loading and rendering happen on others.
+class Previewer {
+ public:
+  struct Hooks {
+    LoadFunction load;           ///< empty: load_scene
+    std::function<void()> wake;  ///< from other threads: something waits for `update`
+  };
+  Previewer(Hooks hooks, RenderSettings settings);
+
+  /// Loads in the background. The open scene stays until the new one is there, and where that
+  /// fails.
+  void open(const std::string& source);
+  /// Asks for a picture of this size. The first one counts at once, later ones when the size has
+  /// been still for a moment. Sizes without area (a minimised window) are ignored.
+  void set_picture_size(int width, int height, double now_seconds);
+  /// Takes what other threads finished and restarts the render where what it depends on has
+  /// changed. Call once or more a frame.
+  void update(double now_seconds);
+  /// When `update` next has something to do of its own accord, in seconds from now; none: when
+  /// woken.
+  [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
+
+  /// Widgets edit these; `update` notices.
+  [[nodiscard]] RenderSettings& settings() { return settings_; }
+  [[nodiscard]] OrbitCamera& camera() { return camera_; }
+
+  /// Takes over the scene's camera `index`; -1: the view that frames everything.
+  void choose_camera(int index);
+  [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
+  void frame_all();
+  /// Orbits about what the picture shows at (x, y), in pixels, from now on.
+  void set_pivot_at(double x, double y);
+
+  [[nodiscard]] const RenderScene* scene() const { return scene_.get(); }
+  [[nodiscard]] double load_seconds() const { return load_seconds_; }
+  [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  void dismiss_error() { error_.reset(); }
+
+  [[nodiscard]] const Film& film() const { return film_; }
+  /// What of the film changed since the last call.
+  [[nodiscard]] std::vector<PixelRect> take_changed() { return std::exchange(changed_, {}); }
+  [[nodiscard]] Progress progress() const { return session_.progress(); }
+  [[nodiscard]] RenderStatistics statistics() const { return session_.statistics(); }
+  /// How often a render was started.
+  [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
+  /// The settings of the render that runs, its size included.
+  [[nodiscard]] const RenderSettings& rendered_settings() const { return rendered_.settings; }
+
+ private:
+  struct Rendered {
+    std::shared_ptr<const RenderScene> scene;
+    std::uint64_t camera_revision = 0;
+    RenderSettings settings;
+  };
+  struct PendingSize {
+    int width, height;
+    double since_seconds;
+  };
+
+  void accept(LoadOutcome outcome);
+  void settle_size(double now_seconds);
+  void restart_if_changed();
+  void take_tiles();
+  [[nodiscard]] double aspect_ratio() const;
+
+  RenderSettings settings_;
+  OrbitCamera camera_;
+  int chosen_camera_ = -1;
+  std::shared_ptr<const RenderScene> scene_;
+  double load_seconds_ = 0.0;
+  std::optional<Error> error_;
+  bool sized_ = false;
+  std::optional<PendingSize> pending_size_;
+
+  Rendered rendered_;
+  Film film_;
+  std::vector<PixelRect> changed_;
+  std::uint64_t restarts_ = 0;
+  RenderSession session_;  // after what its callback uses, before the loader
+  SceneLoader loader_;
+};
+
+}  // namespace asos

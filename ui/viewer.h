@@ -1,0 +1,21 @@
+#pragma once
+
+#include "renderer/methods/settings.h"
+
+#include <string>
+
+namespace asos {
+
+struct ViewerOptions {
+  std::string source = "builtin:office";  ///< path or "builtin:NAME", opened in the background
+  /// What to start with. width and height are the picture's size that the window tries to offer;
+  /// from then on the picture follows the window.
+  RenderSettings settings;
+};
+
+/// Opens the window and runs until the user closes it. Returns the exit code: 0, or 1 where no
+/// window can be opened, with the reason on stderr. Errors of scenes appear in the window. Main
+/// thread only.
+[[nodiscard]] int run_viewer(const ViewerOptions& options);
+
+}  // namespace asos

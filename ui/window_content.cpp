@@ -1,0 +1,226 @@
+#include "ui/window_content.h"
+
+#include "ui/panels/panels.h"
+#include "ui/screenshot.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <backends/imgui_impl_opengl3.h>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed_flags =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+    ImGuiWindowFlags_NoNav;
+constexpr double message_seconds = 6.0;
+constexpr int frames_to_settle = 3;
+
+void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flags = 0) {
+  ImGui::SetNextWindowPos({rect.lo.x, rect.lo.y});
+  ImGui::SetNextWindowSize({rect.size.x, rect.size.y});
+  ImGui::Begin(name, nullptr, fixed_flags | flags);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<WindowContent>> WindowContent::make(Previewer& previewer) {
+  Result<GlDisplay> display = GlDisplay::make();
+  if (!display) return unexpected(display.error());
+  ImGuiContext* context = ImGui::CreateContext();
+  std::unique_ptr<WindowContent> content(
+      new WindowContent(previewer, std::move(*display), context));
+  if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+    return unexpected(Error{"OpenGL", "the user interface cannot draw"});
+  }
+  return content;
+}
+
+WindowContent::WindowContent(Previewer& previewer, GlDisplay display, ImGuiContext* context)
+    : previewer_(previewer), display_(std::move(display)), context_(context) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // A blinking cursor would keep an idle window awake.
+  InputQueue::map_keys(io);
+}
+
+WindowContent::~WindowContent() {
+  ImGui::SetCurrentContext(context_);
+  if (ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void WindowContent::draw(const FrameInput& in) {
+  ImGui::SetCurrentContext(context_);
+  if (!input_.empty() || state_.screenshot_requested) settling_frames_ = frames_to_settle;
+  settling_frames_ = std::max(0, settling_frames_ - 1);
+  previewer_.update(in.time_seconds);
+  if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
+      in.framebuffer_size.y <= 0) {
+    previewer_.set_picture_size(0, 0, in.time_seconds);
+    time_seconds_ = in.time_seconds;
+    return;
+  }
+
+  begin_frame(in);
+  lay_out(in);
+  ImGui::Render();
+
+  // What the widgets changed takes effect in this frame, before it is shown.
+  previewer_.set_picture_size(picture_rect_.width, picture_rect_.height, in.time_seconds);
+  previewer_.update(in.time_seconds);
+  display_.update(previewer_.film(), previewer_.take_changed(), state_.display,
+                  previewer_.settings().max_level);
+  if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
+  present(in);
+}
+
+void WindowContent::begin_frame(const FrameInput& in) {
+  ImGuiIO& io = ImGui::GetIO();
+  const glm::vec2 window(in.window_size), framebuffer(in.framebuffer_size);
+  const float raster = framebuffer.y / window.y;
+  const float content = std::isfinite(in.content_scale) ? in.content_scale : 1.0f;
+  const float text = std::clamp(content / raster, 0.5f, 8.0f);
+  if (const glm::vec2 scales(text, raster); scales != scales_) {
+    scales_ = scales;
+    theme::apply(text, raster);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+  io.DisplaySize = {window.x, window.y};
+  io.DisplayFramebufferScale = {framebuffer.x / window.x, raster};
+  io.DeltaTime = std::max(1e-4f, static_cast<float>(in.time_seconds - time_seconds_));
+  time_seconds_ = in.time_seconds;
+  input_.feed(io);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  controls_.begin_frame(in.time_seconds);
+}
+
+void WindowContent::lay_out(const FrameInput& in) {
+  handle_shortcuts(state_, previewer_);
+  if (in.time_seconds >= state_.message_until_seconds) state_.message.clear();
+
+  // The panel stands beside the picture, never over it; in a narrow window the picture comes first.
+  const glm::vec2 window(in.window_size);
+  const float em = ImGui::GetFontSize();
+  const float panel_width =
+      state_.show_panel ? std::min(std::round(theme::panel_width_em * em), 0.5f * window.x) : 0.0f;
+  const float status_height = std::min(std::round(theme::status_height_em * em), 0.5f * window.y);
+  const glm::vec2 picture_size =
+      glm::floor(window - glm::vec2(std::floor(panel_width), status_height));
+  const WindowRect picture{{0.0f, 0.0f}, picture_size};
+  const glm::vec2 scale = glm::vec2(in.framebuffer_size) / window;
+  const glm::ivec2 pixels(glm::round(picture_size * scale));
+  picture_rect_ = {0, 0, pixels.x, pixels.y};
+  state_.view.set_sizes(pixels, {display_.width(), display_.height()});
+
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+  begin_fixed("picture area", picture,
+              ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                  ImGuiWindowFlags_NoScrollWithMouse);
+  picture_area(controls_, previewer_, state_.view, picture, scale.y);
+  ImGui::End();
+  ImGui::PopStyleVar();
+
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8f * em, 0.42f * em});
+  begin_fixed("status", {{0.0f, picture_size.y}, {picture_size.x, window.y - picture_size.y}},
+              ImGuiWindowFlags_NoScrollbar);
+  progress_panel(controls_, previewer_, {state_.message, state_.view.zoom()});
+  ImGui::End();
+  ImGui::PopStyleVar();
+
+  if (panel_width > 0.0f)
+    panel_window({{picture_size.x, 0.0f}, {window.x - picture_size.x, window.y}});
+  notices(controls_, previewer_, picture);
+  help_overlay(state_, picture);
+  open_dialog(controls_, state_, previewer_);
+}
+
+void WindowContent::panel_window(const WindowRect& rect) {
+  begin_fixed("panel", rect);
+  const RenderScene* scene = previewer_.scene();
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(scene ? screenshot_stem(scene->source).c_str() : "ASOS");
+  ImGui::PopTextWrapPos();
+  if (scene) controls_.placed("Source", scene->source.c_str());
+
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (controls_.button("Open...", "Open another scene. Ctrl+O, or drop a file on the window.",
+                       width)) {
+    state_.show_open = true;
+  }
+  ImGui::SameLine();
+  if (controls_.button("Save picture",
+                       "Save the picture as PNG, with the split map where it is shown. Keys: P, "
+                       "F12.",
+                       width)) {
+    state_.screenshot_requested = true;
+  }
+  antialiasing_panel(controls_, previewer_.settings());
+  display_panel(controls_, state_.display, previewer_.settings().max_level);
+  camera_panel(controls_, previewer_);
+  if (scene) {
+    statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings());
+    scene_panel(controls_, *scene, previewer_.load_seconds());
+  }
+  ImGui::End();
+}
+
+void WindowContent::present(const FrameInput& in) {
+  gl::glDisable(GL_SCISSOR_TEST);
+  gl::glViewport(0, 0, in.framebuffer_size.x, in.framebuffer_size.y);
+  const auto part = [](std::uint32_t shift) {
+    return static_cast<float>((theme::ground >> shift) & 255u) / 255.0f;
+  };
+  gl::glClearColor(part(16), part(8), part(0), 1.0f);
+  gl::glClear(GL_COLOR_BUFFER_BIT);
+  // The film may have changed its size since the layout.
+  state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
+                        {display_.width(), display_.height()});
+  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, state_.display);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void WindowContent::take_screenshot() {
+  const RenderScene* scene = previewer_.scene();
+  if (!scene || display_.width() <= 0) {
+    say("There is no picture to save yet");
+    return;
+  }
+  const RgbImage image{display_.width(),
+                       display_.height(),
+                       display_.seen_rgb(state_.display),
+                       {{"Software", "ASOS"}, {"scene", scene->source}}};
+  const Result<std::string> saved =
+      save_screenshot(image, screenshot_folder(), screenshot_stem(scene->source));
+  say(saved ? "Saved " + *saved : "Not saved: " + saved.error().message());
+}
+
+void WindowContent::say(std::string message) {
+  state_.message = std::move(message);
+  state_.message_until_seconds = time_seconds_ + message_seconds;
+  settling_frames_ = frames_to_settle;
+}
+
+std::optional<double> WindowContent::seconds_to_redraw() const {
+  if (settling_frames_ > 0 || !input_.empty()) return 0.0;
+  std::optional<double> due = previewer_.seconds_to_update(time_seconds_);
+  const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
+  if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
+  if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
+  if (previewer_.loading()) also(0.1);
+  if (previewer_.progress().running) also(0.25);
+  return due;
+}
+
+}  // namespace asos

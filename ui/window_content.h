@@ -1,0 +1,75 @@
+#pragma once
+
+#include "renderer/result.h"
+#include "ui/gl_display.h"
+#include "ui/input.h"
+#include "ui/panels/controls.h"
+#include "ui/panels/overlays.h"
+#include "ui/previewer.h"
+#include "ui/ui_state.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+
+struct ImGuiContext;
+
+namespace asos {
+
+/// What a frame is drawn into, and when.
+struct FrameInput {
+  glm::ivec2 window_size{0};       ///< the units of the mouse
+  glm::ivec2 framebuffer_size{0};  ///< pixels
+  float content_scale = 1.0f;      ///< how much larger than on a plain screen text should be
+  double time_seconds = 0.0;       ///< never falls
+};
+
+/// All that the window shows: picture, panel and dialogs, drawn into the current OpenGL context,
+/// whoever made it. The window and the tests run the same code. One thread; one at a time, because
+/// it owns Dear ImGui's context.
+class WindowContent {
+ public:
+  /// Needs a current OpenGL 3.3 context whose functions are loaded (ui/gl/gl.h), now and until it
+  /// is destroyed. `previewer` must outlive it.
+  [[nodiscard]] static Result<std::unique_ptr<WindowContent>> make(Previewer& previewer);
+  ~WindowContent();
+  WindowContent(const WindowContent&) = delete;
+  WindowContent& operator=(const WindowContent&) = delete;
+
+  [[nodiscard]] InputQueue& input() { return input_; }
+
+  /// Draws one frame. A frame without area only keeps the previewer going.
+  void draw(const FrameInput& in);
+
+  /// When the next frame is due though nothing happens, in seconds after the last one; none: when
+  /// there is input, or the previewer wakes.
+  [[nodiscard]] std::optional<double> seconds_to_redraw() const;
+
+  [[nodiscard]] UiState& state() { return state_; }
+  [[nodiscard]] const Controls& controls() const { return controls_; }
+  /// The area of the framebuffer that shows the picture, from the top left.
+  [[nodiscard]] PixelRect picture_rect() const { return picture_rect_; }
+
+ private:
+  WindowContent(Previewer& previewer, GlDisplay display, ImGuiContext* context);
+  void begin_frame(const FrameInput& in);
+  void lay_out(const FrameInput& in);
+  void panel_window(const WindowRect& rect);
+  void present(const FrameInput& in);
+  void take_screenshot();
+  void say(std::string message);
+
+  Previewer& previewer_;
+  GlDisplay display_;
+  ImGuiContext* context_;
+  InputQueue input_;
+  UiState state_;
+  Controls controls_;
+  PixelRect picture_rect_;
+  glm::vec2 scales_{0.0f};  // of text and of its raster, that the font was made for
+  double time_seconds_ = 0.0;
+  int settling_frames_ = 0;  // Dear ImGui needs a few frames to come to rest after a change
+};
+
+}  // namespace asos
