@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/values.h"
+#include "renderer/result.h"
+#include "renderer/scene/world.h"
+
+#include <optional>
+
+namespace asos {
+
+/// Which camera the command line asks for. At most one of `index` and `look_at` is set; where
+/// neither is, it is the file's first camera, or one that frames the scene.
+struct CameraChoice {
+  std::optional<int> index;
+  std::optional<LookAt> look_at;    ///< in the author's coordinates
+  std::optional<double> fov_y_deg;  ///< in place of a perspective camera's own
+};
+
+/// The camera for a picture of `aspect_ratio` (width over height), relative to the world's origin.
+/// Fails where the file has no such camera, or a field of view is asked of an orthographic one.
+[[nodiscard]] Result<Camera> choose_camera(const World& world, const CameraChoice& choice,
+                                           double aspect_ratio);
+
+}  // namespace asos

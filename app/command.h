@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/streams.h"
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace asos {
+
+/// A subcommand: its parser, and what to do once the command line has been understood. `run`
+/// returns the exit code.
+struct Command {
+  CLI::App* parser = nullptr;
+  std::function<int(const Streams&)> run;
+};
+
+/// Each adds its subcommand to the program's parser.
+[[nodiscard]] Command add_view_command(CLI::App& program);
+[[nodiscard]] Command add_render_command(CLI::App& program);
+[[nodiscard]] Command add_info_command(CLI::App& program);
+[[nodiscard]] Command add_export_command(CLI::App& program);
+[[nodiscard]] Command add_list_command(CLI::App& program);
+
+}  // namespace asos

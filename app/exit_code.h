@@ -1,0 +1,13 @@
+#pragma once
+
+namespace asos {
+
+/// What the program tells the shell.
+enum ExitCode : int {
+  exit_ok = 0,
+  exit_bad_input = 1,      ///< a scene that cannot be opened, a file that cannot be written
+  exit_usage = 2,          ///< a command line that makes no sense
+  exit_interrupted = 130,  ///< stopped by SIGINT, as shells report it
+};
+
+}  // namespace asos

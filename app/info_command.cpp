@@ -1,0 +1,49 @@
+#include "app/command.h"
+#include "app/exit_code.h"
+#include "app/scene_argument.h"
+#include "app/scene_info.h"
+#include "renderer/scene/world.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <ostream>
+
+namespace asos {
+namespace {
+
+struct InfoArguments {
+  std::string scene;
+  bool json = false;
+};
+
+int run_info(const InfoArguments& arguments, const Streams& streams) {
+  Result<Scene> scene = open_scene_argument(arguments.scene);
+  const Result<World> world = scene.and_then([](const Scene& opened) { return flatten(opened); });
+  if (!world) {
+    streams.err << "asos: " << world.error().message() << "\n";
+    return exit_bad_input;
+  }
+  const nlohmann::ordered_json info = scene_info_json(*scene, *world);
+  if (arguments.json)
+    streams.out << info.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                << "\n";
+  else
+    streams.out << scene_info_text(info);
+  return exit_ok;
+}
+
+}  // namespace
+
+Command add_info_command(CLI::App& program) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* parser = program.add_subcommand(
+      "info", "Say what a scene holds, what is unsupported and what is left out");
+  add_scene_argument(*parser, arguments->scene, true);
+  parser->add_flag("--json", arguments->json, "Answer in JSON");
+  parser->footer("Examples:\n  asos info model.glb\n  asos info builtin:office --json");
+  return {parser, [arguments](const Streams& streams) { return run_info(*arguments, streams); }};
+}
+
+}  // namespace asos

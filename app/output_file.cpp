@@ -1,0 +1,85 @@
+#include "app/output_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace asos {
+namespace fs = std::filesystem;
+namespace {
+
+tl::unexpected<Error> fail(const std::string& path, const std::string& reason) {
+  return tl::unexpected(Error{path, "cannot be written: " + reason});
+}
+
+std::string reason_of_errno() {
+  return std::strerror(errno);
+}
+
+// Makes the file anew and empty; opening it is the only test that every file system agrees with.
+bool can_create(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  return file >= 0 && ::close(file) == 0;
+}
+
+}  // namespace
+
+Result<OutputFile> OutputFile::plan(const std::string& path) {
+  OutputFile file;
+  file.path_ = path;
+  // Asked of the path as it is: a pipe behind a link has no other name.
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) return fail(path, "it is a directory");
+  if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) return fail(path, reason_of_errno());
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    file.target_ = path;
+    return file;
+  }
+
+  file.target_ = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (path.empty() || error || !file.target_.has_filename())
+    return fail(path, "this is not the name of a file");
+  file.temporary_ = file.target_;
+  file.temporary_.replace_filename(".asos-part-" + std::to_string(::getpid()) +
+                                   file.target_.extension().string());
+  if (!can_create(file.temporary_)) return fail(path, reason_of_errno());
+  fs::remove(file.temporary_, error);
+  return file;
+}
+
+Result<void> OutputFile::commit(
+    const std::function<Result<void>(const std::string& path)>& write) const {
+  if (temporary_.empty()) return write(target_.string());
+  std::error_code error;
+  if (Result<void> written = write(temporary_.string()); !written) {
+    fs::remove(temporary_, error);
+    // The reason names the temporary file, which the user has never heard of.
+    return tl::unexpected(Error{path_, written.error().reason});
+  }
+  fs::rename(temporary_, target_, error);
+  if (error) {
+    const std::string reason = error.message();
+    fs::remove(temporary_, error);
+    return fail(path_, reason);
+  }
+  return {};
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(a, error), error) ==
+         fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+bool has_extension(const std::string& path, std::string_view extension) {
+  const std::string found = fs::path(path).extension().string();
+  return std::equal(
+      found.begin(), found.end(), extension.begin(), extension.end(),
+      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
+}  // namespace asos

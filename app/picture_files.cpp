@@ -1,0 +1,57 @@
+#include "app/picture_files.h"
+
+#include "renderer/film/image_io.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace asos {
+namespace {
+
+Result<std::optional<OutputFile>> plan_optional(const std::string& path) {
+  if (path.empty()) return std::optional<OutputFile>{};
+  return OutputFile::plan(path).map([](OutputFile file) { return std::optional(std::move(file)); });
+}
+
+Result<void> write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) return tl::unexpected(Error{path, std::strerror(errno)});
+  return {};
+}
+
+}  // namespace
+
+bool is_picture_path(const std::string& path) {
+  return has_extension(path, ".png") || has_extension(path, ".exr");
+}
+
+Result<OutputPlan> plan_outputs(const RenderArguments& arguments) {
+  const auto picture = OutputFile::plan(arguments.output);
+  if (!picture) return tl::unexpected(picture.error());
+  const auto split_map = plan_optional(arguments.split_map);
+  if (!split_map) return tl::unexpected(split_map.error());
+  const auto stats = plan_optional(arguments.stats_file);
+  if (!stats) return tl::unexpected(stats.error());
+  return OutputPlan{*picture, *split_map, *stats};
+}
+
+Result<void> write_outputs(const OutputPlan& plan, const Film& film, const RenderReport& report) {
+  const ImageText text = picture_metadata(report);
+  Result<void> written = plan.picture.commit([&](const std::string& path) {
+    return has_extension(path, ".exr") ? write_exr(path, film, text)
+                                       : write_png(path, film, report.exposure_ev, text);
+  });
+  if (written && plan.split_map)
+    written = plan.split_map->commit([&](const std::string& path) {
+      return write_split_map_png(path, film, report.settings.max_level, text);
+    });
+  if (written && plan.stats)
+    written = plan.stats->commit(
+        [&](const std::string& path) { return write_text(path, statistics_text(report)); });
+  return written;
+}
+
+}  // namespace asos

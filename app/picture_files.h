@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/output_file.h"
+#include "app/render_arguments.h"
+#include "app/render_report.h"
+#include "renderer/film/film.h"
+#include "renderer/result.h"
+
+#include <optional>
+#include <string>
+
+namespace asos {
+
+/// The files that a render is to leave behind, known to be writable.
+struct OutputPlan {
+  OutputFile picture;
+  std::optional<OutputFile> split_map;
+  std::optional<OutputFile> stats;
+};
+
+/// Whether the path ends like a format that pictures are written in: .png or .exr.
+[[nodiscard]] bool is_picture_path(const std::string& path);
+
+[[nodiscard]] Result<OutputPlan> plan_outputs(const RenderArguments& arguments);
+
+/// Writes the picture, the split map and the statistics.
+[[nodiscard]] Result<void> write_outputs(const OutputPlan& plan, const Film& film,
+                                         const RenderReport& report);
+
+}  // namespace asos

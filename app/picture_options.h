@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/camera_choice.h"
+#include "renderer/methods/settings.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace asos {
+
+/// What the window and `render` have in common: a scene, how to render it, and from where.
+struct PictureArguments {
+  std::string scene = "builtin:office";
+  RenderSettings settings;
+  CameraChoice camera;
+  float exposure_ev = 0.0f;
+};
+
+// Each adds options that fill `arguments`, which has to outlive the parser.
+
+/// SCENE, the picture's size, and how to render it.
+void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required);
+/// Where it is seen from, how bright it is shown, and which part of it.
+void add_camera_options(CLI::App& app, PictureArguments& arguments);
+
+/// The largest width and height of a picture, in pixels.
+inline constexpr int largest_side = 32768;
+
+/// How a method or a leaf is called on the command line and in statistics.
+[[nodiscard]] const char* name_of(Method method);
+[[nodiscard]] const char* name_of(Leaf leaf);
+
+}  // namespace asos

@@ -1,0 +1,67 @@
+#include "app/progress_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace asos {
+namespace {
+
+int terminal_columns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+}  // namespace
+
+std::string clock_time(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(std::clamp(seconds, 0.0, 3.6e8)));
+  if (whole >= 3600)
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string progress_line(const Progress& progress, int columns) {
+  const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
+  // Rounded down, so that 100 % means the end.
+  std::string text = fmt::format(" {:3} %", static_cast<int>(fraction * 100.0));
+  if (progress.seconds_left >= 0.0)
+    text += fmt::format("  {} left", clock_time(progress.seconds_left));
+  const int room = columns - static_cast<int>(text.size()) - 2;
+  if (room < 4) return text.substr(0, static_cast<std::size_t>(std::max(columns, 0)));
+  const auto width = static_cast<std::size_t>(std::min(room, 40));
+  const auto done = static_cast<std::size_t>(fraction * static_cast<double>(width));
+  return fmt::format("[{:#<{}}{:.<{}}]{}", "", done, "", width - done, text);
+}
+
+ProgressBar::ProgressBar(std::ostream& stream, bool is_terminal)
+    : stream_(stream), is_terminal_(is_terminal) {}
+
+ProgressBar::~ProgressBar() {
+  wipe();
+}
+
+void ProgressBar::say(const std::string& text) {
+  if (!is_terminal_ || text == drawn_) return;
+  const std::size_t longer = drawn_.size() > text.size() ? drawn_.size() - text.size() : 0;
+  stream_ << '\r' << text << std::string(longer, ' ') << std::flush;
+  drawn_ = text;
+}
+
+void ProgressBar::show(const Progress& progress) {
+  // One column stays free: some terminals wrap when the last one is written.
+  if (is_terminal_) say(progress_line(progress, terminal_columns() - 1));
+}
+
+void ProgressBar::wipe() {
+  if (drawn_.empty()) return;
+  stream_ << '\r' << std::string(drawn_.size(), ' ') << '\r' << std::flush;
+  drawn_.clear();
+}
+
+}  // namespace asos

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/picture_options.h"
+
+#include <string>
+
+namespace asos {
+
+/// What `asos render` was asked for.
+struct RenderArguments {
+  PictureArguments picture;
+  std::string output;
+  std::string split_map;   ///< empty: not asked for
+  std::string stats_file;  ///< empty: not asked for
+  bool quiet = false;
+};
+
+}  // namespace asos

@@ -1,0 +1,160 @@
+#include "app/camera_choice.h"
+#include "app/command.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/picture_files.h"
+#include "app/progress_bar.h"
+#include "app/render_arguments.h"
+#include "app/render_job.h"
+#include "app/render_report.h"
+#include "app/scene_argument.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <ostream>
+
+namespace asos {
+namespace {
+
+constexpr const char* footer =
+    "The picture is of the whole camera's view; --crop renders a part of it, pixel for pixel the\n"
+    "same. PNG is what the window shows; EXR holds linear radiance, which --exposure does not\n"
+    "change. Both carry the settings, times and statistics as text.\n"
+    "\n"
+    "Examples:\n"
+    "  asos render builtin:office -o office.png --size 1920x1080 --max 4\n"
+    "  asos render model.glb -o model.exr --look-at 4,2,4,0,1,0 --fov 40 --stats model.json\n"
+    "  asos render builtin:fence -o fence.png --crop 320,180,64,48 --split-map levels.png\n"
+    "  asos render builtin:boxes -o rival.png --method stochastic --spp 64\n"
+    "\n"
+    "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Everything about the command line that can be wrong without opening anything.
+void check(const RenderArguments& arguments) {
+  const RenderSettings& settings = arguments.picture.settings;
+  const PixelRect crop = settings.crop;
+  if (!is_picture_path(arguments.output))
+    throw CLI::ValidationError("-o",
+                               fmt::format("\"{}\": has to end in .png or .exr", arguments.output));
+  if (!arguments.split_map.empty() && !has_extension(arguments.split_map, ".png"))
+    throw CLI::ValidationError("--split-map",
+                               fmt::format("\"{}\": has to end in .png", arguments.split_map));
+  const auto twice = [](const std::string& a, const std::string& b) {
+    return !a.empty() && !b.empty() && same_file(a, b);
+  };
+  if (twice(arguments.output, arguments.split_map) ||
+      twice(arguments.output, arguments.stats_file) ||
+      twice(arguments.split_map, arguments.stats_file))
+    throw CLI::ValidationError("-o, --split-map, --stats", "two of them name the same file");
+  if (!crop.empty() &&
+      (crop.x + crop.width > settings.width || crop.y + crop.height > settings.height))
+    throw CLI::ValidationError(
+        "--crop", fmt::format("{},{},{},{} reaches beyond the picture of {}x{} pixels", crop.x,
+                              crop.y, crop.width, crop.height, settings.width, settings.height));
+}
+
+tl::unexpected<Error> interrupted_error() {
+  return tl::unexpected(Error{"render", "interrupted"});
+}
+
+Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& outputs,
+                            ProgressBar& bar, const InterruptGuard& interrupt) {
+  const PictureArguments& wanted = arguments.picture;
+  RenderReport report;
+  report.scene = wanted.scene;
+  report.settings = wanted.settings;
+  report.exposure_ev = wanted.exposure_ev;
+
+  // Open the scene
+  bar.say(fmt::format("Loading {} ...", wanted.scene));
+  const auto started = std::chrono::steady_clock::now();
+  Result<Scene> scene = open_scene_argument(wanted.scene);
+  if (!scene) return tl::unexpected(scene.error());
+  report.load_seconds = seconds_since(started);
+  if (interrupt.interrupted()) return interrupted_error();
+
+  // Make it ready to render; what the author wrote is not needed any more
+  bar.say("Building ...");
+  const auto loaded = std::chrono::steady_clock::now();
+  const auto prepared = prepare(*scene);
+  if (!prepared) return tl::unexpected(prepared.error());
+  *scene = Scene{};
+  const RenderScene& ready = **prepared;
+  report.build_seconds = seconds_since(loaded);
+  report.triangles = ready.world.triangles.size();
+  report.feature_edges = ready.features.counts();
+  report.left_out = ready.needs.left_out();
+
+  // Render
+  const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
+  const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
+  if (!camera) return tl::unexpected(camera.error());
+  report.camera = camera->name;
+  const std::optional<RenderedPicture> picture =
+      run_render_job({*prepared, *camera, wanted.settings, false}, bar, interrupt);
+  if (!picture) return interrupted_error();
+  report.threads = picture->threads;
+  report.statistics = picture->statistics;
+  report.render_seconds = picture->seconds;
+  report.memory_mb = peak_memory_mb();
+
+  const Result<void> written = write_outputs(outputs, picture->film, report);
+  if (!written) return tl::unexpected(written.error());
+  return report;
+}
+
+int run_render(const RenderArguments& arguments, const Streams& streams) {
+  const InterruptGuard interrupt;
+  ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
+  const Result<RenderReport> report = check_picture_fits(arguments.picture.settings)
+                                          .and_then([&] { return plan_outputs(arguments); })
+                                          .and_then([&](const OutputPlan& outputs) {
+                                            return render(arguments, outputs, bar, interrupt);
+                                          });
+  bar.wipe();
+  if (!report) {
+    if (interrupt.interrupted()) {
+      streams.err << "asos: interrupted, nothing was written\n";
+      return exit_interrupted;
+    }
+    streams.err << "asos: " << report.error().message() << "\n";
+    return exit_bad_input;
+  }
+  if (!arguments.quiet)
+    streams.out << fmt::format(
+        "Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s.\n",
+        arguments.output, report->triangles, report->load_seconds, report->build_seconds,
+        report->render_seconds);
+  return exit_ok;
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* parser = program.add_subcommand("render", "Render a scene to a PNG or an EXR file");
+  add_picture_options(*parser, arguments->picture, true);
+  parser->add_option("-o,--output", arguments->output, "Picture to write; the ending decides")
+      ->type_name("OUT.(png|exr)")
+      ->required();
+  add_camera_options(*parser, arguments->picture);
+  parser
+      ->add_option("--split-map", arguments->split_map,
+                   "Also write the split map: colour by a pixel's deepest level, 0 to MAX")
+      ->type_name("FILE.png");
+  parser->add_option("--stats", arguments->stats_file, "Also write the statistics as JSON")
+      ->type_name("FILE.json");
+  parser->add_flag("--quiet", arguments->quiet, "No progress bar and no closing line");
+  parser->footer(footer);
+  parser->callback([arguments] { check(*arguments); });
+  return {parser, [arguments](const Streams& streams) { return run_render(*arguments, streams); }};
+}
+
+}  // namespace asos

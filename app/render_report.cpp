@@ -1,0 +1,82 @@
+#include "app/render_report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+namespace asos {
+
+nlohmann::ordered_json statistics_json(const RenderReport& report) {
+  const RenderSettings& settings = report.settings;
+  const RenderStatistics& counts = report.statistics;
+  const FeatureCounts& edges = report.feature_edges;
+  return {
+      {"scene", report.scene},
+      {"triangles", report.triangles},
+      {"feature_edges",
+       {{"open", edges.open},
+        {"silhouette_candidates", edges.silhouette_candidates},
+        {"crease", edges.crease},
+        {"seam", edges.seam},
+        {"intersection", edges.intersection}}},
+      {"width", settings.width},
+      {"height", settings.height},
+      {"crop", settings.crop.empty()
+                   ? nlohmann::ordered_json(nullptr)
+                   : nlohmann::ordered_json{settings.crop.x, settings.crop.y, settings.crop.width,
+                                            settings.crop.height}},
+      {"camera", report.camera},
+      {"exposure", report.exposure_ev},
+      {"method", name_of(settings.method)},
+      {"max_level", settings.max_level},
+      {"eps", settings.eps},
+      {"leaf", name_of(settings.leaf)},
+      {"jitter", settings.jitter},
+      {"spp", settings.spp},
+      {"threads", report.threads},
+      {"load_seconds", report.load_seconds},
+      {"build_seconds", report.build_seconds},
+      {"render_seconds", report.render_seconds},
+      {"memory_mb", report.memory_mb},
+      {"rays",
+       {{"eye", counts.eye_rays},
+        {"shadow", counts.shadow_rays},
+        {"reflection", counts.reflection_rays}}},
+      {"pyrays_by_level", counts.pyrays_by_level},
+      {"split_pixels", counts.split_pixels},
+      {"saturated_pixels", counts.saturated_pixels},
+      {"missed_splits", counts.missed_splits},
+      {"unresolved_area", counts.unresolved_area},
+      {"rejected_samples", counts.rejected_samples},
+      {"left_out", report.left_out},
+  };
+}
+
+std::string statistics_text(const RenderReport& report) {
+  return statistics_json(report).dump(2, ' ', false,
+                                      nlohmann::ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+ImageText picture_metadata(const RenderReport& report) {
+  ImageText metadata{{"Software", "asos " ASOS_VERSION}};
+  const nlohmann::ordered_json statistics = statistics_json(report);
+  for (const auto& [key, value] : statistics.items()) {
+    // Scenes' paths are bytes to us and may be no UTF-8; dump() has to survive that.
+    const std::string text =
+        value.is_string()
+            ? value.get<std::string>()
+            : value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    metadata.emplace_back("asos." + key, text);
+  }
+  return metadata;
+}
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;  // Linux counts in KiB
+}
+
+}  // namespace asos

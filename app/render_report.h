@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/picture_options.h"
+#include "renderer/features/feature_set.h"
+#include "renderer/film/image_io.h"
+#include "renderer/film/statistics.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// What a finished render was asked for, met and cost: told in --stats and inside the picture.
+struct RenderReport {
+  std::string scene;  ///< as named on the command line
+  std::uint64_t triangles = 0;
+  FeatureCounts feature_edges;
+  RenderSettings settings;
+  int threads = 0;  ///< that worked
+  std::string camera;
+  float exposure_ev = 0.0f;
+  RenderStatistics statistics;
+  double load_seconds = 0.0;   ///< reading the file or making the built-in scene
+  double build_seconds = 0.0;  ///< flattening, and the hierarchies of rays and boundaries
+  double render_seconds = 0.0;
+  double memory_mb = 0.0;  ///< the process's peak, in 10^6 bytes
+  std::vector<std::string> left_out;
+};
+
+/// The statistics as the --stats file has them.
+[[nodiscard]] nlohmann::ordered_json statistics_json(const RenderReport& report);
+
+/// The same as the text of a file, valid UTF-8 whatever the scene's path is made of.
+[[nodiscard]] std::string statistics_text(const RenderReport& report);
+
+/// The same for a PNG's text chunks and an EXR's attributes: keys and values.
+[[nodiscard]] ImageText picture_metadata(const RenderReport& report);
+
+/// The most memory that this process has held, in 10^6 bytes.
+[[nodiscard]] double peak_memory_mb();
+
+}  // namespace asos

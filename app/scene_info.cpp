@@ -1,0 +1,137 @@
+#include "app/scene_info.h"
+
+#include "renderer/scene/needs.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(glm::dvec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+Json bounds_json(const World& world) {
+  if (world.bounds.empty()) return nullptr;
+  return {{"min", vector_json(world.origin + glm::dvec3(world.bounds.lo))},
+          {"max", vector_json(world.origin + glm::dvec3(world.bounds.hi))}};
+}
+
+Json lights_json(const Scene& scene) {
+  const auto count = [&](Light::Type type) {
+    return std::count_if(scene.lights.begin(), scene.lights.end(),
+                         [type](const Light& light) { return light.type == type; });
+  };
+  return {{"point", count(Light::Type::point)},
+          {"spot", count(Light::Type::spot)},
+          {"directional", count(Light::Type::directional)}};
+}
+
+Json cameras_json(const Scene& scene) {
+  Json cameras = Json::array();
+  for (const Camera& camera : scene.cameras) {
+    const bool perspective = camera.type == Camera::Type::perspective;
+    Json entry{{"name", camera.name},
+               {"type", perspective ? "perspective" : "orthographic"},
+               {"position", vector_json(glm::dvec3(camera.world_from_camera[3]))}};
+    if (perspective)
+      entry["fov_y_degrees"] = camera.fov_y_rad * 180.0 / glm::pi<double>();
+    else
+      entry["height"] = camera.height;
+    cameras.push_back(std::move(entry));
+  }
+  return cameras;
+}
+
+std::string list(const Json& names) {
+  std::string text;
+  for (const Json& name : names) text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  return text;
+}
+
+std::string camera_line(std::size_t index, const Json& camera) {
+  const std::string name = camera["name"];
+  const std::string extent =
+      camera.contains("fov_y_degrees")
+          ? fmt::format("field of view {:.4g} degrees", camera["fov_y_degrees"].get<double>())
+          : fmt::format("height {:.6g}", camera["height"].get<double>());
+  return fmt::format("  {}: {}{}, {}\n", index, name.empty() ? "" : "\"" + name + "\", ",
+                     camera["type"].get<std::string>(), extent);
+}
+
+std::string bounds_line(const Json& bounds) {
+  if (bounds.is_null()) return "Bounds:     none, nothing is drawn\n";
+  const auto corner = [](const Json& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0].get<double>(), v[1].get<double>(),
+                       v[2].get<double>());
+  };
+  return fmt::format("Bounds:     {} to {}, in the file's units\n", corner(bounds["min"]),
+                     corner(bounds["max"]));
+}
+
+std::string lights_line(const Json& lights) {
+  std::string text;
+  for (const auto& [type, count] : lights.items())
+    if (count.get<int>() > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<int>(), type);
+  return fmt::format("Lights:     {}\n", text.empty() ? "none, the default rig is used" : text);
+}
+
+}  // namespace
+
+Json scene_info_json(const Scene& scene, const World& world) {
+  const SceneNotes& notes = scene.notes;
+  return {{"scene", scene.source},
+          {"name", scene.name},
+          {"meshes", scene.meshes.size()},
+          {"instances", scene.instances.size()},
+          {"triangles", scene.instanced_triangles()},
+          {"materials", scene.materials.size()},
+          {"textures", scene.textures.size()},
+          {"images", scene.images.size()},
+          {"lights", lights_json(scene)},
+          {"cameras", cameras_json(scene)},
+          {"bounds", bounds_json(world)},
+          {"points_not_drawn", notes.points_not_drawn},
+          {"lines_not_drawn", notes.lines_not_drawn},
+          {"unsupported_extensions", notes.unsupported_extensions},
+          {"warnings", notes.warnings},
+          {"left_out", find_needs(world).left_out()}};
+}
+
+std::string scene_info_text(const Json& info) {
+  const auto number = [&](const char* key) { return info[key].get<std::uint64_t>(); };
+  std::string text = fmt::format("Scene:      {}\n", info["scene"].get<std::string>());
+  if (const std::string name = info["name"]; !name.empty())
+    text += fmt::format("Name:       {}\n", name);
+  text += fmt::format("Geometry:   {} triangles, in {} instances of {} meshes\n",
+                      number("triangles"), number("instances"), number("meshes"));
+  text += bounds_line(info["bounds"]);
+  text += fmt::format("Materials:  {}, with {} textures of {} images\n", number("materials"),
+                      number("textures"), number("images"));
+  text += lights_line(info["lights"]);
+  const Json& cameras = info["cameras"];
+  if (cameras.empty()) text += "Cameras:    none, one that frames the scene is used\n";
+  if (!cameras.empty()) text += fmt::format("Cameras:    {}\n", cameras.size());
+  for (std::size_t i = 0; i < cameras.size(); ++i) text += camera_line(i, cameras[i]);
+  if (number("points_not_drawn") > 0)
+    text += fmt::format("Not drawn:  {} points\n", number("points_not_drawn"));
+  if (number("lines_not_drawn") > 0)
+    text += fmt::format("Not drawn:  {} line segments\n", number("lines_not_drawn"));
+  if (!info["unsupported_extensions"].empty())
+    text += fmt::format("Unsupported extensions: {}\n", list(info["unsupported_extensions"]));
+  if (!info["left_out"].empty())
+    text += fmt::format("Left out, not needed: {}\n", list(info["left_out"]));
+  for (const Json& warning : info["warnings"])
+    text += fmt::format("Warning: {}\n", warning.get<std::string>());
+  return text;
+}
+
+}  // namespace asos

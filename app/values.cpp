@@ -1,0 +1,100 @@
+#include "app/values.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace asos {
+namespace {
+
+tl::unexpected<Error> refuse(std::string_view text, std::string reason) {
+  return tl::unexpected(Error{fmt::format("\"{}\"", text), std::move(reason)});
+}
+
+// std::from_chars knows no locale; it takes no leading plus, which people do type.
+template <typename T>
+std::optional<T> read_all(std::string_view text) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  T value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+// The parts of "a,b,c" if there are exactly N of them and each is a T.
+template <typename T, std::size_t N>
+std::optional<std::array<T, N>> read_list(std::string_view text, char separator) {
+  std::array<T, N> values{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::size_t end = text.find(separator);
+    if ((end == std::string_view::npos) != (i + 1 == N)) return std::nullopt;
+    const std::optional<T> value = read_all<T>(text.substr(0, end));
+    if (!value) return std::nullopt;
+    values[i] = *value;
+    text.remove_prefix(i + 1 == N ? text.size() : end + 1);
+  }
+  return values;
+}
+
+}  // namespace
+
+Result<double> parse_number(std::string_view text, double lo, double hi, bool open) {
+  const std::optional<double> value = read_all<double>(text);
+  if (!value || !std::isfinite(*value)) return refuse(text, "not a finite number");
+  const bool inside = open ? *value > lo && *value < hi : *value >= lo && *value <= hi;
+  if (!inside)
+    return refuse(
+        text, fmt::format("has to be {} {} and {}", open ? "strictly between" : "between", lo, hi));
+  return *value;
+}
+
+Result<int> parse_whole(std::string_view text, int lo, int hi) {
+  const std::optional<int> value = read_all<int>(text);
+  if (!value || *value < lo || *value > hi) {
+    if (hi == std::numeric_limits<int>::max())
+      return refuse(text, fmt::format("not a whole number from {} on", lo));
+    return refuse(text, fmt::format("not a whole number from {} to {}", lo, hi));
+  }
+  return *value;
+}
+
+Result<PictureSize> parse_size(std::string_view text, int limit) {
+  const auto values = read_list<int, 2>(text, 'x');
+  if (!values) return refuse(text, "not a size in pixels such as 1280x720");
+  for (const int value : *values)
+    if (value < 1 || value > limit)
+      return refuse(text, fmt::format("width and height have to be from 1 to {} pixels", limit));
+  return PictureSize{(*values)[0], (*values)[1]};
+}
+
+Result<PixelRect> parse_rect(std::string_view text, int limit) {
+  const auto values = read_list<int, 4>(text, ',');
+  if (!values) return refuse(text, "not a rectangle in pixels such as 100,50,64,48 (x,y,w,h)");
+  const PixelRect rect{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
+  if (rect.x < 0 || rect.y < 0 || rect.width < 1 || rect.height < 1 || rect.x >= limit ||
+      rect.y >= limit || rect.width > limit || rect.height > limit)
+    return refuse(text, "x and y have to be 0 or more, w and h 1 or more, and inside the picture");
+  return rect;
+}
+
+Result<LookAt> parse_look_at(std::string_view text) {
+  const auto values = read_list<double, 6>(text, ',');
+  if (!values)
+    return refuse(text, "not six numbers such as 4,2,4,0,1,0 (the eye, then what it looks at)");
+  // Beyond this a float, which positions end in, cannot hold the square of a distance.
+  constexpr double largest = 1e15;
+  for (const double value : *values)
+    if (!(std::abs(value) <= largest))
+      return refuse(text, fmt::format("coordinates have to be finite and within {}", largest));
+  const auto& v = *values;
+  const LookAt look{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  if (look.eye == look.target) return refuse(text, "the eye and what it looks at are one point");
+  return look;
+}
+
+}  // namespace asos

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+#include "renderer/result.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string_view>
+
+// Values as a person types them on the command line. They are read the same in every locale, all of
+// the text has to make sense, and what is out of range is an error that says what would be right.
+// The errors' subject is the text itself.
+
+namespace asos {
+
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+
+struct LookAt {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 target{0.0};
+};
+
+/// A finite number from lo to hi; with `open`, strictly between them.
+[[nodiscard]] Result<double> parse_number(std::string_view text, double lo, double hi,
+                                          bool open = false);
+/// A whole number from lo to hi.
+[[nodiscard]] Result<int> parse_whole(std::string_view text, int lo, int hi);
+/// "WxH", both from 1 to `limit`.
+[[nodiscard]] Result<PictureSize> parse_size(std::string_view text, int limit);
+/// "x,y,w,h": a rectangle with w and h of at least 1.
+[[nodiscard]] Result<PixelRect> parse_rect(std::string_view text, int limit);
+/// "ex,ey,ez,tx,ty,tz": two points that differ.
+[[nodiscard]] Result<LookAt> parse_look_at(std::string_view text);
+
+}  // namespace asos

@@ -1,0 +1,55 @@
+#include "app/command.h"
+#include "app/exit_code.h"
+#include "app/picture_options.h"
+#include "app/scene_argument.h"
+#ifdef ASOS_WITH_WINDOW
+#include "ui/viewer.h"
+#endif
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <memory>
+#include <ostream>
+
+namespace asos {
+namespace {
+
+bool has_display() {
+  const auto is_set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
+int run_view(const PictureArguments& arguments, const Streams& streams) {
+  if (const Result<void> scene = check_scene_argument(arguments.scene); !scene) {
+    streams.err << "asos: " << scene.error().message() << "\n";
+    return exit_bad_input;
+  }
+#ifdef ASOS_WITH_WINDOW
+  if (has_display()) return run_viewer({arguments.scene, arguments.settings});
+#endif
+  streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
+              << "  asos render '" << arguments.scene << "' -o picture.png\n";
+  return exit_bad_input;
+}
+
+}  // namespace
+
+Command add_view_command(CLI::App& program) {
+  const auto arguments = std::make_shared<PictureArguments>();
+  CLI::App* parser = program.add_subcommand("view", "Open a scene in a window (the default)");
+  add_picture_options(*parser, *arguments, false);
+  parser->footer(
+      "Files can also be dropped on the window. Everything can be changed there.\n"
+      "\n"
+      "Examples:\n"
+      "  asos\n"
+      "  asos model.glb --eps 0.01 --max 4\n"
+      "  asos builtin:fence --method stochastic --spp 16");
+  return {parser, [arguments](const Streams& streams) { return run_view(*arguments, streams); }};
+}
+
+}  // namespace asos

@@ -1,0 +1,178 @@
+#include "app/command_line.h"
+
+#include "renderer/scene/load.h"
+#include "tests/app/run_asos.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace asos {
+namespace {
+
+using test::contains;
+using test::Outcome;
+using test::run_asos;
+
+TEST(CommandLine, VersionAndHelpSucceedOnStdout) {
+  for (const char* word : {"--version", "--help", "-h", "--help-all"}) {
+    const Outcome outcome = run_asos({word});
+    EXPECT_EQ(outcome.exit_code, 0) << word;
+    EXPECT_TRUE(contains(outcome.out, "asos")) << word;
+    EXPECT_EQ(outcome.err, "") << word;
+  }
+}
+
+TEST(CommandLine, HelpNamesEveryCommand) {
+  const Outcome help = run_asos({"--help"});
+  for (const char* command : {"view", "render", "info", "export-scene", "list-scenes"})
+    EXPECT_TRUE(contains(help.out, command));
+}
+
+TEST(CommandLine, RenderHelpNamesEveryOption) {
+  const Outcome help = run_asos({"render", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* option :
+       {"SCENE", "-o", "--size", "--method", "--max", "--eps", "--spp", "--leaf", "--jitter",
+        "--camera", "--look-at", "--fov", "--threads", "--crop", "--exposure", "--split-map",
+        "--stats", "--quiet", "Examples:"})
+    EXPECT_TRUE(contains(help.out, option));
+}
+
+TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
+  const std::vector<std::vector<std::string>> cases{
+      {"--no-such-option"},
+      {"a.glb", "b.glb"},
+      {"render"},
+      {"render", "builtin:boxes"},
+      {"render", "-o", "x.png"},
+      {"render", "builtin:boxes", "-o", "x.jpg"},
+      {"render", "builtin:boxes", "-o", "x"},
+      {"render", "builtin:boxes", "-o"},
+      {"render", "builtin:boxes", "-o", "x.png", "--split-map", "y.exr"},
+      {"render", "builtin:boxes", "-o", "x.png", "--split-map", "./x.png"},
+      {"render", "builtin:boxes", "-o", "x.png", "--size", "0x0"},
+      {"render", "builtin:boxes", "-o", "x.png", "--size", "1000000000x1000000000"},
+      {"render", "builtin:boxes", "-o", "x.png", "--size", "-5x5"},
+      {"render", "builtin:boxes", "-o", "x.png", "--method", "magic"},
+      {"render", "builtin:boxes", "-o", "x.png", "--max", "9"},
+      {"render", "builtin:boxes", "-o", "x.png", "--max", "-1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--max", "2.5"},
+      {"render", "builtin:boxes", "-o", "x.png", "--eps", "nan"},
+      {"render", "builtin:boxes", "-o", "x.png", "--eps", "-0.1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--eps", "0,1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--spp", "0"},
+      {"render", "builtin:boxes", "-o", "x.png", "--leaf", "maple"},
+      {"render", "builtin:boxes", "-o", "x.png", "--threads", "-2"},
+      {"render", "builtin:boxes", "-o", "x.png", "--threads", "1000000"},
+      {"render", "builtin:boxes", "-o", "x.png", "--camera", "-1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--camera", "0", "--look-at", "1,1,1,0,0,0"},
+      {"render", "builtin:boxes", "-o", "x.png", "--look-at", "1,1,1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--look-at", "1,1,1,1,1,1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--fov", "180"},
+      {"render", "builtin:boxes", "-o", "x.png", "--fov", "0"},
+      {"render", "builtin:boxes", "-o", "x.png", "--exposure", "inf"},
+      {"render", "builtin:boxes", "-o", "x.png", "--crop", "0,0,0,5"},
+      {"render", "builtin:boxes", "-o", "x.png", "--size", "64x36", "--crop", "60,0,5,5"},
+      {"info"},
+      {"info", "builtin:boxes", "--xml"},
+      {"export-scene", "boxes"},
+      {"export-scene", "boxes", "-o", "boxes.obj"},
+      {"list-scenes", "more"},
+  };
+  for (const auto& words : cases) {
+    const Outcome outcome = run_asos(words);
+    const std::string line = testing::PrintToString(words);
+    EXPECT_EQ(outcome.exit_code, 2) << line << outcome.err;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_TRUE(contains(outcome.err, "asos")) << line;
+    EXPECT_TRUE(contains(outcome.err, "--help")) << line;
+  }
+}
+
+TEST(CommandLine, ABadValueIsQuotedWithWhatWouldBeRight) {
+  const Outcome outcome = run_asos({"render", "builtin:boxes", "-o", "x.png", "--max", "9"});
+  EXPECT_TRUE(contains(outcome.err, "--max: \"9\": not a whole number from 0 to 8"));
+}
+
+TEST(CommandLine, BadInputIsNamedOnStderrWithExitCodeOne) {
+  const test::TemporaryFolder folder;
+  const std::string broken = (folder.path() / "broken.glb").string();
+  std::ofstream(broken) << "this is no glTF";
+  const std::string picture = (folder.path() / "x.png").string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"info", "no/such/file.glb"}, "no/such/file.glb: there is no such file"},
+      {{"info", folder.path().string()}, "this is a directory"},
+      {{"info", broken}, "broken.glb"},
+      {{"info", ""}, "there is no such file"},
+      {{"info", "builtin:ofice"}, "Did you mean builtin:office?"},
+      {{"info", "ofice"}, "Did you mean builtin:office?"},
+      {{"render", "boxes", "-o", picture}, "Did you mean builtin:boxes?"},
+      {{"export-scene", "zzz", "-o", (folder.path() / "x.glb").string()}, "builtin:boxes"},
+      {{"render", broken, "-o", picture}, "broken.glb"},
+      {{"render", "builtin:boxes", "-o", "/no/such/folder/x.png"}, "cannot be written"},
+      {{"render", "builtin:boxes", "-o", picture, "--stats", folder.path().string()},
+       "it is a directory"},
+      {{"render", "builtin:boxes", "-o", picture, "--size", "8x8", "--camera", "99"},
+       "--camera 99"},
+      {{"no/such/file.glb"}, "there is no such file"},
+  };
+  for (const auto& [words, message] : cases) {
+    const Outcome outcome = run_asos(words);
+    const std::string line = testing::PrintToString(words);
+    EXPECT_EQ(outcome.exit_code, 1) << line;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_TRUE(contains(outcome.err, message)) << line;
+  }
+  EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+TEST(CommandLine, WithoutADisplayTheWindowSaysHowToRender) {
+  unsetenv("DISPLAY");
+  unsetenv("WAYLAND_DISPLAY");
+  const Outcome outcome = run_asos({"builtin:boxes", "--max", "2"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "asos render 'builtin:boxes' -o picture.png"));
+}
+
+TEST(CommandLine, ListScenesNamesEachBuiltinScene) {
+  const Outcome outcome = run_asos({"list-scenes"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  ASSERT_FALSE(builtin_scenes().empty());
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    EXPECT_TRUE(contains(outcome.out, "builtin:" + scene.name));
+    EXPECT_TRUE(contains(outcome.out, scene.summary));
+  }
+}
+
+TEST(CommandLine, AnExportedSceneHoldsWhatTheBuiltinOneDoes) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"boxes.glb", "boxes.gltf"}) {
+    const std::string path = (folder.path() / name).string();
+    const Outcome exported = run_asos({"export-scene", "boxes", "-o", path});
+    ASSERT_EQ(exported.exit_code, 0) << exported.err;
+    const Outcome original = run_asos({"info", "builtin:boxes", "--json"});
+    const Outcome copy = run_asos({"info", path, "--json"});
+    ASSERT_EQ(copy.exit_code, 0) << copy.err;
+    const auto a = nlohmann::json::parse(original.out);
+    const auto b = nlohmann::json::parse(copy.out);
+    for (const char* key : {"triangles", "instances", "lights", "warnings", "left_out"})
+      EXPECT_EQ(a.at(key), b.at(key)) << key;
+    EXPECT_EQ(a.at("cameras").size(), b.at("cameras").size());
+    EXPECT_GT(a.at("triangles").get<int>(), 0);
+  }
+}
+
+TEST(CommandLine, InfoAnswersInTextToo) {
+  const Outcome outcome = run_asos({"info", "builtin:boxes"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  for (const char* part :
+       {"builtin:boxes", "triangles", "Bounds:", "Materials:", "Lights:", "Cameras:"})
+    EXPECT_TRUE(contains(outcome.out, part));
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SIGINT stops a long render quickly, with exit code 130, and leaves no file, whole or half; what
+# was there before stays. Usage: interrupt_test.sh ASOS
+set -uo pipefail
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+cd -- "$work" || exit 1
+fail() {
+  echo "$*"
+  exit 1
+}
+
+printf 'before' >kept.png
+# Job control gives the background job its own SIGINT; without it shells ignore that signal there.
+set -m
+"$1" render builtin:boxes -o kept.png --stats new.json --size 4096x4096 --method stochastic \
+  --spp 4096 --threads 2 >out 2>err &
+job=$!
+sleep 2
+kill -0 "$job" 2>/dev/null || fail "the render ended before it could be interrupted: $(cat err)"
+kill -INT "$job"
+started=$SECONDS
+wait "$job"
+status=$?
+((status == 130)) || fail "exit code $status instead of 130: $(cat err)"
+((SECONDS - started <= 30)) || fail "stopping took $((SECONDS - started)) s"
+[[ $(cat kept.png) == before ]] || fail 'the old picture was touched'
+files=$(find . -type f | sort | tr '\n' ' ')
+[[ $files == './err ./kept.png ./out ' ]] || fail "files were left behind: $files"
+grep -q interrupted err || fail "nothing was said about it: $(cat err)"
+echo 'interrupted cleanly'

@@ -1,0 +1,103 @@
+#include "app/output_file.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace asos {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Result<void> write(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+  return {};
+}
+
+TEST(OutputFile, PlanningLeavesNothingBehind) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(OutputFile::plan((folder.path() / "new.png").string()));
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(OutputFile, CommitReplacesWhatWasThere) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "old and ö.png").string();
+  ASSERT_TRUE(write(path, "old"));
+  const auto file = OutputFile::plan(path);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(content(path), "old");
+  ASSERT_TRUE(file->commit([](const std::string& to) {
+    EXPECT_TRUE(to.ends_with(".png")) << to;
+    return write(to, "new");
+  }));
+  EXPECT_EQ(content(path), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(OutputFile, AFailedWriteKeepsTheOldFile) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.png").string();
+  ASSERT_TRUE(write(path, "old"));
+  const auto file = OutputFile::plan(path);
+  ASSERT_TRUE(file);
+  const auto failed = file->commit([](const std::string& to) -> Result<void> {
+    EXPECT_TRUE(write(to, "half"));
+    return tl::unexpected(Error{to, "the disk is full"});
+  });
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().message(), path + ": the disk is full");
+  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(OutputFile, ALinkStaysALink) {
+  const test::TemporaryFolder folder;
+  const fs::path target = folder.path() / "target.png";
+  const fs::path link = folder.path() / "link.png";
+  ASSERT_TRUE(write(target.string(), "old"));
+  fs::create_symlink(target, link);
+  ASSERT_TRUE(OutputFile::plan(link.string()).and_then([](const OutputFile& file) {
+    return file.commit([](const std::string& to) { return write(to, "new"); });
+  }));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(target), "new");
+}
+
+TEST(OutputFile, DevicesAreWrittenToAndNotReplaced) {
+  const auto file = OutputFile::plan("/dev/null");
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(file->commit([](const std::string& to) {
+    EXPECT_EQ(to, "/dev/null");
+    return Result<void>{};
+  }));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(OutputFile, ImpossiblePathsAreRefusedBeforeTheWork) {
+  const test::TemporaryFolder folder;
+  for (const std::string& path :
+       {std::string(), folder.path().string(), (folder.path() / "no" / "such" / "a.png").string(),
+        folder.path().string() + "/", std::string("/proc/a.png")}) {
+    const auto file = OutputFile::plan(path);
+    ASSERT_FALSE(file) << path;
+    EXPECT_NE(file.error().message().find("cannot be written: "), std::string::npos);
+  }
+}
+
+TEST(OutputFile, Extensions) {
+  EXPECT_TRUE(has_extension("a.PNG", ".png"));
+  EXPECT_FALSE(has_extension("png", ".png"));
+  EXPECT_FALSE(has_extension("a.png.exr", ".png"));
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,226 @@
+#include "renderer/film/image_io.h"
+#include "tests/app/run_asos.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace asos {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run_asos;
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+class RenderCommand : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  // Renders boxes, small, to `name`; further words follow.
+  void render(const std::string& name, const std::vector<std::string>& words) {
+    const std::vector<std::string> first{"render",   "builtin:boxes", "-o",
+                                         path(name), "--size",        "96x54"};
+    const Outcome outcome = run_asos(first + words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ASSERT_EQ(outcome.err, "");
+  }
+
+  json stats(const std::string& name) const { return json::parse(std::ifstream(path(name))); }
+
+  Film film(const std::string& name) const {
+    Result<ExrImage> image = read_exr(path(name));
+    if (!image) {
+      ADD_FAILURE() << image.error().message();
+      return {};
+    }
+    return image->film;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+bool same_bits(const Film& a, const Film& b) {
+  return a.width == b.width && a.height == b.height && a.radiance.size() == b.radiance.size() &&
+         std::memcmp(a.radiance.data(), b.radiance.data(), a.radiance.size() * sizeof(glm::vec3)) ==
+             0;
+}
+
+TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
+  render("a.png", {"--stats", path("a.json"), "--max", "2", "--threads", "2"});
+  const json s = stats("a.json");
+  using Type = json::value_t;
+  const std::map<std::string, std::set<Type>> expected{
+      {"scene", {Type::string}},
+      {"triangles", {Type::number_unsigned}},
+      {"feature_edges", {Type::object}},
+      {"width", {Type::number_unsigned}},
+      {"height", {Type::number_unsigned}},
+      {"crop", {Type::null}},
+      {"camera", {Type::string}},
+      {"exposure", {Type::number_float}},
+      {"method", {Type::string}},
+      {"max_level", {Type::number_unsigned}},
+      {"eps", {Type::number_float}},
+      {"leaf", {Type::string}},
+      {"jitter", {Type::boolean}},
+      {"spp", {Type::number_unsigned}},
+      {"threads", {Type::number_unsigned}},
+      {"load_seconds", {Type::number_float}},
+      {"build_seconds", {Type::number_float}},
+      {"render_seconds", {Type::number_float}},
+      {"memory_mb", {Type::number_float}},
+      {"rays", {Type::object}},
+      {"pyrays_by_level", {Type::array}},
+      {"split_pixels", {Type::number_unsigned}},
+      {"saturated_pixels", {Type::number_unsigned}},
+      {"missed_splits", {Type::number_unsigned}},
+      {"unresolved_area", {Type::number_float}},
+      {"rejected_samples", {Type::number_unsigned}},
+      {"left_out", {Type::array}},
+  };
+  EXPECT_EQ(s.size(), expected.size());
+  for (const auto& [key, types] : expected) {
+    ASSERT_TRUE(s.contains(key)) << key;
+    EXPECT_TRUE(types.contains(s[key].type())) << key << " is " << s[key].type_name();
+  }
+  for (const char* key : {"open", "silhouette_candidates", "crease", "seam", "intersection"})
+    EXPECT_TRUE(s["feature_edges"].at(key).is_number_unsigned()) << key;
+  for (const char* key : {"eye", "shadow", "reflection"})
+    EXPECT_TRUE(s["rays"].at(key).is_number_unsigned()) << key;
+  EXPECT_EQ(s["scene"], "builtin:boxes");
+  EXPECT_EQ(s["width"], 96);
+  EXPECT_EQ(s["height"], 54);
+  EXPECT_EQ(s["method"], "asos");
+  EXPECT_EQ(s["max_level"], 2);
+  EXPECT_EQ(s["threads"], 2);
+  EXPECT_EQ(s["pyrays_by_level"].size(), 9u);
+  EXPECT_EQ(s["pyrays_by_level"][3], 0);
+  EXPECT_GT(s["triangles"], 100);
+  EXPECT_GE(s["rays"]["eye"].get<int>(), 96 * 54);
+  EXPECT_GT(s["split_pixels"], 0);
+  EXPECT_GT(s["memory_mb"], 1.0);
+  EXPECT_EQ(s["rejected_samples"], 0);
+}
+
+TEST_F(RenderCommand, PicturesCarryTheirSettings) {
+  const std::vector<std::string> words{"--max", "1", "--eps", "0.25", "--exposure", "0.5"};
+  render("a.png", words);
+  render("a.exr", words);
+  const Result<RgbImage> png = read_png(path("a.png"));
+  const Result<ExrImage> exr = read_exr(path("a.exr"));
+  ASSERT_TRUE(png);
+  ASSERT_TRUE(exr);
+  EXPECT_EQ(png->width, 96);
+  EXPECT_EQ(png->height, 54);
+  for (const ImageText& text : {png->text, exr->attributes}) {
+    const std::map<std::string, std::string> found(text.begin(), text.end());
+    EXPECT_TRUE(found.contains("Software"));
+    EXPECT_EQ(found.at("asos.scene"), "builtin:boxes");
+    EXPECT_EQ(found.at("asos.eps"), "0.25");
+    EXPECT_EQ(found.at("asos.max_level"), "1");
+    EXPECT_EQ(found.at("asos.exposure"), "0.5");
+    EXPECT_NO_THROW(json::parse(found.at("asos.rays")));
+    EXPECT_GT(std::stod(found.at("asos.render_seconds")), 0.0);
+  }
+}
+
+TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
+  render("a.png", {"--exposure", "1"});
+  render("a.exr", {});
+  const Result<RgbImage> png = read_png(path("a.png"));
+  ASSERT_TRUE(png);
+  const Film exr = film("a.exr");
+  ASSERT_EQ(exr.radiance.size() * 3, png->rgb.size());
+  std::set<std::uint8_t> values;
+  for (std::size_t i = 0; i < exr.radiance.size(); ++i) {
+    const glm::u8vec3 shown = display_bytes(exr.radiance[i], 1.0f);
+    ASSERT_EQ(shown, glm::u8vec3(png->rgb[3 * i], png->rgb[3 * i + 1], png->rgb[3 * i + 2])) << i;
+    values.insert(shown.g);
+  }
+  EXPECT_GT(values.size(), 20u);  // there is something to see
+}
+
+TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
+  for (const char* method : {"asos", "uniform", "stochastic"}) {
+    const std::vector<std::string> words{"--method", method, "--spp", "4"};
+    render("whole.exr", words);
+    // Not aligned to blocks, and reaching the picture's lower right corner.
+    render("part.exr", words + std::vector<std::string>{"--crop", "51,13,45,41"});
+    const Film whole = film("whole.exr");
+    const Film part = film("part.exr");
+    ASSERT_EQ(part.width, 45);
+    ASSERT_EQ(part.height, 41);
+    for (int y = 0; y < part.height; ++y)
+      ASSERT_EQ(std::memcmp(&part.radiance[part.index(0, y)],
+                            &whole.radiance[whole.index(51, 13 + y)], 45 * sizeof(glm::vec3)),
+                0)
+          << method << " row " << y;
+  }
+}
+
+TEST_F(RenderCommand, TheNumberOfThreadsDoesNotShow) {
+  for (const char* method : {"asos", "uniform", "stochastic"}) {
+    const std::vector<std::string> words{"--method", method, "--spp", "4", "--jitter"};
+    render("one.exr",
+           words + std::vector<std::string>{"--threads", "1", "--stats", path("1.json")});
+    render("two.exr",
+           words + std::vector<std::string>{"--threads", "2", "--stats", path("2.json")});
+    EXPECT_TRUE(same_bits(film("one.exr"), film("two.exr"))) << method;
+    for (const char* key : {"rays", "pyrays_by_level", "split_pixels", "unresolved_area"})
+      EXPECT_EQ(stats("1.json")[key], stats("2.json")[key]) << method << " " << key;
+  }
+}
+
+TEST_F(RenderCommand, TheSplitMapShowsTheSplitPixels) {
+  render("a.png", {"--split-map", path("map.png"), "--stats", path("a.json"), "--max", "3"});
+  const Result<RgbImage> map = read_png(path("map.png"));
+  ASSERT_TRUE(map);
+  ASSERT_EQ(map->width, 96);
+  std::set<std::array<std::uint8_t, 3>> known{{0, 0, 0}};
+  for (int level = 1; level <= 3; ++level) {
+    const glm::u8vec3 c = split_colour(level, 3);
+    known.insert({c.r, c.g, c.b});
+  }
+  int split = 0;
+  for (std::size_t i = 0; i < map->rgb.size(); i += 3) {
+    const std::array<std::uint8_t, 3> colour{map->rgb[i], map->rgb[i + 1], map->rgb[i + 2]};
+    ASSERT_TRUE(known.contains(colour)) << "pixel " << i / 3;
+    if (colour != std::array<std::uint8_t, 3>{0, 0, 0}) ++split;
+  }
+  EXPECT_GT(split, 0);
+  EXPECT_LT(split, 96 * 54);
+}
+
+TEST_F(RenderCommand, TheCameraMoves) {
+  render("file.exr", {});
+  render("above.exr", {"--look-at", "0,30,0,0,0,0", "--fov", "30"});
+  EXPECT_FALSE(same_bits(film("file.exr"), film("above.exr")));
+}
+
+TEST_F(RenderCommand, QuietSaysNothingAndLoudSaysWhatWasWritten) {
+  const std::vector<std::string> words{"render",      "builtin:boxes", "-o",
+                                       path("a.png"), "--size",        "16x9"};
+  EXPECT_NE(run_asos(words).out.find("Wrote " + path("a.png")), std::string::npos);
+  const Outcome quiet = run_asos(words + std::vector<std::string>{"--quiet"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST_F(RenderCommand, PathsMayHoldSpacesAndAnyLetters) {
+  render("naïve picture ö 日本.png", {"--stats", path("die Zahlen ü.json")});
+  EXPECT_TRUE(read_png(path("naïve picture ö 日本.png")));
+  EXPECT_EQ(stats("die Zahlen ü.json")["scene"], "builtin:boxes");
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace asos::test {
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program inside the test, as a shell without a terminal would.
+inline Outcome run_asos(std::vector<std::string> words) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int exit_code = run_command_line(std::move(words), {out, err, false});
+  return {exit_code, out.str(), err.str()};
+}
+
+/// Whether `part` is in `text`, saying what is there instead.
+inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "no \"" << part << "\" in:\n" << text;
+}
+
+}  // namespace asos::test

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# On a terminal the progress bar is drawn and wiped; into a file it never goes. script(1) makes the
+# terminal. Usage: terminal_test.sh ASOS. Exit code 77: skipped, there is no script(1).
+set -uo pipefail
+command -v script >/dev/null || {
+  echo 'skipped: script(1) is not installed'
+  exit 77
+}
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+cd -- "$work" || exit 1
+fail() {
+  echo "$*"
+  exit 1
+}
+
+render=(render builtin:boxes --size 640x360 --method stochastic --spp 64 --threads 1)
+script -qec "'$1' ${render[*]} -o terminal.png" typescript >/dev/null ||
+  fail "rendering on a terminal failed: $(cat typescript)"
+grep -q '\[#*\.*\] *[0-9]* %' typescript || fail "no progress bar: $(cat -v typescript)"
+grep -q 'Wrote terminal.png' typescript || fail "no closing line: $(cat -v typescript)"
+"$1" "${render[@]}" -o file.png >out 2>err || fail "rendering into a file failed: $(cat err)"
+[[ ! -s err ]] || fail "progress went into a file: $(cat -v err)"
+script -qec "'$1' ${render[*]} -o quiet.png --quiet" quiet >/dev/null || fail 'quiet failed'
+! grep -q '%\|Wrote' quiet || fail "--quiet was not quiet: $(cat -v quiet)"
+echo 'progress only where it belongs'

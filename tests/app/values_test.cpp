@@ -1,0 +1,74 @@
+#include "app/values.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+namespace asos {
+namespace {
+
+TEST(Values, NumbersAreReadWhole) {
+  EXPECT_EQ(parse_number("0.25", 0, 1).value(), 0.25);
+  EXPECT_EQ(parse_number("+1e-3", 0, 1).value(), 1e-3);
+  EXPECT_EQ(parse_number("-2.5", -10, 10).value(), -2.5);
+  EXPECT_EQ(parse_number("1", 0, 1).value(), 1.0);
+}
+
+TEST(Values, NonsenseNumbersAreRefused) {
+  for (const char* text : {"", " ", "nan", "-nan", "inf", "-inf", "1e999", "0,5", "0.5x", "x",
+                           "--1", "+-1", "+", "0x1p-2", "1 "})
+    EXPECT_FALSE(parse_number(text, -10, 10)) << text;
+}
+
+TEST(Values, RangesIncludeTheirEndsUnlessOpen) {
+  EXPECT_TRUE(parse_number("180", 0, 180));
+  EXPECT_FALSE(parse_number("180", 0, 180, true));
+  EXPECT_FALSE(parse_number("0", 0, 180, true));
+  const auto error = parse_number("181", 0, 180, true);
+  ASSERT_FALSE(error);
+  EXPECT_EQ(error.error().message(), "\"181\": has to be strictly between 0 and 180");
+}
+
+TEST(Values, NumbersDoNotDependOnTheLocale) {
+  // Where the machine has a locale with a decimal comma, it must make no difference.
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, name);
+  EXPECT_EQ(parse_number("0.5", 0, 1).value(), 0.5);
+  EXPECT_FALSE(parse_number("0,5", 0, 1));
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(Values, WholeNumbers) {
+  EXPECT_EQ(parse_whole("8", 0, 8).value(), 8);
+  for (const char* text : {"9", "-1", "1.0", "", "99999999999999999999", "3k"})
+    EXPECT_FALSE(parse_whole(text, 0, 8)) << text;
+}
+
+TEST(Values, Sizes) {
+  const auto size = parse_size("1280x720", 32768);
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->width, 1280);
+  EXPECT_EQ(size->height, 720);
+  for (const char* text : {"", "0x0", "0x5", "5x0", "-1x5", "1000000000x1000000000", "32769x1",
+                           "12", "12x", "x12", "12x12x12", "12X12", "1e3x5", "99999999999x2"})
+    EXPECT_FALSE(parse_size(text, 32768)) << text;
+}
+
+TEST(Values, Rectangles) {
+  EXPECT_EQ(parse_rect("1,2,3,4", 100).value(), (PixelRect{1, 2, 3, 4}));
+  for (const char* text : {"1,2,3", "1,2,3,4,5", "-1,0,5,5", "0,0,0,5", "0,0,5,0", "0,0,5,101",
+                           "2147483647,0,2147483647,1", "1 ,2,3,4", ",,,"})
+    EXPECT_FALSE(parse_rect(text, 100)) << text;
+}
+
+TEST(Values, LookAt) {
+  const auto look = parse_look_at("4,2.5,-4,0,1e1,0");
+  ASSERT_TRUE(look);
+  EXPECT_EQ(look->eye, glm::dvec3(4, 2.5, -4));
+  EXPECT_EQ(look->target, glm::dvec3(0, 10, 0));
+  for (const char* text : {"1,2,3", "1,2,3,1,2,3", "nan,0,0,1,1,1", "inf,0,0,1,1,1",
+                           "1e300,0,0,1,1,1", "1,2,3,4,5,6,7"})
+    EXPECT_FALSE(parse_look_at(text)) << text;
+}
+
+}  // namespace
+}  // namespace asos
