@@ -125,8 +125,11 @@ class BlockRenderer {
     const std::uint32_t b = index(x1, y1);
     if (bounded_[a] || bounded_[b]) return;
     if (caster_.surface(a) == caster_.surface(b)) return;
-    if (touches_boundary(x0, y0) || touches_boundary(x1, y1)) return;
-    missed_[a] = missed_[b] = true;
+    // A cut-out's outline is in its texture, where no edge can be found; the samples find it.
+    by_samples_[a] = by_samples_[b] = true;
+    if (caster_.opaque(a) && caster_.opaque(b) && !touches_boundary(x0, y0) &&
+        !touches_boundary(x1, y1))
+      missed_[a] = missed_[b] = true;
   }
 
   // Whether a boundary runs along the very border of a pixel, which neither side counts as its own.
@@ -159,7 +162,7 @@ class BlockRenderer {
         roots[i].seed = pixel_seed(block_.x + x, block_.y + y);
         if (bounded_[i]) {
           roots[i].list = work_.pixel_list[i];
-        } else if (missed_[i]) {
+        } else if (by_samples_[i]) {
           outcomes[i] = split_by_samples(roots[i], rules.max_level, caster_);
         } else {
           caster_.leaf(i, i, 1.0);
@@ -211,7 +214,8 @@ class BlockRenderer {
   BlockResult result_;
   EyeCaster caster_;
   std::array<bool, pixels_in_block> bounded_{};  // a boundary that may be visible crosses the pixel
-  std::array<bool, pixels_in_block> missed_{};
+  std::array<bool, pixels_in_block> by_samples_{};  // splits by what its samples say
+  std::array<bool, pixels_in_block> missed_{};      // and should not have had to
 };
 
 }  // namespace

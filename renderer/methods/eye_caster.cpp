@@ -30,15 +30,20 @@ Cover EyeCaster::cover(SampleId sample) const {
   const Hit& hit = hits_[sample];
   if (!hit.valid()) return Cover::none();
   // What is seen through a surface is not hidden by it.
-  const Material& material = scene_.world.material_of(hit.triangle);
-  if (material.alpha_mode != AlphaMode::opaque || material.transmission > 0.0f)
-    return Cover::none();
+  if (!opaque(sample)) return Cover::none();
   const glm::uvec3 t = scene_.world.triangles[hit.triangle];
   const glm::dvec3 p0(scene_.world.positions[t.x]);
   const glm::dvec3 e1 = glm::dvec3(scene_.world.positions[t.y]) - p0;
   const glm::dvec3 e2 = glm::dvec3(scene_.world.positions[t.z]) - p0;
   const glm::dvec3 p = p0 + static_cast<double>(hit.b1) * e1 + static_cast<double>(hit.b2) * e2;
   return Cover::plane(frame_, p, glm::cross(e1, e2));
+}
+
+bool EyeCaster::opaque(SampleId sample) const {
+  const Hit& hit = hits_[sample];
+  if (!hit.valid()) return true;
+  const Material& material = scene_.world.material_of(hit.triangle);
+  return material.alpha_mode == AlphaMode::opaque && !(material.transmission > 0.0f);
 }
 
 std::uint32_t EyeCaster::surface(SampleId sample) const {

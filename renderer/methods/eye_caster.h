@@ -26,6 +26,9 @@ class EyeCaster final : public Caster {
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
   void leaf(std::uint32_t root, SampleId sample, double weight) override;
 
+  /// Whether a sample met the background or a surface without holes and nothing shining through.
+  [[nodiscard]] bool opaque(SampleId sample) const;
+
   /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
   /// counted.
   [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
