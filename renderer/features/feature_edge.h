@@ -7,17 +7,19 @@
 
 namespace asos {
 
-/// Why an edge of a mesh can be a boundary of what is seen (design section 3). The first three
-/// bound from every viewpoint, the last only where the two faces project to the same side.
+/// Why an edge can be a boundary of what is seen (design section 3). All but the last bound from
+/// every viewpoint, the last only where the two faces project to the same side.
 enum class FeatureKind : std::uint8_t {
-  open,        ///< one face, or more than two
-  crease,      ///< shading normals or vertex colours differ across the edge
-  seam,        ///< material or texture coordinates differ across the edge
-  silhouette,  ///< two faces that meet smoothly at an angle: a candidate
+  open,          ///< one face, or more than two
+  crease,        ///< shading normals or vertex colours differ across the edge
+  seam,          ///< material or texture coordinates differ across the edge
+  intersection,  ///< two faces pass through each other; no edge of the mesh
+  silhouette,    ///< two faces that meet smoothly at an angle: a candidate
 };
 
-/// An edge of the welded mesh. Vertices index World::positions; of vertices at one place the first
-/// stands for all. `left` and `right` are the third vertices of the two faces (open: none).
+/// An edge of the welded mesh. Vertices index World::positions (or what FeatureSet appends to
+/// them); of vertices at one place the first stands for all. `left` and `right` are the third
+/// vertices of the two faces (open: none).
 struct FeatureEdge {
   static constexpr std::uint32_t none = 0xffffffffu;
 

@@ -2,6 +2,7 @@
 
 #include "renderer/features/feature_edge.h"
 #include "renderer/features/hierarchy.h"
+#include "renderer/features/intersections.h"
 #include "renderer/scene/world.h"
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace asos {
 
-/// All boundaries that a world can show, ready to be searched by a pyray. Refers to the world's
-/// positions, which must stay where they are and outlive it. Immutable once built, thread-safe.
+/// All boundaries that a world can show, ready to be searched by a pyray. Immutable once built,
+/// thread-safe.
 class FeatureSet {
  public:
   FeatureSet() = default;
@@ -28,6 +29,10 @@ class FeatureSet {
     return sheet_of_triangle_[triangle];
   }
 
+  /// False where surfaces pass through each other so often that the lines were left out; the safety
+  /// net then has to find them.
+  [[nodiscard]] bool intersections_complete() const { return intersections_complete_; }
+
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
@@ -35,7 +40,10 @@ class FeatureSet {
   FeatureHierarchy hierarchy_;
   std::vector<FeatureEdge> edges_;
   std::vector<std::uint32_t> sheet_of_triangle_;
-  std::span<const glm::vec3> positions_;
+  std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections
+  bool intersections_complete_ = true;
+
+  void add(const Intersections& found);
 };
 
 }  // namespace asos

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <future>
 #include <new>
 #include <utility>
 #include <vector>
@@ -44,10 +45,17 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   }
   prepared->needs = find_needs(prepared->world);
 
+  // Neither search structure needs the other.
+  auto features = std::async(std::launch::async, [&] { return FeatureSet(prepared->world); });
   auto rays = RayScene::build(prepared->world, alpha_at);
+  prepared->features = features.get();
   if (!rays) return unexpected(Error{scene.source, rays.error().message()});
   prepared->rays = std::move(*rays);
-  prepared->features = FeatureSet(prepared->world);
+  if (!prepared->features.intersections_complete()) {
+    prepared->notes.warnings.emplace_back(
+        "surfaces pass through each other more often than there are triangles; the lines where "
+        "they do are found by samples only");
+  }
 
   const std::size_t bytes =
       bytes_of(prepared->world) + prepared->rays.memory_bytes() + prepared->features.memory_bytes();

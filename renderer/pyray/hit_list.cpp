@@ -189,8 +189,6 @@ void HitLists::open_leaf(std::uint32_t i) {
     s.u0 = static_cast<float>(p0.u), s.v0 = static_cast<float>(p0.v);
     s.u1 = static_cast<float>(p1.u), s.v1 = static_cast<float>(p1.v);
     s.q0 = static_cast<float>(p0.q), s.q1 = static_cast<float>(p1.q);
-    if (range->t0 == 0.0) s.vertex0 = edge.a;
-    if (range->t1 == 1.0) s.vertex1 = edge.b;
     s.edge = e;
     // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
     if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1) || (s.u0 == s.u1 && s.v0 == s.v1)) continue;

@@ -6,6 +6,9 @@
 namespace asos {
 namespace {
 
+// A boundary is known to be near, so four samples that agree are not yet believed.
+constexpr int first_trusted_level = 2;
+
 struct Splitter {
   std::uint32_t id;
   int max_level;
@@ -25,7 +28,7 @@ struct Splitter {
     bool differ = false;
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
-    if (differ && level < max_level) {
+    if ((differ || level < first_trusted_level) && level < max_level) {
       for (int i = 0; i < 4; ++i) split(square.quarter(i), level + 1);
       return;
     }

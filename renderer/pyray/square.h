@@ -22,13 +22,8 @@ struct Square {
 /// A straight piece of a boundary in a root frame: u, v and the nearness q (see FramePoint) are
 /// linear along it.
 struct Segment {
-  static constexpr std::uint32_t cut_off = 0xffffffffu;
-
   float u0 = 0, v0 = 0, q0 = 0;
   float u1 = 0, v1 = 0, q1 = 0;
-  /// The welded vertex at each end, or `cut_off` where the frame's border clipped the edge.
-  std::uint32_t vertex0 = cut_off;
-  std::uint32_t vertex1 = cut_off;
   std::uint32_t edge = 0;  ///< index into FeatureSet::edges
 };
 

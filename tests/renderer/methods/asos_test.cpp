@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -31,16 +32,20 @@ class Picture {
  public:
   /// A flat polygon given in pixels, at a depth.
   void add(const std::vector<glm::dvec2>& corners, double depth, glm::vec4 color) {
+    std::vector<glm::vec3> points;
+    for (const glm::dvec2& c : corners) points.push_back(point(c, depth));
+    add(points, color);
+  }
+
+  void add(const std::vector<glm::vec3>& corners, glm::vec4 color) {
     Mesh mesh;
     mesh.material = static_cast<int>(scene_.materials.size());
     Material material;
     material.unlit = true;
     material.base_color = color;
     scene_.materials.push_back(material);
-    for (const glm::dvec2& c : corners) {
-      mesh.positions.push_back(point(c, depth));
-      mesh.normals.emplace_back(0, 0, 1);
-    }
+    mesh.positions = corners;
+    mesh.normals.assign(corners.size(), glm::vec3(0, 0, 1));
     for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) mesh.triangles.emplace_back(0, i, i + 1);
     Instance instance;
     instance.mesh = static_cast<int>(scene_.meshes.size());
@@ -159,12 +164,26 @@ TEST(Asos, PixelsWithoutBoundariesAreOneSample) {
 }
 
 // Two walls that pass through each other: no mesh edge marks the line where they meet.
-TEST(Asos, TheSafetyNetSplitsWhereSurfacesDifferWithoutABoundary) {
+TEST(Asos, WallsThatPassThroughEachOtherMeetInAnExactLine) {
+  // The wall z = -3, and one that leans through it along the line x = 7.3 pixels.
+  const double x = 7.3;
   Picture picture;
-  picture.add({{-9, -9}, {40, -9}, {40, 40}, {-9, 40}}, 3.0, glm::vec4(1.0f));
-  Picture mixed = picture;
-  mixed.render(asos_at(3));
-  EXPECT_EQ(mixed.statistics.missed_splits, 0u);
+  picture.add({{-9, -9}, {40, -9}, {40, 40}, {-9, 40}}, 3.0,
+              glm::vec4(glm::vec3(sky_radiance), 1.0f));
+  picture.add({point({-90, -90}, 3.0 + 1.0), point({x, -90}, 3.0), point({x, 90}, 3.0),
+               point({-90, 90}, 3.0 + 1.0)},
+              glm::vec4(1.0f));
+  picture.add({point({x, -90}, 3.0), point({90, -90}, 3.0 - 1.0), point({90, 90}, 3.0 - 1.0),
+               point({x, 90}, 3.0)},
+              glm::vec4(1.0f));
+  picture.render(asos_at(3));
+  EXPECT_EQ(picture.statistics.missed_splits, 0u);
+  for (int y = 0; y < size; ++y) {
+    for (int column = 0; column < size; ++column) {
+      const double truth = std::clamp(column + 1 - x, 0.0, 1.0);
+      ASSERT_NEAR(picture.white(column, y), truth, 1e-4) << column << ", " << y;
+    }
+  }
 }
 
 TEST(Asos, MoreLevelsNeverLoseWeight) {

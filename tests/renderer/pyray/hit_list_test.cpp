@@ -50,7 +50,7 @@ TEST(HitLists, FindEveryEdgeThatCrossesTheSquare) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const PolygonScene scene = random_scene(seed, 500);
     const FeatureSet features(scene.world);
-    ASSERT_EQ(features.edges().size(), 1500u);
+    ASSERT_EQ(features.counts().open, 1500u);
     const Frame frame = unit_frame();
     HitLists lists;
     lists.reset(features, frame, 0.0f);
@@ -157,9 +157,11 @@ TEST(HitLists, AnEdgeThatPassesBesideTheApexIsCutThere) {
   lists.refine({0, 0, 1}, {}, lists.root(), list);
   // The edge beside the apex, and the start of the one that leads away from it.
   ASSERT_EQ(list.size(), 2u);
-  const bool first = lists.segment(list[0]).vertex0 != Segment::cut_off &&
-                     lists.segment(list[0]).v0 < lists.segment(list[0]).v1;
-  const Segment& s = lists.segment(list[first ? 0 : 1]);
+  const auto beside = [&](std::uint32_t i) {
+    const FeatureEdge& e = lists.edge(lists.segment(i));
+    return std::max(e.a, e.b) == 1;
+  };
+  const Segment& s = lists.segment(beside(list[0]) ? list[0] : list[1]);
   // The line x = 0.3, y = -0.4 runs through the frame's (0, 0) and (0.03, 0.04): v = 4/3 u.
   EXPECT_NEAR(s.v0 * 3.0f, s.u0 * 4.0f, 1e-5f);
   EXPECT_NEAR(s.v1 * 3.0f, s.u1 * 4.0f, 1e-5f);

@@ -1,10 +1,14 @@
 #include "renderer/pyray/partition.h"
 
+#include "tests/support/polygon.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -122,7 +126,7 @@ TEST(CellPartition, AgreesWithHalfPlaneClippingOnRandomLines) {
   for (int repetition = 0; repetition < 1000; ++repetition) {
     const int n = 1 + repetition % 4;
     std::vector<Segment> lines;
-    std::vector<std::vector<glm::dvec2>> polygons{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    std::vector<test::Polygon> polygons{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     for (int i = 0; i < n; ++i) {
       const glm::dvec2 p(unit(random), unit(random));
       const double angle = unit(random) * 2.0 * std::numbers::pi;
@@ -130,34 +134,19 @@ TEST(CellPartition, AgreesWithHalfPlaneClippingOnRandomLines) {
       lines.push_back(line(p.x - 3 * d.x, p.y - 3 * d.y, p.x + 3 * d.x, p.y + 3 * d.y));
       const glm::dvec2 a(lines.back().u0, lines.back().v0);
       const glm::dvec2 b(lines.back().u1, lines.back().v1);
-      std::vector<std::vector<glm::dvec2>> split;
-      for (const auto& polygon : polygons) {
+      std::vector<test::Polygon> split;
+      for (const test::Polygon& polygon : polygons) {
         for (const double sign : {1.0, -1.0}) {
-          std::vector<glm::dvec2> kept;
-          const auto side = [&](glm::dvec2 q) {
+          test::Polygon kept = test::clip(polygon, [&](glm::dvec2 q) {
             return sign * ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x));
-          };
-          for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const glm::dvec2 q = polygon[k];
-            const glm::dvec2 r = polygon[(k + 1) % polygon.size()];
-            if (side(q) >= 0) kept.push_back(q);
-            if ((side(q) < 0) != (side(r) < 0))
-              kept.push_back(q + (r - q) * (side(q) / (side(q) - side(r))));
-          }
-          if (kept.size() > 2) split.push_back(kept);
+          });
+          if (kept.size() > 2) split.push_back(std::move(kept));
         }
       }
       polygons = split;
     }
     std::vector<double> expected;
-    for (const auto& polygon : polygons) {
-      double twice = 0.0;
-      for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const glm::dvec2 q = polygon[k], r = polygon[(k + 1) % polygon.size()];
-        twice += q.x * r.y - q.y * r.x;
-      }
-      expected.push_back(0.5 * std::abs(twice));
-    }
+    for (const test::Polygon& polygon : polygons) expected.push_back(test::area(polygon));
     std::vector<double> got;
     for (const Face& f : partition.cut({0, 0, 1}, lines, 64)) got.push_back(f.area);
     // Slivers below the snapping distance may go to a neighbour.
