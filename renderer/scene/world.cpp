@@ -323,9 +323,9 @@ class Flattener {
     const Mesh& mesh = *placed.mesh;
     const std::size_t n = placed.vertex_count();
     for (std::size_t i = 0; keep_.tangents && i < n; ++i) {
-      const glm::vec3 across = any_perpendicular(world_.normals[part.first_vertex + i]);
-      glm::vec4 t(across, 1.0f);
+      glm::vec4 t(0.0f);
       if (!mesh.tangents.empty()) {
+        const glm::vec3 across = any_perpendicular(world_.normals[part.first_vertex + i]);
         const glm::vec4 s = mesh.tangents[placed.vertex(i)];
         t = glm::vec4(unit_or(linear * glm::dvec3(s), across), mirrored ? -s.w : s.w);
       }

@@ -36,7 +36,7 @@ struct World {
   glm::dvec3 origin{0.0};
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;       ///< unit, one a vertex
-  std::vector<glm::vec4> tangents;      ///< or empty
+  std::vector<glm::vec4> tangents;      ///< or empty; 0 for meshes that have none of their own
   std::vector<glm::vec2> texcoords[2];  ///< or empty
   std::vector<glm::vec4> colors;        ///< linear RGBA, or empty
   std::vector<glm::uvec3> triangles;    ///< into positions

@@ -33,16 +33,17 @@ struct Triangle {
   }
 };
 
-/// The tangent (w: handedness) of a triangle without authored tangents: the direction in which u
-/// grows. Zero where the coordinates do not span the triangle.
+/// The tangent (w: handedness) of a triangle without authored tangents: the direction in which the
+/// looked-up u grows. Zero where the coordinates do not span the triangle.
 glm::vec4 tangent_from_texcoords(const World& world, const Triangle& t, const TextureUse& use,
                                  glm::vec3 normal) {
   if (use.texcoord < 0 || use.texcoord > 1 || world.texcoords[use.texcoord].empty()) return {};
   const auto& uv = world.texcoords[use.texcoord];
   const glm::vec3 e1 = world.positions[t.v.y] - world.positions[t.v.x];
   const glm::vec3 e2 = world.positions[t.v.z] - world.positions[t.v.x];
-  const glm::vec2 d1 = uv[t.v.y] - uv[t.v.x];
-  const glm::vec2 d2 = uv[t.v.z] - uv[t.v.x];
+  const glm::mat2 transform(use.uv_transform);
+  const glm::vec2 d1 = transform * (uv[t.v.y] - uv[t.v.x]);
+  const glm::vec2 d2 = transform * (uv[t.v.z] - uv[t.v.x]);
   const float det = d1.x * d2.y - d1.y * d2.x;
   if (det == 0.0f || !std::isfinite(det)) return {};
   const float sign = det < 0.0f ? -1.0f : 1.0f;

@@ -77,6 +77,7 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
     warnings.add(place + ": its colour is not three numbers; white is used");
   }
   if (positive(source.range)) light.range = source.range;  // tinygltf's 0: without end
+  light.casts_shadows = flag(source.extras, "casts_shadows").value_or(true);
   if (light.type != Light::Type::spot) return {};
 
   light.inner_cone_rad = source.spot.innerConeAngle;

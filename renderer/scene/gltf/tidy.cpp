@@ -103,7 +103,7 @@ class Tidier {
       }
     }
     if (!value.is_object()) return {};
-    value.erase("extras");
+    tidy_extras(value, place);
     tidy_extensions(value, place);
     for (auto it = value.begin(); it != value.end();) {
       if (auto r = tidy_number(it.key(), it.value(), place); !r) return r;
@@ -118,6 +118,22 @@ class Tidier {
   }
 
  private:
+  /// Of all that applications put there, one thing is read: whether a light casts shadows.
+  static void tidy_extras(json& object, const std::string& place) {
+    const auto extras = object.find("extras");
+    if (extras == object.end()) return;
+    const bool light = place.starts_with("/extensions/KHR_lights_punctual/lights/");
+    if (light && extras->is_object()) {
+      const auto casts = extras->find("casts_shadows");
+      if (casts != extras->end() && casts->is_boolean()) {
+        const bool casts_shadows = casts->get<bool>();
+        *extras = {{"casts_shadows", casts_shadows}};
+        return;
+      }
+    }
+    object.erase(extras);
+  }
+
   void tidy_extensions(json& object, const std::string& place) {
     const auto found = object.find("extensions");
     if (found == object.end()) return;

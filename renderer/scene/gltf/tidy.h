@@ -18,11 +18,12 @@ namespace asos::gltf {
 [[nodiscard]] Checked<std::vector<std::string>> check_header(const nlohmann::json& root,
                                                              Warnings& warnings);
 
-/// Makes a parsed document fit for tinygltf, which takes much on trust: drops `extras` and unknown
-/// extensions (their values would be copied many times over), drops references that are not whole
-/// numbers and would wrap around, and moves each primitive's `indices` among its attributes, since
-/// tinygltf refuses indices without a buffer view, which Draco and sparse accessors have. Faults:
-/// offsets and lengths that are not whole numbers. Recursive: check the nesting depth first.
+/// Makes a parsed document fit for tinygltf, which takes much on trust: drops `extras` (but a
+/// light's `casts_shadows`) and unknown extensions, whose values would be copied many times over,
+/// drops references that are not whole numbers and would wrap around, and moves each primitive's
+/// `indices` among its attributes, since tinygltf refuses indices without a buffer view, which
+/// Draco and sparse accessors have. Faults: offsets and lengths that are not whole numbers.
+/// Recursive: check the nesting depth first.
 [[nodiscard]] Checked<void> tidy(nlohmann::json& root, Warnings& warnings);
 
 }  // namespace asos::gltf

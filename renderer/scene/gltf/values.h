@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-// Looking into the `extensions` that tinygltf keeps as generic values; a value of another type
-// than asked for counts as missing.
+// Looking into the `extensions` and `extras` that tinygltf keeps as generic values; a value of
+// another type than asked for counts as missing.
 
 namespace asos::gltf {
 
@@ -27,6 +27,11 @@ inline std::optional<double> number(const tinygltf::Value& object, const std::st
 inline std::optional<int> whole(const tinygltf::Value& object, const std::string& name) {
   if (!object.Has(name) || !object.Get(name).IsInt()) return std::nullopt;
   return object.Get(name).GetNumberAsInt();
+}
+
+inline std::optional<bool> flag(const tinygltf::Value& object, const std::string& name) {
+  if (!object.Has(name) || !object.Get(name).IsBool()) return std::nullopt;
+  return object.Get(name).Get<bool>();
 }
 
 inline std::string text(const tinygltf::Value& object, const std::string& name,

@@ -175,6 +175,7 @@ Scene rich_scene() {
   point.name = "point";
   point.position = {0.1, 0.2, 0.3};
   point.intensity = 80.0f;
+  point.casts_shadows = false;
   scene.lights = {sun, spot, point};
 
   Camera perspective;
@@ -382,6 +383,7 @@ void expect_equal(const Light& a, const Light& b) {
   EXPECT_EQ(a.intensity, b.intensity);
   EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.range, b.range);
+  EXPECT_EQ(a.casts_shadows, b.casts_shadows);
   if (a.type != Light::Type::point) {
     EXPECT_LT(glm::length(a.direction - b.direction), 1e-12);
   }

@@ -1,5 +1,5 @@
-#include "renderer/scene/load.h"
 #include "tests/renderer/scene/gltf_builder.h"
+#include "tests/renderer/scene/load_timer.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,12 @@ namespace asos {
 namespace {
 
 using test::GltfBuilder;
-using test::TempFolder;
+using test::load_in_time;
+using test::TemporaryFolder;
 
 Result<Scene> load(const GltfBuilder& builder) {
-  const TempFolder folder;
-  return import_gltf(folder.write("test.glb", builder.glb()));
+  const TemporaryFolder folder;
+  return load_in_time(folder.write("test.glb", builder.glb()));
 }
 
 /// The corner points of all triangles, in order.

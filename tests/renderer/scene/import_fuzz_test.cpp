@@ -1,6 +1,6 @@
-#include "renderer/scene/load.h"
 #include "renderer/scene/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
+#include "tests/renderer/scene/load_timer.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@ namespace asos {
 namespace {
 
 using test::GltfBuilder;
-using test::TempFolder;
+using test::load_in_time;
+using test::TemporaryFolder;
 
 GltfBuilder textured() {
   GltfBuilder b = GltfBuilder::square();
@@ -95,7 +96,7 @@ void check(const Result<Scene>& scene, const std::string& path) {
 TEST(ImportFuzz, FlippedBytesNeitherCrashNorHang) {
   const std::vector<std::string> seeds = {GltfBuilder::square().glb(), textured().glb(),
                                           animated().glb(), lit().glb(), textured().gltf()};
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::mt19937 random(20240611);
   std::size_t loaded = 0;
   for (int round = 0; round < 2000; ++round) {
@@ -112,7 +113,7 @@ TEST(ImportFuzz, FlippedBytesNeitherCrashNorHang) {
     if (round % 7 == 0) bytes.resize(random() % bytes.size());
     SCOPED_TRACE(testing::Message() << "round " << round << " of seed 20240611");
     const std::string path = folder.write("fuzz.glb", bytes);
-    const Result<Scene> scene = import_gltf(path);
+    const Result<Scene> scene = load_in_time(path);
     loaded += scene.has_value() ? 1 : 0;
     check(scene, path);
     if (HasFailure()) break;
@@ -139,7 +140,7 @@ TEST(ImportFuzz, NumbersAreReplacedByUnlikelyOnes) {
                                                 "text",
                                                 nlohmann::json::array(),
                                                 nlohmann::json::object()};
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::size_t loaded = 0;
   for (const GltfBuilder& seed : seeds) {
     const nlohmann::json flat = seed.json.flatten();
@@ -149,7 +150,7 @@ TEST(ImportFuzz, NumbersAreReplacedByUnlikelyOnes) {
         b.json[nlohmann::json::json_pointer(pointer)] = number;
         SCOPED_TRACE(pointer + " = " + number.dump());
         const std::string path = folder.write("fuzz.glb", b.glb());
-        const Result<Scene> scene = import_gltf(path);
+        const Result<Scene> scene = load_in_time(path);
         loaded += scene.has_value() ? 1 : 0;
         check(scene, path);
         if (HasFailure()) return;

@@ -11,10 +11,10 @@ namespace asos {
 namespace {
 
 using test::GltfBuilder;
-using test::TempFolder;
+using test::TemporaryFolder;
 
 Result<Scene> load(const GltfBuilder& builder, const LoadOptions& options = {}) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   return import_gltf(folder.write("test.glb", builder.glb()), options);
 }
 
@@ -319,6 +319,30 @@ TEST(ImportGeometry, PlacesCamerasAndLights) {
   expect_near(scene->lights[0].position, {1, 2, 3});
   expect_near(scene->lights[0].direction, {0, 0, -1});
   EXPECT_DOUBLE_EQ(scene->lights[0].outer_cone_rad, 0.5);
+}
+
+TEST(ImportGeometry, ALightsExtrasSayWhetherItCastsShadows) {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  auto& root = b.json["extensions"]["KHR_lights_punctual"];
+  root["lights"] = {
+      {{"type", "point"}, {"extras", {{"casts_shadows", false}, {"other", {{"deep", {1, 2}}}}}}},
+      {{"type", "point"}, {"extras", {{"casts_shadows", true}}}},
+      {{"type", "point"}, {"extras", {{"casts_shadows", "false"}}}},
+      {{"type", "point"}, {"extras", {false, "casts_shadows"}}},
+      {{"type", "point"}}};
+  b.json["scenes"][0]["nodes"] = {0};
+  for (int i = 0; i < 5; ++i) {
+    b.json["nodes"].push_back(
+        {{"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}, {"extras", {{"a", i}}}});
+    b.json["scenes"][0]["nodes"].push_back(1 + i);
+  }
+  const Result<Scene> scene = load(b);
+  ASSERT_TRUE(scene) << scene.error().message();
+  ASSERT_EQ(scene->lights.size(), 5u);
+  EXPECT_FALSE(scene->lights[0].casts_shadows);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_TRUE(scene->lights[i].casts_shadows) << i;
+  EXPECT_TRUE(scene->notes.warnings.empty());
 }
 
 TEST(ImportGeometry, ReadsMaterials) {

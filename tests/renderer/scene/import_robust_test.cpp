@@ -1,6 +1,6 @@
-#include "renderer/scene/load.h"
 #include "renderer/scene/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
+#include "tests/renderer/scene/load_timer.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,12 @@ namespace asos {
 namespace {
 
 using test::GltfBuilder;
-using test::TempFolder;
+using test::load_in_time;
+using test::TemporaryFolder;
 
 Result<Scene> load_text(const std::string& bytes, const std::string& name = "test.gltf") {
-  const TempFolder folder;
-  return import_gltf(folder.write(name, bytes));
+  const TemporaryFolder folder;
+  return load_in_time(folder.write(name, bytes));
 }
 
 Result<Scene> load(const GltfBuilder& builder) {
@@ -40,9 +41,9 @@ void expect_warned(const Result<Scene>& scene, const std::string& of) {
 }
 
 TEST(ImportRobust, FilesThatAreNone) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto reason = [](const std::string& path) {
-    const Result<Scene> scene = import_gltf(path);
+    const Result<Scene> scene = load_in_time(path);
     return scene ? std::string("loaded") : scene.error().message();
   };
   EXPECT_NE(reason(folder.file("test.glb")).find("No such file"), std::string::npos);
@@ -101,9 +102,9 @@ TEST(ImportRobust, HugeCountsAreRefusedBeforeAllocation) {
   expect_refused(load(wrap), "reach outside");
 
   GltfBuilder many = GltfBuilder::square();
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Result<Scene> scene =
-      import_gltf(folder.write("test.glb", many.glb()), {.max_triangles = 1});
+      load_in_time(folder.write("test.glb", many.glb()), {.max_triangles = 1});
   expect_refused(scene, "more than 1 triangles");
 }
 
@@ -142,14 +143,14 @@ TEST(ImportRobust, ADeepHierarchyDoesNotOverflowTheStack) {
 }
 
 TEST(ImportRobust, FilesOutsideTheFolderAreNotRead) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const GltfBuilder b = GltfBuilder::square();
   std::filesystem::create_directory(folder.file("inner"));
   folder.write("outside.bin", b.bin);
   folder.write("inner/in side.bin", b.bin);
   std::filesystem::create_symlink(folder.file("outside.bin"), folder.file("inner/link.bin"));
   const auto with = [&](const std::string& uri) {
-    return import_gltf(folder.write("inner/test.gltf", b.gltf(uri)));
+    return load_in_time(folder.write("inner/test.gltf", b.gltf(uri)));
   };
   EXPECT_TRUE(with("in side.bin"));
   EXPECT_TRUE(with("in%20side.bin"));
@@ -163,10 +164,10 @@ TEST(ImportRobust, FilesOutsideTheFolderAreNotRead) {
 }
 
 TEST(ImportRobust, NamesWithSpacesAndOtherAlphabets) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   GltfBuilder b = GltfBuilder::square();
   b.node()["name"] = "Stuhl – いす ❤";
-  const Result<Scene> scene = import_gltf(folder.write("tä st ❤.glb", b.glb()));
+  const Result<Scene> scene = load_in_time(folder.write("tä st ❤.glb", b.glb()));
   ASSERT_TRUE(scene) << scene.error().message();
   EXPECT_EQ(scene->instances[0].name, "Stuhl – いす ❤");
 }

@@ -1,10 +1,9 @@
-#include "renderer/scene/load.h"
 #include "renderer/scene/world.h"
+#include "tests/renderer/scene/load_timer.h"
 #include "tests/support/shared_dir.h"
 
 #include <gtest/gtest.h>
 
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -15,6 +14,8 @@ namespace asos {
 namespace {
 
 namespace fs = std::filesystem;
+
+using test::load_in_time;
 
 /// The rows of an INDEX.tsv as column name -> text.
 std::vector<std::map<std::string, std::string>> read_index(const fs::path& path) {
@@ -37,19 +38,6 @@ std::vector<std::map<std::string, std::string>> read_index(const fs::path& path)
   return rows;
 }
 
-struct Loaded {
-  Result<Scene> scene;
-  double seconds = 0.0;
-};
-
-/// Loading takes one thread, whose processor time does not depend on what else the machine does.
-Loaded load_timed(const fs::path& path) {
-  const std::clock_t start = std::clock();
-  Loaded loaded{load_scene(path.string())};
-  loaded.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  return loaded;
-}
-
 void expect_named_error(const fs::path& file, const Error& error) {
   EXPECT_NE(error.message().find(file.filename().string()), std::string::npos) << error.message();
   EXPECT_GT(error.reason.size(), 10u) << error.message();
@@ -68,13 +56,12 @@ class SharedFiles : public testing::Test {
 TEST_F(SharedFiles, ScenesHaveTheirTrianglesLightsAndCameras) {
   for (const auto& row : read_index(dir_ / "scenes" / "INDEX.tsv")) {
     SCOPED_TRACE(row.at("file"));
-    const Loaded loaded = load_timed(dir_ / "scenes" / row.at("file"));
-    ASSERT_TRUE(loaded.scene) << loaded.scene.error().message();
-    const Scene& scene = *loaded.scene;
+    const Result<Scene> loaded = load_in_time(dir_ / "scenes" / row.at("file"));
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    const Scene& scene = *loaded;
     EXPECT_EQ(scene.instanced_triangles(), std::stoull(row.at("triangles_instanced")));
     EXPECT_EQ(scene.lights.size(), std::stoull(row.at("punctual_lights")));
     EXPECT_EQ(scene.cameras.size(), std::stoull(row.at("cameras")));
-    EXPECT_LT(loaded.seconds, 5.0);
     const Result<World> world = flatten(scene);
     ASSERT_TRUE(world) << world.error().message();
     EXPECT_EQ(world->triangles.size(), scene.instanced_triangles());
@@ -96,18 +83,17 @@ TEST_F(SharedFiles, OddFilesLoadOrAreRefusedByName) {
   for (const auto& row : read_index(dir_ / "odd" / "INDEX.tsv")) {
     const fs::path path = dir_ / "odd" / row.at("file");
     SCOPED_TRACE(path);
-    const Loaded loaded = load_timed(path);
-    EXPECT_LT(loaded.seconds, 5.0);
-    if (loaded.scene) {
+    const Result<Scene> loaded = load_in_time(path);
+    if (loaded) {
       ++loads;
-      EXPECT_TRUE(flatten(*loaded.scene)) << flatten(*loaded.scene).error().message();
+      EXPECT_TRUE(flatten(*loaded)) << flatten(*loaded).error().message();
       continue;
     }
-    expect_named_error(path, loaded.scene.error());
+    expect_named_error(path, loaded.error());
     const auto reason = refused.find(path.filename().string());
-    ASSERT_NE(reason, refused.end()) << loaded.scene.error().message();
-    EXPECT_NE(loaded.scene.error().reason.find(reason->second), std::string::npos)
-        << loaded.scene.error().message();
+    ASSERT_NE(reason, refused.end()) << loaded.error().message();
+    EXPECT_NE(loaded.error().reason.find(reason->second), std::string::npos)
+        << loaded.error().message();
   }
   EXPECT_GE(loads, 150u);
 }
@@ -122,13 +108,12 @@ TEST_F(SharedFiles, BadFilesGiveAnErrorOrAWarning) {
   for (const auto& row : read_index(dir_ / "bad" / "INDEX.tsv")) {
     const fs::path path = dir_ / "bad" / row.at("file");
     SCOPED_TRACE(path);
-    const Loaded loaded = load_timed(path);
-    EXPECT_LT(loaded.seconds, 5.0);
-    if (!loaded.scene) {
-      expect_named_error(path, loaded.scene.error());
+    const Result<Scene> loaded = load_in_time(path);
+    if (!loaded) {
+      expect_named_error(path, loaded.error());
     } else if (!harmless.contains(path.filename().string())) {
-      EXPECT_FALSE(loaded.scene->notes.warnings.empty());
-      EXPECT_TRUE(flatten(*loaded.scene));
+      EXPECT_FALSE(loaded->notes.warnings.empty());
+      EXPECT_TRUE(flatten(*loaded));
     }
   }
 }

@@ -76,6 +76,26 @@ TEST(Flatten, MirrorsTurnTrianglesAndTangentsRound) {
   EXPECT_EQ(bitangent, glm::vec3(0, 1, 0));
 }
 
+TEST(Flatten, InventsNoTangentsForMeshesWithoutThem) {
+  Scene scene = scene_of(triangle_mesh());
+  scene.images.push_back({"i", 1, 1, {0, 0, 0, 255}});
+  scene.textures.emplace_back();
+  scene.textures[0].image = 0;
+  scene.materials.emplace_back();
+  scene.materials[0].normal_texture.texture = 0;
+  scene.meshes[0].material = 0;
+  scene.meshes.push_back(scene.meshes[0]);
+  scene.meshes[1].tangents.assign(3, glm::vec4(1, 0, 0, -1));
+  scene.instances.push_back({"second", 1, glm::dmat4(1.0)});
+  const Result<World> world = flatten(scene);
+  ASSERT_TRUE(world);
+  ASSERT_EQ(world->tangents.size(), 6u);
+  for (std::size_t v = 0; v < 3; ++v) {
+    EXPECT_EQ(world->tangents[v], glm::vec4(0.0f)) << "the texture's own direction is to be used";
+    EXPECT_EQ(world->tangents[3 + v], glm::vec4(1, 0, 0, -1));
+  }
+}
+
 TEST(Flatten, KeepsOnlyAttributesThatMaterialsNeed) {
   Scene scene = scene_of(triangle_mesh());
   scene.meshes[0].texcoords[0].assign(3, glm::vec2(0.5f));

@@ -256,6 +256,18 @@ TEST(Shader, NormalMapsGreenPointsAgainstV) {
   EXPECT_LT(p.shading_normal.z, -0.6f);
   EXPECT_NEAR(p.shading_normal.x, 0.0f, 0.01f);
   EXPECT_GT(p.shading_normal.y, 0.6f);
+
+  // The same where other meshes bring tangents along and this one has none.
+  world.tangents.assign(world.positions.size(), glm::vec4(0.0f));
+  EXPECT_EQ(surface_point(world, find_needs(world), hit, {0, 1, 0}).shading_normal,
+            p.shading_normal);
+
+  // The map looked up at (v, -u): its upper edge lies where u grows.
+  world.materials[0].normal_texture.uv_transform = {glm::vec3(0, -1, 0), glm::vec3(1, 0, 0),
+                                                    glm::vec3(0, 0, 1)};
+  const SurfacePoint turned = surface_point(world, find_needs(world), hit, {0, 1, 0});
+  EXPECT_GT(turned.shading_normal.x, 0.6f);
+  EXPECT_NEAR(turned.shading_normal.z, 0.0f, 0.01f);
 }
 
 TEST(Shader, EmissionShinesByItsStrength) {
