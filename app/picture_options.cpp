@@ -11,8 +11,10 @@
 namespace asos {
 namespace {
 
-const std::map<std::string, Method> methods{
-    {"asos", Method::asos}, {"uniform", Method::uniform}, {"stochastic", Method::stochastic}};
+const std::map<std::string, Method> methods{{"asos", Method::asos},
+                                            {"uniform", Method::uniform},
+                                            {"stochastic", Method::stochastic},
+                                            {"beam", Method::beam}};
 const std::map<std::string, Leaf> leaves{{"exact", Leaf::exact}, {"point", Leaf::point}};
 
 // A parser of the names in `known`, which outlives it.
@@ -36,8 +38,10 @@ auto number(double lo, double hi, bool open = false) {
 }
 
 void add_method_options(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(app, "--method", "NAME", "asos, uniform (n x n grid) or stochastic (jittered)",
-                    parse_name(methods), [&](Method m) { settings.method = m; })
+  add_parsed_option(
+      app, "--method", "NAME",
+      "asos, uniform (n x n grid), stochastic (jittered) or beam (exact, for small scenes)",
+      parse_name(methods), [&](Method m) { settings.method = m; })
       ->default_str(name_of(settings.method));
   add_parsed_option(app, "--max", "K",
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
@@ -74,6 +78,8 @@ const char* name_of(Method method) {
       return "uniform";
     case Method::stochastic:
       return "stochastic";
+    case Method::beam:
+      return "beam";
   }
   return "";
 }

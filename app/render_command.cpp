@@ -8,6 +8,7 @@
 #include "app/render_job.h"
 #include "app/render_report.h"
 #include "app/scene_argument.h"
+#include "renderer/methods/method.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -87,6 +88,8 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   if (!prepared) return tl::unexpected(prepared.error());
   *scene = Scene{};
   const RenderScene& ready = **prepared;
+  if (const auto fits = check_method(ready, wanted.settings); !fits)
+    return tl::unexpected(fits.error());
   report.build_seconds = seconds_since(loaded);
   report.triangles = ready.world.triangles.size();
   report.feature_edges = ready.features.counts();

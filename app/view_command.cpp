@@ -2,9 +2,7 @@
 #include "app/exit_code.h"
 #include "app/picture_options.h"
 #include "app/scene_argument.h"
-#ifdef ASOS_WITH_WINDOW
 #include "ui/viewer.h"
-#endif
 
 #include <CLI/CLI.hpp>
 
@@ -28,9 +26,7 @@ int run_view(const PictureArguments& arguments, const Streams& streams) {
     streams.err << "asos: " << scene.error().message() << "\n";
     return exit_bad_input;
   }
-#ifdef ASOS_WITH_WINDOW
   if (has_display()) return run_viewer({arguments.scene, arguments.settings});
-#endif
   streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
               << "  asos render '" << arguments.scene << "' -o picture.png\n";
   return exit_bad_input;

@@ -7,8 +7,8 @@ struct DisplaySettings {
   static constexpr float exposure_limit_ev = 10.0f;
 
   float exposure_ev = 0.0f;     ///< stops
-  bool show_split_map = false;  ///< over the picture: each pixel's deepest level
-  float split_opacity = 0.7f;   ///< of the split map, 0 to 1
+  bool show_split_map = false;  ///< over the picture: each split pixel's deepest level
+  float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
 
   bool operator==(const DisplaySettings&) const = default;
 };

@@ -68,7 +68,9 @@ void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, b
   std::array<glm::u8vec4, 256> colours;
   if (overlay) {
     for (int level = 0; level <= max_level_; ++level) {
-      colours[static_cast<std::size_t>(level)] = glm::u8vec4(split_colour(level, max_level_), 255);
+      // Split pixels hide the picture; the others only dim it, so that colours match the legend.
+      colours[static_cast<std::size_t>(level)] =
+          glm::u8vec4(split_colour(level, max_level_), level > 0 ? 255 : 0);
     }
   }
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
@@ -104,12 +106,12 @@ void GlDisplay::draw(const PictureView& view, const Target& target,
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   draw_layer(picture_program_, picture_, clip_rect, magnified);
-  if (display.show_split_map && display.split_opacity > 0.0f) {
+  if (display.show_split_map) {
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     glUseProgram(overlay_program_.name());
-    glUniform1f(glGetUniformLocation(overlay_program_.name(), "opacity"), display.split_opacity);
+    glUniform1f(glGetUniformLocation(overlay_program_.name(), "dimming"), display.split_dimming);
     draw_layer(overlay_program_, overlay_, clip_rect, magnified);
     glDisable(GL_BLEND);
   }
@@ -131,14 +133,17 @@ void GlDisplay::draw_layer(const Program& program, const Layer& layer, const glm
 
 std::vector<std::uint8_t> GlDisplay::seen_rgb(const DisplaySettings& display) const {
   const std::size_t count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  const float opacity = display.show_split_map ? display.split_opacity : 0.0f;
   std::vector<std::uint8_t> rgb;
   rgb.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
-    const glm::vec3 mixed =
-        glm::mix(glm::vec3(picture_.at(i)), glm::vec3(overlay_.at(i)), opacity) + 0.5f;
+    glm::vec3 seen(picture_.at(i));
+    if (display.show_split_map) {
+      const glm::u8vec4 over = overlay_.at(i);
+      const float hidden = over.a > 0 ? 1.0f : display.split_dimming;
+      seen = glm::mix(seen, glm::vec3(over), hidden) + 0.5f;
+    }
     for (int channel = 0; channel < 3; ++channel) {
-      rgb.push_back(static_cast<std::uint8_t>(mixed[channel]));
+      rgb.push_back(static_cast<std::uint8_t>(seen[channel]));
     }
   }
   return rgb;

@@ -1,5 +1,6 @@
 #include "ui/previewer.h"
 
+#include "renderer/methods/method.h"
 #include "renderer/scene/load.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace {
 
 // A window that is being dragged larger asks for many sizes; rendering waits until it rests.
 constexpr double size_rest_seconds = 0.15;
+// How long changes wait for the first coarse picture of the render before them.
+constexpr double first_picture_seconds = 0.1;
 
 double radius_of(const Box& bounds) {
   return bounds.empty() ? 1.0 : 0.5 * static_cast<double>(glm::length(bounds.hi - bounds.lo));
@@ -31,6 +34,27 @@ Film stretched(const Film& old, int width, int height) {
   return film;
 }
 
+/// How far ahead a camera's subject lies: the middle one of the depths that it sees around its
+/// centre. A single ray could slip through a gap and find the horizon. 0 where nothing is seen.
+double subject_distance(const RenderScene& scene, const Camera& camera) {
+  constexpr int grid = 9, margin = 2;
+  const View view(camera, grid, grid);
+  const glm::dvec3 eye(camera.world_from_camera[3]);
+  const glm::dvec3 forward = -glm::dvec3(camera.world_from_camera[2]);
+  std::vector<double> depths;
+  for (int y = margin; y < grid - margin; ++y) {
+    for (int x = margin; x < grid - margin; ++x) {
+      const Ray ray = view.ray(x + 0.5, y + 0.5);
+      const Hit hit = scene.rays.closest(ray);
+      if (hit.valid()) depths.push_back(glm::dot(glm::dvec3(ray.at(hit.t)) - eye, forward));
+    }
+  }
+  if (depths.empty()) return 0.0;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
   return [](const std::string& source) { return load_scene(source); };
@@ -47,6 +71,7 @@ Previewer::Previewer(Hooks hooks, RenderSettings settings)
 
 void Previewer::open(const std::string& source) {
   error_.reset();
+  asked_for_ = source;
   loader_.open(source);
 }
 
@@ -67,6 +92,8 @@ void Previewer::set_picture_size(int width, int height, double now_seconds) {
 }
 
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
+  // What waits for the first picture goes on with the next tiles: look again at once.
+  if (out_of_date()) return 0.0;
   if (!pending_size_) return std::nullopt;
   return std::max(0.0, pending_size_->since_seconds + size_rest_seconds - now_seconds);
 }
@@ -74,8 +101,8 @@ std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
 void Previewer::update(double now_seconds) {
   settle_size(now_seconds);
   if (std::optional<LoadOutcome> outcome = loader_.take_outcome()) accept(std::move(*outcome));
-  restart_if_changed();
   take_tiles();
+  restart_if_changed(now_seconds);
 }
 
 void Previewer::settle_size(double now_seconds) {
@@ -93,6 +120,11 @@ void Previewer::accept(LoadOutcome outcome) {
   scene_ = std::move(*outcome.scene);
   load_seconds_ = outcome.load_seconds;
   choose_camera(scene_->world.cameras.empty() ? -1 : 0);
+  if (const Result<void> able = check_method(*scene_, settings_); !able) {
+    error_ = able.error();
+    error_->reason += "; ASOS takes its place";
+    settings_.method = Method::asos;
+  }
 }
 
 void Previewer::choose_camera(int index) {
@@ -106,9 +138,8 @@ void Previewer::choose_camera(int index) {
   // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
   const double radius = radius_of(world.bounds);
   camera_.set(camera, radius, radius);
-  const Hit hit = scene_->rays.closest(View(camera, 1, 1).ray(0.5, 0.5));
-  double distance = static_cast<double>(hit.t);
-  if (!hit.valid() && !world.bounds.empty()) {
+  double distance = subject_distance(*scene_, camera);
+  if (distance <= 0.0 && !world.bounds.empty()) {
     const glm::dvec3 middle(0.5f * (world.bounds.lo + world.bounds.hi));
     const glm::dvec3 eye(camera.world_from_camera[3]);
     distance = glm::dot(middle - eye, -glm::dvec3(camera.world_from_camera[2]));
@@ -127,16 +158,32 @@ void Previewer::set_pivot_at(double x, double y) {
   if (hit.valid()) camera_.look_at(glm::dvec3(ray.at(hit.t)));
 }
 
-void Previewer::restart_if_changed() {
-  if (!scene_ || !sized_) return;
-  if (rendered_.scene == scene_ && rendered_.camera_revision == camera_.revision() &&
-      rendered_.settings == settings_) {
-    return;
-  }
+bool Previewer::out_of_date() const {
+  return scene_ && sized_ &&
+         (rendered_.scene != scene_ || rendered_.camera_revision != camera_.revision() ||
+          rendered_.settings != settings_);
+}
+
+bool Previewer::first_picture_pending() const {
+  return rendered_.scene && session_.progress().running &&
+         pixels_taken_ < static_cast<std::int64_t>(film_.width) * film_.height;
+}
+
+bool Previewer::should_wait(double now_seconds) const {
+  const bool same_picture = rendered_.scene == scene_ && film_.width == settings_.width &&
+                            film_.height == settings_.height;
+  return same_picture && first_picture_pending() &&
+         now_seconds - restarted_seconds_ < first_picture_seconds;
+}
+
+void Previewer::restart_if_changed(double now_seconds) {
+  if (!out_of_date() || should_wait(now_seconds)) return;
   // The old scene may go only when no worker uses it any more, which restart sees to.
   session_.restart({scene_, camera_.camera(), settings_, true});
   rendered_ = {scene_, camera_.revision(), settings_};
   ++restarts_;
+  restarted_seconds_ = now_seconds;
+  pixels_taken_ = 0;
   if (film_.width != settings_.width || film_.height != settings_.height) {
     film_ = stretched(film_, settings_.width, settings_.height);
     changed_ = {{0, 0, film_.width, film_.height}};
@@ -147,6 +194,7 @@ void Previewer::take_tiles() {
   for (const FinishedTile& tile : session_.take_finished()) {
     film_.put(tile);
     changed_.push_back(tile.rect);
+    pixels_taken_ += static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
   }
 }
 

@@ -31,8 +31,13 @@ class Previewer {
   /// been still for a moment. Sizes without area (a minimised window) are ignored.
   void set_picture_size(int width, int height, double now_seconds);
   /// Takes what other threads finished and restarts the render where what it depends on has
-  /// changed. Call once or more a frame.
+  /// changed. A render that has not covered the picture once is given a moment to do so: changes
+  /// that come faster, as from a mouse, would else leave the picture's rim as it was. Call once or
+  /// more a frame.
   void update(double now_seconds);
+  /// Whether parts of the running render's picture still show the one before: then what arrives
+  /// should be shown without delay.
+  [[nodiscard]] bool first_picture_pending() const;
   /// When `update` next has something to do of its own accord, in seconds from now; none: when
   /// woken.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
@@ -40,6 +45,7 @@ class Previewer {
   /// Widgets edit these; `update` notices.
   [[nodiscard]] RenderSettings& settings() { return settings_; }
   [[nodiscard]] OrbitCamera& camera() { return camera_; }
+  [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
 
   /// Takes over the scene's camera `index`; -1: the view that frames everything.
   void choose_camera(int index);
@@ -49,6 +55,8 @@ class Previewer {
   void set_pivot_at(double x, double y);
 
   [[nodiscard]] const RenderScene* scene() const { return scene_.get(); }
+  /// The source that was opened last, whether it could be or not.
+  [[nodiscard]] const std::string& asked_for() const { return asked_for_; }
   [[nodiscard]] double load_seconds() const { return load_seconds_; }
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
@@ -77,7 +85,9 @@ class Previewer {
 
   void accept(LoadOutcome outcome);
   void settle_size(double now_seconds);
-  void restart_if_changed();
+  [[nodiscard]] bool out_of_date() const;
+  [[nodiscard]] bool should_wait(double now_seconds) const;
+  void restart_if_changed(double now_seconds);
   void take_tiles();
   [[nodiscard]] double aspect_ratio() const;
 
@@ -85,12 +95,15 @@ class Previewer {
   OrbitCamera camera_;
   int chosen_camera_ = -1;
   std::shared_ptr<const RenderScene> scene_;
+  std::string asked_for_;
   double load_seconds_ = 0.0;
   std::optional<Error> error_;
   bool sized_ = false;
   std::optional<PendingSize> pending_size_;
 
   Rendered rendered_;
+  double restarted_seconds_ = 0.0;
+  std::int64_t pixels_taken_ = 0;  // of the tiles of the render that runs
   Film film_;
   std::vector<PixelRect> changed_;
   std::uint64_t restarts_ = 0;

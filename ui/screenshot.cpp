@@ -1,5 +1,8 @@
 #include "ui/screenshot.h"
 
+#include "ui/display_settings.h"
+#include "ui/previewer.h"
+
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -22,6 +25,71 @@ std::string screenshot_stem(const std::string& source) {
     if (c == '/' || static_cast<unsigned char>(c) < 0x20) c = '_';
   }
   return stem.empty() ? "picture" : stem;
+}
+
+namespace {
+
+// As the command line takes it, in the author's coordinates.
+std::string look_at_words(const OrbitCamera& orbit, glm::dvec3 origin) {
+  const Camera camera = orbit.camera();
+  const glm::dvec3 eye = glm::dvec3(camera.world_from_camera[3]) + origin;
+  const glm::dvec3 target = orbit.pivot() + origin;
+  std::string words = fmt::format("--look-at {:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", eye.x,
+                                  eye.y, eye.z, target.x, target.y, target.z);
+  return camera.type == Camera::Type::perspective
+             ? words + fmt::format(" --fov {:.9g}", glm::degrees(camera.fov_y_rad))
+             : words + fmt::format(" (orthographic, height {:.9g})", camera.height);
+}
+
+void add_method(ImageText& text, const RenderSettings& settings) {
+  switch (settings.method) {
+    case Method::asos:
+      text.emplace_back("asos.method", "asos");
+      text.emplace_back("asos.max_level", std::to_string(settings.max_level));
+      text.emplace_back("asos.eps", fmt::format("{}", settings.eps));
+      text.emplace_back("asos.leaf", settings.leaf == Leaf::exact ? "exact" : "point");
+      text.emplace_back("asos.jitter", settings.jitter ? "true" : "false");
+      break;
+    case Method::uniform:
+    case Method::stochastic:
+      text.emplace_back("asos.method",
+                        settings.method == Method::uniform ? "uniform" : "stochastic");
+      text.emplace_back("asos.spp", std::to_string(settings.spp));
+      break;
+    case Method::beam:
+      text.emplace_back("asos.method", "beam");
+      break;
+  }
+}
+
+}  // namespace
+
+ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display) {
+  ImageText text{{"Software", "asos"}};
+  const RenderScene* scene = previewer.scene();
+  if (!scene) return text;
+  const RenderSettings& settings = previewer.rendered_settings();
+  const RenderStatistics statistics = previewer.statistics();
+  const Progress progress = previewer.progress();
+  const auto add = [&text](const char* key, std::string value) {
+    text.emplace_back(key, std::move(value));
+  };
+  add("asos.scene", scene->source);
+  add("asos.triangles", std::to_string(scene->world.triangles.size()));
+  add("asos.camera", look_at_words(previewer.camera(), scene->world.origin));
+  add("asos.width", std::to_string(settings.width));
+  add("asos.height", std::to_string(settings.height));
+  add("asos.exposure", fmt::format("{}", display.exposure_ev));
+  add("asos.split_map", display.show_split_map ? "true" : "false");
+  add_method(text, settings);
+  add("asos.render_seconds", fmt::format("{:.3f}", progress.seconds));
+  add("asos.finished_percent", fmt::format("{:.1f}", 100.0 * progress.fraction));
+  add("asos.rays", fmt::format("eye {}, shadow {}, reflection {}", statistics.eye_rays,
+                               statistics.shadow_rays, statistics.reflection_rays));
+  add("asos.split_pixels", std::to_string(statistics.split_pixels));
+  add("asos.missed_splits", std::to_string(statistics.missed_splits));
+  add("asos.unresolved_area", fmt::format("{:.3f}", statistics.unresolved_area));
+  return text;
 }
 
 Result<std::string> save_screenshot(const RgbImage& image, const std::filesystem::path& folder,

@@ -73,7 +73,10 @@ class Loop {
 
   [[nodiscard]] double next_frame_seconds() const {
     double due = never;
-    if (woken_) due = last_seconds_ + tiles_frame_seconds;
+    if (woken_) {
+      due = last_seconds_ +
+            (previewer_.first_picture_pending() ? input_frame_seconds : tiles_frame_seconds);
+    }
     if (interaction_) due = std::min(due, last_seconds_ + input_frame_seconds);
     if (const std::optional<double> wish = content_.seconds_to_redraw()) {
       due = std::min(due, last_seconds_ + std::max(*wish, input_frame_seconds));

@@ -166,11 +166,13 @@ void WindowContent::panel_window(const WindowRect& rect) {
                        width)) {
     state_.screenshot_requested = true;
   }
-  antialiasing_panel(controls_, previewer_.settings());
+  if (scene) warnings_panel(controls_, scene->notes);
+  antialiasing_panel(controls_, previewer_.settings(), scene);
   display_panel(controls_, state_.display, previewer_.settings().max_level);
   camera_panel(controls_, previewer_);
   if (scene) {
-    statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings());
+    statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings(), *scene,
+                     previewer_.progress().fraction);
     scene_panel(controls_, *scene, previewer_.load_seconds());
   }
   ImGui::End();
@@ -197,10 +199,8 @@ void WindowContent::take_screenshot() {
     say("There is no picture to save yet");
     return;
   }
-  const RgbImage image{display_.width(),
-                       display_.height(),
-                       display_.seen_rgb(state_.display),
-                       {{"Software", "ASOS"}, {"scene", scene->source}}};
+  const RgbImage image{display_.width(), display_.height(), display_.seen_rgb(state_.display),
+                       screenshot_text(previewer_, state_.display)};
   const Result<std::string> saved =
       save_screenshot(image, screenshot_folder(), screenshot_stem(scene->source));
   say(saved ? "Saved " + *saved : "Not saved: " + saved.error().message());

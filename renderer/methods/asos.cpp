@@ -38,14 +38,14 @@ struct Workspace {
 class BlockRenderer {
  public:
   BlockRenderer(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                PixelRect block, Workspace& work)
+                PixelRect block, const std::stop_token& stop, Workspace& work)
       : scene_(scene),
         settings_(settings),
         block_(block),
         work_(work),
         frame_(view.frame(block.x, block.y, block_size, block_size)),
         caster_(scene, view, frame_, {block.x, block.y, block_size, block_size}, pixels_in_block,
-                result_.statistics) {}
+                stop, result_.statistics) {}
 
   BlockResult run() {
     look_through_centres();
@@ -221,9 +221,10 @@ class BlockRenderer {
 }  // namespace
 
 BlockResult render_block_asos(const RenderScene& scene, const View& view,
-                              const RenderSettings& settings, PixelRect block) {
+                              const RenderSettings& settings, PixelRect block,
+                              const std::stop_token& stop) {
   thread_local Workspace work;
-  return BlockRenderer(scene, view, settings, block, work).run();
+  return BlockRenderer(scene, view, settings, block, stop, work).run();
 }
 
 }  // namespace asos

@@ -1,15 +1,18 @@
 #include "renderer/methods/eye_caster.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asos {
 
 EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const Frame& frame,
-                     PixelRect block, std::size_t roots, RenderStatistics& counts)
+                     PixelRect block, std::size_t roots, const std::stop_token& stop,
+                     RenderStatistics& counts)
     : scene_(scene),
       view_(view),
       frame_(frame),
       block_(block),
+      stop_(stop),
       counts_(counts),
       shader_(scene.world, scene.needs, scene.rays),
       sums_(roots) {}
@@ -21,7 +24,12 @@ Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
                               block_.y + static_cast<double>(p.y) * block_.height));
   }
   hits_.resize(rays_.size());
-  scene_.rays.closest(std::span(rays_).subspan(first), std::span(hits_).subspan(first));
+  // In runs of which each takes well under a millisecond, so that cancelling is quick.
+  constexpr std::size_t run = 1024;
+  for (std::size_t i = first; i < rays_.size() && !cancelled(); i += run) {
+    const std::size_t count = std::min(run, rays_.size() - i);
+    scene_.rays.closest(std::span(rays_).subspan(i, count), std::span(hits_).subspan(i, count));
+  }
   counts_.eye_rays += points.size();
   return static_cast<SampleId>(first);
 }
@@ -53,6 +61,7 @@ std::uint32_t EyeCaster::surface(SampleId sample) const {
 }
 
 void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
+  if (cancelled()) return;
   const glm::vec3 radiance = shader_.radiance(rays_[sample], hits_[sample], counts_);
   if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
     ++counts_.rejected_samples;

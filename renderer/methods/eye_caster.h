@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -19,11 +20,12 @@ namespace asos {
 class EyeCaster final : public Caster {
  public:
   EyeCaster(const RenderScene& scene, const View& view, const Frame& frame, PixelRect block,
-            std::size_t roots, RenderStatistics& counts);
+            std::size_t roots, const std::stop_token& stop, RenderStatistics& counts);
 
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
+  [[nodiscard]] bool cancelled() const override { return stop_.stop_requested(); }
   void leaf(std::uint32_t root, SampleId sample, double weight) override;
 
   /// Whether a sample met the background or a surface without holes and nothing shining through.
@@ -43,6 +45,7 @@ class EyeCaster final : public Caster {
   const View& view_;
   const Frame& frame_;
   PixelRect block_;
+  std::stop_token stop_;
   RenderStatistics& counts_;
   Shader shader_;
   std::vector<Ray> rays_;

@@ -9,10 +9,12 @@ BlockResult render_block(const RenderScene& scene, const View& view, const Rende
       return render_block_uniform(scene, view, settings, block, stop);
     case Method::stochastic:
       return render_block_stochastic(scene, view, settings, block, stop);
+    case Method::beam:
+      return render_block_beam(scene, view, settings, block, stop);
     case Method::asos:
       break;
   }
-  return render_block_asos(scene, view, settings, block);
+  return render_block_asos(scene, view, settings, block, stop);
 }
 
 }  // namespace asos

@@ -32,8 +32,8 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   if (!(s.eps >= 0.0 && s.eps <= 1.0)) {
     return unexpected(Error{"eps", fmt::format("{} is not from 0 to 1", s.eps)});
   }
-  const bool known_method =
-      s.method == Method::asos || s.method == Method::uniform || s.method == Method::stochastic;
+  const bool known_method = s.method == Method::asos || s.method == Method::uniform ||
+                            s.method == Method::stochastic || s.method == Method::beam;
   if (!known_method) return unexpected(Error{"method", "is not one of the program's"});
   if (s.leaf != Leaf::exact && s.leaf != Leaf::point) {
     return unexpected(Error{"leaf", "is neither exact nor point"});

@@ -7,7 +7,7 @@
 
 namespace asos {
 
-enum class Method { asos, uniform, stochastic };
+enum class Method { asos, uniform, stochastic, beam };
 enum class Leaf { exact, point };
 
 /// What to render with. Defaulted and comparable; widgets edit a copy, work takes a copy.

@@ -29,6 +29,10 @@ class Caster {
   /// The surface that a sample met: equal numbers for one smooth, connected piece.
   [[nodiscard]] virtual std::uint32_t surface(SampleId sample) const = 0;
 
+  /// True once nobody wants the result any more. The engine then returns early, with whatever it
+  /// has; samples and leaves need not be meant from then on.
+  [[nodiscard]] virtual bool cancelled() const { return false; }
+
   /// A finished leaf of the root whose id is `root`; `weight` is its share of the root's area.
   virtual void leaf(std::uint32_t root, SampleId sample, double weight) = 0;
 };

@@ -21,7 +21,7 @@ std::span<const SubdivisionOutcome> Subdivider::run(HitLists& lists, std::span<c
   start(roots);
   Level* current = &levels_[0];
   Level* next = &levels_[1];
-  for (level_ = 0; !current->cells.empty(); ++level_) {
+  for (level_ = 0; !current->cells.empty() && !caster.cancelled(); ++level_) {
     // What can be resolved becomes leaves; what cannot stays, marginal.
     for (const Cell& cell : current->cells) {
       SubdivisionOutcome& o = outcome(cell);
@@ -62,7 +62,7 @@ void Subdivider::resolve(Level& level) {
     faces_.clear();
     excluded_.clear();
     for (std::uint32_t i = 0; i < level.cells.size(); ++i)
-      if (!level.cells[i].done) plan(level, i, with_own_sample);
+      if (!level.cells[i].done && !caster_->cancelled()) plan(level, i, with_own_sample);
     carry_out(level);
   }
   std::erase_if(level.cells, [](const Cell& cell) { return cell.done; });
@@ -271,6 +271,7 @@ void Subdivider::split(const Level& level, Level& next) {
   next.cells.clear();
   next.entries.clear();
   for (const Cell& cell : level.cells) {
+    if (caster_->cancelled()) return;
     for (int i = 0; i < 4; ++i) {
       Cell child;
       child.square = cell.square.quarter(i);

@@ -45,7 +45,8 @@ struct SubdivisionOutcome {
 /// Reuses its memory; one object a thread.
 class Subdivider {
  public:
-  /// One outcome a root. The weights of each root's leaves add up to 1.
+  /// One outcome a root. The weights of each root's leaves add up to 1, unless the caster was
+  /// cancelled.
   std::span<const SubdivisionOutcome> run(HitLists& lists, std::span<const Root> roots,
                                           const SubdivisionRules& rules, Caster& caster);
 

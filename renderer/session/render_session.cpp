@@ -49,7 +49,8 @@ RenderSession::~RenderSession() {
 void RenderSession::restart(Snapshot snapshot) {
   state_->stop();
   state_->run.reset();
-  state_->nothing_to_do = !snapshot.scene || !validated(snapshot.settings);
+  state_->nothing_to_do = !snapshot.scene || !validated(snapshot.settings) ||
+                          !check_method(*snapshot.scene, snapshot.settings);
   if (state_->nothing_to_do) return;
   const std::size_t workers = worker_count(snapshot.settings.threads);
   RenderRun& run = state_->run.emplace(std::move(snapshot), state_->on_tiles);

@@ -152,7 +152,7 @@ TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
 }
 
 TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
-  for (const char* method : {"asos", "uniform", "stochastic"}) {
+  for (const char* method : {"asos", "uniform", "stochastic", "beam"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4"};
     render("whole.exr", words);
     // Not aligned to blocks, and reaching the picture's lower right corner.
@@ -170,7 +170,7 @@ TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
 }
 
 TEST_F(RenderCommand, TheNumberOfThreadsDoesNotShow) {
-  for (const char* method : {"asos", "uniform", "stochastic"}) {
+  for (const char* method : {"asos", "uniform", "stochastic", "beam"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4", "--jitter"};
     render("one.exr",
            words + std::vector<std::string>{"--threads", "1", "--stats", path("1.json")});

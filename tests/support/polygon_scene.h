@@ -5,6 +5,8 @@
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/hit_list.h"
 #include "renderer/scene/world.h"
+#include "tests/support/polygon.h"
+#include "tests/support/triangle_crossing.h"
 
 #include <glm/glm.hpp>
 
@@ -99,20 +101,10 @@ class BruteForceCaster final : public Caster {
     Sample best;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t) {
-      const glm::uvec3 i = world_.triangles[t];
-      const glm::dvec3 a(world_.positions[i.x]);
-      const glm::dvec3 e1 = glm::dvec3(world_.positions[i.y]) - a;
-      const glm::dvec3 e2 = glm::dvec3(world_.positions[i.z]) - a;
-      const glm::dvec3 p = glm::cross(d, e2);
-      const double det = glm::dot(e1, p);
-      const glm::dvec3 s = origin - a;
-      const double b1 = glm::dot(s, p) / det;
-      const glm::dvec3 q = glm::cross(s, e1);
-      const double b2 = glm::dot(d, q) / det;
-      const double at = glm::dot(e2, q) / det;
-      if (!(b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 && at > 0.0 && at < nearest)) continue;
-      nearest = at;
-      best = {t, origin + at * d};
+      const auto met = crossing(world_, t, origin, d);
+      if (!met || !(met->inside() >= 0.0 && met->t > 0.0 && met->t < nearest)) continue;
+      nearest = met->t;
+      best = {t, origin + met->t * d};
     }
     return best;
   }
@@ -122,34 +114,6 @@ class BruteForceCaster final : public Caster {
   const Frame& frame_;
   std::vector<Sample> samples_;
 };
-
-/// The part of a convex polygon inside the unit square, by Sutherland and Hodgman.
-inline std::vector<glm::dvec2> clip_to_unit_square(std::vector<glm::dvec2> polygon) {
-  for (int side = 0; side < 4; ++side) {
-    const int k = side & 1;
-    const auto depth = [&](glm::dvec2 p) { return side < 2 ? p[k] : 1.0 - p[k]; };
-    std::vector<glm::dvec2> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const glm::dvec2 p = polygon[i];
-      const glm::dvec2 q = polygon[(i + 1) % polygon.size()];
-      if (depth(p) >= 0.0) kept.push_back(p);
-      if ((depth(p) < 0.0) != (depth(q) < 0.0))
-        kept.push_back(p + (q - p) * (depth(p) / (depth(p) - depth(q))));
-    }
-    polygon = kept;
-  }
-  return polygon;
-}
-
-inline double area(const std::vector<glm::dvec2>& polygon) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec2 p = polygon[i];
-    const glm::dvec2 q = polygon[(i + 1) % polygon.size()];
-    twice += p.x * q.y - p.y * q.x;
-  }
-  return 0.5 * std::abs(twice);
-}
 
 /// Looks down -Z from the origin at the square 0 <= x, y <= 1 at distance 1, so that a point
 /// (x, y, 1) * d in (x, -y, -z) is at (u, v) = (x, y). The world point at (u, v) and depth d:

@@ -27,7 +27,9 @@ class PanelsTest : public testing::Test {
     const float y = at.centre().y;
     rig.drag({glm::mix(at.lo.x, at.hi.x, from), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
   }
+  /// Changes may wait for the picture of the render before them.
   bool restarted() {
+    EXPECT_TRUE(rig.settle());
     const bool yes = rig.previewer().restarts() > restarts_;
     restarts_ = rig.previewer().restarts();
     return yes;
@@ -118,8 +120,8 @@ TEST_F(PanelsTest, DisplayControlsRestartNothing) {
   rig.click("Split map");
   EXPECT_TRUE(display().show_split_map);
   rig.frame();
-  slide("Opacity", 0.5f, 0.25f);
-  EXPECT_LT(display().split_opacity, 0.5f);
+  slide("Dimming", 0.5f, 0.25f);
+  EXPECT_LT(display().split_dimming, 0.5f);
   EXPECT_TRUE(rig.content().controls().all().contains("Legend"));
   rig.key(Key::m);
   EXPECT_FALSE(display().show_split_map);
@@ -272,9 +274,10 @@ TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
 TEST_F(PanelsTest, EveryWidgetThatChangesSomethingHasATooltip) {
   rig.click("Split map");
   rig.frame();
-  for (const char* name : {"EPS", "MAX", "Leaf/Exact", "Leaf/Point", "Jitter", "Method/ASOS",
-                           "Method/Uniform", "Method/Stochastic", "Exposure", "Split map",
-                           "Opacity", "Legend", "View", "Frame all", "Open...", "Save picture"}) {
+  for (const char* name :
+       {"EPS", "MAX", "Leaf/Exact", "Leaf/Point", "Jitter", "Method/ASOS", "Method/Uniform",
+        "Method/Stochastic", "Exposure", "Split map", "Dimming", "Legend", "View", "Frame all",
+        "Reset view", "Open...", "Save picture"}) {
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;
   }
 }

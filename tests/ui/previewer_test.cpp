@@ -57,7 +57,8 @@ class PreviewerTest : public testing::Test {
     return update_until([&] { return previewer.scene() && previewer.scene()->source == source; });
   }
   bool finished() {
-    return update_until([&] { return previewer.progress().finished; });
+    return update_until(
+        [&] { return previewer.progress().finished && !previewer.seconds_to_update(now); });
   }
 
   Loader loader;
@@ -98,6 +99,7 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
 
   std::uint64_t expected = 1;
   const auto restarts_after = [&](const std::function<void()>& change) {
+    ASSERT_TRUE(finished());
     change();
     previewer.update(now);
     EXPECT_EQ(previewer.restarts(), ++expected);
@@ -110,6 +112,39 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
   restarts_after([&] { previewer.camera().orbit(0.1, 0.0); });
   restarts_after([&] { previewer.frame_all(); });
   restarts_after([&] { previewer.choose_camera(-1); });
+}
+
+// A drag changes the camera faster than a coarse picture takes: without the wait, only the middle
+// of the picture would ever follow.
+TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {
+  previewer.set_picture_size(800, 600, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(finished());
+  constexpr int changes = 300;
+  int whole = 0;
+  for (int i = 0; i < changes; ++i) {
+    const std::uint64_t before = previewer.restarts();
+    previewer.camera().orbit(0.01, 0.0);
+    previewer.update(now);
+    // Time stands still here, so that only a whole picture lets the next render begin.
+    if (previewer.restarts() > before) ++whole;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_GT(whole, 1);
+  EXPECT_LT(whole, changes);
+  ASSERT_TRUE(finished());
+  EXPECT_FALSE(previewer.first_picture_pending());
+}
+
+TEST_F(PreviewerTest, ASlowFirstPictureHoldsChangesUpForAMomentOnly) {
+  previewer.set_picture_size(2000, 1500, now);
+  previewer.open("red");
+  ASSERT_TRUE(opened("red"));
+  const std::uint64_t before = previewer.restarts();
+  previewer.camera().orbit(0.01, 0.0);
+  previewer.update(now += 0.2);
+  EXPECT_EQ(previewer.restarts(), before + 1);
 }
 
 TEST_F(PreviewerTest, ResizingWaitsUntilTheSizeRests) {

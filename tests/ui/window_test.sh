@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs the real window on a virtual screen and uses it as a person would: waits for the picture,
-# drags EPS, orbits, resizes, takes a screenshot, quits. Pictures of the screen stay
-# in the current directory for a look.
+# drags EPS, orbits, resizes, takes a screenshot, opens a file that does not exist and one that does
+# (where the shared scenes are there), quits. Pictures of the screen stay in the current directory
+# for a look.
 #
 # usage: window_test.sh ASOS_PROGRAM [SCENE]
 set -u
@@ -94,6 +95,11 @@ xdotool mouseup 1
 sleep 0.3
 alive "EPS"
 wait_for_picture window_eps.png
+for _ in $(seq 50); do
+  [ "$(eps_row window_start.png)" != "$(eps_row window_eps.png)" ] && break
+  sleep 0.2
+  wait_for_picture window_eps.png
+done
 [ "$(eps_row window_start.png)" != "$(eps_row window_eps.png)" ] || fail "EPS did not follow the drag"
 
 # Orbit with the left button, come closer with the wheel.
@@ -127,7 +133,35 @@ xdotool windowmap "$window"
 sleep 0.5
 wait_for_picture window_resized.png
 
+# Types a path into the open dialog.
 xdotool windowfocus "$window" 2>/dev/null
+open_file() {
+  xdotool key ctrl+o
+  sleep 0.5
+  xdotool key ctrl+a
+  xdotool type --delay 20 "$1"
+  sleep 0.5
+  xdotool key Return
+}
+title=$(xdotool getwindowname "$window")
+open_file /no/such.glb
+sleep 1
+alive "a file that does not exist"
+[ "$(xdotool getwindowname "$window")" = "$title" ] || fail "an error changed the scene"
+wait_for_picture window_error.png
+
+bike=${ASOS_SHARED:-$(dirname "$0")/../../../shared}/scenes/Bike/Bike.glb
+if [ -f "$bike" ]; then
+  open_file "$(realpath "$bike")"
+  for _ in $(seq 300); do
+    [ "$(xdotool getwindowname "$window")" = "Bike - ASOS" ] && break
+    alive "Bike"
+    sleep 0.1
+  done
+  [ "$(xdotool getwindowname "$window")" = "Bike - ASOS" ] || fail "Bike was not opened"
+  wait_for_picture window_bike.png
+fi
+
 xdotool key ctrl+q
 for _ in $(seq 100); do
   kill -0 "$app" 2>/dev/null || break

@@ -1,3 +1,4 @@
+#include "renderer/methods/method.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
@@ -16,6 +17,9 @@ constexpr std::array methods{
                      "boundary of an object passes through it."},
     Controls::Option{"Uniform", "A regular grid of n x n samples in every pixel."},
     Controls::Option{"Stochastic", "n x n jittered samples in every pixel."},
+    Controls::Option{"Beam",
+                     "Beam tracing: the exact area of every visible polygon in a pixel. For small "
+                     "scenes, where it is offered at all."},
 };
 
 constexpr std::array leaves{
@@ -25,19 +29,29 @@ constexpr std::array leaves{
     Controls::Option{"Point", "As published: one sample for every cell that is not split."},
 };
 
+// As a fraction where that says more: 1/256 is one step of an 8-bit picture.
+std::string eps_words(double eps) {
+  if (eps <= 0.0) return "0: always to MAX";
+  if (eps > 0.1) return fmt::format("{:.2f}", eps);
+  return fmt::format("{:.4f}  =  1/{:.0f}", eps, 1.0 / eps);
+}
+
+std::string level_words(int max_level) {
+  if (max_level == 0) return "0: whole pixels";
+  const int cells = 1 << max_level;
+  return fmt::format("{}: up to {} x {} cells", max_level, cells, cells);
+}
+
 void asos_controls(Controls& controls, RenderSettings& settings) {
-  const std::string format = settings.eps > 0.0
-                                 ? fmt::format("%.4f  (1/{:.0f})", 1.0 / settings.eps)
-                                 : std::string("%.4f");
   controls.log_slider("EPS",
-                      "How much a pixel's display intensity (0 to 1) may still change when its "
+                      "By how much a pixel's display intensity (0 to 1) may still change when its "
                       "splitting stops. Smaller: finer, slower. 1/256 is one step of an 8-bit "
                       "picture. Ctrl+click to type a value.",
-                      settings.eps, 0.0, 1.0, format.c_str());
+                      settings.eps, 1.0, eps_words);
   controls.slider("MAX",
-                  "The deepest level to which a pixel is split: up to 4^MAX cells. 0: one sample a "
-                  "pixel.",
-                  settings.max_level, 0, RenderSettings::max_level_limit);
+                  "The deepest level to which a pixel is split, 0 to 8. Each level halves the "
+                  "side of a cell. Ctrl+click to type a value.",
+                  settings.max_level, 0, RenderSettings::max_level_limit, level_words);
   int leaf = settings.leaf == Leaf::exact ? 0 : 1;
   if (controls.options("Leaf", leaves, leaf)) {
     settings.leaf = leaf == 0 ? Leaf::exact : Leaf::point;
@@ -53,21 +67,29 @@ void sample_controls(Controls& controls, RenderSettings& settings) {
   constexpr int max_side = 32;
   int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(settings.spp))));
   side = std::clamp(side, 1, max_side);
-  const std::string format = fmt::format("%d x {} = {}", side, side * side);
-  if (controls.slider("Samples", "Samples a pixel: n x n.", side, 1, max_side, format.c_str())) {
+  const auto words = [](int n) { return fmt::format("{} x {} = {}", n, n, n * n); };
+  if (controls.slider("Samples", "Samples in each pixel: n x n.", side, 1, max_side, words)) {
     settings.spp = side * side;
   }
 }
 
+// Beam tracing comes last and is left out where the scene is too large for it.
+std::span<const Controls::Option> offered(const RenderScene* scene, RenderSettings settings) {
+  settings.method = Method::beam;
+  const bool beam = scene && check_method(*scene, settings);
+  return std::span(methods).first(methods.size() - (beam ? 0 : 1));
+}
+
 }  // namespace
 
-void antialiasing_panel(Controls& controls, RenderSettings& settings) {
+void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
   if (!controls.section("Antialiasing")) return;
   int method = static_cast<int>(settings.method);
-  if (controls.options("Method", methods, method)) settings.method = static_cast<Method>(method);
-  if (settings.method == Method::asos) {
-    asos_controls(controls, settings);
-  } else {
+  if (controls.options("Method", offered(scene, settings), method, false)) {
+    settings.method = static_cast<Method>(method);
+  }
+  if (settings.method == Method::asos) asos_controls(controls, settings);
+  if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);
   }
 }

@@ -1,8 +1,11 @@
 #include "ui/panels/controls.h"
 
+#include "ui/theme.h"
+
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asos {
 
@@ -10,9 +13,59 @@ namespace {
 
 constexpr double tooltip_delay_seconds = 0.45;
 constexpr float label_width_em = 6.4f;
+constexpr float tooltip_width_em = 22.0f;
 
 std::string hidden_label(const char* name) {
   return std::string("##") + name;
+}
+
+// Paints a bar with its text over the slider just drawn, whose own grab would hide the number.
+// `from` and `to` are shares of its width. Leaves a slider alone that is being typed into.
+void paint_slider(float from, float to, const std::string& text) {
+  const bool active = ImGui::IsItemActive();
+  if (active && ImGui::GetIO().WantTextInput) return;
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const float low = std::min(from, to), high = std::max(from, to);
+  const auto x_at = [&](float share) {
+    return std::round(lo.x + std::clamp(share, 0.0f, 1.0f) * (hi.x - lo.x));
+  };
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const bool lit = active || ImGui::IsItemHovered();
+  draw->AddRectFilled(lo, hi, theme::packed(lit ? theme::field_hovered : theme::field), rounding);
+  draw->AddRectFilled({x_at(low), lo.y}, {x_at(high), hi.y}, theme::packed(theme::accent),
+                      rounding);
+  // A mark at the value, below the text, keeps an empty bar from looking like a text field.
+  const float mark = std::round(0.2f * ImGui::GetFontSize());
+  const float left = std::clamp(x_at(to) - 0.5f * mark, lo.x, hi.x - mark);
+  draw->AddRectFilled({left, hi.y - 2.0f * mark}, {left + mark, hi.y},
+                      theme::packed(theme::accent_bright));
+
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw->PushClipRect(lo, hi, true);
+  draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)), lo.y + 0.5f * (hi.y - lo.y - size.y)},
+                theme::packed(theme::text), text.c_str());
+  draw->PopClipRect();
+}
+
+// Beside the window that the item is in, so that no other control is hidden; at the pointer where
+// there is no room.
+void show_tooltip(const char* text) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  const float left = ImGui::GetWindowPos().x - 0.4f * em;
+  if (left > (tooltip_width_em + 2.0f) * em) {
+    const bool upper = lo.y < 0.5f * ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowPos({left, upper ? lo.y : hi.y}, ImGuiCond_Always,
+                            {1.0f, upper ? 0.0f : 1.0f});
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em * 0.7f, em * 0.5f});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(em * tooltip_width_em);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -40,14 +93,7 @@ void Controls::placed(const std::string& name, const char* tooltip) {
   if (name != hovered_before_ || now_seconds_ - hovered_since_seconds_ < tooltip_delay_seconds) {
     return;
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                      {ImGui::GetFontSize() * 0.7f, ImGui::GetFontSize() * 0.5f});
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
-  ImGui::TextUnformatted(tooltip);
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  show_tooltip(tooltip);
 }
 
 void Controls::label(const char* name) {
@@ -58,29 +104,36 @@ void Controls::label(const char* name) {
 }
 
 bool Controls::slider(const char* name, const char* tooltip, float& value, float lo, float hi,
-                      const char* format) {
+                      const std::function<std::string(float)>& words) {
   label(name);
-  const bool changed = ImGui::SliderFloat(hidden_label(name).c_str(), &value, lo, hi, format,
+  const bool changed = ImGui::SliderFloat(hidden_label(name).c_str(), &value, lo, hi, "%.2f",
                                           ImGuiSliderFlags_AlwaysClamp);
+  const float zero = std::clamp(-lo / (hi - lo), 0.0f, 1.0f);
+  paint_slider(zero, (value - lo) / (hi - lo), words(value));
   placed(name, tooltip);
   return changed;
 }
 
 bool Controls::slider(const char* name, const char* tooltip, int& value, int lo, int hi,
-                      const char* format) {
+                      const std::function<std::string(int)>& words) {
   label(name);
-  const bool changed = ImGui::SliderInt(hidden_label(name).c_str(), &value, lo, hi, format,
+  const bool changed = ImGui::SliderInt(hidden_label(name).c_str(), &value, lo, hi, "%d",
                                         ImGuiSliderFlags_AlwaysClamp);
+  paint_slider(0.0f, static_cast<float>(value - lo) / static_cast<float>(hi - lo), words(value));
   placed(name, tooltip);
   return changed;
 }
 
-bool Controls::log_slider(const char* name, const char* tooltip, double& value, double lo,
-                          double hi, const char* format) {
+bool Controls::log_slider(const char* name, const char* tooltip, double& value, double hi,
+                          const std::function<std::string(double)>& words) {
   label(name);
+  // Dear ImGui begins its scale at the last decimal of the format.
+  constexpr double least = 1e-4, lo = 0.0;
   const bool changed =
       ImGui::SliderScalar(hidden_label(name).c_str(), ImGuiDataType_Double, &value, &lo, &hi,
-                          format, ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+                          "%.4f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  const double share = value > least ? std::log(value / least) / std::log(hi / least) : 0.0;
+  paint_slider(0.0f, static_cast<float>(share), words(value));
   placed(name, tooltip);
   return changed;
 }
@@ -98,8 +151,9 @@ bool Controls::button(const char* name, const char* tooltip, float width) {
   return pressed;
 }
 
-bool Controls::options(const char* name, std::span<const Option> options, int& chosen) {
-  label(name);
+bool Controls::options(const char* name, std::span<const Option> options, int& chosen,
+                       bool labelled) {
+  if (labelled) label(name);
   // The buttons share the width by the lengths of their names.
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
   float text_width = 0.0f;

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -22,13 +23,15 @@ class Controls {
 
   void begin_frame(double now_seconds);
 
+  /// Sliders show their value as text over a bar that is filled up to it, from 0 where the range
+  /// holds it. `words` writes the value; Ctrl+click types it.
   bool slider(const char* name, const char* tooltip, float& value, float lo, float hi,
-              const char* format);
+              const std::function<std::string(float)>& words);
   bool slider(const char* name, const char* tooltip, int& value, int lo, int hi,
-              const char* format = "%d");
-  /// On a logarithmic scale; `lo` may be 0.
-  bool log_slider(const char* name, const char* tooltip, double& value, double lo, double hi,
-                  const char* format);
+              const std::function<std::string(int)>& words);
+  /// From 0 to `hi` on a logarithmic scale that begins at 1/10000, for values with four decimals.
+  bool log_slider(const char* name, const char* tooltip, double& value, double hi,
+                  const std::function<std::string(double)>& words);
   bool checkbox(const char* name, const char* tooltip, bool& value);
   bool button(const char* name, const char* tooltip, float width = 0.0f);
 
@@ -37,7 +40,9 @@ class Controls {
     const char* name;
     const char* tooltip;
   };
-  bool options(const char* name, std::span<const Option> options, int& chosen);
+  /// Without a label they have the whole width.
+  bool options(const char* name, std::span<const Option> options, int& chosen,
+               bool labelled = true);
   /// One of many, as a list that drops down.
   bool list(const char* name, const char* tooltip, std::span<const std::string> items, int& chosen);
 

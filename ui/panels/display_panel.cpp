@@ -33,7 +33,9 @@ void split_legend(Controls& controls, int max_level) {
   }
   draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
   ImGui::Dummy({width, height + 1.3f * em});
-  controls.placed("Legend", "The deepest level that a pixel was split to, from 0 to MAX.");
+  controls.placed("Legend",
+                  "The deepest level that a pixel was split to, from 0 to MAX. A level keeps its "
+                  "colour whatever the picture shows.");
 }
 
 }  // namespace
@@ -44,13 +46,16 @@ void display_panel(Controls& controls, DisplaySettings& display, int max_level) 
                   "Brightness of the picture in stops: +1 doubles it. Changes what is shown, not "
                   "what is rendered.",
                   display.exposure_ev, -DisplaySettings::exposure_limit_ev,
-                  DisplaySettings::exposure_limit_ev, "%+.2f EV");
+                  DisplaySettings::exposure_limit_ev,
+                  [](float ev) { return fmt::format("{:+.2f} EV", ev); });
   controls.checkbox("Split map",
-                    "Colour each pixel by the deepest level that it was split to. Key: M.",
+                    "Colour each split pixel by the deepest level that it was split to. Key: M.",
                     display.show_split_map);
   if (!display.show_split_map) return;
-  controls.slider("Opacity", "How much the split map hides the picture, 0 to 1.",
-                  display.split_opacity, 0.0f, 1.0f, "%.2f");
+  controls.slider("Dimming",
+                  "How dark the pixels that are not split become under the split map, 0 to 100 %.",
+                  display.split_dimming, 0.0f, 1.0f,
+                  [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
   split_legend(controls, max_level);
 }
 

@@ -41,7 +41,9 @@ void error_notice(Controls& controls, Previewer& previewer, const WindowRect& ar
   const Error error = *previewer.error();
   begin_notice("error", area, 36.0f, 0.04f);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::alarm));
-  ImGui::TextUnformatted("Could not open");
+  // A method that refuses the scene is an error too, but the scene is there.
+  const bool open = previewer.scene() && previewer.scene()->source == previewer.asked_for();
+  ImGui::TextUnformatted(open ? "Not possible with this scene" : "Could not open");
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(error.subject.c_str());

@@ -9,12 +9,16 @@ namespace asos {
 // One panel a file. Each draws its widgets into the current Dear ImGui window and edits what it is
 // given; the previewer notices by itself.
 
-void antialiasing_panel(Controls& controls, RenderSettings& settings);
+void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
 void display_panel(Controls& controls, DisplaySettings& display, int max_level);
 void camera_panel(Controls& controls, Previewer& previewer);
 void scene_panel(Controls& controls, const RenderScene& scene, double load_seconds);
+/// `finished_share` of the pixels is what `statistics` is about, 0 to 1.
 void statistics_panel(Controls& controls, const RenderStatistics& statistics,
-                      const RenderSettings& settings);
+                      const RenderSettings& settings, const RenderScene& scene,
+                      double finished_share);
+/// What a person should know before trusting the picture; nothing where there is nothing.
+void warnings_panel(Controls& controls, const SceneNotes& notes);
 
 /// The line under the picture: what is going on and for how long still, or `message`.
 struct StatusLine {

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace asos {
 
 namespace {
@@ -16,13 +19,21 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
+// An estimate says no more than it knows.
+std::string rough_duration(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.0f} s", std::max(1.0, std::ceil(seconds)));
+  if (seconds < 60.0) return fmt::format("{:.0f} s", 5.0 * std::ceil(seconds / 5.0));
+  if (seconds < 3600.0) return fmt::format("{:.0f} min", std::ceil(seconds / 60.0));
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
 std::string words(const Progress& progress) {
   if (progress.finished) return "Finished in " + duration(progress.seconds);
   if (!progress.running) return "Stopped";
   std::string text =
       fmt::format("Rendering {:.0f} %   {}", 100.0 * progress.fraction, duration(progress.seconds));
   if (progress.seconds_left >= 0.0) {
-    text += fmt::format("   about {} left", duration(progress.seconds_left));
+    text += fmt::format("   about {} left", rough_duration(progress.seconds_left));
   }
   return text;
 }
@@ -36,9 +47,12 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
     const ImVec2 corner = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
     const float height = std::max(2.0f, ImGui::GetFontSize() * 0.15f);
-    ImGui::GetWindowDrawList()->AddRectFilled(
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->PushClipRect(corner, {corner.x + width, corner.y + height});  // ours ends at the padding
+    draw->AddRectFilled(
         corner, {corner.x + width * static_cast<float>(progress.fraction), corner.y + height},
         theme::packed(theme::accent_bright));
+    draw->PopClipRect();
   }
 
   if (!status.message.empty()) {
@@ -53,7 +67,10 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   const std::string right = fmt::format(
       "{}   F1 help", status.zoom > 1 ? fmt::format("zoom {}x", status.zoom) : std::string());
   const float width = ImGui::CalcTextSize(right.c_str()).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
+  const float left = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  if (left < used + ImGui::GetFontSize()) return;
+  ImGui::SameLine(left);
   ImGui::TextDisabled("%s", right.c_str());
 }
 

@@ -1,8 +1,6 @@
 #include "ui/panels/panels.h"
-#include "ui/theme.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <cstdint>
 #include <string>
@@ -33,19 +31,20 @@ std::string lights_of(const RenderScene& scene) {
   return std::to_string(scene.world.lights.size());
 }
 
-// What a person should know before trusting the picture.
-std::vector<std::string> remarks(const SceneNotes& notes) {
-  std::vector<std::string> lines = notes.warnings;
-  if (!notes.unsupported_extensions.empty()) {
-    lines.push_back("not supported: " + joined(notes.unsupported_extensions));
-  }
-  if (notes.points_not_drawn > 0) {
-    lines.push_back(fmt::format("{} points are not drawn", notes.points_not_drawn));
-  }
-  if (notes.lines_not_drawn > 0) {
-    lines.push_back(fmt::format("{} line segments are not drawn", notes.lines_not_drawn));
-  }
-  return lines;
+void edge_rows(Controls& controls, const FeatureCounts& edges) {
+  controls.row("Edges",
+               grouped(edges.open + edges.crease + edges.seam + edges.silhouette_candidates +
+                       edges.intersection),
+               "Edges that can be boundaries in the picture, of all kinds.");
+  const auto kind = [&](const char* label, std::uint64_t count, const char* tooltip) {
+    if (count > 0) controls.row(label, grouped(count), tooltip);
+  };
+  kind("   open", edges.open, "Edges of one triangle only: rims of open surfaces.");
+  kind("   crease", edges.crease, "Edges where the surface has a kink.");
+  kind("   seam", edges.seam, "Edges where the material or the texture coordinates change.");
+  kind("   smooth", edges.silhouette_candidates,
+       "Edges of smooth surfaces: boundaries only where the surface turns away from the eye.");
+  kind("   crossing", edges.intersection, "Lines in which surfaces pass through each other.");
 }
 
 }  // namespace
@@ -53,36 +52,24 @@ std::vector<std::string> remarks(const SceneNotes& notes) {
 void scene_panel(Controls& controls, const RenderScene& scene, double load_seconds) {
   if (!controls.section("Scene")) return;
   const World& world = scene.world;
-  controls.row("Triangles", grouped(world.triangles.size()));
-  controls.row("Objects", grouped(world.parts.size()));
+  controls.row("Triangles", grouped(world.triangles.size()),
+               "All of them, those of repeated objects counted each time.");
+  controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
   controls.row("Lights", lights_of(scene),
                "Point, spot and directional lights of the file. A scene without lights gets "
                "default ones, so that it is not black.");
-  const FeatureCounts& edges = scene.features.counts();
-  controls.row("Edges",
-               grouped(edges.open + edges.crease + edges.seam + edges.silhouette_candidates),
-               fmt::format("Edges that can be boundaries in the picture: {} open, {} creases, {} "
-                           "seams, and {} smooth ones, which are boundaries only where the surface "
-                           "turns away from the eye.",
-                           grouped(edges.open), grouped(edges.crease), grouped(edges.seam),
-                           grouped(edges.silhouette_candidates))
-                   .c_str());
+  edge_rows(controls, scene.features.counts());
   const std::vector<std::string> left_out = scene.needs.left_out();
   if (!left_out.empty()) {
-    controls.row("Left out", joined(left_out), "What this scene does not need costs nothing.");
+    controls.row("Left out", joined(left_out),
+                 "What the program could do but this scene does not need: it costs nothing.");
   }
   controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + scene.build_seconds),
-               "Reading the file and building the hierarchies.");
-  controls.row("Memory", fmt::format("{:.1f} MB", scene.memory_mb));
-
-  const std::vector<std::string> lines = remarks(scene.notes);
-  if (lines.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-  ImGui::PushTextWrapPos(0.0f);
-  for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  controls.placed("Warnings", nullptr);
+               fmt::format("Seconds: {:.2f} to read the file, {:.2f} to build the hierarchies.",
+                           load_seconds, scene.build_seconds)
+                   .c_str());
+  controls.row("Memory", fmt::format("{:.1f} MB", scene.memory_mb),
+               "Of geometry, textures and hierarchies, in millions of bytes.");
 }
 
 }  // namespace asos

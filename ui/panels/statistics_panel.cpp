@@ -2,41 +2,68 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace asos {
 
 namespace {
 
-std::string per_pixel(std::uint64_t count, double pixels) {
-  return fmt::format("{:.2f} a pixel", static_cast<double>(count) / pixels);
+/// Shares and averages of the finished pixels; a dash before there are any.
+struct Finished {
+  double pixels;
+
+  [[nodiscard]] std::string per_pixel(std::uint64_t count) const {
+    return pixels > 0.0 ? fmt::format("{:.2f} a pixel", static_cast<double>(count) / pixels) : "-";
+  }
+  [[nodiscard]] std::string share(double part) const {
+    return pixels > 0.0 ? fmt::format("{:.2f} %", 100.0 * part / pixels) : "-";
+  }
+};
+
+// Rows stand or fall with the scene, not with the first ray: a panel that jumps is hard to use.
+void ray_rows(Controls& controls, const RenderStatistics& statistics, const RenderScene& scene,
+              const Finished& finished) {
+  controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),
+               "Rays from the eye, on average for each finished pixel.");
+  const std::vector<Light>& lights = scene.world.lights;
+  if (std::any_of(lights.begin(), lights.end(), [](const Light& l) { return l.casts_shadows; })) {
+    controls.row("Shadow rays", finished.per_pixel(statistics.shadow_rays),
+                 "Rays to the lights, on average for each finished pixel.");
+  }
+  if (statistics.reflection_rays > 0) {
+    controls.row("Reflection rays", finished.per_pixel(statistics.reflection_rays),
+                 "Mirrored rays, on average for each finished pixel.");
+  }
 }
 
-std::string share(double part, double whole) {
-  return fmt::format("{:.2f} %", 100.0 * part / whole);
+void split_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
+  controls.row("Split pixels", finished.share(static_cast<double>(statistics.split_pixels)),
+               "Pixels that a boundary passes through, as a share of the finished ones.");
+  controls.row("Missed splits", fmt::format("{}", statistics.missed_splits),
+               "Number of pixels whose neighbours show another surface although no boundary was "
+               "found between them. Zero on sound meshes.");
+  controls.row("Unresolved area", finished.share(statistics.unresolved_area),
+               "Area of the cells that were still undecided at MAX, as a share of the finished "
+               "pixels: it bounds the error.");
+  controls.row("Saturated", finished.share(static_cast<double>(statistics.saturated_pixels)),
+               "Share of the pixels with so many boundaries that they were sampled at the finest "
+               "level at once.");
 }
 
 }  // namespace
 
 void statistics_panel(Controls& controls, const RenderStatistics& statistics,
-                      const RenderSettings& settings) {
+                      const RenderSettings& settings, const RenderScene& scene,
+                      double finished_share) {
   if (!controls.section("Statistics")) return;
-  const double pixels = static_cast<double>(settings.width) * static_cast<double>(settings.height);
-  controls.row("Picture", fmt::format("{} x {}", settings.width, settings.height));
-  controls.row("Eye rays", per_pixel(statistics.eye_rays, pixels));
-  controls.row("Shadow rays", per_pixel(statistics.shadow_rays, pixels));
-  if (settings.method == Method::asos) {
-    controls.row("Split pixels", share(static_cast<double>(statistics.split_pixels), pixels),
-                 "Pixels that a boundary passes through.");
-    controls.row("Unresolved", share(statistics.unresolved_area, pixels),
-                 "Area of the cells that were still undecided at MAX: it bounds the error.");
-    controls.row("Saturated", share(static_cast<double>(statistics.saturated_pixels), pixels),
-                 "Pixels with so many boundaries that they were sampled at the finest level at "
-                 "once.");
-    controls.row("Missed splits", fmt::format("{}", statistics.missed_splits),
-                 "Pixels whose neighbours show another surface although no boundary was found "
-                 "between them. Zero on sound meshes.");
-  }
+  const Finished finished{finished_share * static_cast<double>(settings.width) *
+                          static_cast<double>(settings.height)};
+  controls.row("Picture", fmt::format("{} x {}", settings.width, settings.height),
+               "Width and height in pixels.");
+  ray_rows(controls, statistics, scene, finished);
+  if (settings.method == Method::asos) split_rows(controls, statistics, finished);
   if (statistics.rejected_samples > 0) {
     controls.row("Rejected", fmt::format("{} samples", statistics.rejected_samples),
                  "Samples that were not finite numbers and were dropped.");

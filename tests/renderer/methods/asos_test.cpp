@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stop_token>
 
 // The whole of a method's way to a pixel, against closed forms: white polygons without shading on
 // the grey background, so that a pixel's colour tells the area that is covered.
@@ -207,6 +208,31 @@ TEST(Asos, MoreLevelsNeverLoseWeight) {
       for (const glm::vec3& c : one.film.radiance) ASSERT_NEAR(c.x, 0.5f, 1e-6f) << "MAX " << k;
     }
   }
+}
+
+TEST(Asos, OnceStoppedItCastsNoMoreRays) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {point({1, 1}, 2.0), point({7, 2}, 2.0), point({2, 7}, 2.0)};
+  mesh.normals.assign(3, glm::vec3(0, 0, 1));
+  mesh.triangles = {{0, 1, 2}};
+  scene.meshes.push_back(mesh);
+  Instance instance;
+  instance.mesh = 0;
+  scene.instances.push_back(instance);
+  const auto prepared = prepare(scene);
+  ASSERT_TRUE(prepared.has_value());
+  const View view(default_camera((*prepared)->world, 1.0), size, size);
+  std::stop_source source;
+  const PixelRect block{0, 0, block_size, block_size};
+  const BlockResult whole =
+      render_block_asos(**prepared, view, asos_at(8), block, source.get_token());
+  source.request_stop();
+  const BlockResult stopped =
+      render_block_asos(**prepared, view, asos_at(8), block, source.get_token());
+  EXPECT_GT(whole.statistics.shadow_rays + whole.statistics.eye_rays, 64u);
+  EXPECT_EQ(stopped.statistics.shadow_rays, 0u);
+  EXPECT_LE(stopped.statistics.eye_rays, 64u);
 }
 
 // Against a fine regular grid of the same scene: errors shrink as MAX grows.

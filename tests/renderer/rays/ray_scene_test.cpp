@@ -1,6 +1,7 @@
 #include "renderer/rays/ray_scene.h"
 
 #include "tests/support/tiny_world.h"
+#include "tests/support/triangle_crossing.h"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +59,7 @@ Ray random_ray(std::mt19937& rng) {
   return ray;
 }
 
-/// The slow twin: every triangle, in double (Moeller and Trumbore 1997).
+/// The slow twin: every triangle, in double.
 struct Oracle {
   std::uint32_t triangle = Hit::none;
   double t = infinity;
@@ -67,27 +68,13 @@ struct Oracle {
 
 Oracle brute_force(const World& world, const Ray& ray) {
   Oracle best;
-  const glm::dvec3 o(ray.origin);
-  const glm::dvec3 d(ray.direction);
   for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
-    const glm::uvec3 v = world.triangles[i];
-    const glm::dvec3 p0(world.positions[v.x]);
-    const glm::dvec3 e1 = glm::dvec3(world.positions[v.y]) - p0;
-    const glm::dvec3 e2 = glm::dvec3(world.positions[v.z]) - p0;
-    const glm::dvec3 p = glm::cross(d, e2);
-    const double det = glm::dot(e1, p);
-    if (det == 0.0) continue;
-    const glm::dvec3 s = o - p0;
-    const double b1 = glm::dot(s, p) / det;
-    const glm::dvec3 q = glm::cross(s, e1);
-    const double b2 = glm::dot(d, q) / det;
-    const double t = glm::dot(e2, q) / det;
-    if (t < ray.t_near || t > ray.t_far) continue;
-    const double inside = std::min({b1, b2, 1.0 - b1 - b2});
-    best.margin = std::min(best.margin, std::abs(inside));
-    if (inside >= 0.0 && t < best.t) {
+    const auto met = test::crossing(world, i, glm::dvec3(ray.origin), glm::dvec3(ray.direction));
+    if (!met || met->t < ray.t_near || met->t > ray.t_far) continue;
+    best.margin = std::min(best.margin, std::abs(met->inside()));
+    if (met->inside() >= 0.0 && met->t < best.t) {
       best.triangle = i;
-      best.t = t;
+      best.t = met->t;
     }
   }
   return best;

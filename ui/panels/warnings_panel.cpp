@@ -1,0 +1,60 @@
+#include "ui/panels/panels.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr float most_lines = 6.0f;  // before the list scrolls
+
+// What a person should know before trusting the picture.
+std::vector<std::string> remarks(const SceneNotes& notes) {
+  std::vector<std::string> lines = notes.warnings;
+  for (const std::string& extension : notes.unsupported_extensions) {
+    lines.push_back("not supported: " + extension);
+  }
+  if (notes.points_not_drawn > 0) {
+    lines.push_back(fmt::format("{} points are not drawn", notes.points_not_drawn));
+  }
+  if (notes.lines_not_drawn > 0) {
+    lines.push_back(fmt::format("{} line segments are not drawn", notes.lines_not_drawn));
+  }
+  return lines;
+}
+
+}  // namespace
+
+void warnings_panel(Controls& controls, const SceneNotes& notes) {
+  const std::vector<std::string> lines = remarks(notes);
+  if (lines.empty() || !controls.section("Warnings")) return;
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+
+  const float spacing = ImGui::GetTextLineHeightWithSpacing();
+  const float wrap = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+  float height = 0.0f;
+  for (const std::string& line : lines) {
+    height +=
+        ImGui::CalcTextSize(line.c_str(), nullptr, false, wrap).y + ImGui::GetStyle().ItemSpacing.y;
+  }
+  ImGui::BeginChild("warnings", {0.0f, std::min(height, most_lines * spacing)});
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
+  ImGui::PushTextWrapPos(wrap);
+  for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::EndChild();
+  controls.placed("Warnings", nullptr);
+  if (controls.button("Copy warnings", "Copy these lines to the clipboard.", -1.0f)) {
+    ImGui::SetClipboardText(text.c_str());
+  }
+}
+
+}  // namespace asos
