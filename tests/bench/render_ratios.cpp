@@ -1,6 +1,8 @@
-// How many times longer ASOS takes than one stochastic sample a pixel, scene by scene, with the
-// time to load and to build beside it. The two methods take turns within one process, so that what
-// else the machine does meets both; the median counts.
+// How many times longer ASOS takes than one stochastic sample a pixel, scene by scene, in wall and
+// in processor time. The two methods take turns within one process, so that what else the machine
+// does meets both; the median counts. Beside it: the time to load and to build the scene, and from
+// the start of loading to what a window shows first: the picture of one sample a block, and the
+// first tile in which every pixel has a sample of its own.
 //
 //   bench_render_ratios [--csv] [--size WxH] [--threads N] [--max K] [--runs N] [SCENE...]
 //
@@ -13,9 +15,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <memory>
+#include <mutex>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -32,82 +40,148 @@ struct Settings {
   std::vector<std::string> scenes;
 };
 
+struct Seconds {
+  double wall = 0.0;
+  double cpu = 0.0;  ///< of all threads together
+};
+
 struct Row {
   std::string scene;
   std::size_t triangles = 0;
   double load_seconds = 0.0;
   double build_seconds = 0.0;
-  double sample_seconds = 0.0;  ///< stochastic, one sample a pixel
-  double asos_seconds = 0.0;
-
-  [[nodiscard]] double ratio() const { return asos_seconds / sample_seconds; }
+  double first_picture_seconds = 0.0;  ///< of blocks; since the start of loading, as the next
+  double first_pixels_seconds = 0.0;   ///< a tile with a sample for each pixel
+  Seconds sample;                      ///< stochastic, one sample a pixel
+  Seconds asos;
 };
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// Times of several runs, for their medians.
+struct Times {
+  std::vector<double> wall;
+  std::vector<double> cpu;
+
+  void render(Snapshot& snapshot, Method method) {
+    snapshot.settings.method = method;
+    const std::clock_t start = std::clock();
+    wall.push_back(render_to_end(snapshot).seconds);
+    cpu.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  [[nodiscard]] Seconds medians() const { return {median(wall), median(cpu)}; }
+};
+
+/// Shows a scene as a window would, until the first tile of the pass after the coarse one.
+void measure_first_picture(Snapshot snapshot, std::chrono::steady_clock::time_point start,
+                           Row& row) {
+  std::mutex mutex;
+  std::condition_variable knock;
+  bool waiting = false;
+  RenderSession session([&] {
+    const std::lock_guard lock(mutex);
+    waiting = true;
+    knock.notify_one();
+  });
+  snapshot.settings.method = Method::asos;
+  snapshot.progressive = true;
+  session.restart(snapshot);
+  int missing = snapshot.settings.width * snapshot.settings.height;  // pixels without any colour
+  std::set<std::pair<int, int>> seen;  // the corners of tiles: the same ones in each pass
+  while (missing > 0 || row.first_pixels_seconds == 0.0) {
+    std::unique_lock lock(mutex);
+    knock.wait(lock, [&] { return waiting; });
+    waiting = false;
+    lock.unlock();
+    for (const FinishedTile& tile : session.take_finished()) {
+      if (seen.insert({tile.rect.x, tile.rect.y}).second) {
+        missing -= tile.rect.width * tile.rect.height;
+        if (missing == 0) row.first_picture_seconds = seconds_since(start);
+      } else if (row.first_pixels_seconds == 0.0) {
+        row.first_pixels_seconds = seconds_since(start);
+      }
+    }
+  }
 }
 
-Result<Row> measure(const std::string& source, const Settings& settings) {
-  const auto started = std::chrono::steady_clock::now();
-  const Result<Scene> scene = load_scene(source);
-  if (!scene) return tl::unexpected(scene.error());
-  const double load_seconds = seconds_since(started);
-  const auto loaded = std::chrono::steady_clock::now();
-  const auto prepared = prepare(*scene);
-  if (!prepared) return tl::unexpected(prepared.error());
-  const double build_seconds = seconds_since(loaded);
-
-  const World& world = (*prepared)->world;
+Snapshot snapshot_of(std::shared_ptr<const RenderScene> scene, const Settings& settings) {
+  const World& world = scene->world;
   Snapshot snapshot;
-  snapshot.scene = *prepared;
-  snapshot.progressive = false;
   snapshot.camera =
       world.cameras.empty()
           ? default_camera(world, static_cast<double>(settings.width) / settings.height)
           : world.cameras.front();
+  snapshot.scene = std::move(scene);
+  snapshot.progressive = false;
   snapshot.settings.width = settings.width;
   snapshot.settings.height = settings.height;
   snapshot.settings.threads = settings.threads;
   snapshot.settings.max_level = settings.max_level;
   snapshot.settings.spp = 1;
+  return snapshot;
+}
 
-  std::vector<double> sample_seconds;
-  std::vector<double> asos_seconds;
+Result<Row> measure(const std::string& source, const Settings& settings) {
+  Row row;
+  row.scene = source;
+  const auto started = std::chrono::steady_clock::now();
+  const Result<Scene> scene = load_scene(source);
+  if (!scene) return tl::unexpected(scene.error());
+  row.load_seconds = seconds_since(started);
+  const auto prepared = prepare(*scene);
+  if (!prepared) return tl::unexpected(prepared.error());
+  row.build_seconds = seconds_since(started) - row.load_seconds;
+  row.triangles = (*prepared)->world.triangles.size();
+
+  Snapshot snapshot = snapshot_of(*prepared, settings);
+  measure_first_picture(snapshot, started, row);
+  Times sample;
+  Times asos;
   for (int run = 0; run < settings.runs; ++run) {
-    snapshot.settings.method = Method::stochastic;
-    sample_seconds.push_back(render_to_end(snapshot).seconds);
-    snapshot.settings.method = Method::asos;
-    asos_seconds.push_back(render_to_end(snapshot).seconds);
+    sample.render(snapshot, Method::stochastic);
+    asos.render(snapshot, Method::asos);
   }
-  return Row{source,        world.triangles.size(), load_seconds,
-             build_seconds, median(sample_seconds), median(asos_seconds)};
+  row.sample = sample.medians();
+  row.asos = asos.medians();
+  return row;
 }
 
 void print_heading(const Settings& settings) {
   if (settings.csv) {
-    fmt::print("scene,triangles,load_seconds,build_seconds,sample_seconds,asos_seconds,ratio\n");
+    fmt::print(
+        "scene,triangles,load_seconds,build_seconds,first_picture_seconds,first_pixels_seconds,"
+        "sample_seconds,asos_seconds,ratio,sample_cpu_seconds,asos_cpu_seconds,cpu_ratio\n");
     return;
   }
   fmt::print("{}x{}, {} threads, MAX {}, median of {}\n", settings.width, settings.height,
              settings.threads, settings.max_level, settings.runs);
-  fmt::print("{:>10} {:>8} {:>8} {:>9} {:>9} {:>6}  scene\n", "triangles", "load s", "build s",
-             "1 spp s", "asos s", "ratio");
+  fmt::print("{:>9} {:>7} {:>7} {:>9} {:>8} | {:>8} {:>8} {:>6} | {:>9} {:>8} {:>6}\n", "triangles",
+             "load s", "build s", "picture s", "pixels s", "1 spp s", "asos s", "ratio",
+             "1 spp cpu", "asos cpu", "ratio");
 }
 
 void print_row(const Settings& settings, const Row& row) {
+  const double ratio = row.asos.wall / row.sample.wall;
+  const double cpu_ratio = row.asos.cpu / row.sample.cpu;
   if (settings.csv)
-    fmt::print("\"{}\",{},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f}\n", row.scene, row.triangles,
-               row.load_seconds, row.build_seconds, row.sample_seconds, row.asos_seconds,
-               row.ratio());
+    fmt::print("\"{}\",{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f},{:.4f},{:.4f},{:.3f}\n",
+               row.scene, row.triangles, row.load_seconds, row.build_seconds,
+               row.first_picture_seconds, row.first_pixels_seconds, row.sample.wall, row.asos.wall,
+               ratio, row.sample.cpu, row.asos.cpu, cpu_ratio);
   else
-    fmt::print("{:>10} {:>8.3f} {:>8.3f} {:>9.4f} {:>9.4f} {:>6.2f}  {}\n", row.triangles,
-               row.load_seconds, row.build_seconds, row.sample_seconds, row.asos_seconds,
-               row.ratio(), row.scene);
+    fmt::print(
+        "{}\n{:>9} {:>7.3f} {:>7.3f} {:>9.3f} {:>8.3f} | {:>8.4f} {:>8.4f} {:>6.2f} | {:>9.4f} "
+        "{:>8.4f} {:>6.2f}\n",
+        row.scene, row.triangles, row.load_seconds, row.build_seconds, row.first_picture_seconds,
+        row.first_pixels_seconds, row.sample.wall, row.asos.wall, ratio, row.sample.cpu,
+        row.asos.cpu, cpu_ratio);
   std::fflush(stdout);
 }
 
