@@ -47,8 +47,9 @@ struct Apply {
   }
   bool operator()(const MouseChanged& e) const {
     const unsigned bit = 1u << static_cast<unsigned>(e.button);
-    // A pointer that jumps and presses in the same frame would press what it hovered before.
-    if ((state.buttons & bit) || (state.moved && e.down)) return false;
+    // A pointer that jumps and presses in the same frame would press what it hovered before, and
+    // one that jumps and lets go would lose the last stretch of a drag.
+    if ((state.buttons & bit) || state.moved) return false;
     io.MouseDown[static_cast<int>(e.button)] = e.down;
     state.buttons |= bit;
     return true;

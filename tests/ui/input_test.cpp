@@ -52,9 +52,13 @@ TEST_F(InputTest, ADragKeepsItsOrder) {
   queue.feed(io());
   EXPECT_TRUE(io().MouseDown[0]);
   EXPECT_NE(io().MousePos.x, 50.0f);
+  // The last stretch still belongs to the drag.
   queue.feed(io());
   EXPECT_EQ(io().MousePos.x, 50.0f);
+  EXPECT_TRUE(io().MouseDown[0]);
+  queue.feed(io());
   EXPECT_FALSE(io().MouseDown[0]);
+  EXPECT_TRUE(queue.empty());
 }
 
 TEST_F(InputTest, ModifiersFollowTheirKeys) {
