@@ -149,7 +149,6 @@ class Extractor {
     edge.a = low;
     edge.b = faces[0].high;
     edge.left = faces[0].third;
-    edge.sheet = faces[0].triangle;  // replaced by its sheet at the end
     if (faces.size() != 2) {
       edge.kind = FeatureKind::open;
       ++counts_.open;
@@ -240,7 +239,6 @@ class Extractor {
     out.sheet_of_triangle.resize(world_.triangles.size());
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
       out.sheet_of_triangle[t] = sheets_.find(t);
-    for (FeatureEdge& edge : edges_) edge.sheet = out.sheet_of_triangle[edge.sheet];
     out.edges = std::move(edges_);
     out.counts = counts_;
     return out;

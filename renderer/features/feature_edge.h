@@ -27,7 +27,6 @@ struct FeatureEdge {
   std::uint32_t b = 0;
   std::uint32_t left = none;
   std::uint32_t right = none;
-  std::uint32_t sheet = none;  ///< of one of its faces
   FeatureKind kind = FeatureKind::open;
   bool folds = false;  ///< its two faces are not coplanar, so it can be a silhouette too
 };

@@ -33,7 +33,6 @@ void FeatureSet::add(const Intersections& found) {
     FeatureEdge edge;
     edge.a = static_cast<std::uint32_t>(positions_.size());
     edge.b = edge.a + 1;
-    edge.sheet = sheet_of_triangle_[line.first_triangle];
     edge.kind = FeatureKind::intersection;
     edges_.push_back(edge);
     positions_.push_back(line.a);

@@ -57,9 +57,6 @@ class HitLists {
   [[nodiscard]] const HitEntry& entry(std::uint32_t i) const { return entries_[i]; }
   [[nodiscard]] const Segment& segment(const HitEntry& e) const { return segments_[e.ref]; }
   [[nodiscard]] const Segment& segment(std::uint32_t i) const { return segments_[entries_[i].ref]; }
-  [[nodiscard]] const FeatureEdge& edge(const Segment& s) const {
-    return features_->edges()[s.edge];
-  }
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
   /// Whether an entry of a cell's list lies behind `hiding` wherever it crosses the cell.

@@ -158,7 +158,7 @@ TEST(HitLists, AnEdgeThatPassesBesideTheApexIsCutThere) {
   // The edge beside the apex, and the start of the one that leads away from it.
   ASSERT_EQ(list.size(), 2u);
   const auto beside = [&](std::uint32_t i) {
-    const FeatureEdge& e = lists.edge(lists.segment(i));
+    const FeatureEdge& e = features.edges()[lists.segment(i).edge];
     return std::max(e.a, e.b) == 1;
   };
   const Segment& s = lists.segment(beside(list[0]) ? list[0] : list[1]);
