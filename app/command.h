@@ -20,6 +20,7 @@ struct Command {
 /// Each adds its subcommand to the program's parser.
 [[nodiscard]] Command add_view_command(CLI::App& program);
 [[nodiscard]] Command add_render_command(CLI::App& program);
+[[nodiscard]] Command add_trace_command(CLI::App& program);
 [[nodiscard]] Command add_info_command(CLI::App& program);
 [[nodiscard]] Command add_export_command(CLI::App& program);
 [[nodiscard]] Command add_list_command(CLI::App& program);

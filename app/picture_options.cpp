@@ -2,31 +2,36 @@
 
 #include "app/option.h"
 #include "app/scene_argument.h"
+#include "renderer/methods/names.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
-#include <map>
 
 namespace asos {
 namespace {
 
-const std::map<std::string, Method> methods{{"asos", Method::asos},
-                                            {"uniform", Method::uniform},
-                                            {"stochastic", Method::stochastic},
-                                            {"beam", Method::beam}};
-const std::map<std::string, Leaf> leaves{{"exact", Leaf::exact}, {"point", Leaf::point}};
-
-// A parser of the names in `known`, which outlives it.
-template <typename T>
-auto parse_name(const std::map<std::string, T>& known) {
+// A parser of the names in a table such as method_names.
+template <typename T, std::size_t N>
+auto parse_name(const std::array<Named<T>, N>& known) {
   return [&known](const std::string& text) -> Result<T> {
-    const auto found = known.find(text);
-    if (found != known.end()) return found->second;
     std::string names;
-    for (const auto& [name, value] : known) names += (names.empty() ? "" : ", ") + name;
+    for (const auto& [name, value] : known) {
+      if (text == name) return value;
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    }
     return tl::unexpected(Error{fmt::format("\"{}\"", text), "not one of " + names});
   };
+}
+
+// An option that takes one of the names in a table; its default is what `value` is.
+template <typename T, std::size_t N>
+void add_choice(CLI::App& app, const char* option, const char* kind, const char* help,
+                const std::array<Named<T>, N>& known, T& value) {
+  add_parsed_option(app, option, kind, help, parse_name(known), [&value](T chosen) {
+    value = chosen;
+  })->default_str(name_in(known, value));
 }
 
 auto whole(int lo, int hi) {
@@ -38,11 +43,10 @@ auto number(double lo, double hi, bool open = false) {
 }
 
 void add_method_options(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(
-      app, "--method", "NAME",
-      "asos, uniform (n x n grid), stochastic (jittered) or beam (exact, for small scenes)",
-      parse_name(methods), [&](Method m) { settings.method = m; })
-      ->default_str(name_of(settings.method));
+  add_choice(app, "--method", "NAME",
+             "asos, asos-published (cone, point leaves, published rule), uniform (n x n grid), "
+             "stochastic (jittered) or beam (exact, for small scenes)",
+             method_names, settings.method);
   add_parsed_option(app, "--max", "K",
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
                     whole(0, RenderSettings::max_level_limit),
@@ -52,16 +56,27 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
                     "EPS, the change of a pixel's display intensity that is let pass: 0 to 1",
                     number(0, 1), [&](double e) { settings.eps = e; })
       ->default_str(fmt::format("{}", settings.eps));
-  add_parsed_option(app, "--leaf", "KIND",
-                    "exact (cells are cut along their one boundary) or point (sampled)",
-                    parse_name(leaves), [&](Leaf leaf) { settings.leaf = leaf; })
-      ->default_str(name_of(settings.leaf));
+  add_choice(app, "--leaf", "KIND",
+             "exact (cells are cut along their few boundaries) or point (sampled)", leaf_names,
+             settings.leaf);
+  add_choice(app, "--rule", "NAME",
+             "When splitting stops: unresolved (marginal area <= EPS) or published (each object's "
+             "L / 2^2K <= EPS)",
+             rule_names, settings.rule);
+  add_choice(app, "--detect", "KIND",
+             "What a boundary has to cross: the pyray itself (square) or the cone around it (cone)",
+             detection_names, settings.detect);
+  add_parsed_option(app, "--fat", "N",
+                    "Pixels along the side of the fat pyrays that fetch boundaries: 2, 4, 8 or 16",
+                    whole(2, 16), [&](int n) { settings.fat = n; })
+      ->default_str(std::to_string(settings.fat));
   app.add_flag("--jitter", settings.jitter,
                "Jitter the samples of cells that stay unresolved at MAX");
   add_parsed_option(app, "--spp", "N",
                     "Samples a pixel of uniform and stochastic, rounded up to a square",
                     whole(1, 65536), [&](int n) { settings.spp = n; })
       ->default_str(std::to_string(settings.spp));
+  app.add_flag("!--no-shadows", settings.shadows, "Lights cast no shadows");
   add_parsed_option(app, "--threads", "N",
                     "Worker threads, 1 to 1024; 0: one for each core but one", whole(0, 1024),
                     [&](int n) { settings.threads = n; })
@@ -69,24 +84,6 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
 }
 
 }  // namespace
-
-const char* name_of(Method method) {
-  switch (method) {
-    case Method::asos:
-      return "asos";
-    case Method::uniform:
-      return "uniform";
-    case Method::stochastic:
-      return "stochastic";
-    case Method::beam:
-      return "beam";
-  }
-  return "";
-}
-
-const char* name_of(Leaf leaf) {
-  return leaf == Leaf::exact ? "exact" : "point";
-}
 
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required) {
   RenderSettings& settings = arguments.settings;

@@ -29,8 +29,4 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments);
 /// The largest width and height of a picture, in pixels.
 inline constexpr int largest_side = 32768;
 
-/// How a method or a leaf is called on the command line and in statistics.
-[[nodiscard]] const char* name_of(Method method);
-[[nodiscard]] const char* name_of(Leaf leaf);
-
 }  // namespace asos

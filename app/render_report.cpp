@@ -1,5 +1,7 @@
 #include "app/render_report.h"
 
+#include "renderer/methods/names.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -28,10 +30,14 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
                                             settings.crop.height}},
       {"camera", report.camera},
       {"exposure", report.exposure_ev},
-      {"method", name_of(settings.method)},
+      {"method", name_in(method_names, settings.method)},
       {"max_level", settings.max_level},
       {"eps", settings.eps},
-      {"leaf", name_of(settings.leaf)},
+      {"leaf", name_in(leaf_names, settings.leaf)},
+      {"rule", name_in(rule_names, settings.rule)},
+      {"detect", name_in(detection_names, settings.detect)},
+      {"fat", settings.fat},
+      {"shadows", settings.shadows},
       {"jitter", settings.jitter},
       {"spp", settings.spp},
       {"threads", report.threads},

@@ -82,6 +82,15 @@ Result<PixelRect> parse_rect(std::string_view text, int limit) {
   return rect;
 }
 
+Result<glm::ivec2> parse_pixel(std::string_view text) {
+  const auto values = read_list<int, 2>(text, ',');
+  if (!values) return refuse(text, "not a pixel such as 160,90 (x,y)");
+  const glm::ivec2 pixel((*values)[0], (*values)[1]);
+  if (pixel.x < 0 || pixel.y < 0)
+    return refuse(text, "x and y count from 0 at the picture's top left corner");
+  return pixel;
+}
+
 Result<LookAt> parse_look_at(std::string_view text) {
   const auto values = read_list<double, 6>(text, ',');
   if (!values)

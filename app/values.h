@@ -33,6 +33,8 @@ struct LookAt {
 [[nodiscard]] Result<PictureSize> parse_size(std::string_view text, int limit);
 /// "x,y,w,h": a rectangle with w and h of at least 1.
 [[nodiscard]] Result<PixelRect> parse_rect(std::string_view text, int limit);
+/// "x,y": a pixel, both 0 or more.
+[[nodiscard]] Result<glm::ivec2> parse_pixel(std::string_view text);
 /// "ex,ey,ez,tx,ty,tz": two points that differ.
 [[nodiscard]] Result<LookAt> parse_look_at(std::string_view text);
 

@@ -1,5 +1,6 @@
 #include "ui/screenshot.h"
 
+#include "renderer/methods/names.h"
 #include "ui/display_settings.h"
 #include "ui/previewer.h"
 
@@ -42,22 +43,26 @@ std::string look_at_words(const OrbitCamera& orbit, glm::dvec3 origin) {
 }
 
 void add_method(ImageText& text, const RenderSettings& settings) {
+  text.emplace_back("asos.method", name_in(method_names, settings.method));
+  text.emplace_back("asos.shadows", settings.shadows ? "true" : "false");
   switch (settings.method) {
     case Method::asos:
-      text.emplace_back("asos.method", "asos");
-      text.emplace_back("asos.max_level", std::to_string(settings.max_level));
-      text.emplace_back("asos.eps", fmt::format("{}", settings.eps));
-      text.emplace_back("asos.leaf", settings.leaf == Leaf::exact ? "exact" : "point");
-      text.emplace_back("asos.jitter", settings.jitter ? "true" : "false");
+    case Method::asos_published: {
+      const RenderSettings used = as_published(settings);
+      text.emplace_back("asos.max_level", std::to_string(used.max_level));
+      text.emplace_back("asos.eps", fmt::format("{}", used.eps));
+      text.emplace_back("asos.leaf", name_in(leaf_names, used.leaf));
+      text.emplace_back("asos.rule", name_in(rule_names, used.rule));
+      text.emplace_back("asos.detect", name_in(detection_names, used.detect));
+      text.emplace_back("asos.fat", std::to_string(used.fat));
+      text.emplace_back("asos.jitter", used.jitter ? "true" : "false");
       break;
+    }
     case Method::uniform:
     case Method::stochastic:
-      text.emplace_back("asos.method",
-                        settings.method == Method::uniform ? "uniform" : "stochastic");
       text.emplace_back("asos.spp", std::to_string(settings.spp));
       break;
     case Method::beam:
-      text.emplace_back("asos.method", "beam");
       break;
   }
 }

@@ -1,11 +1,14 @@
 #include "renderer/features/feature_edge.h"
 
+#include "renderer/features/departure.h"
+#include "renderer/features/disjoint_sets.h"
+
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
+#include <tuple>
 
 namespace asos {
 namespace {
@@ -13,10 +16,8 @@ namespace {
 // Faces whose dihedral angle differs from 180 degrees by less than this (radians, as the sine) are
 // coplanar: a silhouette there would shift the picture by that share of the face's size only.
 constexpr double coplanar_sine = 1e-5;
-// Shading normals further apart than this (0.2 degrees) change a display intensity visibly.
-constexpr float crease_cosine = 0.999994f;
-constexpr float colour_step = 1.0f / 512.0f;
-constexpr float texcoord_step = 1e-4f;
+// Of triangles on the same three corners that look different, so many are told apart.
+constexpr std::size_t most_alternatives = 4;
 
 struct HalfEdge {
   std::uint32_t high = 0;  // the end with the higher index; the lower one is the bucket
@@ -53,32 +54,14 @@ std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
   return first;
 }
 
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t find(std::uint32_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  // The lower index stays the representative, so that the result does not depend on the order.
-  void join(std::uint32_t x, std::uint32_t y) {
-    x = find(x), y = find(y);
-    if (x < y) parent_[y] = x;
-    if (y < x) parent_[x] = y;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 class Extractor {
  public:
-  explicit Extractor(const World& world)
-      : world_(world), welded_(weld(world.positions)), sheets_(world.triangles.size()) {
-    find_used_attributes();
-  }
+  Extractor(const World& world, TextureAt texture_at)
+      : world_(world),
+        look_(world, texture_at),
+        welded_(weld(world.positions)),
+        sheets_(world.triangles.size()),
+        facets_(world.triangles.size()) {}
 
   ExtractedFeatures run() {
     bucket_half_edges();
@@ -86,12 +69,12 @@ class Extractor {
       const auto begin = half_edges_.begin() + bucket_[low];
       const auto end = half_edges_.begin() + bucket_[low + 1];
       std::sort(begin, end, [](const HalfEdge& x, const HalfEdge& y) {
-        return x.high != y.high ? x.high < y.high : x.triangle < y.triangle;
+        return std::tie(x.high, x.third, x.triangle) < std::tie(y.high, y.third, y.triangle);
       });
       for (auto run = begin; run != end;) {
         auto next = run;
         while (next != end && next->high == run->high) ++next;
-        classify(low, {run, next});
+        classify(low, without_repeats(low, {run, next}));
         run = next;
       }
     }
@@ -99,7 +82,8 @@ class Extractor {
   }
 
  private:
-  using Run = std::span<const HalfEdge>;
+  using Run = std::span<HalfEdge>;
+  using Ends = std::array<SharedCorner, 2>;
 
   [[nodiscard]] bool degenerate(glm::uvec3 t) const {
     const glm::uvec3 w(welded_[t.x], welded_[t.y], welded_[t.z]);
@@ -108,17 +92,6 @@ class Extractor {
     const glm::dvec3 e1 = glm::dvec3(world_.positions[w.y]) - a;
     const glm::dvec3 e2 = glm::dvec3(world_.positions[w.z]) - a;
     return glm::length(glm::cross(e1, e2)) <= 0.0;
-  }
-
-  void find_used_attributes() {
-    uses_texcoord_.resize(world_.materials.size());
-    for (std::size_t m = 0; m < world_.materials.size(); ++m) {
-      const Material& material = world_.materials[m];
-      for (const TextureUse* use :
-           {&material.base_color_texture, &material.metallic_roughness_texture,
-            &material.normal_texture, &material.emissive_texture})
-        if (use->used()) uses_texcoord_[m] |= static_cast<std::uint8_t>(1 << use->texcoord);
-    }
   }
 
   // Counting sort of all half-edges by their lower welded vertex.
@@ -143,12 +116,40 @@ class Extractor {
     each([&](std::uint32_t low, const HalfEdge& h) { half_edges_[cursor[low]++] = h; });
   }
 
+  // The faces at an edge but for those that repeat another one's three corners and its look, as
+  // walls do that were modelled twice. The repeats join the sheet of what they repeat. The order of
+  // a run makes all three edges of a triangle decide alike.
+  Run without_repeats(std::uint32_t low, Run faces) {
+    std::size_t kept = 0;
+    for (const HalfEdge& face : faces) {
+      bool repeats = false;
+      const std::size_t end = kept > most_alternatives ? kept - most_alternatives : 0;
+      for (std::size_t k = kept; !repeats && k > end && faces[k - 1].third == face.third; --k) {
+        const std::array<SharedCorner, 3> corners{shared(faces[k - 1], face, low),
+                                                  shared(faces[k - 1], face, face.high),
+                                                  shared(faces[k - 1], face, face.third)};
+        repeats = look_.same(faces[k - 1].triangle, face.triangle, corners);
+        if (repeats) repeat(faces[k - 1].triangle, face.triangle);
+      }
+      if (!repeats) faces[kept++] = face;
+    }
+    return faces.first(kept);
+  }
+
+  void repeat(std::uint32_t original, std::uint32_t triangle) {
+    sheets_.join(original, triangle);
+    facets_.join(original, triangle);
+  }
+
   // All the faces at one edge of the welded mesh.
   void classify(std::uint32_t low, Run faces) {
     FeatureEdge edge;
     edge.a = low;
     edge.b = faces[0].high;
     edge.left = faces[0].third;
+    // Triangles until finish() knows their sheets.
+    edge.left_sheet = faces[0].triangle;
+    if (faces.size() > 1) edge.right_sheet = faces[1].triangle;
     if (faces.size() != 2) {
       edge.kind = FeatureKind::open;
       ++counts_.open;
@@ -157,15 +158,20 @@ class Extractor {
     }
     edge.right = faces[1].third;
     edge.folds = !coplanar(edge);
-    if (seam(edge, faces)) {
+    const std::uint32_t x = faces[0].triangle, y = faces[1].triangle;
+    const Ends ends{shared(faces[0], faces[1], edge.a), shared(faces[0], faces[1], edge.b)};
+    if (look_.seam(x, y, ends)) {
       edge.kind = FeatureKind::seam;
       ++counts_.seam;
-    } else if (crease(edge, faces)) {
+    } else if (look_.crease(x, y, ends)) {
       edge.kind = FeatureKind::crease;
       ++counts_.crease;
     } else {
-      sheets_.join(faces[0].triangle, faces[1].triangle);
-      if (!edge.folds) return;
+      sheets_.join(x, y);
+      if (!edge.folds) {
+        facets_.join(x, y);
+        return;
+      }
       edge.kind = FeatureKind::silhouette;
       ++counts_.silhouette_candidates;
     }
@@ -184,71 +190,36 @@ class Extractor {
     return glm::dot(l, r) < 0.0 && glm::length(glm::cross(l, r)) < coplanar_sine;
   }
 
-  // The triangle's own vertex at the welded vertex `v`.
-  [[nodiscard]] std::uint32_t corner(std::uint32_t triangle, std::uint32_t v) const {
+  // The corner of a triangle at the welded vertex `v`.
+  [[nodiscard]] int corner(std::uint32_t triangle, std::uint32_t v) const {
     const glm::uvec3 t = world_.triangles[triangle];
-    return welded_[t.x] == v ? t.x : welded_[t.y] == v ? t.y : t.z;
+    return welded_[t.x] == v ? 0 : welded_[t.y] == v ? 1 : 2;
   }
-
-  // Whether `differs` holds for the two faces' own vertices at either end of the edge.
-  template <typename Differs>
-  [[nodiscard]] bool across(const FeatureEdge& edge, Run faces, Differs&& differs) const {
-    for (const std::uint32_t end : {edge.a, edge.b}) {
-      const std::uint32_t x = corner(faces[0].triangle, end);
-      const std::uint32_t y = corner(faces[1].triangle, end);
-      if (x != y && differs(x, y)) return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool seam(const FeatureEdge& edge, Run faces) const {
-    const std::uint32_t m = material(faces[0]);
-    if (m != material(faces[1])) return true;
-    for (int set = 0; set < 2; ++set) {
-      const auto& uv = world_.texcoords[set];
-      if (!(uses_texcoord_[m] & (1 << set)) || uv.empty()) continue;
-      if (across(edge, faces, [&](std::uint32_t x, std::uint32_t y) {
-            const glm::vec2 d = glm::abs(uv[x] - uv[y]);
-            return !(d.x <= texcoord_step && d.y <= texcoord_step);
-          }))
-        return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool crease(const FeatureEdge& edge, Run faces) const {
-    if (!world_.materials[material(faces[0])].unlit &&
-        across(edge, faces, [&](std::uint32_t x, std::uint32_t y) {
-          // Neighbours wound in opposite senses may carry opposite normals; shading turns both
-          // towards the viewer, so the sign says nothing.
-          return !(std::abs(glm::dot(world_.normals[x], world_.normals[y])) > crease_cosine);
-        }))
-      return true;
-    return !world_.colors.empty() && across(edge, faces, [&](std::uint32_t x, std::uint32_t y) {
-      const glm::vec4 d = glm::abs(world_.colors[x] - world_.colors[y]);
-      return std::max({d.x, d.y, d.z, d.w}) > colour_step;
-    });
-  }
-
-  [[nodiscard]] std::uint32_t material(const HalfEdge& h) const {
-    return world_.parts[world_.triangle_part[h.triangle]].material;
+  [[nodiscard]] SharedCorner shared(const HalfEdge& x, const HalfEdge& y, std::uint32_t v) const {
+    return {corner(x.triangle, v), corner(y.triangle, v)};
   }
 
   ExtractedFeatures finish() {
     ExtractedFeatures out;
+    out.departure_of_triangle = departures(world_, facets_, edges_);
     out.sheet_of_triangle.resize(world_.triangles.size());
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
       out.sheet_of_triangle[t] = sheets_.find(t);
+    for (FeatureEdge& edge : edges_) {
+      for (std::uint32_t* sheet : {&edge.left_sheet, &edge.right_sheet})
+        if (*sheet != FeatureEdge::none) *sheet = out.sheet_of_triangle[*sheet];
+    }
     out.edges = std::move(edges_);
     out.counts = counts_;
     return out;
   }
 
   const World& world_;
+  SurfaceLook look_;
   std::vector<std::uint32_t> welded_;
   DisjointSets sheets_;
-  std::vector<std::uint8_t> uses_texcoord_;  // bits: sets that a material's textures use
-  std::vector<std::uint32_t> bucket_;        // first half-edge of each vertex
+  DisjointSets facets_;                // triangles in one plane, joined smoothly
+  std::vector<std::uint32_t> bucket_;  // first half-edge of each vertex
   std::vector<HalfEdge> half_edges_;
   std::vector<FeatureEdge> edges_;
   FeatureCounts counts_;
@@ -256,8 +227,8 @@ class Extractor {
 
 }  // namespace
 
-ExtractedFeatures extract_features(const World& world) {
-  return Extractor(world).run();
+ExtractedFeatures extract_features(const World& world, TextureAt texture_at) {
+  return Extractor(world, texture_at).run();
 }
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/features/surface_look.h"
 #include "renderer/scene/world.h"
 
 #include <cstdint>
@@ -12,14 +13,16 @@ namespace asos {
 enum class FeatureKind : std::uint8_t {
   open,          ///< one face, or more than two
   crease,        ///< shading normals or vertex colours differ across the edge
-  seam,          ///< material or texture coordinates differ across the edge
+  seam,          ///< material, or what textures show, differs across the edge
   intersection,  ///< two faces pass through each other; no edge of the mesh
   silhouette,    ///< two faces that meet smoothly at an angle: a candidate
 };
 
 /// An edge of the welded mesh. Vertices index World::positions (or what FeatureSet appends to
 /// them); of vertices at one place the first stands for all. `left` and `right` are the third
-/// vertices of the two faces (open: none).
+/// vertices of the two faces; open edges have no `right`, intersections neither. The sheets are
+/// those of the faces on either side (ExtractedFeatures::sheet_of_triangle): none where there is no
+/// such face, the first two at an edge of more, the two triangles' of an intersection.
 struct FeatureEdge {
   static constexpr std::uint32_t none = 0xffffffffu;
 
@@ -27,6 +30,8 @@ struct FeatureEdge {
   std::uint32_t b = 0;
   std::uint32_t left = none;
   std::uint32_t right = none;
+  std::uint32_t left_sheet = none;
+  std::uint32_t right_sheet = none;
   FeatureKind kind = FeatureKind::open;
   bool folds = false;  ///< its two faces are not coplanar, so it can be a silhouette too
 };
@@ -45,12 +50,16 @@ struct ExtractedFeatures {
   std::vector<FeatureEdge> edges;
   std::vector<std::uint32_t> sheet_of_triangle;  ///< faces joined by edges that always continue
                                                  ///< the surface smoothly share a sheet
+  std::vector<float> departure_of_triangle;      ///< see FeatureSet::departure
   FeatureCounts counts;
 };
 
 /// Finds the feature edges of a world: welds vertices by position, pairs the faces of each edge and
-/// drops the edges between coplanar faces of one material. Never relies on the faces' winding.
-/// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over.
-[[nodiscard]] ExtractedFeatures extract_features(const World& world);
+/// drops the edges between coplanar faces that look alike. Never relies on the faces' winding.
+/// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over; so are
+/// triangles that repeat another one's corners and look. `texture_at` tells whether a jump of
+/// texture coordinates shows; without it every one is a seam.
+[[nodiscard]] ExtractedFeatures extract_features(const World& world,
+                                                 TextureAt texture_at = nullptr);
 
 }  // namespace asos

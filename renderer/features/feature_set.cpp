@@ -1,27 +1,18 @@
 #include "renderer/features/feature_set.h"
 
-#include <algorithm>
 #include <future>
+#include <utility>
 
 namespace asos {
 
-namespace {
-
-// Sound models have fewer lines than triangles. Where there are many more, surfaces coincide, and
-// their lines say nothing.
-std::size_t line_budget(const World& world) {
-  return std::max<std::size_t>(10'000, 4 * world.triangles.size());
-}
-
-}  // namespace
-
-FeatureSet::FeatureSet(const World& world) : positions_(world.positions) {
-  auto intersections =
-      std::async(std::launch::async, [&] { return find_intersections(world, line_budget(world)); });
-  ExtractedFeatures extracted = extract_features(world);
+FeatureSet::FeatureSet(const World& world, TextureAt texture_at) : positions_(world.positions) {
+  auto intersections = std::async(
+      std::launch::async, [&] { return find_intersections(world, IntersectionBudget::of(world)); });
+  ExtractedFeatures extracted = extract_features(world, texture_at);
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
+  departure_of_triangle_ = std::move(extracted.departure_of_triangle);
   add(intersections.get());
   hierarchy_ = FeatureHierarchy::build(positions_, edges_);
 }
@@ -33,6 +24,8 @@ void FeatureSet::add(const Intersections& found) {
     FeatureEdge edge;
     edge.a = static_cast<std::uint32_t>(positions_.size());
     edge.b = edge.a + 1;
+    edge.left_sheet = sheet(line.first_triangle);
+    edge.right_sheet = sheet(line.second_triangle);
     edge.kind = FeatureKind::intersection;
     edges_.push_back(edge);
     positions_.push_back(line.a);
@@ -42,7 +35,8 @@ void FeatureSet::add(const Intersections& found) {
 
 std::size_t FeatureSet::memory_bytes() const {
   return hierarchy_.nodes.size() * sizeof(FeatureNode) + edges_.size() * sizeof(FeatureEdge) +
-         sheet_of_triangle_.size() * sizeof(std::uint32_t) + positions_.size() * sizeof(glm::vec3);
+         sheet_of_triangle_.size() * sizeof(std::uint32_t) +
+         departure_of_triangle_.size() * sizeof(float) + positions_.size() * sizeof(glm::vec3);
 }
 
 }  // namespace asos

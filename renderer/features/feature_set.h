@@ -16,7 +16,8 @@ namespace asos {
 class FeatureSet {
  public:
   FeatureSet() = default;
-  explicit FeatureSet(const World& world);
+  /// `texture_at`: see extract_features.
+  explicit FeatureSet(const World& world, TextureAt texture_at = nullptr);
 
   [[nodiscard]] const FeatureCounts& counts() const { return counts_; }
   [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
@@ -27,6 +28,13 @@ class FeatureSet {
   /// the visible sheet changes only across a boundary.
   [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const {
     return sheet_of_triangle_[triangle];
+  }
+
+  /// How far, in world units, the smooth surface around a triangle leaves the triangle's plane
+  /// within the next triangles. What lies less far behind the plane may be the surface's own
+  /// outline, where it bends away: the plane does not hide it.
+  [[nodiscard]] float departure(std::uint32_t triangle) const {
+    return departure_of_triangle_[triangle];
   }
 
   /// False where surfaces pass through each other so often that the lines were left out; the safety
@@ -40,6 +48,7 @@ class FeatureSet {
   FeatureHierarchy hierarchy_;
   std::vector<FeatureEdge> edges_;
   std::vector<std::uint32_t> sheet_of_triangle_;
+  std::vector<float> departure_of_triangle_;
   std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections
   bool intersections_complete_ = true;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace asos {
 namespace {
@@ -53,6 +54,52 @@ Cone merge(const Cone& x, Cone y) {
   return {std::cos(turn) * x.axis + std::sin(turn) * side, angle};
 }
 
+// Edges joined end to end, by the vertices where they begin and end.
+struct Chain {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  float deviation = 0.0f;  // the farthest that they stray from the line between
+};
+
+float distance_to_line(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
+  const glm::vec3 d = b - a;
+  const float length2 = glm::dot(d, d);
+  const float t = length2 > 0.0f ? std::clamp(glm::dot(p - a, d) / length2, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(p, a + t * d);
+}
+
+// The one open chain that the parts form, if each is a chain and they form just one.
+std::optional<Chain> join(std::span<const glm::vec3> positions,
+                          std::span<const std::optional<Chain>> parts) {
+  std::vector<Chain> all;
+  for (const auto& part : parts) {
+    if (!part) return std::nullopt;
+    all.push_back(*part);
+  }
+  std::vector<Chain> left(all.begin() + 1, all.end());
+  Chain whole = all.front();
+  while (!left.empty()) {
+    const auto next = std::find_if(left.begin(), left.end(), [&](const Chain& c) {
+      return c.from == whole.to || c.to == whole.to || c.from == whole.from || c.to == whole.from;
+    });
+    if (next == left.end()) return std::nullopt;
+    Chain c = *next;
+    if (c.to == whole.to || c.to == whole.from) std::swap(c.from, c.to);
+    (c.from == whole.to ? whole.to : whole.from) = c.to;
+    left.erase(next);
+  }
+  if (whole.from == whole.to) return std::nullopt;
+  // What lies between two joints is no farther away than they are and it strays from their line.
+  const glm::vec3 a = positions[whole.from], b = positions[whole.to];
+  whole.deviation = 0.0f;
+  for (const Chain& c : all) {
+    const float joints = std::max(distance_to_line(positions[c.from], a, b),
+                                  distance_to_line(positions[c.to], a, b));
+    whole.deviation = std::max(whole.deviation, joints + c.deviation);
+  }
+  return whole;
+}
+
 class Builder {
  public:
   Builder(std::span<const glm::vec3> positions, std::vector<FeatureEdge>& edges)
@@ -85,6 +132,7 @@ class Builder {
     Box box;
     Cone cone;
     bool always = false;
+    std::optional<Chain> chain;
   };
 
   // Fills node `index` with up to eight parts, made by splitting the largest again and again.
@@ -98,6 +146,7 @@ class Builder {
       parts.insert(largest + 1, right);
     }
     Summary total;
+    std::vector<std::optional<Chain>> chains_of_parts;
     nodes_[index].child_count = static_cast<std::uint32_t>(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       std::uint32_t child = 0;
@@ -116,7 +165,9 @@ class Builder {
       total.box.grow(below.box);
       total.cone = merge(total.cone, below.cone);
       total.always |= below.always;
+      chains_of_parts.push_back(below.chain);
     }
+    total.chain = join(positions_, chains_of_parts);
     return total;
   }
 
@@ -133,16 +184,26 @@ class Builder {
     node.child[i] = child;
     node.edge_count[i] = edge_count;
     node.always[i] = below.always;
+    node.chain[0][i] = below.chain ? below.chain->from : FeatureEdge::none;
+    node.chain[1][i] = below.chain ? below.chain->to : FeatureEdge::none;
+    node.chain_deviation[i] = below.chain ? below.chain->deviation : 0.0f;
   }
 
   [[nodiscard]] Summary summarise(Items items) const {
     Summary s;
+    std::vector<std::optional<Chain>> chains;
     for (const Item& item : items) {
       const FeatureEdge& edge = edges_[item.edge];
+      if (edge.kind == FeatureKind::silhouette) {
+        chains.emplace_back();
+      } else {
+        chains.push_back(Chain{edge.a, edge.b, 0.0f});
+      }
       s.box.grow(item.box);
       s.always |= edge.kind != FeatureKind::silhouette;
       s.cone = merge(s.cone, cone_of(edge));
     }
+    s.chain = join(positions_, chains);
     return s;
   }
 

@@ -29,6 +29,12 @@ struct alignas(64) FeatureNode {
   std::uint8_t edge_count[width];  ///< `inner`, or the number of edges of a leaf
   std::uint8_t always[width];      ///< 1: some edge below bounds from every viewpoint
   std::uint32_t child_count = 0;
+  /// Where all edges below a child bound from every viewpoint and form one chain: its two ends, as
+  /// vertices, and how far in the world it strays from the straight line between them at most; else
+  /// FeatureEdge::none. Where that is little enough, the line stands for the whole chain (CGF'98
+  /// section 6.3 carried on to outlines).
+  std::uint32_t chain[2][width];
+  float chain_deviation[width];
 };
 
 /// Bounding hierarchy over feature edges (design section 4). Node 0 is the root; empty without

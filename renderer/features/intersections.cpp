@@ -1,102 +1,97 @@
 #include "renderer/features/intersections.h"
 
+#include "renderer/features/triangle_line.h"
+
 #include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <tbb/enumerable_thread_specific.h>
-#include <utility>
 
 namespace asos {
 namespace {
 
-// Distances below this share of the coordinates are rounding.
-constexpr double on_plane = 4e-7;
-// Lines shorter than this share of the triangles' size are contacts at a corner.
-constexpr double shortest_line = 1e-6;
+using Device = std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)>;
+using Scene = std::unique_ptr<RTCSceneTy, void (*)(RTCScene)>;
 
-using Triangle = std::array<glm::dvec3, 3>;
+struct Extent {
+  glm::vec3 lo, hi;
 
-// Where a triangle crosses a plane: a stretch of the line that is common to both planes.
-struct Stretch {
-  glm::dvec3 p, q;
+  [[nodiscard]] bool meets(const Extent& other) const {
+    return glm::all(glm::lessThanEqual(lo, other.hi)) && glm::all(glm::lessThanEqual(other.lo, hi));
+  }
 };
 
-// The stretch of `t` on the plane of `other`. A corner on the plane counts as being on its positive
-// side, so that two triangles which meet on the plane cross it once together. Which side that is
-// must not depend on how `other` is wound: the one of the normal's largest coordinate.
-std::optional<Stretch> crossing(const Triangle& t, const Triangle& other) {
-  glm::dvec3 n = glm::cross(other[1] - other[0], other[2] - other[0]);
-  const double length = glm::length(n);
-  if (!(length > 0.0)) return std::nullopt;
-  const glm::dvec3 size_of = glm::abs(n);
-  const int largest = size_of.x >= size_of.y && size_of.x >= size_of.z ? 0
-                      : size_of.y >= size_of.z                         ? 1
-                                                                       : 2;
-  if (n[largest] < 0.0) n = -n;
-  double size = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k)
-      size = std::max({size, std::abs(t[i][k] - other[0][k]), std::abs(other[i][k] - other[0][k])});
-  }
-  double d[3];
-  int negative = 0;
-  for (int i = 0; i < 3; ++i) {
-    d[i] = glm::dot(n, t[i] - other[0]) / length;
-    if (std::abs(d[i]) <= on_plane * size) d[i] = 0.0;
-    negative += d[i] < 0.0;
-  }
-  if (negative == 0 || negative == 3) return std::nullopt;
-  glm::dvec3 found[2];
+using Corners = glm::mat3;
+
+Corners corners_of(const World& world, std::uint32_t triangle) {
+  const glm::uvec3 t = world.triangles[triangle];
+  return {world.positions[t.x], world.positions[t.y], world.positions[t.z]};
+}
+
+Extent extent_of(const Corners& c) {
+  return {glm::min(c[0], glm::min(c[1], c[2])), glm::max(c[0], glm::max(c[1], c[2]))};
+}
+
+TriangleCorners in_double(const Corners& c) {
+  return {glm::dvec3(c[0]), glm::dvec3(c[1]), glm::dvec3(c[2])};
+}
+
+// The corners of two triangles that lie at one place: how many, and the last such pair.
+struct Meeting {
   int count = 0;
-  for (int i = 0; i < 3 && count < 2; ++i) {
-    const int j = (i + 1) % 3;
-    if ((d[i] < 0.0) == (d[j] < 0.0)) continue;
-    found[count++] = t[i] + (t[j] - t[i]) * (d[i] / (d[i] - d[j]));
-  }
-  return Stretch{found[0], found[1]};
+  int a = 0;
+  int b = 0;
+};
+
+template <typename Triple>
+Meeting meeting(const Triple& a, const Triple& b) {
+  Meeting m;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (a[i] == b[k]) m = {m.count + 1, i, k};
+  return m;
 }
 
-std::optional<Stretch> intersection(const Triangle& s, const Triangle& t) {
-  const std::optional<Stretch> x = crossing(s, t);
-  if (!x) return std::nullopt;
-  const std::optional<Stretch> y = crossing(t, s);
-  if (!y) return std::nullopt;
-  // Both stretches lie on one line: what they share is the intersection.
-  const glm::dvec3 d = x->q - x->p;
-  const double square = glm::dot(d, d);
-  if (!(square > 0.0)) return std::nullopt;
-  double y0 = glm::dot(y->p - x->p, d) / square;
-  double y1 = glm::dot(y->q - x->p, d) / square;
-  glm::dvec3 p0 = y->p, p1 = y->q;
-  if (y0 > y1) {
-    std::swap(y0, y1);
-    std::swap(p0, p1);
-  }
-  const Stretch shared{y0 > 0.0 ? p0 : x->p, y1 < 1.0 ? p1 : x->q};
-  const double size = std::max(glm::distance(s[0], s[1]) + glm::distance(s[0], s[2]),
-                               glm::distance(t[0], t[1]) + glm::distance(t[0], t[2]));
-  if ((std::min(y1, 1.0) - std::max(y0, 0.0)) * std::sqrt(square) <= shortest_line * size)
-    return std::nullopt;
-  return shared;
+// Whether `b` lies on one side of `a`'s plane but for the corner that they share, by more than
+// single precision can err. So do most neighbours at a corner, and these are most pairs.
+bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
+  const glm::vec3 v = a[corner_a];
+  const glm::vec3 p = a[(corner_a + 1) % 3] - v, q = a[(corner_a + 2) % 3] - v;
+  const glm::vec3 n = glm::cross(p, q);
+  const glm::vec3 r = b[(corner_b + 1) % 3] - v, s = b[(corner_b + 2) % 3] - v;
+  const float x = glm::dot(n, r), y = glm::dot(n, s);
+  const float size = glm::dot(glm::abs(p), glm::vec3(1)) * glm::dot(glm::abs(q), glm::vec3(1));
+  constexpr float error = 4e-6f;
+  const float least = error * size * (glm::dot(glm::abs(r) + glm::abs(s), glm::vec3(1)));
+  return (x > least && y > least) || (x < -least && y < -least);
 }
 
-class Collider {
- public:
-  Collider(const World& world, std::size_t max_lines) : world_(world), max_lines_(max_lines) {}
+// Some of a world's triangles, or all, as Embree wants them.
+struct Selection {
+  const World& world;
+  std::vector<std::uint32_t> chosen;  // empty: all
 
-  Intersections run() {
-    const std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)> device(rtcNewDevice(nullptr),
-                                                                   rtcReleaseDevice);
-    if (!device) return {{}, false};
-    const std::unique_ptr<RTCSceneTy, void (*)(RTCScene)> scene(rtcNewScene(device.get()),
-                                                                rtcReleaseScene);
+  [[nodiscard]] std::size_t size() const {
+    return chosen.empty() ? world.triangles.size() : chosen.size();
+  }
+
+  static void bounds(const RTCBoundsFunctionArguments* args) {
+    const auto& self = *static_cast<const Selection*>(args->geometryUserPtr);
+    const std::uint32_t t = self.chosen.empty() ? args->primID : self.chosen[args->primID];
+    const auto [lo, hi] = extent_of(corners_of(self.world, t));
+    *args->bounds_o = {lo.x, lo.y, lo.z, 0.0f, hi.x, hi.y, hi.z, 0.0f};
+  }
+
+  // Refers to the selection as long as it lives.
+  [[nodiscard]] Scene build(const Device& device) {
+    Scene scene(rtcNewScene(device.get()), rtcReleaseScene);
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(world_.triangles.size()));
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(size()));
     rtcSetGeometryUserData(geometry, this);
     rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
     rtcCommitGeometry(geometry);
@@ -104,55 +99,122 @@ class Collider {
     rtcReleaseGeometry(geometry);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
     rtcCommitScene(scene.get());
+    return scene;
+  }
+};
+
+class Collider {
+ public:
+  Collider(const World& world, const IntersectionBudget& budget)
+      : world_(world), budget_(budget), device_(rtcNewDevice(nullptr), rtcReleaseDevice) {}
+
+  Intersections run() {
+    if (!device_) return {{}, false};
+    Selection all{world_, {}};
+    const Scene scene = all.build(device_);
+    if (hopeless(scene)) return {{}, false};
     rtcCollide(scene.get(), scene.get(), collide, this);
-    return gather(rtcGetDeviceError(device.get()) == RTC_ERROR_NONE);
+    return gather(rtcGetDeviceError(device_.get()) == RTC_ERROR_NONE);
   }
 
  private:
-  static void bounds(const RTCBoundsFunctionArguments* args) {
-    const World& world = static_cast<const Collider*>(args->geometryUserPtr)->world_;
-    const glm::uvec3 t = world.triangles[args->primID];
-    const glm::vec3 a = world.positions[t.x], b = world.positions[t.y], c = world.positions[t.z];
-    const glm::vec3 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
-    *args->bounds_o = {lo.x, lo.y, lo.z, 0.0f, hi.x, hi.y, hi.z, 0.0f};
+  struct Local {
+    std::vector<IntersectionLine> lines;
+    std::size_t pairs = 0;  // not yet in pairs_
+  };
+  using Partners = std::vector<std::size_t>;
+  struct Survey {
+    const Selection& few;
+    tbb::enumerable_thread_specific<Partners> counts;
+  };
+
+  // Embree cannot be stopped once it collides, and needs nanoseconds a pair even where nobody looks
+  // at the pairs. So count those of a few triangles first, chosen by a fixed rule.
+  [[nodiscard]] bool hopeless(const Scene& scene) {
+    const std::size_t n = world_.triangles.size();
+    if (n * (n - 1) / 2 <= survey_slack * budget_.pairs) return false;
+    Selection few{world_, {}};
+    few.chosen.resize(std::clamp<std::size_t>((std::size_t{1} << 26) / n, 32, 256));
+    std::uint64_t step = 0;
+    for (std::uint32_t& t : few.chosen) {
+      step += 0x9e3779b97f4a7c15ULL;
+      t = static_cast<std::uint32_t>((step >> 32) % n);
+    }
+    const Scene chosen = few.build(device_);
+    Survey found{few, tbb::enumerable_thread_specific<Partners>(few.size())};
+    rtcCollide(chosen.get(), scene.get(), survey, &found);
+
+    Partners partners(few.size());
+    for (const Partners& local : found.counts)
+      std::transform(local.begin(), local.end(), partners.begin(), partners.begin(), std::plus{});
+    // A large floor may meet everything, but floors are few.
+    std::sort(partners.begin(), partners.end());
+    partners.resize(partners.size() - partners.size() / 32);
+    const double mean =
+        static_cast<double>(std::accumulate(partners.begin(), partners.end(), std::size_t{0})) /
+        static_cast<double>(partners.size());
+    return mean / 2.0 * static_cast<double>(n) > static_cast<double>(survey_slack * budget_.pairs);
+  }
+
+  static void survey(void* found, RTCCollision* collisions, unsigned count) {
+    auto& [few, counts] = *static_cast<Survey*>(found);
+    Partners& partners = counts.local();
+    for (unsigned i = 0; i < count; ++i) {
+      const std::uint32_t t = few.chosen[collisions[i].primID0];
+      partners[collisions[i].primID0] +=
+          extent_of(corners_of(few.world, t))
+              .meets(extent_of(corners_of(few.world, collisions[i].primID1)));
+    }
   }
 
   static void collide(void* self, RTCCollision* collisions, unsigned count) {
     auto& collider = *static_cast<Collider*>(self);
-    std::vector<IntersectionLine>& lines = collider.found_.local();
+    if (collider.over_budget_.load(std::memory_order_relaxed)) return;
+    Local& local = collider.found_.local();
     for (unsigned i = 0; i < count; ++i) {
       // Each pair comes twice.
       if (collisions[i].primID0 < collisions[i].primID1)
-        collider.test(collisions[i].primID0, collisions[i].primID1, lines);
+        collider.test(collisions[i].primID0, collisions[i].primID1, local);
     }
+    collider.spend(local);
   }
 
-  void test(std::uint32_t s, std::uint32_t t, std::vector<IntersectionLine>& lines) {
-    const glm::uvec3 i = world_.triangles[s], j = world_.triangles[t];
-    const glm::vec3 a[3] = {world_.positions[i.x], world_.positions[i.y], world_.positions[i.z]};
-    const glm::vec3 b[3] = {world_.positions[j.x], world_.positions[j.y], world_.positions[j.z]};
-    // Most pairs are neighbours in a mesh.
-    for (const glm::vec3& p : a)
-      for (const glm::vec3& q : b)
-        if (p == q) return;
-    const glm::vec3 gap =
-        glm::max(glm::min(a[0], glm::min(a[1], a[2])) - glm::max(b[0], glm::max(b[1], b[2])),
-                 glm::min(b[0], glm::min(b[1], b[2])) - glm::max(a[0], glm::max(a[1], a[2])));
-    if (gap.x > 0.0f || gap.y > 0.0f || gap.z > 0.0f) return;
-    const std::optional<Stretch> line =
-        intersection({glm::dvec3(a[0]), glm::dvec3(a[1]), glm::dvec3(a[2])},
-                     {glm::dvec3(b[0]), glm::dvec3(b[1]), glm::dvec3(b[2])});
-    if (!line || over_budget_.load(std::memory_order_relaxed)) return;
-    lines.push_back({glm::vec3(line->p), glm::vec3(line->q), s, t});
-    // Each thread may fill the budget by itself; the sum is checked at the end.
-    if (lines.size() > max_lines_) over_budget_.store(true, std::memory_order_relaxed);
+  void test(std::uint32_t s, std::uint32_t t, Local& local) {
+    // Neighbours along an edge meet there and nowhere else, unless they lie in one plane.
+    if (meeting(world_.triangles[s], world_.triangles[t]).count > 1) {
+      ++local.pairs;
+      return;
+    }
+    const Corners a = corners_of(world_, s), b = corners_of(world_, t);
+    // Embree reports pairs of leaves.
+    if (!extent_of(a).meets(extent_of(b))) return;
+    ++local.pairs;
+    const Meeting m = meeting(a, b);
+    if (m.count > 1) return;
+    if (m.count == 1 && (beside(a, b, m.a, m.b) || beside(b, a, m.b, m.a))) return;
+    const std::optional<Stretch> line = common_line(in_double(a), in_double(b), world_.origin);
+    if (line) local.lines.push_back({glm::vec3(line->p), glm::vec3(line->q), s, t});
+  }
+
+  // Over the budget or not is the same whatever the threads do: every pair is counted once, and
+  // counting stops early only where it is over.
+  void spend(Local& local) {
+    constexpr std::size_t batch = 1024;
+    if (local.pairs >= batch) {
+      pairs_ += local.pairs;
+      local.pairs = 0;
+    }
+    if (local.lines.size() > budget_.lines || pairs_ > budget_.pairs) over_budget_ = true;
   }
 
   Intersections gather(bool no_error) {
     Intersections out;
-    for (const std::vector<IntersectionLine>& lines : found_)
-      out.lines.insert(out.lines.end(), lines.begin(), lines.end());
-    if (!no_error || over_budget_ || out.lines.size() > max_lines_) return {{}, false};
+    for (const Local& local : found_) {
+      pairs_ += local.pairs;
+      out.lines.insert(out.lines.end(), local.lines.begin(), local.lines.end());
+    }
+    if (!no_error || over_budget_ || out.lines.size() > budget_.lines || pairs_ > budget_.pairs)
+      return {{}, false};
     std::sort(out.lines.begin(), out.lines.end(),
               [](const IntersectionLine& x, const IntersectionLine& y) {
                 return x.first_triangle != y.first_triangle ? x.first_triangle < y.first_triangle
@@ -161,17 +223,27 @@ class Collider {
     return out;
   }
 
+  // The survey may err by its chance; it must not refuse what fits.
+  static constexpr std::size_t survey_slack = 2;
+
   const World& world_;
-  std::size_t max_lines_;
-  tbb::enumerable_thread_specific<std::vector<IntersectionLine>> found_;
+  IntersectionBudget budget_;
+  Device device_;
+  tbb::enumerable_thread_specific<Local> found_;
+  std::atomic<std::size_t> pairs_{0};
   std::atomic<bool> over_budget_{false};
 };
 
 }  // namespace
 
-Intersections find_intersections(const World& world, std::size_t max_lines) {
+IntersectionBudget IntersectionBudget::of(const World& world) {
+  const std::size_t n = world.triangles.size();
+  return {std::max<std::size_t>(10'000, 4 * n), 1'000'000 + 256 * n};
+}
+
+Intersections find_intersections(const World& world, const IntersectionBudget& budget) {
   if (world.triangles.size() < 2) return {};
-  return Collider(world, max_lines).run();
+  return Collider(world, budget).run();
 }
 
 }  // namespace asos

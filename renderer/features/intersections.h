@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,18 @@ struct IntersectionLine {
   std::uint32_t second_triangle = 0;
 };
 
+/// How much a scene may cost. Over it there are no lines at all, so that the picture does not
+/// depend on threads or on time.
+struct IntersectionBudget {
+  std::size_t lines = 0;
+  std::size_t pairs = 0;  ///< of triangles whose boxes overlap
+
+  /// Sound models have fewer lines than triangles and 4 to 40 pairs a triangle (most where thin
+  /// tubes run aslant, as a bicycle's spokes do). This is 4 lines and 256 pairs a triangle, and
+  /// enough for anything small: beyond that surfaces coincide, and their lines say nothing.
+  [[nodiscard]] static IntersectionBudget of(const World& world);
+};
+
 struct Intersections {
   std::vector<IntersectionLine> lines;  ///< ordered by their triangles
   bool complete = true;  ///< false: more than the budget; `lines` is empty, and the safety net has
@@ -24,10 +37,11 @@ struct Intersections {
 };
 
 /// Finds where surfaces of a world pass through each other (design section 3): no mesh edge marks
-/// these lines. Triangles that only touch or overlap in one plane have none, and neighbours in a
-/// mesh are passed over. Pairs are found by Embree's collision of bounding hierarchies. The
-/// result does not depend on threads. `max_lines` bounds the memory for scenes that are nothing
-/// but intersections.
-[[nodiscard]] Intersections find_intersections(const World& world, std::size_t max_lines);
+/// these lines. Triangles that only touch or overlap in one plane have none, and neighbours along
+/// an edge are passed over. Pairs are found by Embree's collision of bounding hierarchies. The
+/// result does not depend on threads. A scene that is nothing but overlaps is given up after a
+/// look at a few of its triangles.
+[[nodiscard]] Intersections find_intersections(const World& world,
+                                               const IntersectionBudget& budget);
 
 }  // namespace asos

@@ -22,12 +22,13 @@ std::array<glm::dvec3, 3> corners_of(const World& world, std::uint32_t triangle)
 
 class BlockTracer {
  public:
-  BlockTracer(const RenderScene& scene, const View& view, PixelRect block)
+  BlockTracer(const RenderScene& scene, const View& view, const RenderSettings& settings,
+              PixelRect block)
       : world_(scene.world),
         view_(view),
         block_(block),
         frame_(view.frame(block.x, block.y, block_size, block_size)),
-        shader_(scene.world, scene.needs, scene.rays) {
+        shader_(shader_of(scene, settings)) {
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
       if (const auto facet = make_facet(frame_, t, corners_of(world_, t)))
         facets_.push_back(*facet);
@@ -103,9 +104,10 @@ class BlockTracer {
 
 }  // namespace
 
-BlockResult render_block_beam(const RenderScene& scene, const View& view, const RenderSettings&,
-                              PixelRect block, const std::stop_token& stop) {
-  return BlockTracer(scene, view, block).run(stop);
+BlockResult render_block_beam(const RenderScene& scene, const View& view,
+                              const RenderSettings& settings, PixelRect block,
+                              const std::stop_token& stop) {
+  return BlockTracer(scene, view, settings, block).run(stop);
 }
 
 Result<void> check_method(const RenderScene& scene, const RenderSettings& settings) {

@@ -5,20 +5,21 @@
 
 namespace asos {
 
-EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const Frame& frame,
-                     PixelRect block, std::size_t roots, const std::stop_token& stop,
-                     RenderStatistics& counts)
+EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                     const Frame& frame, PixelRect block, std::size_t roots,
+                     const std::stop_token& stop, RenderStatistics& counts)
     : scene_(scene),
       view_(view),
       frame_(frame),
       block_(block),
       stop_(stop),
       counts_(counts),
-      shader_(scene.world, scene.needs, scene.rays),
+      shader_(shader_of(scene, settings)),
       sums_(roots) {}
 
 Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
   const std::size_t first = rays_.size();
+  points_.insert(points_.end(), points.begin(), points.end());
   for (const glm::vec2& p : points) {
     rays_.push_back(view_.ray(block_.x + static_cast<double>(p.x) * block_.width,
                               block_.y + static_cast<double>(p.y) * block_.height));
@@ -44,7 +45,7 @@ Cover EyeCaster::cover(SampleId sample) const {
   const glm::dvec3 e1 = glm::dvec3(scene_.world.positions[t.y]) - p0;
   const glm::dvec3 e2 = glm::dvec3(scene_.world.positions[t.z]) - p0;
   const glm::dvec3 p = p0 + static_cast<double>(hit.b1) * e1 + static_cast<double>(hit.b2) * e2;
-  return Cover::plane(frame_, p, glm::cross(e1, e2));
+  return Cover::plane(frame_, p, glm::cross(e1, e2), scene_.features.departure(hit.triangle));
 }
 
 bool EyeCaster::opaque(SampleId sample) const {
@@ -62,6 +63,7 @@ std::uint32_t EyeCaster::surface(SampleId sample) const {
 
 void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
   if (cancelled()) return;
+  if (root == logged_root_) logged_leaves_.push_back({sample, points_[sample], weight});
   const glm::vec3 radiance = shader_.radiance(rays_[sample], hits_[sample], counts_);
   if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
     ++counts_.rejected_samples;
@@ -69,6 +71,11 @@ void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
   }
   sums_[root].radiance += weight * glm::dvec3(radiance);
   sums_[root].weight += weight;
+}
+
+glm::vec3 EyeCaster::radiance(SampleId sample) const {
+  RenderStatistics uncounted;
+  return shader_.radiance(rays_[sample], hits_[sample], uncounted);
 }
 
 glm::vec3 EyeCaster::colour(std::uint32_t root) const {

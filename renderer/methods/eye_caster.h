@@ -4,6 +4,7 @@
 #include "renderer/geometry/view.h"
 #include "renderer/methods/render_scene.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/pyray/subdivision_trace.h"
 #include "renderer/shading/shade.h"
 
 #include <glm/glm.hpp>
@@ -19,8 +20,9 @@ namespace asos {
 /// root; a root is a pixel.
 class EyeCaster final : public Caster {
  public:
-  EyeCaster(const RenderScene& scene, const View& view, const Frame& frame, PixelRect block,
-            std::size_t roots, const std::stop_token& stop, RenderStatistics& counts);
+  EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
+            const Frame& frame, PixelRect block, std::size_t roots, const std::stop_token& stop,
+            RenderStatistics& counts);
 
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
@@ -30,6 +32,15 @@ class EyeCaster final : public Caster {
 
   /// Whether a sample met the background or a surface without holes and nothing shining through.
   [[nodiscard]] bool opaque(SampleId sample) const;
+
+  /// The world's triangle that a sample met; Hit::none: the background.
+  [[nodiscard]] std::uint32_t triangle(SampleId sample) const { return hits_[sample].triangle; }
+  /// What a sample sees, linear; its rays are not counted.
+  [[nodiscard]] glm::vec3 radiance(SampleId sample) const;
+
+  /// Keeps the leaves of one root from now on.
+  void log_leaves(std::uint32_t root) { logged_root_ = root; }
+  [[nodiscard]] const std::vector<TracedLeaf>& logged_leaves() const { return logged_leaves_; }
 
   /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
   /// counted.
@@ -48,9 +59,12 @@ class EyeCaster final : public Caster {
   std::stop_token stop_;
   RenderStatistics& counts_;
   Shader shader_;
+  std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<Sum> sums_;
+  std::uint32_t logged_root_ = no_sample;
+  std::vector<TracedLeaf> logged_leaves_;
 };
 
 }  // namespace asos

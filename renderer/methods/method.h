@@ -11,7 +11,8 @@
 
 namespace asos {
 
-/// Side of the aligned blocks of pixels that every method works in.
+/// Side of the aligned blocks of pixels that the methods work in; larger where ASOS has larger fat
+/// pyrays: see block_side.
 inline constexpr int block_size = 8;
 
 struct BlockResult {
@@ -20,10 +21,10 @@ struct BlockResult {
 };
 
 /// The final pixels of one block of the picture, by the method that the settings name. `block` is
-/// aligned to block_size in the whole picture (clipped at its right and bottom edge), whatever the
-/// crop. A pure function of its arguments: any thread, any order, the same bits. Samples that are
-/// not finite are left out of their pixel's mean and counted; a pixel without any is black. Once
-/// `stop` is requested the result is unfinished and to be thrown away.
+/// aligned to block_side(settings) in the whole picture (clipped at its right and bottom edge),
+/// whatever the crop. A pure function of its arguments: any thread, any order, the same bits.
+/// Samples that are not finite are left out of their pixel's mean and counted; a pixel without any
+/// is black. Once `stop` is requested the result is unfinished and to be thrown away.
 [[nodiscard]] BlockResult render_block(const RenderScene& scene, const View& view,
                                        const RenderSettings& settings, PixelRect block,
                                        const std::stop_token& stop = {});

@@ -1,6 +1,7 @@
 #include "renderer/methods/render_scene.h"
 #include "renderer/shading/default_rig.h"
 #include "renderer/shading/shade.h"
+#include "renderer/shading/texture.h"
 
 #include <chrono>
 #include <cstddef>
@@ -46,14 +47,19 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   prepared->needs = find_needs(prepared->world);
 
   // Neither search structure needs the other.
-  auto features = std::async(std::launch::async, [&] { return FeatureSet(prepared->world); });
+  auto features = std::async(std::launch::async, [&] {
+    return FeatureSet(prepared->world, [](const World& w, const TextureUse& use,
+                                          std::uint32_t triangle, float b1, float b2) {
+      return sample_texture(w, use, triangle, b1, b2, Encoding::linear);
+    });
+  });
   auto rays = RayScene::build(prepared->world, alpha_at);
   prepared->features = features.get();
   if (!rays) return unexpected(Error{scene.source, rays.error().message()});
   prepared->rays = std::move(*rays);
   if (!prepared->features.intersections_complete()) {
     prepared->notes.warnings.emplace_back(
-        "surfaces pass through each other more often than there are triangles; the lines where "
+        "surfaces pass through each other or overlap too often; the lines where "
         "they do are found by samples only");
   }
 

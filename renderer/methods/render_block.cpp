@@ -12,9 +12,10 @@ BlockResult render_block(const RenderScene& scene, const View& view, const Rende
     case Method::beam:
       return render_block_beam(scene, view, settings, block, stop);
     case Method::asos:
+    case Method::asos_published:
       break;
   }
-  return render_block_asos(scene, view, settings, block, stop);
+  return render_block_asos(scene, view, as_published(settings), block, stop);
 }
 
 }  // namespace asos

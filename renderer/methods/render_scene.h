@@ -1,10 +1,12 @@
 #pragma once
 
 #include "renderer/features/feature_set.h"
+#include "renderer/methods/settings.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/world.h"
+#include "renderer/shading/shade.h"
 
 #include <memory>
 #include <string>
@@ -25,6 +27,11 @@ struct RenderScene {
   double build_seconds = 0.0;
   double memory_mb = 0.0;  ///< of geometry, textures and both hierarchies
 };
+
+/// The shader of a scene, as the settings ask.
+[[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings) {
+  return Shader(scene.world, scene.needs, scene.rays, {settings.shadows});
+}
 
 /// Flattens, lights (with the default rig where the scene has no lights) and indexes `scene`.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene);

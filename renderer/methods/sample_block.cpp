@@ -15,9 +15,9 @@ namespace {
 /// The samples of a block's pixels, one pixel after the other, traced a batch at a time.
 class BlockSampler {
  public:
-  BlockSampler(const RenderScene& scene, PixelRect block)
+  BlockSampler(const RenderScene& scene, const RenderSettings& settings, PixelRect block)
       : scene_(scene),
-        shader_(scene.world, scene.needs, scene.rays),
+        shader_(shader_of(scene, settings)),
         block_(block),
         sums_(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height)),
         counts_(sums_.size(), 0) {}
@@ -80,9 +80,10 @@ int grid_side(int spp) {
   return n;
 }
 
-BlockResult sample_block(const RenderScene& scene, const View& view, PixelRect block, int n,
-                         PlaceSample place, const std::stop_token& stop) {
-  BlockSampler sampler(scene, block);
+BlockResult sample_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                         PixelRect block, PlaceSample place, const std::stop_token& stop) {
+  const int n = grid_side(settings.spp);
+  BlockSampler sampler(scene, settings, block);
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x, ++pixel) {

@@ -16,9 +16,10 @@ using PlaceSample = PixelPoint (*)(int x, int y, int index, int n);
 /// The side of the first square of at least `spp` samples.
 [[nodiscard]] int grid_side(int spp);
 
-/// A block of pixels as the mean of n x n point samples each, through packets of rays: what the
-/// methods that only place samples differently share.
-[[nodiscard]] BlockResult sample_block(const RenderScene& scene, const View& view, PixelRect block,
-                                       int n, PlaceSample place, const std::stop_token& stop);
+/// A block of pixels as the mean of n x n point samples each, n being grid_side(settings.spp),
+/// through packets of rays: what the methods that only place samples differently share.
+[[nodiscard]] BlockResult sample_block(const RenderScene& scene, const View& view,
+                                       const RenderSettings& settings, PixelRect block,
+                                       PlaceSample place, const std::stop_token& stop);
 
 }  // namespace asos

@@ -1,6 +1,11 @@
 #include "renderer/methods/settings.h"
 
+#include "renderer/methods/method.h"
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
 
 namespace asos {
 namespace {
@@ -18,12 +23,27 @@ struct Range {
 
 }  // namespace
 
+RenderSettings as_published(RenderSettings settings) {
+  if (settings.method != Method::asos_published) return settings;
+  settings.leaf = Leaf::point;
+  settings.rule = StoppingRule::published;
+  settings.detect = Detection::cone;
+  return settings;
+}
+
+int block_side(const RenderSettings& settings) {
+  return settings.method == Method::asos || settings.method == Method::asos_published
+             ? std::max(block_size, settings.fat)
+             : block_size;
+}
+
 Result<RenderSettings> validated(const RenderSettings& s) {
   for (const Range& r : {Range{"width", s.width, 1, max_side},
                          {"height", s.height, 1, max_side},
                          {"max", s.max_level, 0, RenderSettings::max_level_limit},
                          {"spp", s.spp, 1, max_spp},
-                         {"threads", s.threads, 0, max_threads}}) {
+                         {"threads", s.threads, 0, max_threads},
+                         {"fat", s.fat, 2, 16}}) {
     if (r.value < r.lo || r.value > r.hi) {
       return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
     }
@@ -32,11 +52,18 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   if (!(s.eps >= 0.0 && s.eps <= 1.0)) {
     return unexpected(Error{"eps", fmt::format("{} is not from 0 to 1", s.eps)});
   }
-  const bool known_method = s.method == Method::asos || s.method == Method::uniform ||
-                            s.method == Method::stochastic || s.method == Method::beam;
-  if (!known_method) return unexpected(Error{"method", "is not one of the program's"});
+  if (!std::has_single_bit(static_cast<unsigned>(s.fat)))
+    return unexpected(Error{"fat", fmt::format("{} is not 2, 4, 8 or 16", s.fat)});
+  if (s.method < Method::asos || s.method > Method::beam)
+    return unexpected(Error{"method", "is not one of the program's"});
   if (s.leaf != Leaf::exact && s.leaf != Leaf::point) {
     return unexpected(Error{"leaf", "is neither exact nor point"});
+  }
+  if (s.rule != StoppingRule::unresolved && s.rule != StoppingRule::published) {
+    return unexpected(Error{"rule", "is neither unresolved nor published"});
+  }
+  if (s.detect != Detection::square && s.detect != Detection::cone) {
+    return unexpected(Error{"detect", "is neither square nor cone"});
   }
   if (s.crop == PixelRect{}) return s;
   const PixelRect c = s.crop;

@@ -1,13 +1,17 @@
 #pragma once
 
 #include "renderer/geometry/view.h"
+#include "renderer/pyray/detection.h"
+#include "renderer/pyray/stopping.h"
 #include "renderer/result.h"
 
 #include <cstdint>
 
 namespace asos {
 
-enum class Method { asos, uniform, stochastic, beam };
+/// asos_published: asos with cone detection, point leaves and the published rule, whatever the
+/// settings below say.
+enum class Method { asos, asos_published, uniform, stochastic, beam };
 enum class Leaf { exact, point };
 
 /// What to render with. Defaulted and comparable; widgets edit a copy, work takes a copy.
@@ -21,10 +25,14 @@ struct RenderSettings {
   Method method = Method::asos;
   int max_level = 3;         ///< MAX, 0 to 8 (CGF'98 section 3.1)
   double eps = 1.0 / 256.0;  ///< EPS, 0 to 1: allowed change of a pixel's display intensity
-  Leaf leaf = Leaf::exact;   ///< exact: cut a cell along its one boundary (6.2, 6.4)
-  bool jitter = false;       ///< jitter the samples of leaves that stay marginal at MAX
-  int spp = 16;              ///< uniform and stochastic: samples a pixel, rounded up to n * n
-  int threads = 0;           ///< workers; 0: all cores but one
+  Leaf leaf = Leaf::exact;   ///< exact: cut a cell along its few boundaries (6.2, 6.4)
+  StoppingRule rule = StoppingRule::unresolved;
+  Detection detect = Detection::square;
+  int fat = 8;          ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
+  bool jitter = false;  ///< jitter the samples of leaves that stay marginal at MAX
+  int spp = 16;         ///< uniform and stochastic: samples a pixel, rounded up to n * n
+  bool shadows = true;  ///< lights cast shadows
+  int threads = 0;      ///< workers; 0: all cores but one
 
   bool operator==(const RenderSettings&) const = default;
 
@@ -33,6 +41,12 @@ struct RenderSettings {
     return crop == PixelRect{} ? PixelRect{0, 0, width, height} : crop;
   }
 };
+
+/// What asos really renders with: for asos_published the settings with what the papers published.
+[[nodiscard]] RenderSettings as_published(RenderSettings settings);
+
+/// Side of the aligned blocks of pixels that are rendered as one piece of work.
+[[nodiscard]] int block_side(const RenderSettings& settings);
 
 /// The settings as they are, or what is wrong with the first one that is out of range; the error's
 /// subject is the setting's name on the command line.

@@ -10,7 +10,7 @@ BlockResult render_block_stochastic(const RenderScene& scene, const View& view,
     const RandomPair r = unit_pair(pixel_random(x, y, static_cast<std::uint32_t>(index)));
     return PixelPoint{(index % n + r.u) / n, (index / n + r.v) / n};
   };
-  return sample_block(scene, view, block, grid_side(settings.spp), jittered, stop);
+  return sample_block(scene, view, settings, block, jittered, stop);
 }
 
 }  // namespace asos

@@ -8,7 +8,7 @@ BlockResult render_block_uniform(const RenderScene& scene, const View& view,
   const PlaceSample at_centres = [](int, int, int index, int n) {
     return PixelPoint{(index % n + 0.5) / n, (index / n + 0.5) / n};
   };
-  return sample_block(scene, view, block, grid_side(settings.spp), at_centres, stop);
+  return sample_block(scene, view, settings, block, at_centres, stop);
 }
 
 }  // namespace asos

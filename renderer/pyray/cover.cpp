@@ -5,7 +5,7 @@
 
 namespace asos {
 
-Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal) {
+Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double departure) {
   const double length = glm::length(normal);
   if (!(length > 0.0)) return none();
   glm::dvec3 n = normal / length;
@@ -17,6 +17,7 @@ Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal) {
   const double d = -glm::dot(n, from_apex);
 
   Cover cover;
+  cover.departure = departure;
   if (frame.parallel()) {
     // n.(U a + V b + W c) = -d with q = -W.
     if (!(nc < 0.0)) return none();
@@ -45,10 +46,11 @@ HidingPlane HidingPlane::of(const Cover& cover, const Frame& frame, float side) 
   if (frame.parallel()) {
     plane.qu = static_cast<float>(cover.qu);
     plane.qv = static_cast<float>(cover.qv);
-    plane.q1 = static_cast<float>(cover.q1 - cover_slack * width / cover.distance);
+    plane.q1 =
+        static_cast<float>(cover.q1 - (cover_slack * width + cover.departure) / cover.distance);
     return plane;
   }
-  const double slack = cover_slack * width / cover.q;
+  const double slack = cover_slack * width / cover.q + cover.departure;
   const double back = cover.distance / (cover.distance + slack);
   plane.qu = static_cast<float>(cover.qu * back);
   plane.qv = static_cast<float>(cover.qv * back);

@@ -64,6 +64,10 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   frame_ = frame;
   test_frame_ = NodeTestFrame(frame);
   finest_side_ = finest_side;
+  // The map from the world to the square is steepest across the shorter of the base's heights.
+  const glm::dvec3 a = frame.base_u(), b = frame.base_v();
+  const double area = glm::length(glm::cross(a, b));
+  squares_a_unit_ = static_cast<float>(std::max(glm::length(a), glm::length(b)) / area);
   entries_.clear();
   segments_.clear();
   if (features_->nodes().empty()) return;
@@ -119,6 +123,49 @@ void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hid
   for (std::uint32_t c = 0; c < count; ++c) visit(first + c, cell, hiding, list);
 }
 
+bool HitLists::tell_apart(std::uint32_t i, const Square& cell, float tolerance, std::size_t limit,
+                          List& list) {
+  if (!entries_[i].meets(cell)) return true;
+  if (straight(entries_[i], tolerance) && replace_by_chord(i)) i = entries_[i].chord;
+  if (entries_[i].is_segment()) {
+    if (!clip(segments_[entries_[i].ref], cell).empty()) list.push_back(i);
+    return list.size() <= limit;
+  }
+  open(i);
+  const std::uint32_t first = entries_[i].first_child;
+  const std::uint32_t count = entries_[i].child_count;
+  for (std::uint32_t c = 0; c < count; ++c)
+    if (!tell_apart(first + c, cell, tolerance, limit, list)) return false;
+  return true;
+}
+
+// Whether an entry is a chain that looks straight: by how far it strays from its chord in the
+// world, as it would look at the chain's nearest point.
+bool HitLists::straight(const HitEntry& e, float tolerance) const {
+  if (e.is_segment() || e.chain[0] == FeatureEdge::none) return false;
+  return e.extent() <= tolerance ||
+         e.chain_deviation * (frame_.parallel() ? 1.0f : e.q) * squares_a_unit_ <= tolerance;
+}
+
+std::uint32_t HitLists::first_edge(const HitEntry& e) const {
+  if (e.type == HitEntry::Type::leaf) return e.ref;
+  const FeatureNode* node = &features_->nodes()[e.ref];
+  while (node->edge_count[0] == FeatureNode::inner) node = &features_->nodes()[node->child[0]];
+  return node->child[0];
+}
+
+// Makes the segment between a chain's ends, once.
+bool HitLists::replace_by_chord(std::uint32_t i) {
+  if (entries_[i].chord != FeatureEdge::none) return true;
+  const std::span<const glm::vec3> positions = features_->positions();
+  const auto chord = static_cast<std::uint32_t>(entries_.size());
+  add_segment(first_edge(entries_[i]), glm::dvec3(positions[entries_[i].chain[0]]),
+              glm::dvec3(positions[entries_[i].chain[1]]));
+  if (entries_.size() == chord) return false;
+  entries_[i].chord = chord;
+  return true;
+}
+
 bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const {
   const HitEntry& e = entries_[i];
   if (!e.is_segment()) {
@@ -161,6 +208,9 @@ void HitLists::open_node(std::uint32_t i) {
     child.q = test.q[c];
     child.ref = node.child[c];
     child.edge_count = node.edge_count[c];
+    child.chain[0] = node.chain[0][c];
+    child.chain[1] = node.chain[1][c];
+    child.chain_deviation = node.chain_deviation[c];
     child.type =
         node.edge_count[c] == FeatureNode::inner ? HitEntry::Type::node : HitEntry::Type::leaf;
     entries_.push_back(child);
@@ -179,28 +229,33 @@ void HitLists::open_leaf(std::uint32_t i) {
         !is_silhouette(frame_, a, b, glm::dvec3(positions[edge.left]),
                        glm::dvec3(positions[edge.right])))
       continue;
-    const glm::dvec3 h0 = frame_.homogeneous(a);
-    const glm::dvec3 h1 = frame_.homogeneous(b);
-    const std::optional<Range> range = inside(frame_, h0, h1);
-    if (!range) continue;
-    const FramePoint p0 = frame_.project(range->t0 > 0.0 ? h0 + range->t0 * (h1 - h0) : h0);
-    const FramePoint p1 = frame_.project(range->t1 < 1.0 ? h0 + range->t1 * (h1 - h0) : h1);
-    Segment s;
-    s.u0 = static_cast<float>(p0.u), s.v0 = static_cast<float>(p0.v);
-    s.u1 = static_cast<float>(p1.u), s.v1 = static_cast<float>(p1.v);
-    s.q0 = static_cast<float>(p0.q), s.q1 = static_cast<float>(p1.q);
-    s.edge = e;
-    // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
-    if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1) || (s.u0 == s.u1 && s.v0 == s.v1)) continue;
-    HitEntry entry;
-    entry.type = HitEntry::Type::segment;
-    entry.u0 = std::min(s.u0, s.u1), entry.u1 = std::max(s.u0, s.u1);
-    entry.v0 = std::min(s.v0, s.v1), entry.v1 = std::max(s.v0, s.v1);
-    entry.q = std::max(s.q0, s.q1);
-    entry.ref = static_cast<std::uint32_t>(segments_.size());
-    segments_.push_back(s);
-    entries_.push_back(entry);
+    add_segment(e, a, b);
   }
+}
+
+// The part of an edge that lies in the pyray, if any.
+void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
+  const glm::dvec3 h0 = frame_.homogeneous(a);
+  const glm::dvec3 h1 = frame_.homogeneous(b);
+  const std::optional<Range> range = inside(frame_, h0, h1);
+  if (!range) return;
+  const FramePoint p0 = frame_.project(range->t0 > 0.0 ? h0 + range->t0 * (h1 - h0) : h0);
+  const FramePoint p1 = frame_.project(range->t1 < 1.0 ? h0 + range->t1 * (h1 - h0) : h1);
+  Segment s;
+  s.u0 = static_cast<float>(p0.u), s.v0 = static_cast<float>(p0.v);
+  s.u1 = static_cast<float>(p1.u), s.v1 = static_cast<float>(p1.v);
+  s.q0 = static_cast<float>(p0.q), s.q1 = static_cast<float>(p1.q);
+  s.edge = edge;
+  // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
+  if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1) || (s.u0 == s.u1 && s.v0 == s.v1)) return;
+  HitEntry entry;
+  entry.type = HitEntry::Type::segment;
+  entry.u0 = std::min(s.u0, s.u1), entry.u1 = std::max(s.u0, s.u1);
+  entry.v0 = std::min(s.v0, s.v1), entry.v1 = std::max(s.v0, s.v1);
+  entry.q = std::max(s.q0, s.q1);
+  entry.ref = static_cast<std::uint32_t>(segments_.size());
+  segments_.push_back(s);
+  entries_.push_back(entry);
 }
 
 }  // namespace asos

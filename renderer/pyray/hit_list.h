@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -21,6 +22,9 @@ struct HitEntry {
   float q = 0;
   std::uint32_t ref = 0;          ///< node, first edge of a leaf, or segment
   std::uint32_t first_child = 0;  ///< of the entries made when it was opened
+  std::uint32_t chain[2] = {FeatureEdge::none, FeatureEdge::none};  ///< see FeatureNode::chain
+  float chain_deviation = 0.0f;
+  std::uint32_t chord = FeatureEdge::none;  ///< the entry that stands for the chain, once made
   std::uint16_t child_count = 0;
   std::uint8_t edge_count = 0;  ///< of a leaf
   Type type = Type::node;
@@ -54,9 +58,20 @@ class HitLists {
   void refine(const Square& cell, const HidingPlane& hiding, std::span<const std::uint32_t> parent,
               List& list);
 
+  /// Opens an entry all the way down, however small it is, and appends the segments below it that
+  /// cross the cell; a chain that is straight within `tolerance`, in the frame, becomes one
+  /// segment. False, with `list` as it happens to be, once it holds more than `limit`.
+  [[nodiscard]] bool tell_apart(std::uint32_t i, const Square& cell, float tolerance,
+                                std::size_t limit, List& list);
+
   [[nodiscard]] const HitEntry& entry(std::uint32_t i) const { return entries_[i]; }
   [[nodiscard]] const Segment& segment(const HitEntry& e) const { return segments_[e.ref]; }
   [[nodiscard]] const Segment& segment(std::uint32_t i) const { return segments_[entries_[i].ref]; }
+  /// The sheets on both sides of a segment's edge (FeatureEdge::none: none there).
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> sheets(std::uint32_t i) const {
+    const FeatureEdge& edge = features_->edges()[segment(i).edge];
+    return {edge.left_sheet, edge.right_sheet};
+  }
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
   /// Whether an entry of a cell's list lies behind `hiding` wherever it crosses the cell.
@@ -67,11 +82,16 @@ class HitLists {
   void open(std::uint32_t i);
   void open_node(std::uint32_t i);
   void open_leaf(std::uint32_t i);
+  void add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b);
+  [[nodiscard]] std::uint32_t first_edge(const HitEntry& e) const;
+  [[nodiscard]] bool straight(const HitEntry& e, float tolerance) const;
+  [[nodiscard]] bool replace_by_chord(std::uint32_t i);
 
   const FeatureSet* features_ = nullptr;
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;
+  float squares_a_unit_ = 1.0f;  // what a length across the view covers of the square, at q = 1
   std::vector<HitEntry> entries_;
   std::vector<Segment> segments_;
 };

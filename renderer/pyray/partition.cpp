@@ -10,6 +10,9 @@ namespace {
 // Points closer than this, in cells, are one. Segments come in single precision of the root frame,
 // so nothing finer has a meaning.
 constexpr double snap = 4e-6;
+// How far inside its face a sample has to be, in square roots of the face's area: chains are drawn
+// within a sixty-fourth of a cell of where they are.
+constexpr double well_inside = 1.0 / 32.0;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
@@ -288,11 +291,9 @@ bool CellPartition::make_faces(std::size_t max_faces) {
 
 bool CellPartition::inside(const Loop& loop, glm::dvec2 p) const {
   bool in = false;
-  for (std::uint32_t k = 0; k < loop.count; ++k) {
-    const glm::dvec2 a = nodes_[loop_nodes_[loop.first + k]];
-    const glm::dvec2 b = nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]];
+  for_each_side(loop, [&](glm::dvec2 a, glm::dvec2 b) {
     if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) in = !in;
-  }
+  });
   return in;
 }
 
@@ -303,7 +304,8 @@ bool CellPartition::inside_face(std::int32_t face, glm::dvec2 p) const {
   return in;
 }
 
-// Area, and the centroid where it lies inside; else the middle of the longest of a few chords.
+// Area, and the centroid where it lies well inside; else the clearest place among it and the
+// middles of a few chords: a boundary may lie a little beside where it is drawn.
 bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
   double area = 0.0;
   glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
@@ -312,46 +314,60 @@ bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
     if (loop.face != face) continue;
     simple &= loop.area > 0.0;
     area += loop.area;
-    for (std::uint32_t k = 0; k < loop.count; ++k) {
-      const glm::dvec2 a = nodes_[loop_nodes_[loop.first + k]];
-      const glm::dvec2 b = nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]];
-      centroid += cross(a, b) * (a + b) / 6.0;
-    }
+    for_each_side(loop,
+                  [&](glm::dvec2 a, glm::dvec2 b) { centroid += cross(a, b) * (a + b) / 6.0; });
   }
-  for (std::uint32_t k = 0; k < outer.count; ++k) {
-    lo = glm::min(lo, nodes_[loop_nodes_[outer.first + k]]);
-    hi = glm::max(hi, nodes_[loop_nodes_[outer.first + k]]);
-  }
+  for_each_side(outer, [&](glm::dvec2 a, glm::dvec2) {
+    lo = glm::min(lo, a);
+    hi = glm::max(hi, a);
+  });
   if (area < 1e-12) return true;
   centroid /= area;
-  if ((simple && outer.count <= 3) || inside_face(face, centroid)) {
+  if (simple && outer.count <= 3) {
     emit(area, centroid, lo, hi);
     return true;
   }
-  double longest = 0.0;
-  glm::dvec2 best(0.0);
+  double clearest = inside_face(face, centroid) ? clearance(face, centroid) : 0.0;
+  glm::dvec2 best = centroid;
+  const double enough = well_inside * std::min(1.0, std::sqrt(area));
   for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
-    const double y = lo.y + f * (hi.y - lo.y);
-    crossings_.clear();
-    for (const Loop& loop : loops_) {
-      if (loop.face != face) continue;
-      for (std::uint32_t k = 0; k < loop.count; ++k) {
-        const glm::dvec2 a = nodes_[loop_nodes_[loop.first + k]];
-        const glm::dvec2 b = nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]];
-        if ((a.y > y) != (b.y > y))
-          crossings_.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
-      }
-    }
-    std::sort(crossings_.begin(), crossings_.end());
+    if (clearest >= enough) break;
+    find_crossings(face, lo.y + f * (hi.y - lo.y));
     for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2) {
-      if (crossings_[k + 1] - crossings_[k] <= longest) continue;
-      longest = crossings_[k + 1] - crossings_[k];
-      best = {0.5 * (crossings_[k] + crossings_[k + 1]), y};
+      const glm::dvec2 middle(0.5 * (crossings_[k] + crossings_[k + 1]), lo.y + f * (hi.y - lo.y));
+      const double clear = crossings_[k + 1] > crossings_[k] ? clearance(face, middle) : 0.0;
+      if (clear > clearest) clearest = clear, best = middle;
     }
   }
-  if (longest <= 0.0) return false;
+  if (clearest <= 0.0) return false;
   emit(area, best, lo, hi);
   return true;
+}
+
+// Where a face's border crosses the line at height y, in order.
+void CellPartition::find_crossings(std::int32_t face, double y) {
+  crossings_.clear();
+  for (const Loop& loop : loops_) {
+    if (loop.face != face) continue;
+    for_each_side(loop, [&](glm::dvec2 a, glm::dvec2 b) {
+      if ((a.y > y) != (b.y > y)) crossings_.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+    });
+  }
+  std::sort(crossings_.begin(), crossings_.end());
+}
+
+// How far a point is from its face's border; the cell's own border counts as well.
+double CellPartition::clearance(std::int32_t face, glm::dvec2 p) const {
+  double nearest = 2.0;
+  for (const Loop& loop : loops_) {
+    if (loop.face != face) continue;
+    for_each_side(loop, [&](glm::dvec2 a, glm::dvec2 b) {
+      const glm::dvec2 d = b - a;
+      const double t = std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0);
+      nearest = std::min(nearest, glm::distance(p, a + t * d));
+    });
+  }
+  return nearest;
 }
 
 void CellPartition::emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi) {

@@ -61,6 +61,14 @@ class CellPartition {
   [[nodiscard]] bool inside(const Loop& loop, glm::dvec2 p) const;
   [[nodiscard]] bool inside_face(std::int32_t face, glm::dvec2 p) const;
   bool place_sample(std::int32_t face, const Loop& outer);
+  void find_crossings(std::int32_t face, double y);
+  [[nodiscard]] double clearance(std::int32_t face, glm::dvec2 p) const;
+  template <typename Visit>
+  void for_each_side(const Loop& loop, Visit&& visit) const {
+    for (std::uint32_t k = 0; k < loop.count; ++k)
+      visit(nodes_[loop_nodes_[loop.first + k]],
+            nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]]);
+  }
   void emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi);
 
   Square cell_;

@@ -1,12 +1,17 @@
 #pragma once
 
 #include "renderer/pyray/caster.h"
+#include "renderer/pyray/chains.h"
+#include "renderer/pyray/detection.h"
 #include "renderer/pyray/hit_list.h"
 #include "renderer/pyray/partition.h"
 #include "renderer/pyray/square.h"
+#include "renderer/pyray/stopping.h"
+#include "renderer/pyray/subdivision_trace.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,8 +21,10 @@ inline constexpr int max_level_limit = 8;
 
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).
 struct SubdivisionRules {
-  int max_level = 3;         ///< MAX, 0 to max_level_limit
-  double eps = 0.0;          ///< EPS: allowed change of a root's value, 0 to 1
+  int max_level = 3;  ///< MAX, 0 to max_level_limit
+  double eps = 0.0;   ///< EPS: allowed change of a root's value, 0 to 1
+  StoppingRule rule = StoppingRule::unresolved;
+  Detection detection = Detection::square;
   bool exact_leaves = true;  ///< cut cells along their boundaries; false: point leaves
   bool jitter = false;       ///< jitter the samples of cells that stay marginal at MAX
 };
@@ -25,7 +32,7 @@ struct SubdivisionRules {
 /// A pyray to subdivide: a square of the frame, and the boundaries that pass through it.
 struct Root {
   Square square;
-  std::span<const std::uint32_t> list;          ///< hit list
+  std::span<const std::uint32_t> list;          ///< hit list of what the detection reaches
   Caster::SampleId centre = Caster::no_sample;  ///< at the square's centre, if known
   std::uint32_t id = 0;                         ///< passed on to Caster::leaf
   std::uint64_t seed = 0;                       ///< for jitter
@@ -45,6 +52,9 @@ struct SubdivisionOutcome {
 /// Reuses its memory; one object a thread.
 class Subdivider {
  public:
+  /// Records the subdivision of the root whose id is `root_id` during the next `run`.
+  void trace(std::uint32_t root_id, SubdivisionTrace& into);
+
   /// One outcome a root. The weights of each root's leaves add up to 1, unless the caster was
   /// cancelled.
   std::span<const SubdivisionOutcome> run(HitLists& lists, std::span<const Root> roots,
@@ -83,18 +93,28 @@ class Subdivider {
   };
 
   void start(std::span<const Root> roots);
+  // What can be resolved (subdivide_leaves.cpp).
   void resolve(Level& level);
   void plan(const Level& level, std::uint32_t cell_index, bool with_own_sample);
+  void find_visible(std::span<const std::uint32_t> list, const Square& reach,
+                    const HidingPlane& hiding);
   [[nodiscard]] bool plan_faces(const Level& level, std::uint32_t cell_index,
-                                std::span<const std::uint32_t> visible);
+                                const HidingPlane& hiding);
+  [[nodiscard]] std::span<const Face> cut(const Cell& cell, const HidingPlane& hiding);
+  [[nodiscard]] float tolerance(const Cell& cell) const;
+  [[nodiscard]] bool tell_apart(const Cell& cell, const HidingPlane& hiding);
   [[nodiscard]] bool plan_saturated(const Cell& cell, std::uint32_t cell_index);
   void add_plan(Plan::Kind kind, std::uint32_t cell_index, std::span<const glm::vec2> points);
   void carry_out(Level& level);
+  void take_leaf(const Cell& cell, SampleId sample, glm::vec2 at, double share, TracedCell* seen);
   [[nodiscard]] bool excluded_stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const;
+  // What stays marginal.
   void stop_roots(Level& level);
-  [[nodiscard]] bool holds_rule(const Level& level, std::size_t first, std::size_t count) const;
+  void tally(const Level& level, std::span<const Cell> cells);
   void finish_marginal(Level& level);
   void split(const Level& level, Level& next);
+  [[nodiscard]] bool traced(const Cell& cell) const;
+  TracedCell* record(const Level& level, const Cell& cell, CellFate fate);
 
   [[nodiscard]] double weight(const Cell& cell) const;
   [[nodiscard]] std::size_t most_faces() const;
@@ -104,14 +124,22 @@ class Subdivider {
   HitLists* hits_ = nullptr;
   Caster* caster_ = nullptr;
   SubdivisionRules rules_;
+  std::optional<Detector> detector_;
   std::span<const Root> roots_;
   int level_ = 0;
   std::vector<SubdivisionOutcome> outcomes_;
   Level levels_[2];
   HitLists::List list_;
   CellPartition partition_;
+  ChainSimplifier chains_;
   std::vector<std::uint32_t> visible_;
+  std::vector<std::uint32_t> told_apart_;  // what was visible_, without clusters
   std::vector<Segment> segments_;
+  std::size_t boundary_count_ = 0;  // of the cell looked at last: chains, where those are known
+  LevelTally tally_;
+  std::vector<std::uint32_t> near_;  // objects
+  SubdivisionTrace* trace_ = nullptr;
+  std::uint32_t traced_root_ = 0;
   std::vector<Plan> plans_;
   std::vector<glm::vec2> points_;
   std::vector<Face> faces_;

@@ -24,7 +24,7 @@ double seconds(std::chrono::steady_clock::duration d) {
 RenderRun::RenderRun(Snapshot snapshot, const std::function<void()>& on_tiles)
     : snapshot_(std::move(snapshot)),
       view_(snapshot_.camera, snapshot_.settings.width, snapshot_.settings.height),
-      plan_(snapshot_.settings.width, snapshot_.settings.height, snapshot_.settings.visible()),
+      plan_(snapshot_.settings),
       on_tiles_(on_tiles),
       groups_(plan_.groups.size()) {}
 
@@ -77,7 +77,7 @@ void RenderRun::publish(std::size_t group, Pass pass, FinishedTile&& tile) {
 
 void RenderRun::work_coarse(const std::stop_token& stop) {
   const RenderScene& scene = *snapshot_.scene;
-  const Shader shader(scene.world, scene.needs, scene.rays);
+  const Shader shader = shader_of(scene, snapshot_.settings);
   constexpr std::size_t blocks_in_group = (group_size / block_size) * (group_size / block_size);
   std::array<Ray, blocks_in_group> rays;
   std::array<Hit, blocks_in_group> hits;
@@ -101,8 +101,9 @@ void RenderRun::work_coarse(const std::stop_token& stop) {
       if (!std::isfinite(radiance.x + radiance.y + radiance.z)) radiance = glm::vec3(0.0f);
       FinishedTile block;
       block.rect = plan_.blocks[group.first_block + i].rect;
-      block.radiance.assign(block_size * block_size, radiance);
-      block.split_level.assign(block_size * block_size, 0);
+      const auto pixels = static_cast<std::size_t>(block.rect.width * block.rect.height);
+      block.radiance.assign(pixels, radiance);
+      block.split_level.assign(pixels, 0);
       copy_into(tile, block);
     }
     publish(index, coarse, std::move(tile));

@@ -33,8 +33,9 @@ std::vector<PixelRect> squares(PixelRect area, int side, PixelRect picture) {
 
 }  // namespace
 
-WorkPlan::WorkPlan(int width, int height, PixelRect visible_part) : visible(visible_part) {
-  const PixelRect picture{0, 0, width, height};
+WorkPlan::WorkPlan(const RenderSettings& settings) : visible(settings.visible()) {
+  const PixelRect picture{0, 0, settings.width, settings.height};
+  const int side = block_side(settings);
   std::vector<PixelRect> rects = squares(visible, group_size, picture);
 
   // Twice the squared distance from the middle, in integers.
@@ -49,7 +50,7 @@ WorkPlan::WorkPlan(int width, int height, PixelRect visible_part) : visible(visi
 
   for (const PixelRect& rect : rects) {
     BlockGroup group{rect, blocks.size(), 0};
-    for (const PixelRect& block : squares(intersection(rect, visible), block_size, picture)) {
+    for (const PixelRect& block : squares(intersection(rect, visible), side, picture)) {
       blocks.push_back({block, groups.size()});
     }
     group.block_count = blocks.size() - group.first_block;

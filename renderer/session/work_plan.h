@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/view.h"
+#include "renderer/methods/settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +21,9 @@ struct BlockGroup {
 };
 
 /// How a picture, or the part of it that a crop touches, is cut into work. Blocks are aligned to
-/// block_size in the whole picture, whatever the crop, so that a crop's pixels are the picture's.
-/// Groups run from the middle of what is visible outwards; the order is the same on every machine.
+/// block_side(settings) in the whole picture, whatever the crop, so that a crop's pixels are the
+/// picture's. Groups run from the middle of what is visible outwards; the order is the same on
+/// every machine.
 struct WorkPlan {
   struct Block {
     PixelRect rect;
@@ -32,7 +34,7 @@ struct WorkPlan {
   std::vector<Block> blocks;  ///< group by group
 
   WorkPlan() = default;
-  WorkPlan(int width, int height, PixelRect visible);
+  explicit WorkPlan(const RenderSettings& settings);
 };
 
 /// What two rectangles share; empty where they share nothing.

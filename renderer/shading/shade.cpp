@@ -32,15 +32,16 @@ float behind(const Ray& ray, const SurfacePoint& point, float t) {
 
 }  // namespace
 
-Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays)
-    : world_(world), needs_(needs), rays_(rays) {
+Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
+               ShadingSettings settings)
+    : world_(world), needs_(needs), rays_(rays), settings_(settings) {
   lights_.reserve(world.lights.size());
   for (const Light& light : world.lights) lights_.push_back(prepare_light(light));
 }
 
 float Shader::visibility(const PreparedLight& light, const SurfacePoint& point, glm::vec3 direction,
                          RenderStatistics& counts) const {
-  if (!light.casts_shadows) return 1.0f;
+  if (!light.casts_shadows || !settings_.shadows) return 1.0f;
   ++counts.shadow_rays;
   Ray ray;
   ray.origin = spawn_origin(point, direction);

@@ -19,12 +19,18 @@ namespace asos {
 /// is the value that its cut-off is compared with.
 [[nodiscard]] float alpha_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
+/// What is shaded and what is left out.
+struct ShadingSettings {
+  bool shadows = true;  ///< lights cast shadows
+};
+
 /// Point-samples the light that a scene sends along rays: every method shades through this one
 /// class. Keeps references; thread-safe. Making one prepares the lights: make one a block, not one
 /// a sample.
 class Shader {
  public:
-  Shader(const World& world, const SceneNeeds& needs, const RayScene& rays);
+  Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
+         ShadingSettings settings = {});
 
   /// Surfaces that are composited along one ray before what lies behind them is dropped.
   static constexpr int max_layers = 64;
@@ -44,6 +50,7 @@ class Shader {
   const World& world_;
   const SceneNeeds& needs_;
   const RayScene& rays_;
+  ShadingSettings settings_;
   std::vector<PreparedLight> lights_;
 };
 

@@ -43,6 +43,13 @@ TEST(Values, WholeNumbers) {
     EXPECT_FALSE(parse_whole(text, 0, 8)) << text;
 }
 
+TEST(Values, Pixels) {
+  EXPECT_EQ(parse_pixel("160,90").value(), glm::ivec2(160, 90));
+  EXPECT_EQ(parse_pixel("0,0").value(), glm::ivec2(0, 0));
+  for (const char* text : {"", "1", "1,2,3", "1x2", "1.5,2", "-1,0", "0,-1", "1,", "99999999999,1"})
+    EXPECT_FALSE(parse_pixel(text)) << text;
+}
+
 TEST(Values, Sizes) {
   const auto size = parse_size("1280x720", 32768);
   ASSERT_TRUE(size);

@@ -10,15 +10,13 @@
 
 #include "renderer/scene/load.h"
 #include "renderer/session/render_session.h"
+#include "tests/bench/bench_support.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -29,6 +27,7 @@
 namespace {
 
 using namespace asos;
+using namespace asos::bench;
 
 struct Settings {
   bool csv = false;
@@ -40,11 +39,6 @@ struct Settings {
   std::vector<std::string> scenes;
 };
 
-struct Seconds {
-  double wall = 0.0;
-  double cpu = 0.0;  ///< of all threads together
-};
-
 struct Row {
   std::string scene;
   std::size_t triangles = 0;
@@ -54,29 +48,6 @@ struct Row {
   double first_pixels_seconds = 0.0;   ///< a tile with a sample for each pixel
   Seconds sample;                      ///< stochastic, one sample a pixel
   Seconds asos;
-};
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-/// Times of several runs, for their medians.
-struct Times {
-  std::vector<double> wall;
-  std::vector<double> cpu;
-
-  void render(Snapshot& snapshot, Method method) {
-    snapshot.settings.method = method;
-    const std::clock_t start = std::clock();
-    wall.push_back(render_to_end(snapshot).seconds);
-    cpu.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  [[nodiscard]] Seconds medians() const { return {median(wall), median(cpu)}; }
 };
 
 /// Shows a scene as a window would, until the first tile of the pass after the coarse one.
@@ -111,23 +82,6 @@ void measure_first_picture(Snapshot snapshot, std::chrono::steady_clock::time_po
   }
 }
 
-Snapshot snapshot_of(std::shared_ptr<const RenderScene> scene, const Settings& settings) {
-  const World& world = scene->world;
-  Snapshot snapshot;
-  snapshot.camera =
-      world.cameras.empty()
-          ? default_camera(world, static_cast<double>(settings.width) / settings.height)
-          : world.cameras.front();
-  snapshot.scene = std::move(scene);
-  snapshot.progressive = false;
-  snapshot.settings.width = settings.width;
-  snapshot.settings.height = settings.height;
-  snapshot.settings.threads = settings.threads;
-  snapshot.settings.max_level = settings.max_level;
-  snapshot.settings.spp = 1;
-  return snapshot;
-}
-
 Result<Row> measure(const std::string& source, const Settings& settings) {
   Row row;
   row.scene = source;
@@ -140,13 +94,18 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
   row.build_seconds = seconds_since(started) - row.load_seconds;
   row.triangles = (*prepared)->world.triangles.size();
 
-  Snapshot snapshot = snapshot_of(*prepared, settings);
+  Snapshot snapshot = snapshot_of(*prepared, settings.width, settings.height);
+  snapshot.settings.threads = settings.threads;
+  snapshot.settings.max_level = settings.max_level;
+  snapshot.settings.spp = 1;
   measure_first_picture(snapshot, started, row);
   Times sample;
   Times asos;
   for (int run = 0; run < settings.runs; ++run) {
-    sample.render(snapshot, Method::stochastic);
-    asos.render(snapshot, Method::asos);
+    snapshot.settings.method = Method::stochastic;
+    (void)sample.render(snapshot);
+    snapshot.settings.method = Method::asos;
+    (void)asos.render(snapshot);
   }
   row.sample = sample.medians();
   row.asos = asos.medians();

@@ -15,6 +15,9 @@ constexpr std::array methods{
     Controls::Option{"ASOS",
                      "Adaptive supersampling in object space: a pixel is split only where the "
                      "boundary of an object passes through it."},
+    Controls::Option{"ASOS as published",
+                     "As in the papers: boundaries are looked for with the cone around a pyray, "
+                     "leaves are point samples, and splitting stops by the published rule."},
     Controls::Option{"Uniform", "A regular grid of n x n samples in every pixel."},
     Controls::Option{"Stochastic", "n x n jittered samples in every pixel."},
     Controls::Option{"Beam",
@@ -27,6 +30,21 @@ constexpr std::array leaves{
                      "A cell that a single boundary crosses is cut along it; both parts count by "
                      "their exact area. Straight edges come out exact at any level."},
     Controls::Option{"Point", "As published: one sample for every cell that is not split."},
+};
+
+constexpr std::array rules{
+    Controls::Option{"Unresolved area",
+                     "Stop when the area of all cells that are still undecided is EPS at most."},
+    Controls::Option{"Published",
+                     "Stop when no object's share can change by more than EPS: L / 2^2K. With "
+                     "several objects in a pixel their changes may add up to more."},
+};
+
+constexpr std::array detections{
+    Controls::Option{"Square", "A boundary counts where it crosses the pyray itself."},
+    Controls::Option{"Cone",
+                     "As published: a boundary counts where it crosses the cone around the pyray, "
+                     "which splits more."},
 };
 
 // As a fraction where that says more: 1/256 is one step of an 8-bit picture.
@@ -42,6 +60,14 @@ std::string level_words(int max_level) {
   return fmt::format("{}: up to {} x {} cells", max_level, cells, cells);
 }
 
+// Options in the order of the values of an enumeration.
+template <typename T>
+void choose(Controls& controls, const char* label, std::span<const Controls::Option> options,
+            T& value) {
+  int index = static_cast<int>(value);
+  if (controls.options(label, options, index)) value = static_cast<T>(index);
+}
+
 void asos_controls(Controls& controls, RenderSettings& settings) {
   controls.log_slider("EPS",
                       "By how much a pixel's display intensity (0 to 1) may still change when its "
@@ -52,9 +78,10 @@ void asos_controls(Controls& controls, RenderSettings& settings) {
                   "The deepest level to which a pixel is split, 0 to 8. Each level halves the "
                   "side of a cell. Ctrl+click to type a value.",
                   settings.max_level, 0, RenderSettings::max_level_limit, level_words);
-  int leaf = settings.leaf == Leaf::exact ? 0 : 1;
-  if (controls.options("Leaf", leaves, leaf)) {
-    settings.leaf = leaf == 0 ? Leaf::exact : Leaf::point;
+  if (settings.method == Method::asos) {
+    choose(controls, "Leaf", leaves, settings.leaf);
+    choose(controls, "Rule", rules, settings.rule);
+    choose(controls, "Detection", detections, settings.detect);
   }
   controls.checkbox("Jitter",
                     "Move the samples of cells that are still undecided at level MAX to random "
@@ -88,7 +115,8 @@ void antialiasing_panel(Controls& controls, RenderSettings& settings, const Rend
   if (controls.options("Method", offered(scene, settings), method, false)) {
     settings.method = static_cast<Method>(method);
   }
-  if (settings.method == Method::asos) asos_controls(controls, settings);
+  if (settings.method == Method::asos || settings.method == Method::asos_published)
+    asos_controls(controls, settings);
   if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);
   }

@@ -63,7 +63,8 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
   controls.row("Picture", fmt::format("{} x {}", settings.width, settings.height),
                "Width and height in pixels.");
   ray_rows(controls, statistics, scene, finished);
-  if (settings.method == Method::asos) split_rows(controls, statistics, finished);
+  if (settings.method == Method::asos || settings.method == Method::asos_published)
+    split_rows(controls, statistics, finished);
   if (statistics.rejected_samples > 0) {
     controls.row("Rejected", fmt::format("{} samples", statistics.rejected_samples),
                  "Samples that were not finite numbers and were dropped.");

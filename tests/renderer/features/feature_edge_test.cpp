@@ -1,66 +1,14 @@
 #include "renderer/features/feature_set.h"
+#include "tests/renderer/features/feature_worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 
-namespace asos {
+namespace asos::test {
 namespace {
-
-World empty_world(std::size_t materials = 1) {
-  World world;
-  world.materials.resize(materials);
-  return world;
-}
-
-// Adds a part of triangles over vertices with one normal each.
-void add_part(World& world, const std::vector<glm::vec3>& positions,
-              const std::vector<glm::vec3>& normals, const std::vector<glm::uvec3>& triangles,
-              std::uint32_t material = 0) {
-  Part part;
-  part.first_vertex = static_cast<std::uint32_t>(world.positions.size());
-  part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
-  part.vertex_count = static_cast<std::uint32_t>(positions.size());
-  part.triangle_count = static_cast<std::uint32_t>(triangles.size());
-  part.material = material;
-  world.positions.insert(world.positions.end(), positions.begin(), positions.end());
-  world.normals.insert(world.normals.end(), normals.begin(), normals.end());
-  for (const glm::uvec3& t : triangles) {
-    world.triangles.push_back(t + part.first_vertex);
-    world.triangle_part.push_back(static_cast<std::uint32_t>(world.parts.size()));
-  }
-  world.parts.push_back(part);
-}
-
-const std::vector<glm::vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-const std::vector<glm::vec3> up(4, glm::vec3(0, 0, 1));
-const std::vector<glm::uvec3> two_triangles{{0, 1, 2}, {0, 2, 3}};
-
-// The cube's faces as six separate quads, as exporters write flat shading.
-World cube(bool smooth) {
-  World world = empty_world();
-  std::vector<glm::vec3> positions, normals;
-  std::vector<glm::uvec3> triangles;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const float side : {-1.0f, 1.0f}) {
-      const auto first = static_cast<std::uint32_t>(positions.size());
-      for (const auto& [a, b] :
-           {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
-        glm::vec3 p;
-        p[axis] = side, p[(axis + 1) % 3] = a, p[(axis + 2) % 3] = b;
-        glm::vec3 n(0.0f);
-        n[axis] = side;
-        positions.push_back(p);
-        normals.push_back(smooth ? glm::normalize(p) : n);
-      }
-      triangles.push_back(first + glm::uvec3(0, 1, 2));
-      triangles.push_back(first + glm::uvec3(0, 2, 3));
-    }
-  }
-  add_part(world, positions, normals, triangles);
-  return world;
-}
 
 TEST(Features, ASquareHasItsFourOpenEdgesAndNoDiagonal) {
   World world = empty_world();
@@ -90,29 +38,68 @@ TEST(Features, ASmoothCubeHasTwelveSilhouetteCandidatesAndOneSheet) {
   for (std::uint32_t t = 1; t < 12; ++t) EXPECT_EQ(features.sheet(t), features.sheet(0));
 }
 
-TEST(Features, NeighboursOfAnotherMaterialMeetInASeam) {
-  World world = empty_world(2);
-  add_part(world, square, up, two_triangles, 0);
-  std::vector<glm::vec3> beside = square;
-  for (glm::vec3& p : beside) p.x += 1.0f;
-  add_part(world, beside, up, two_triangles, 1);
-  const FeatureSet features(world);
-  EXPECT_EQ(features.counts().seam, 1u);
-  EXPECT_EQ(features.counts().open, 6u);
-  EXPECT_NE(features.sheet(0), features.sheet(2));
+// Walls modelled twice, the second time turned over.
+TEST(Features, WallsModelledTwiceCountOnce) {
+  const auto twice = [](auto&& change) {
+    World world = cube(true);
+    world.materials.resize(2);
+    World second = world;
+    for (glm::uvec3& t : second.triangles) std::swap(t.y, t.z);
+    change(second, world);
+    add_part(world, second.positions, second.normals, second.triangles, second.parts[0].material);
+    return FeatureSet(world);
+  };
+  const FeatureSet same = twice([](World&, World&) {});
+  EXPECT_EQ(same.counts().open, 0u);
+  EXPECT_EQ(same.counts().silhouette_candidates, 12u);
+  for (std::uint32_t t = 1; t < 24; ++t) EXPECT_EQ(same.sheet(t), same.sheet(0));
+  EXPECT_EQ(twice([](World& second, World&) {
+              for (glm::vec3& n : second.normals) n = -n;
+            })
+                .counts()
+                .open,
+            0u);
+  // Those that look different stay: all the diagonals and edges have four faces.
+  const auto repainted = twice([](World& second, World& all) {
+    all.materials[1].metallic = 0.3f;
+    second.parts[0].material = 1;
+  });
+  EXPECT_EQ(repainted.counts().open, 18u);
+  const auto bent = twice([](World& second, World&) {
+    for (glm::vec3& n : second.normals) n = glm::normalize(n + glm::vec3(0.1f, 0.2f, 0.3f));
+  });
+  EXPECT_EQ(bent.counts().open, 18u);
 }
 
-TEST(Features, TextureCoordinatesCountOnlyWhereATextureUsesThem) {
-  for (const bool textured : {false, true}) {
-    World world = empty_world();
-    if (textured) world.materials[0].base_color_texture.texture = 0;
-    // Two squares side by side with coordinates that jump between them.
-    std::vector<glm::vec3> positions = square, normals(8, glm::vec3(0, 0, 1));
-    for (const glm::vec3& p : square) positions.push_back(p + glm::vec3(1, 0, 0));
-    add_part(world, positions, normals, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
-    world.texcoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}, {0, 1}};
+TEST(Features, AWallModelledTwiceByItselfHasItsOutline) {
+  World world = empty_world();
+  add_part(world, square, up, two_triangles);
+  add_part(world, square, up, {{0, 2, 1}, {3, 2, 0}});
+  const FeatureSet features(world);
+  EXPECT_EQ(features.counts().open, 4u);
+  EXPECT_EQ(features.edges().size(), 4u);
+}
+
+// How neighbours are wound says nothing.
+TEST(Features, FlippedFacesHaveTheSameEdges) {
+  std::mt19937 random(2);
+  for (const bool smooth : {false, true}) {
+    const World world = cube(smooth);
     const FeatureSet features(world);
-    EXPECT_EQ(features.counts().seam, textured ? 1u : 0u);
+    for (int i = 0; i < 20; ++i) {
+      World flipped = world;
+      for (glm::uvec3& t : flipped.triangles)
+        if (random() % 2) std::swap(t.y, t.z);
+      const FeatureSet found(flipped);
+      ASSERT_EQ(found.edges().size(), features.edges().size());
+      for (std::size_t e = 0; e < found.edges().size(); ++e) {
+        EXPECT_EQ(found.edges()[e].a, features.edges()[e].a);
+        EXPECT_EQ(found.edges()[e].b, features.edges()[e].b);
+        EXPECT_EQ(found.edges()[e].kind, features.edges()[e].kind);
+        EXPECT_EQ(found.edges()[e].left, features.edges()[e].left);
+        EXPECT_EQ(found.edges()[e].right, features.edges()[e].right);
+      }
+    }
   }
 }
 
@@ -122,6 +109,73 @@ TEST(Features, MoreThanTwoFacesAtAnEdgeAlwaysBound) {
            std::vector<glm::vec3>(5, glm::vec3(0, 0, 1)), {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   const FeatureSet features(world);
   EXPECT_EQ(features.counts().open, 7u);
+}
+
+// The sheet of the face on a side is that of a triangle of which the edge is a side, with that
+// third vertex. The hierarchy has reordered the edges.
+TEST(Features, AnEdgeKnowsTheSheetsOfItsFaces) {
+  World world = cube(false);
+  add_part(world, {{5, 5, 5}, {7, 5, 5}, {5, 7, 5}}, {up[0], up[0], up[0]}, {{0, 1, 2}});
+  const FeatureSet features(world);
+  ASSERT_EQ(features.edges().size(), 15u);
+  const auto sheet_beside = [&](const FeatureEdge& e, std::uint32_t third) {
+    for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+      const auto has = [&](std::uint32_t v) {
+        const glm::uvec3 c = world.triangles[t];
+        return world.positions[c.x] == world.positions[v] ||
+               world.positions[c.y] == world.positions[v] ||
+               world.positions[c.z] == world.positions[v];
+      };
+      if (has(e.a) && has(e.b) && has(third)) return features.sheet(t);
+    }
+    return FeatureEdge::none;
+  };
+  std::size_t open = 0;
+  for (const FeatureEdge& e : features.edges()) {
+    EXPECT_EQ(e.left_sheet, sheet_beside(e, e.left));
+    if (e.kind == FeatureKind::open) {
+      ++open;
+      EXPECT_EQ(e.right_sheet, FeatureEdge::none);
+      continue;
+    }
+    EXPECT_EQ(e.right_sheet, sheet_beside(e, e.right));
+    EXPECT_NE(e.left_sheet, e.right_sheet);
+  }
+  EXPECT_EQ(open, 3u);
+}
+
+TEST(Features, AnEdgeOfThreeFacesKnowsTheFirstTwo) {
+  World world = empty_world();
+  add_part(world, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+           std::vector<glm::vec3>(5, glm::vec3(0, 0, 1)), {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  const FeatureSet features(world);
+  std::size_t shared = 0;
+  for (const FeatureEdge& e : features.edges()) {
+    if (e.right_sheet == FeatureEdge::none) continue;
+    ++shared;
+    EXPECT_EQ(e.left_sheet, features.sheet(0));
+    EXPECT_EQ(e.right_sheet, features.sheet(1));
+  }
+  EXPECT_EQ(shared, 1u);
+}
+
+// How far the surface goes beyond a face's plane before it can end: a whole neighbouring face of
+// the cube, and nowhere where it ends at a crease.
+TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
+  const World smooth = cube(true), creased = cube(false);
+  const FeatureSet bent(smooth), flat(creased);
+  for (std::uint32_t t = 0; t < 12; ++t) {
+    EXPECT_FLOAT_EQ(bent.departure(t), 2.0f);
+    EXPECT_EQ(flat.departure(t), 0.0f);
+  }
+  // A roof that falls by 3 in 4 on one side, and on that side twice modelled.
+  World roof = empty_world();
+  add_part(roof, {{0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, -4, -3}},
+           std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)), {{0, 1, 2}, {0, 1, 3}, {0, 3, 1}});
+  const FeatureSet features(roof);
+  EXPECT_FLOAT_EQ(features.departure(0), 3.0f);
+  EXPECT_FLOAT_EQ(features.departure(1), 3.0f);  // 5 times the sine, which is 3/5
+  EXPECT_FLOAT_EQ(features.departure(2), 3.0f);
 }
 
 TEST(Features, ZeroAreaTrianglesBoundNothing) {
@@ -186,4 +240,4 @@ TEST(Features, TheHierarchyHoldsEveryEdgeOnce) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::test

@@ -5,10 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 
 namespace asos::test {
 namespace {
+
+constexpr IntersectionBudget plenty{100'000, 1'000'000'000};
 
 double total_length(const Intersections& found) {
   double sum = 0.0;
@@ -37,7 +41,7 @@ TEST(Intersections, TwoTrianglesCrossAlongTheLineThatTheyShare) {
   PolygonScene scene;
   scene.add({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
   scene.add({{1, 1, -1}, {1, 1, 1}, {3, 1, 0}});
-  const Intersections found = find_intersections(scene.world, 100);
+  const Intersections found = find_intersections(scene.world, plenty);
   ASSERT_EQ(found.lines.size(), 1u);
   EXPECT_TRUE(found.complete);
   EXPECT_NEAR(total_length(found), 2.0, 1e-6);
@@ -49,28 +53,28 @@ TEST(Intersections, CrossingRectanglesShareOneLineInPieces) {
   PolygonScene scene;
   scene.add({{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}});
   scene.add({{-1, 0.3f, -2}, {1, 0.3f, -2}, {1, 0.3f, 2}, {-1, 0.3f, 2}});
-  EXPECT_NEAR(total_length(find_intersections(scene.world, 100)), 2.0, 1e-6);
+  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 2.0, 1e-6);
 }
 
 TEST(Intersections, ABoxThroughAFloorHasTheOutlineOfItsSection) {
   PolygonScene scene;
   scene.add({{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}});
   add_box(scene, {-1, -1, -2}, {1, 3, 2});
-  EXPECT_NEAR(total_length(find_intersections(scene.world, 100)), 2 * (2 + 4), 1e-5);
+  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 2 * (2 + 4), 1e-5);
 }
 
 TEST(Intersections, ABoxOnAFloorOnlyTouchesIt) {
   PolygonScene scene;
   scene.add({{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}});
   add_box(scene, {-1, 0, -2}, {1, 3, 2});
-  EXPECT_TRUE(find_intersections(scene.world, 100).lines.empty());
+  EXPECT_TRUE(find_intersections(scene.world, plenty).lines.empty());
 }
 
 TEST(Intersections, NeighboursAndCoplanarOverlapsHaveNone) {
   PolygonScene scene;
   add_box(scene, {0, 0, 0}, {1, 1, 1});
   scene.add({{0.2f, 0.2f, 1}, {0.9f, 0.2f, 1}, {0.2f, 0.9f, 1}});
-  EXPECT_TRUE(find_intersections(scene.world, 100).lines.empty());
+  EXPECT_TRUE(find_intersections(scene.world, plenty).lines.empty());
 }
 
 TEST(Intersections, MoreThanTheBudgetIsSaidAndLeavesNone) {
@@ -80,10 +84,149 @@ TEST(Intersections, MoreThanTheBudgetIsSaidAndLeavesNone) {
     scene.add({{x, -20, -20}, {x, 20, -20}, {x, 0, 30}});
     scene.add({{-20, x, -20}, {30, x, -20}, {0, x, 30}});
   }
-  const Intersections found = find_intersections(scene.world, 20);
+  const Intersections found = find_intersections(scene.world, {20, 1000});
   EXPECT_FALSE(found.complete);
   EXPECT_TRUE(found.lines.empty());
-  EXPECT_GT(find_intersections(scene.world, 1000).lines.size(), 20u);
+  EXPECT_GT(find_intersections(scene.world, plenty).lines.size(), 20u);
+}
+
+glm::mat3 random_turn(std::mt19937& random) {
+  std::normal_distribution<float> normal;
+  const auto vector = [&] { return glm::vec3(normal(random), normal(random), normal(random)); };
+  const glm::vec3 x = glm::normalize(vector());
+  const glm::vec3 y = glm::normalize(glm::cross(x, vector()));
+  return {x, y, glm::cross(x, y)};
+}
+
+// Sheets that overlap in one plane, turned and moved so that their corners are rounded.
+TEST(Intersections, CoplanarOverlapsHaveNoneHoweverTheyAreTurned) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::mat3 turn = random_turn(random);
+    const glm::vec3 centre = 10.0f * glm::vec3(unit(random), unit(random), unit(random));
+    PolygonScene scene;
+    for (int k = 0; k < 2; ++k) {
+      std::vector<glm::vec3> corners;
+      const glm::vec3 o(unit(random), unit(random), 0.0f);
+      for (const glm::vec3& c :
+           {glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0), glm::vec3(-1, 1, 0)})
+        corners.push_back(centre + turn * (o + c));
+      scene.add(corners);
+    }
+    ASSERT_TRUE(find_intersections(scene.world, plenty).lines.empty()) << "case " << i;
+  }
+}
+
+// One long edge beside two short ones, flat or bent: the middle corner lies on the long edge. Where
+// both sides hang down from it they may be said to cross along the edges themselves, which bound
+// anyway.
+TEST(Intersections, TJunctionsHaveNoneButAlongTheJunction) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> unit(0.1f, 0.9f);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::mat3 turn = random_turn(random);
+    const float at = unit(random), rise = i % 2 ? 2.0f * unit(random) - 1.0f : 0.0f;
+    const auto place = [&](float x, float y) {
+      return turn * glm::vec3(x, y, y > 0.0f ? rise * y : 0.0f);
+    };
+    PolygonScene scene;
+    scene.add({place(0, 0), place(0, -1), place(1, -1), place(1, 0)});
+    scene.add({place(0, 0), place(at, 0), place(at, 1), place(0, 1)});
+    scene.add({place(at, 0), place(1, 0), place(1, 1), place(at, 1)});
+    const Intersections found = find_intersections(scene.world, plenty);
+    if (rise == 0.0f) {
+      ASSERT_TRUE(found.lines.empty()) << "case " << i;
+    }
+    for (const IntersectionLine& line : found.lines) {
+      for (const glm::vec3& end : {line.a, line.b}) {
+        const glm::vec3 local = glm::transpose(turn) * end;
+        ASSERT_NEAR(local.y, 0.0f, 1e-6f) << "case " << i;
+        ASSERT_NEAR(local.z, 0.0f, 1e-6f) << "case " << i;
+      }
+    }
+  }
+}
+
+TEST(Intersections, ACornerOnAPlaneOnlyTouchesIt) {
+  PolygonScene scene;
+  scene.add({{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}});
+  scene.add({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});      // stands on its tip
+  scene.add({{1, 0, 1}, {1.5f, -1, 1}, {1, -1, 1}});  // hangs from it
+  EXPECT_TRUE(find_intersections(scene.world, plenty).lines.empty());
+}
+
+TEST(Intersections, ACornerOnAPlaneBetweenTwoSidesCrossesFromThere) {
+  PolygonScene scene;
+  scene.add({{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}});
+  scene.add({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}});
+  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 1.0, 1e-6);
+}
+
+TEST(Intersections, TrianglesThatShareOneCornerCanCrossFromThere) {
+  PolygonScene scene;
+  scene.add({{0, 0, 0}, {4, 0, -1}, {4, 0, 1}});
+  scene.add({{0, 0, 0}, {3, 1, 0}, {3, -1, 0}});
+  const Intersections found = find_intersections(scene.world, plenty);
+  ASSERT_EQ(found.lines.size(), 1u);
+  EXPECT_NEAR(total_length(found), 3.0, 1e-6);
+}
+
+// The pairs that share a corner, and no edge, in closed meshes that do not pass through themselves.
+TEST(Intersections, NeighboursAtACornerHaveNone) {
+  World world;
+  std::mt19937 random(7);
+  for (std::uint32_t k = 0; k < 50; ++k) {
+    const glm::mat3 turn = random_turn(random);
+    const auto first = static_cast<std::uint32_t>(world.positions.size());
+    const std::uint32_t n = 3 + k;
+    const float step = 2.0f * std::numbers::pi_v<float> / static_cast<float>(n);
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+      const float u = step * static_cast<float>(i / n), v = step * static_cast<float>(i % n);
+      const float ring = 1.0f + 0.4f * std::cos(v);
+      world.positions.push_back(
+          glm::vec3(4.0f * static_cast<float>(k), 0.0f, 0.0f) +
+          turn * glm::vec3(ring * std::cos(u), ring * std::sin(u), 0.4f * std::sin(v)));
+      const auto at = [&](std::uint32_t du, std::uint32_t dv) {
+        return first + (i / n + du) % n * n + (i % n + dv) % n;
+      };
+      world.triangles.emplace_back(at(0, 0), at(1, 0), at(1, 1));
+      world.triangles.emplace_back(at(0, 0), at(1, 1), at(0, 1));
+    }
+  }
+  EXPECT_TRUE(find_intersections(world, plenty).lines.empty());
+}
+
+// A small thing that stands a little in a floor of kilometres.
+TEST(Intersections, TheSizeOfTheOtherTriangleHidesNothing) {
+  PolygonScene scene;
+  scene.add({{-4000, -1.04f, -4000}, {4000, -1.04f, -4000}, {0, -1.04f, 4000}});
+  add_box(scene, {0.001f, -1.0405f, 0.001f}, {0.003f, -1.03f, 0.004f});
+  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 2 * (0.002 + 0.003), 1e-7);
+}
+
+// All boxes overlap all others: given up after a look at some of them, and always.
+TEST(Intersections, ASceneOfNothingButOverlapsIsGivenUp) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> unit(0.0f, 0.01f);
+  World world;
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    for (const glm::vec3& c : {glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(0, 0, 3)})
+      world.positions.push_back(c + glm::vec3(unit(random), unit(random), unit(random)));
+    world.triangles.push_back(3u * i + glm::uvec3(0, 1, 2));
+  }
+  EXPECT_FALSE(find_intersections(world, IntersectionBudget::of(world)).complete);
+}
+
+TEST(Intersections, ThePairsHaveABudgetToo) {
+  PolygonScene scene;
+  for (int i = 0; i < 100; ++i) {
+    const float y = 0.01f * static_cast<float>(i);
+    scene.add({{-1, y, -1}, {1, y + 1, -1}, {0, y, 1}});  // parallel, so without lines
+  }
+  // All 4,950 pairs overlap.
+  EXPECT_TRUE(find_intersections(scene.world, {0, 4950}).complete);
+  EXPECT_FALSE(find_intersections(scene.world, {0, 4949}).complete);
 }
 
 // Against every pair, on random triangles; and twice the same.
@@ -96,8 +239,8 @@ TEST(Intersections, FindEveryCrossingPair) {
     const glm::vec3 c = 3.0f * vector();
     scene.add({c + vector(), c + vector(), c + vector()});
   }
-  const Intersections found = find_intersections(scene.world, 100'000);
-  const Intersections again = find_intersections(scene.world, 100'000);
+  const Intersections found = find_intersections(scene.world, plenty);
+  const Intersections again = find_intersections(scene.world, plenty);
   ASSERT_EQ(found.lines.size(), again.lines.size());
   std::size_t pairs = 0;
   for (std::uint32_t s = 0; s < 400; ++s) {
@@ -135,6 +278,13 @@ TEST(Intersections, BecomeFeatureEdges) {
   const FeatureSet features(scene.world);
   EXPECT_GE(features.counts().intersection, 4u);
   EXPECT_TRUE(features.intersections_complete());
+  for (const FeatureEdge& e : features.edges()) {
+    if (e.kind != FeatureKind::intersection) continue;
+    // The floor comes first; a side of the box is the other.
+    EXPECT_EQ(e.left_sheet, features.sheet(0));
+    EXPECT_NE(e.right_sheet, features.sheet(0));
+    EXPECT_NE(e.right_sheet, FeatureEdge::none);
+  }
 }
 
 }  // namespace

@@ -46,9 +46,17 @@ void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
   EXPECT_EQ(a.unresolved_area, b.unresolved_area);
 }
 
+RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.crop = crop;
+  return settings;
+}
+
 TEST(WorkPlan, CoversThePictureOnce) {
   for (const auto& [width, height] : {std::pair(1, 1), {8, 8}, {100, 37}, {33, 70}}) {
-    const WorkPlan plan(width, height, {0, 0, width, height});
+    const WorkPlan plan(plan_settings(width, height));
     std::vector<int> covered(static_cast<std::size_t>(width * height), 0);
     for (const WorkPlan::Block& block : plan.blocks) {
       EXPECT_EQ(block.rect.x % block_size, 0);
@@ -64,11 +72,11 @@ TEST(WorkPlan, CoversThePictureOnce) {
 }
 
 TEST(WorkPlan, ACropTakesTheBlocksThatItTouchesFromTheMiddle) {
-  const WorkPlan plan(100, 100, {7, 9, 2, 60});
+  const WorkPlan plan(plan_settings(100, 100, {7, 9, 2, 60}));
   ASSERT_EQ(plan.blocks.size(), 2u * 8u);
   const PixelRect first = plan.groups.front().rect;
   EXPECT_EQ(first.y, 32);  // holds the crop's middle, y = 39
-  const WorkPlan clipped(12, 12, {9, 9, 1, 1});
+  const WorkPlan clipped(plan_settings(12, 12, {9, 9, 1, 1}));
   ASSERT_EQ(clipped.blocks.size(), 1u);
   EXPECT_EQ(clipped.blocks[0].rect, (PixelRect{8, 8, 4, 4}));
 }

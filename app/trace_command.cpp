@@ -1,0 +1,105 @@
+#include "app/command.h"
+#include "app/exit_code.h"
+#include "app/option.h"
+#include "app/picture_options.h"
+#include "app/progress_bar.h"
+#include "app/scene_argument.h"
+#include "app/trace_report.h"
+#include "renderer/methods/pixel_trace.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <ostream>
+
+namespace asos {
+namespace {
+
+constexpr const char* footer =
+    "The first table is the papers': for each level K the M marginal cells, and for each object\n"
+    "near them how many of their axes hit it (in) and miss it (out), L, the larger of the two, "
+    "and\n"
+    "the shares of the pixel's area. Then come all cells, with the boundaries near them and their\n"
+    "samples. Places run from 0 to 1 across the pixel, from its top left corner; colours are\n"
+    "linear. #N is the N-th smooth surface of a part.\n"
+    "\n"
+    "Examples:\n"
+    "  asos trace builtin:boxes --size 320x180 --pixel 160,90\n"
+    "  asos trace model.glb --pixel 640,360 --method asos-published --json";
+
+struct TraceArguments {
+  PictureArguments picture;
+  glm::ivec2 pixel{0};
+  bool json = false;
+};
+
+// Everything about the command line that can be wrong without opening anything.
+void check(const TraceArguments& arguments) {
+  const RenderSettings& settings = arguments.picture.settings;
+  if (const auto valid = validated(settings); !valid)
+    throw CLI::ValidationError("--" + valid.error().subject, valid.error().reason);
+  if (settings.method != Method::asos && settings.method != Method::asos_published)
+    throw CLI::ValidationError("--method", "only asos and asos-published split pixels");
+  if (arguments.pixel.x >= settings.width || arguments.pixel.y >= settings.height)
+    throw CLI::ValidationError(
+        "--pixel", fmt::format("{},{} lies outside the picture of {}x{} pixels", arguments.pixel.x,
+                               arguments.pixel.y, settings.width, settings.height));
+}
+
+Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBar& bar) {
+  const PictureArguments& wanted = arguments.picture;
+  bar.say(fmt::format("Loading {} ...", wanted.scene));
+  const Result<Scene> scene = open_scene_argument(wanted.scene);
+  if (!scene) return tl::unexpected(scene.error());
+  bar.say("Building ...");
+  const auto prepared = prepare(*scene);
+  if (!prepared) return tl::unexpected(prepared.error());
+  const RenderScene& ready = **prepared;
+  const RenderSettings settings = as_published(wanted.settings);
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
+  if (!camera) return tl::unexpected(camera.error());
+  const View view(*camera, settings.width, settings.height);
+  return trace_json(trace_pixel(ready, view, settings, arguments.pixel.x, arguments.pixel.y), ready,
+                    {wanted.scene, camera->name, settings});
+}
+
+int run_trace(const TraceArguments& arguments, const Streams& streams) {
+  ProgressBar bar(streams.err, streams.err_is_terminal);
+  const auto traced = trace(arguments, bar);
+  bar.wipe();
+  if (!traced) {
+    streams.err << "asos: " << traced.error().message() << "\n";
+    return exit_bad_input;
+  }
+  if (arguments.json)
+    streams.out << traced->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                << "\n";
+  else
+    streams.out << trace_text(*traced);
+  return exit_ok;
+}
+
+}  // namespace
+
+Command add_trace_command(CLI::App& program) {
+  const auto arguments = std::make_shared<TraceArguments>();
+  CLI::App* parser =
+      program.add_subcommand("trace", "Say how one pixel is split, cell by cell, and why");
+  add_picture_options(*parser, arguments->picture, true);
+  add_camera_options(*parser, arguments->picture);
+  // What says nothing about one pixel's subdivision.
+  for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
+    parser->remove_option(parser->get_option(option));
+  add_parsed_option(*parser, "--pixel", "x,y", "The pixel, from the picture's top left corner",
+                    parse_pixel, [arguments](glm::ivec2 pixel) { arguments->pixel = pixel; })
+      ->required();
+  parser->add_flag("--json", arguments->json, "Answer in JSON");
+  parser->footer(footer);
+  parser->callback([arguments] { check(*arguments); });
+  return {parser, [arguments](const Streams& streams) { return run_trace(*arguments, streams); }};
+}
+
+}  // namespace asos

@@ -1,0 +1,267 @@
+#include "app/trace_report.h"
+
+#include "renderer/methods/names.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+
+namespace asos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json place_json(glm::vec2 p) {
+  return {p.x, p.y};
+}
+
+Json colour_json(glm::vec3 c) {
+  return {c.x, c.y, c.z};
+}
+
+const char* name_of(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::open:
+      return "open edge";
+    case FeatureKind::crease:
+      return "crease";
+    case FeatureKind::seam:
+      return "seam";
+    case FeatureKind::intersection:
+      return "intersection";
+    case FeatureKind::silhouette:
+      break;
+  }
+  return "silhouette";
+}
+
+const char* name_of(CellFate fate) {
+  switch (fate) {
+    case CellFate::uniform:
+      return "uniform";
+    case CellFate::cut:
+      return "cut";
+    case CellFate::split:
+      return "split";
+    case CellFate::stopped:
+      return "stopped";
+    case CellFate::finest:
+      return "finest";
+    case CellFate::saturated:
+      return "saturated";
+    case CellFate::by_samples:
+      break;
+  }
+  return "by samples";
+}
+
+/// Names what a person sees: a part and its material, and of a part of several smooth surfaces
+/// which one, counted from 1.
+class Namer {
+ public:
+  explicit Namer(const RenderScene& scene) : scene_(scene) {
+    const World& world = scene.world;
+    for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+      const std::uint32_t sheet = scene.features.sheet(t);
+      const std::uint32_t part = world.triangle_part[t];
+      if (first_triangle_.try_emplace(sheet, t).second) number_[sheet] = ++count_[part];
+    }
+  }
+
+  [[nodiscard]] std::string of_triangle(std::uint32_t triangle) const {
+    if (triangle == Hit::none) return "background";
+    return of_sheet(scene_.features.sheet(triangle));
+  }
+
+  [[nodiscard]] std::string of_sheet(std::uint32_t sheet) const {
+    if (sheet == ObjectTally::clusters) return "small boundaries, not told apart";
+    const World& world = scene_.world;
+    const std::uint32_t triangle = first_triangle_.at(sheet);
+    const std::uint32_t part = world.triangle_part[triangle];
+    const std::string& material = world.material_of(triangle).name;
+    std::string name = world.parts[part].name;
+    if (name.empty()) name = fmt::format("part {}", part);
+    if (!material.empty() && material != name) name += fmt::format(" ({})", material);
+    if (count_.at(part) > 1) name += fmt::format(" #{}", number_.at(sheet));
+    return name;
+  }
+
+ private:
+  const RenderScene& scene_;
+  std::map<std::uint32_t, std::uint32_t> first_triangle_;  // of a sheet
+  std::map<std::uint32_t, std::uint32_t> number_;          // of a sheet in its part
+  std::map<std::uint32_t, std::uint32_t> count_;           // of a part's sheets
+};
+
+Json settings_json(const RenderSettings& s) {
+  return {{"method", name_in(method_names, s.method)},
+          {"max_level", s.max_level},
+          {"eps", s.eps},
+          {"rule", name_in(rule_names, s.rule)},
+          {"detect", name_in(detection_names, s.detect)},
+          {"leaf", name_in(leaf_names, s.leaf)},
+          {"jitter", s.jitter},
+          {"fat", s.fat},
+          {"shadows", s.shadows}};
+}
+
+Json level_json(const LevelTally& level, const Namer& namer) {
+  Json objects = Json::array();
+  for (const ObjectTally& object : level.objects) {
+    objects.push_back({{"object", namer.of_sheet(object.object)},
+                       {"in", object.in},
+                       {"out", object.out},
+                       {"larger", object.larger()},
+                       {"share", std::ldexp(object.larger(), -2 * level.level)},
+                       {"one_edge", object.one_edge},
+                       {"change", object.change(level.level)}});
+  }
+  return {{"level", level.level},
+          {"cells", 1u << (2 * level.level)},
+          {"marginal", level.marginal},
+          {"unresolved_area", level.unresolved_area()},
+          {"largest_change", level.largest_change()},
+          {"objects", std::move(objects)}};
+}
+
+Json cell_json(const PixelTraceCell& cell, const Namer& namer) {
+  Json boundaries = Json::array();
+  for (const PixelTraceBoundary& b : cell.boundaries)
+    boundaries.push_back(
+        {{"kind", name_of(b.kind)}, {"from", place_json(b.from)}, {"to", place_json(b.to)}});
+  Json samples = Json::array();
+  for (const PixelTraceSample& s : cell.samples) {
+    samples.push_back({{"at", place_json(s.at)},
+                       {"weight", s.weight},
+                       {"radiance", colour_json(s.radiance)},
+                       {"object", namer.of_triangle(s.triangle)},
+                       {"triangle", s.triangle == Hit::none ? Json(nullptr) : Json(s.triangle)}});
+  }
+  return {{"level", cell.level},
+          {"corner", place_json(cell.corner)},
+          {"side", cell.side},
+          {"fate", name_of(cell.fate)},
+          {"boundaries", std::move(boundaries)},
+          {"clusters", cell.clusters},
+          {"hidden", cell.hidden},
+          {"samples", std::move(samples)}};
+}
+
+std::string text_of(const Json& value) {
+  return value.get<std::string>();
+}
+
+// Cut to so many characters, not in the middle of one that is several bytes long.
+std::string fitted(const std::string& text, std::size_t columns) {
+  std::size_t characters = 0, end = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0u) == 0x80u) continue;
+    if (characters + 3 == columns) end = i;
+    if (++characters > columns) return text.substr(0, end) + "...";
+  }
+  return text;
+}
+
+std::string place_text(const Json& p) {
+  return fmt::format("{:6.4f} {:6.4f}", p[0].get<double>(), p[1].get<double>());
+}
+
+// What is not finite is null in the file.
+std::string colour_text(const Json& c) {
+  std::string text;
+  for (const Json& value : c)
+    text += (text.empty() ? "" : " ") +
+            (value.is_number() ? fmt::format("{:6.4f}", value.get<double>()) : "     -");
+  return text;
+}
+
+std::string head_text(const Json& trace) {
+  const Json& s = trace["settings"];
+  std::string text = fmt::format("Pixel {},{} of {} at {}x{}", trace["pixel"][0].get<int>(),
+                                 trace["pixel"][1].get<int>(), text_of(trace["scene"]),
+                                 trace["size"][0].get<int>(), trace["size"][1].get<int>());
+  if (const std::string camera = text_of(trace["camera"]); !camera.empty())
+    text += fmt::format(", camera {}", camera);
+  text += fmt::format("\n{}: MAX {}, EPS {:.4g}, {} rule, detection by the {}, {} leaves{}\n",
+                      text_of(s["method"]), s["max_level"].get<int>(), s["eps"].get<double>(),
+                      text_of(s["rule"]), text_of(s["detect"]), text_of(s["leaf"]),
+                      s["jitter"].get<bool>() ? ", jittered" : "");
+  text += fmt::format("Colour {} (linear), unresolved area {:.4g}\n",
+                      colour_text(trace["radiance"]), trace["unresolved_area"].get<double>());
+  if (trace["missed_split"].get<bool>())
+    text += "Missed split: its samples differ from a neighbour's, and no boundary is near.\n";
+  return text;
+}
+
+// The table of GI'93: a line an object; what belongs to the whole level stands on the first.
+std::string levels_text(const Json& levels) {
+  if (levels.empty()) return "\nNo cell is marginal.\n";
+  std::string text =
+      fmt::format("\n{:>2} {:>5} {:>6} {:>7}  {:<34} {:>5} {:>5} {:>5} {:>7}  {}\n", "K", "M",
+                  "2^2K", "M/2^2K", "object", "in", "out", "L", "L/2^2K", "one edge");
+  for (const Json& level : levels) {
+    std::string start = fmt::format("{:>2} {:>5} {:>6} {:>7.4f}  ", level["level"].get<int>(),
+                                    level["marginal"].get<int>(), level["cells"].get<int>(),
+                                    level["unresolved_area"].get<double>());
+    for (const Json& object : level["objects"]) {
+      text += fmt::format(
+          "{}{:<34} {:>5} {:>5} {:>5} {:>7.4f}  {}\n", start, fitted(text_of(object["object"]), 34),
+          object["in"].get<int>(), object["out"].get<int>(), object["larger"].get<int>(),
+          object["share"].get<double>(), object["one_edge"].get<bool>() ? "yes: L/2" : "no");
+      start.assign(start.size(), ' ');
+    }
+    if (level["objects"].empty()) text += start + "\n";
+  }
+  return text;
+}
+
+std::string cell_text(const Json& cell) {
+  const int clusters = cell["clusters"].get<int>(), hidden = cell["hidden"].get<int>();
+  std::string text =
+      fmt::format("{:>2}  {}  1/{:<4} {}", cell["level"].get<int>(), place_text(cell["corner"]),
+                  std::lround(1.0 / cell["side"].get<double>()), text_of(cell["fate"]));
+  if (clusters > 0)
+    text += fmt::format(", {} {} of boundaries not told apart", clusters,
+                        clusters == 1 ? "group" : "groups");
+  if (hidden > 0) text += fmt::format(", {} hidden", hidden);
+  text += "\n";
+  for (const Json& b : cell["boundaries"])
+    text += fmt::format("      {:<12} {} to {}\n", text_of(b["kind"]), place_text(b["from"]),
+                        place_text(b["to"]));
+  for (const Json& s : cell["samples"])
+    text += fmt::format("      {:<12} {}  weight {:6.4f}  {}  {}\n", "sample", place_text(s["at"]),
+                        s["weight"].get<double>(), colour_text(s["radiance"]),
+                        fitted(text_of(s["object"]), 28));
+  return text;
+}
+
+}  // namespace
+
+Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedPicture& picture) {
+  const Namer namer(scene);
+  Json levels = Json::array();
+  for (const LevelTally& level : trace.levels) levels.push_back(level_json(level, namer));
+  Json cells = Json::array();
+  for (const PixelTraceCell& cell : trace.cells) cells.push_back(cell_json(cell, namer));
+  return {{"scene", picture.scene},
+          {"camera", picture.camera},
+          {"size", {picture.settings.width, picture.settings.height}},
+          {"pixel", {trace.x, trace.y}},
+          {"settings", settings_json(picture.settings)},
+          {"radiance", colour_json(trace.radiance)},
+          {"unresolved_area", trace.unresolved_area},
+          {"missed_split", trace.missed},
+          {"levels", std::move(levels)},
+          {"cells", std::move(cells)}};
+}
+
+std::string trace_text(const Json& trace) {
+  std::string text = head_text(trace) + levels_text(trace["levels"]);
+  text += fmt::format("\n{:>2}  {:<13}  {:<6} {}\n", "K", "corner", "side", "cell");
+  for (const Json& cell : trace["cells"]) text += cell_text(cell);
+  return text;
+}
+
+}  // namespace asos

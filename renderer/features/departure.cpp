@@ -1,0 +1,71 @@
+#include "renderer/features/departure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace asos {
+namespace {
+
+using FacetBoxes = std::unordered_map<std::uint32_t, Box>;
+
+// Of facets with more than one triangle.
+FacetBoxes boxes_of(const World& world, DisjointSets& facets) {
+  FacetBoxes boxes;
+  const auto n = static_cast<std::uint32_t>(world.triangles.size());
+  for (std::uint32_t t = 0; t < n; ++t)
+    if (const std::uint32_t facet = facets.find(t); facet != t) boxes.try_emplace(facet);
+  if (boxes.empty()) return boxes;
+  for (std::uint32_t t = 0; t < n; ++t) {
+    const auto found = boxes.find(facets.find(t));
+    if (found == boxes.end()) continue;
+    for (int k = 0; k < 3; ++k) found->second.grow(world.positions[world.triangles[t][k]]);
+  }
+  return boxes;
+}
+
+struct Plane {
+  glm::dvec3 point;
+  glm::dvec3 normal;
+
+  static Plane of(const World& world, std::uint32_t triangle) {
+    const glm::uvec3 t = world.triangles[triangle];
+    const glm::dvec3 a(world.positions[t.x]);
+    return {a, glm::normalize(glm::cross(glm::dvec3(world.positions[t.y]) - a,
+                                         glm::dvec3(world.positions[t.z]) - a))};
+  }
+  [[nodiscard]] double distance(glm::dvec3 p) const {
+    return std::abs(glm::dot(normal, p - point));
+  }
+  [[nodiscard]] double distance(const Box& box) const {
+    const glm::dvec3 lo(box.lo), hi(box.hi);
+    return distance(0.5 * (lo + hi)) + glm::dot(glm::abs(normal), 0.5 * (hi - lo));
+  }
+};
+
+}  // namespace
+
+std::vector<float> departures(const World& world, DisjointSets& facets,
+                              std::span<const FeatureEdge> edges) {
+  std::vector<float> departure(world.triangles.size());
+  const FacetBoxes boxes = boxes_of(world, facets);
+  const auto depart = [&](std::uint32_t from, std::uint32_t to, std::uint32_t third) {
+    const Plane plane = Plane::of(world, from);
+    const auto box = boxes.find(facets.find(to));
+    const double d = box == boxes.end() ? plane.distance(glm::dvec3(world.positions[third]))
+                                        : plane.distance(box->second);
+    // From where a flat facet's surface goes on, it goes on from all of the facet.
+    float& most = departure[facets.find(from)];
+    most = std::max(most, static_cast<float>(d));
+  };
+  for (const FeatureEdge& edge : edges) {
+    if (edge.kind != FeatureKind::silhouette) continue;
+    depart(edge.left_sheet, edge.right_sheet, edge.right);
+    depart(edge.right_sheet, edge.left_sheet, edge.left);
+  }
+  for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
+    departure[t] = departure[facets.find(t)];
+  return departure;
+}
+
+}  // namespace asos

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "renderer/methods/eye_caster.h"
+#include "renderer/methods/method.h"
+#include "renderer/methods/pixel_trace.h"
+#include "renderer/pyray/detection.h"
+#include "renderer/pyray/hit_list.h"
+#include "renderer/pyray/subdivide.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace asos {
+
+/// Memory of fat pyrays that is worth keeping from one to the next. Holds no result.
+struct FatPyrayWorkspace {
+  HitLists lists;
+  Subdivider subdivider;
+  std::array<HitLists::List, 5> descent;  // one for each size: 1, 2, 4, 8, 16 pixels
+  std::vector<HitLists::List> pixel_list;
+  HitLists::List scratch;
+  std::vector<glm::vec2> centres;
+  std::vector<Root> roots;
+  std::vector<Root> bounded_roots;
+};
+
+/// A pyray around fat x fat pixels (CGF'98 section 6.4), which fetches its boundaries once and
+/// hands them down to its pixels, which subdivide. Pixels that no boundary crosses take one sample.
+class FatPyray {
+ public:
+  /// `block` is aligned to settings.fat, and clipped to the picture.
+  FatPyray(const RenderScene& scene, const View& view, const RenderSettings& settings,
+           PixelRect block, const std::stop_token& stop, FatPyrayWorkspace& work);
+
+  /// Renders it, once.
+  [[nodiscard]] BlockResult run();
+  /// The same, telling how the pixel `into.x`, `into.y` of the picture was subdivided.
+  [[nodiscard]] BlockResult run(PixelTrace& into);
+
+ private:
+  // Pixels by their place in the block, in rows of `fat`.
+  [[nodiscard]] std::uint32_t index(int x, int y) const {
+    return static_cast<std::uint32_t>(y * settings_.fat + x);
+  }
+  [[nodiscard]] Square pixel_square(int x, int y) const;
+
+  void look_through_centres();
+  void descend(const Square& square, int x, int y, int size, const HitLists::List& parent);
+  void find_missed_splits();
+  void compare(int x0, int y0, int x1, int y1);
+  [[nodiscard]] bool touches_boundary(int x, int y);
+  void render_pixels();
+  void subdivide_bounded();
+  void publish();
+  void finish_trace();
+
+  const RenderScene& scene_;
+  const RenderSettings& settings_;
+  PixelRect block_;
+  PixelRect framed_;  // the block with what its pixels' detection may reach beyond it
+  FatPyrayWorkspace& work_;
+  Frame frame_;
+  Detector detector_;
+  BlockResult result_;
+  EyeCaster caster_;
+  std::vector<SubdivisionOutcome> outcomes_;
+  std::vector<std::uint8_t> bounded_;     // a boundary that may be visible crosses the pixel
+  std::vector<std::uint8_t> by_samples_;  // splits by what its samples say
+  std::vector<std::uint8_t> missed_;      // and should not have had to
+  PixelTrace* trace_ = nullptr;
+  SubdivisionTrace subdivision_;
+};
+
+}  // namespace asos

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "renderer/methods/settings.h"
+
+#include <array>
+
+namespace asos {
+
+/// What a choice is called on the command line, in statistics and in pictures' texts.
+template <typename T>
+struct Named {
+  const char* name;
+  T value;
+};
+
+inline constexpr std::array method_names{
+    Named<Method>{"asos", Method::asos},
+    Named<Method>{"asos-published", Method::asos_published},
+    Named<Method>{"uniform", Method::uniform},
+    Named<Method>{"stochastic", Method::stochastic},
+    Named<Method>{"beam", Method::beam},
+};
+inline constexpr std::array leaf_names{
+    Named<Leaf>{"exact", Leaf::exact},
+    Named<Leaf>{"point", Leaf::point},
+};
+inline constexpr std::array rule_names{
+    Named<StoppingRule>{"unresolved", StoppingRule::unresolved},
+    Named<StoppingRule>{"published", StoppingRule::published},
+};
+inline constexpr std::array detection_names{
+    Named<Detection>{"square", Detection::square},
+    Named<Detection>{"cone", Detection::cone},
+};
+
+/// The name of `value` among `names`.
+template <typename Names, typename T>
+[[nodiscard]] constexpr const char* name_in(const Names& names, T value) {
+  for (const auto& named : names)
+    if (named.value == value) return named.name;
+  return "";
+}
+
+}  // namespace asos

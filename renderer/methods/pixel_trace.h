@@ -1,0 +1,58 @@
+#pragma once
+
+#include "renderer/features/feature_edge.h"
+#include "renderer/methods/render_scene.h"
+#include "renderer/pyray/subdivision_trace.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+// How one pixel was subdivided, as it happened while rendering. All places are in the pixel: x to
+// the right and y down, 0 to 1 across it.
+
+/// A point sample of a finished leaf.
+struct PixelTraceSample {
+  glm::vec2 at{0.0f};
+  double weight = 0.0;                 ///< share of the pixel
+  glm::vec3 radiance{0.0f};            ///< linear
+  std::uint32_t triangle = Hit::none;  ///< of the world; Hit::none: the background
+};
+
+/// A piece of a boundary that may be visible, clipped to what the detection of its cell reaches.
+struct PixelTraceBoundary {
+  glm::vec2 from{0.0f};
+  glm::vec2 to{0.0f};
+  FeatureKind kind = FeatureKind::open;
+};
+
+struct PixelTraceCell {
+  int level = 0;
+  glm::vec2 corner{0.0f};
+  float side = 1.0f;
+  CellFate fate = CellFate::uniform;
+  std::vector<PixelTraceBoundary> boundaries;
+  std::uint32_t clusters = 0;  ///< groups of boundaries that were not told apart
+  std::uint32_t hidden = 0;    ///< boundaries, or groups, behind what the cell shows
+  std::vector<PixelTraceSample> samples;
+};
+
+struct PixelTrace {
+  int x = 0;
+  int y = 0;
+  glm::vec3 radiance{0.0f};        ///< the pixel's, linear
+  std::vector<LevelTally> levels;  ///< the papers' tables: K, M, in, out, L for each object
+  std::vector<PixelTraceCell> cells;
+  double unresolved_area = 0.0;  ///< share of the pixel whose leaves stayed marginal
+  bool missed = false;           ///< split by the safety net, without a boundary near
+};
+
+/// Renders the pixel (x, y) of the picture with ASOS as the settings say, and tells how. The pixel
+/// has to lie in the picture; its radiance is bit for bit what a whole rendering gives.
+[[nodiscard]] PixelTrace trace_pixel(const RenderScene& scene, const View& view,
+                                     const RenderSettings& settings, int x, int y);
+
+}  // namespace asos

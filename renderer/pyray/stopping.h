@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// When the marginal cells of a level need not be split any further.
+enum class StoppingRule {
+  unresolved,  ///< M / 2^2K <= EPS: the area of all marginal cells bounds the error, whatever is
+               ///< seen
+  published,   ///< L / 2^2K <= EPS for each object by itself (CGF'98 sections 3.1 and 6.2)
+};
+
+/// How one object stands after level K: a row of the papers' tables (GI'93 tables 1 and 2).
+struct ObjectTally {
+  /// What lies in clusters: boundaries so small that they were not told apart.
+  static constexpr std::uint32_t clusters = 0xfffffffeu;
+
+  std::uint32_t object = 0;  ///< a sheet of the FeatureSet
+  std::uint32_t in = 0;      ///< marginal cells whose axis hits the object
+  std::uint32_t out = 0;     ///< marginal cells whose axis misses it
+  bool one_edge = true;      ///< each of its marginal cells is near one edge only
+
+  /// M.
+  [[nodiscard]] std::uint32_t marginal() const { return in + out; }
+  /// L; of clusters, whose in and out are not known, all.
+  [[nodiscard]] std::uint32_t larger() const {
+    return object == clusters ? in + out : std::max(in, out);
+  }
+  /// The most that splitting can change the object's share of the root: L / 2^2K, or L / 2^(2K+1)
+  /// near one edge, of which at most half a cell can change (6.2).
+  [[nodiscard]] double change(int level) const {
+    return std::ldexp(larger(), -2 * level - (one_edge ? 1 : 0));
+  }
+};
+
+/// One root after level K.
+struct LevelTally {
+  int level = 0;                     ///< K
+  std::uint32_t marginal = 0;        ///< M: all marginal cells
+  std::vector<ObjectTally> objects;  ///< by number
+
+  void start(int at_level);
+  /// Counts a marginal cell: the objects whose boundaries pass through it, what its axis hits, and
+  /// whether just one edge is near.
+  void add_cell(std::span<const std::uint32_t> objects_near, std::uint32_t hit, bool one_edge);
+
+  /// Share of the root's area whose cells are marginal: M / 2^2K.
+  [[nodiscard]] double unresolved_area() const { return std::ldexp(marginal, -2 * level); }
+  /// The largest change of any object.
+  [[nodiscard]] double largest_change() const;
+  [[nodiscard]] bool holds(StoppingRule rule, double eps) const;
+};
+
+/// The level from which on the rule always holds for an object that shows just one edge: the least
+/// K >= log2(1 / EPS) - 1 (CGF'98 section 6.2). EPS in (0, 1].
+[[nodiscard]] int one_edge_level_bound(double eps);
+
+}  // namespace asos

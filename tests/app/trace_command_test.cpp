@@ -1,0 +1,155 @@
+#include "renderer/film/image_io.h"
+#include "tests/app/run_asos.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace asos {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run_asos;
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+json trace(const std::vector<std::string>& words) {
+  const Outcome outcome =
+      run_asos(std::vector<std::string>{"trace"} + words + std::vector<std::string>{"--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return json::parse(outcome.out);
+}
+
+glm::vec3 colour_of(const json& c) {
+  return {c.at(0).get<float>(), c.at(1).get<float>(), c.at(2).get<float>()};
+}
+
+std::string text_of(const glm::ivec2& pixel) {
+  return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
+}
+
+// What the file tells agrees with itself: weights, colour, and four children a split.
+void check_consistent(const json& trace) {
+  double weight = 0.0;
+  glm::dvec3 colour(0.0);
+  std::map<int, int> cells, splits;
+  for (const json& cell : trace.at("cells")) {
+    const int level = cell.at("level");
+    ++cells[level];
+    splits[level] += cell.at("fate") == "split";
+    for (const json& s : cell.at("samples")) {
+      weight += s.at("weight").get<double>();
+      colour += s.at("weight").get<double>() * glm::dvec3(colour_of(s.at("radiance")));
+      EXPECT_FALSE(s.at("object").get<std::string>().empty());
+      EXPECT_EQ(s.at("triangle").is_null(), s.at("object") == "background");
+    }
+  }
+  EXPECT_NEAR(weight, 1.0, 1e-6);
+  const glm::vec3 whole = colour_of(trace.at("radiance"));
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(colour[k], static_cast<double>(whole[k]), 1e-6);
+  EXPECT_EQ(cells[0], 1);
+  for (const auto& [level, count] : splits) EXPECT_EQ(cells[level + 1], 4 * count);
+}
+
+TEST(TraceCommand, ThePixelIsTheRenderedOne) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.exr").string();
+  const std::vector<glm::ivec2> pixels{{0, 0}, {60, 30}, {48, 27}, {61, 20}, {100, 56}};
+  for (const std::vector<std::string>& how :
+       {std::vector<std::string>{},
+        {"--method", "asos-published", "--eps", "0.0625"},
+        {"--look-at", "4,3,6,0,1,0", "--fov", "30", "--max", "4", "--fat", "4", "--no-shadows"},
+        {"--rule", "published", "--detect", "cone", "--leaf", "point", "--jitter"}}) {
+    const auto words = std::vector<std::string>{"builtin:boxes", "--size", "101x57"} + how;
+    const Outcome rendered = run_asos(std::vector<std::string>{"render", "-o", path} + words);
+    ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+    const Film film = read_exr(path).value().film;
+    for (const glm::ivec2 pixel : pixels) {
+      SCOPED_TRACE(text_of(pixel) + testing::PrintToString(how));
+      const json told = trace(words + std::vector<std::string>{"--pixel", text_of(pixel)});
+      EXPECT_EQ(colour_of(told.at("radiance")), film.radiance[film.index(pixel.x, pixel.y)]);
+      EXPECT_EQ(told.at("pixel"), json({pixel.x, pixel.y}));
+      check_consistent(told);
+    }
+  }
+}
+
+// The pixel with the most cells of a small picture of the boxes: its table, level by level.
+TEST(TraceCommand, TheTableIsThePapers) {
+  std::size_t rows = 0;
+  for (int x = 20; x < 76; x += 2) {
+    const json told = trace({"builtin:boxes", "--size", "96x54", "--max", "4", "--pixel",
+                             text_of({x, 27}), "--method", "asos-published", "--eps", "0.01"});
+    EXPECT_EQ(told.at("settings").at("rule"), "published");
+    EXPECT_EQ(told.at("settings").at("detect"), "cone");
+    EXPECT_EQ(told.at("settings").at("leaf"), "point");
+    int level = 0;
+    for (const json& row : told.at("levels")) {
+      EXPECT_EQ(row.at("level"), level);
+      const int cells = 1 << (2 * level++);
+      EXPECT_EQ(row.at("cells"), cells);
+      EXPECT_EQ(row.at("unresolved_area"), row.at("marginal").get<double>() / cells);
+      for (const json& object : row.at("objects")) {
+        ++rows;
+        const int in = object.at("in"), out = object.at("out"), larger = object.at("larger");
+        EXPECT_LE(in + out, row.at("marginal").get<int>());
+        const bool clusters = object.at("object") == "small boundaries, not told apart";
+        EXPECT_EQ(larger, clusters ? in + out : std::max(in, out));
+        EXPECT_EQ(object.at("share"), static_cast<double>(larger) / cells);
+        EXPECT_EQ(object.at("change"),
+                  object.at("share").get<double>() / (object.at("one_edge") ? 2.0 : 1.0));
+      }
+    }
+  }
+  EXPECT_GT(rows, 20u);
+}
+
+TEST(TraceCommand, TextIsNoWiderThanAScreen) {
+  bool cut = false;
+  for (int x = 20; x < 76; x += 4) {
+    const Outcome told =
+        run_asos({"trace", "builtin:boxes", "--size", "96x54", "--pixel", text_of({x, 27})});
+    ASSERT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_TRUE(test::contains(told.out, "builtin:boxes at 96x54"));
+    EXPECT_TRUE(test::contains(told.out, "sample"));
+    std::istringstream lines(told.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+    cut = cut || (told.out.find(" cut") != std::string::npos &&
+                  told.out.find("ground") != std::string::npos);
+  }
+  EXPECT_TRUE(cut);
+}
+
+TEST(TraceCommand, WhatMakesNoSenseIsRefused) {
+  const std::vector<std::string> boxes{"trace", "builtin:boxes", "--size", "64x36"};
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{}, "--pixel is required"},
+      {{"--pixel", "64,0"}, "--pixel: 64,0 lies outside the picture of 64x36 pixels"},
+      {{"--pixel", "0,36"}, "--pixel: 0,36 lies outside the picture of 64x36 pixels"},
+      {{"--pixel=-1,0"}, "--pixel: \"-1,0\": x and y count from 0"},
+      {{"--pixel", "12"}, "--pixel: \"12\": not a pixel such as 160,90 (x,y)"},
+      {{"--pixel", "1.5,2"}, "not a pixel"},
+      {{"--pixel", "1,2", "--method", "stochastic"}, "--method: only asos and asos-published"},
+      {{"--pixel", "1,2", "--fat", "3"}, "--fat"},
+      {{"--pixel", "1,2", "--crop", "0,0,8,8"}, "--crop"},
+  };
+  for (const auto& [words, message] : cases) {
+    const Outcome outcome = run_asos(boxes + words);
+    EXPECT_EQ(outcome.exit_code, 2) << message << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(test::contains(outcome.err, message));
+  }
+  const Outcome lost = run_asos({"trace", "builtin:boxes", "--pixel", "1,1", "--camera", "99"});
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_TRUE(test::contains(lost.err, "--camera 99"));
+}
+
+}  // namespace
+}  // namespace asos

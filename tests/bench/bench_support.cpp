@@ -1,0 +1,155 @@
+#include "tests/bench/bench_support.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <numeric>
+#include <utility>
+
+namespace asos::bench {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+RenderResult Times::render(const Snapshot& snapshot) {
+  const std::clock_t start = std::clock();
+  RenderResult result = render_to_end(snapshot);
+  wall_.push_back(result.seconds);
+  cpu_.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  return result;
+}
+
+Result<SharedScene> open_scene(const std::string& source) {
+  const Result<Scene> scene = load_scene(source);
+  if (!scene) return unexpected(scene.error());
+  return prepare(*scene);
+}
+
+Snapshot snapshot_of(SharedScene scene, int width, int height) {
+  const World& world = scene->world;
+  Snapshot snapshot;
+  snapshot.camera = world.cameras.empty()
+                        ? default_camera(world, static_cast<double>(width) / height)
+                        : world.cameras.front();
+  snapshot.scene = std::move(scene);
+  snapshot.progressive = false;
+  snapshot.settings.width = width;
+  snapshot.settings.height = height;
+  snapshot.settings.threads = 2;
+  return snapshot;
+}
+
+Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {
+  return choose_camera(world, {.index = {}, .look_at = LookAt{eye, target}, .fov_y_deg = fov_y_deg},
+                       1.0)
+      .value();
+}
+
+std::uint64_t pyrays_of(const RenderStatistics& statistics) {
+  const auto& pyrays = statistics.pyrays_by_level;
+  return std::accumulate(pyrays.begin(), pyrays.end(), std::uint64_t{0});
+}
+
+std::uint64_t rays_of(const RenderStatistics& statistics) {
+  return statistics.eye_rays + statistics.shadow_rays + statistics.reflection_rays;
+}
+
+double squared_error(glm::vec3 a, glm::vec3 b, bool clipped) {
+  if (clipped) {
+    a = glm::clamp(a, 0.0f, 1.0f);
+    b = glm::clamp(b, 0.0f, 1.0f);
+  }
+  const glm::dvec3 d = glm::dvec3(a) - glm::dvec3(b);
+  return glm::dot(d, d) / 3.0;
+}
+
+PictureError picture_error(const Film& film, const Film& reference) {
+  PictureError sum;
+  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+    sum.shown += squared_error(film.radiance[i], reference.radiance[i], true);
+    sum.raw += squared_error(film.radiance[i], reference.radiance[i], false);
+  }
+  const auto count = static_cast<double>(film.radiance.size());
+  return {std::sqrt(sum.shown / count), std::sqrt(sum.raw / count)};
+}
+
+std::vector<std::size_t> worst_pixels(const Film& film, const Film& reference) {
+  std::vector<double> error(film.radiance.size());
+  for (std::size_t i = 0; i < error.size(); ++i)
+    error[i] = squared_error(film.radiance[i], reference.radiance[i], true);
+  std::vector<std::size_t> order(error.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return error[a] > error[b]; });
+  return order;
+}
+
+const char* name_of(Outcome outcome) {
+  constexpr const char* names[outcome_count] = {"one sample", "resolved", "unresolved", "saturated",
+                                                "by samples"};
+  return names[static_cast<int>(outcome)];
+}
+
+Outcome outcome_of(const PixelTrace& trace) {
+  const auto any = [&](CellFate fate) {
+    return std::any_of(trace.cells.begin(), trace.cells.end(),
+                       [fate](const PixelTraceCell& cell) { return cell.fate == fate; });
+  };
+  if (any(CellFate::by_samples)) return Outcome::by_samples;
+  if (any(CellFate::saturated)) return Outcome::saturated;
+  if (trace.unresolved_area > 0.0) return Outcome::unresolved;
+  return samples_of(trace) > 1 ? Outcome::resolved : Outcome::one_sample;
+}
+
+std::size_t samples_of(const PixelTrace& trace) {
+  std::size_t samples = 0;
+  for (const PixelTraceCell& cell : trace.cells) samples += cell.samples.size();
+  return samples;
+}
+
+PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel) {
+  RenderSettings settings = snapshot.settings;
+  settings.fat = 2;
+  const auto width = static_cast<std::size_t>(settings.width);
+  return trace_pixel(*snapshot.scene, View(snapshot.camera, settings.width, settings.height),
+                     settings, static_cast<int>(pixel % width), static_cast<int>(pixel / width));
+}
+
+void add_size(CLI::App& app, PictureSize& size) {
+  app.add_option_function<std::string>(
+      "--size",
+      [&size](const std::string& text) {
+        const auto read = parse_size(text, 32768);
+        if (!read) throw CLI::ValidationError("--size", read.error().message());
+        size = *read;
+      },
+      "WxH, pixels");
+}
+
+void add_camera(CLI::App& app, CameraChoice& choice) {
+  app.add_option_function<std::string>(
+      "--look-at",
+      [&choice](const std::string& text) {
+        const auto read = parse_look_at(text);
+        if (!read) throw CLI::ValidationError("--look-at", read.error().message());
+        choice.look_at = *read;
+      },
+      "ex,ey,ez,tx,ty,tz: eye and target");
+  app.add_option("--fov", choice.fov_y_deg, "vertical field of view, degrees");
+}
+
+int fail(const Error& error) {
+  fmt::print(stderr, "{}\n", error.message());
+  return 1;
+}
+
+}  // namespace asos::bench

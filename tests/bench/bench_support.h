@@ -1,0 +1,88 @@
+#pragma once
+
+#include "app/camera_choice.h"
+#include "renderer/methods/pixel_trace.h"
+#include "renderer/scene/load.h"
+#include "renderer/session/render_session.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the benchmarks share: opening scenes, timed renders, errors of pictures.
+
+namespace asos::bench {
+
+using SharedScene = std::shared_ptr<const RenderScene>;
+
+[[nodiscard]] double seconds_since(std::chrono::steady_clock::time_point start);
+[[nodiscard]] double median(std::vector<double> values);
+
+struct Seconds {
+  double wall = 0.0;
+  double cpu = 0.0;  ///< of all threads together
+};
+
+/// Times of several runs, for their medians.
+class Times {
+ public:
+  RenderResult render(const Snapshot& snapshot);
+  [[nodiscard]] Seconds medians() const { return {median(wall_), median(cpu_)}; }
+
+ private:
+  std::vector<double> wall_;
+  std::vector<double> cpu_;
+};
+
+[[nodiscard]] Result<SharedScene> open_scene(const std::string& source);
+
+/// All of a picture from the scene's first camera, or from one that frames it; no coarse passes.
+[[nodiscard]] Snapshot snapshot_of(SharedScene scene, int width, int height);
+
+/// A camera at `eye` that looks at `target`, both in the author's coordinates.
+[[nodiscard]] Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target,
+                               double fov_y_deg);
+
+[[nodiscard]] std::uint64_t pyrays_of(const RenderStatistics& statistics);
+[[nodiscard]] std::uint64_t rays_of(const RenderStatistics& statistics);
+
+/// The mean of the three channels' squared differences of linear radiance, `clipped` to 0..1: what
+/// a display at exposure 0 shows, before the sRGB curve.
+[[nodiscard]] double squared_error(glm::vec3 a, glm::vec3 b, bool clipped);
+
+/// Root mean square errors of a picture, over all pixels and channels.
+struct PictureError {
+  double shown = 0.0;  ///< of radiance clipped to 0..1
+  double raw = 0.0;
+};
+[[nodiscard]] PictureError picture_error(const Film& film, const Film& reference);
+
+/// Indices of the pixels, worst first, by squared error clipped to 0..1.
+[[nodiscard]] std::vector<std::size_t> worst_pixels(const Film& film, const Film& reference);
+
+/// What became of a pixel.
+enum class Outcome { one_sample, resolved, unresolved, saturated, by_samples };
+inline constexpr int outcome_count = 5;
+[[nodiscard]] const char* name_of(Outcome outcome);
+[[nodiscard]] Outcome outcome_of(const PixelTrace& trace);
+[[nodiscard]] std::size_t samples_of(const PixelTrace& trace);
+
+/// Traces a pixel of a snapshot's picture, quickly: in the smallest fat pyray, whose result differs
+/// from larger ones' by rounding only.
+[[nodiscard]] PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel);
+
+/// --size WxH.
+void add_size(CLI::App& app, PictureSize& size);
+
+/// --look-at and --fov.
+void add_camera(CLI::App& app, CameraChoice& choice);
+
+/// Prints the error and returns the exit code.
+int fail(const Error& error);
+
+}  // namespace asos::bench

@@ -1,0 +1,205 @@
+// Time at equal error: a ladder of ASOS settings and one of stochastic sampling, each with its
+// error against many stochastic samples, and for each ASOS setting how much longer stochastic
+// sampling takes to the same error (interpolated between its settings, both axes logarithmic).
+// Errors are RMSE of linear radiance clipped to 0..1; times are processor time, medians of runs
+// that take turns. The reference's own noise is what the ladder's last steps let expect of it;
+// errors below twice that are marked with *, for they are hardly known.
+//
+//   bench_equal_error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
+//                     [--reference N] [--runs N] [--causes MAX] [--matte] SCENE
+//
+// --matte takes textures and highlights away: what is left is visibility and smooth shading.
+// --causes tells where time and error are at one MAX: by what became of the pixels, and by what
+// they show.
+
+#include "tests/bench/bench_support.h"
+#include "tests/bench/error_causes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace asos;
+using namespace asos::bench;
+
+struct Settings {
+  PictureSize size{480, 270};
+  CameraChoice camera;
+  bool shadows = true;
+  int reference = 1024;
+  int runs = 3;
+  int causes = -1;
+  bool matte = false;
+  std::string scene;
+};
+
+/// One setting of a method.
+struct Rung {
+  std::string name;
+  RenderSettings settings;
+  Times times;
+  PictureError error;
+  double samples = 0.0;  ///< eye rays a pixel
+  double shadow_rays = 0.0;
+  double unresolved = 0.0;  ///< share of the picture's area
+};
+
+std::vector<Rung> asos_ladder(const RenderSettings& base) {
+  std::vector<Rung> ladder;
+  for (const double eps : {0.0, 1.0 / 256.0}) {
+    for (int level = 1; level <= 5; ++level) {
+      Rung& rung = ladder.emplace_back();
+      rung.name = fmt::format("asos MAX {}{}", level, eps > 0.0 ? " EPS 1/256" : "");
+      rung.settings = base;
+      rung.settings.method = Method::asos;
+      rung.settings.max_level = level;
+      rung.settings.eps = eps;
+    }
+  }
+  return ladder;
+}
+
+std::vector<Rung> stochastic_ladder(const RenderSettings& base) {
+  std::vector<Rung> ladder;
+  for (const int spp : {1, 4, 9, 16, 36, 64, 144, 256}) {
+    Rung& rung = ladder.emplace_back();
+    rung.name = fmt::format("stochastic {}", spp);
+    rung.settings = base;
+    rung.settings.method = Method::stochastic;
+    rung.settings.spp = spp;
+  }
+  return ladder;
+}
+
+void render(Snapshot& snapshot, const Film& reference, Rung& rung) {
+  snapshot.settings = rung.settings;
+  const RenderResult result = rung.times.render(snapshot);
+  const auto pixels = static_cast<double>(reference.radiance.size());
+  rung.error = picture_error(result.film, reference);
+  rung.samples = static_cast<double>(result.statistics.eye_rays) / pixels;
+  rung.shadow_rays = static_cast<double>(result.statistics.shadow_rays) / pixels;
+  rung.unresolved = result.statistics.unresolved_area / pixels;
+}
+
+double between(double x, double x0, double x1, double y0, double y1) {
+  return std::exp(std::log(y0) +
+                  std::log(x / x0) / std::log(x1 / x0) * (std::log(y1) - std::log(y0)));
+}
+
+/// Seconds that stochastic sampling takes to an error; beyond its ladder's ends as its first or
+/// last step goes on.
+double stochastic_seconds(const std::vector<Rung>& ladder, double error) {
+  std::size_t i = 1;
+  while (i + 1 < ladder.size() && ladder[i].error.shown > error) ++i;
+  const Rung& a = ladder[i - 1];
+  const Rung& b = ladder[i];
+  return between(error, a.error.shown, b.error.shown, a.times.medians().cpu, b.times.medians().cpu);
+}
+
+/// What the error at `spp` samples would be, as the last two steps of the ladder go on.
+double extrapolated_error(const std::vector<Rung>& ladder, int spp) {
+  const Rung& a = *(ladder.end() - 3);
+  const Rung& b = ladder.back();
+  return between(spp, a.settings.spp, b.settings.spp, a.error.shown, b.error.shown);
+}
+
+void print_rung(const Rung& rung, double floor) {
+  fmt::print("{:<22}{:>10.2e}{}{:>10.2e}{:>9.3f}{:>9.2f}{:>9.2f}", rung.name, rung.error.shown,
+             rung.error.shown < 2.0 * floor ? '*' : ' ', rung.error.raw, rung.times.medians().cpu,
+             rung.samples, rung.shadow_rays);
+}
+
+void make_matte(Scene& scene) {
+  for (Material& material : scene.materials) {
+    material.base_color_texture = {};
+    material.metallic_roughness_texture = {};
+    material.normal_texture = {};
+    material.emissive_texture = {};
+    material.metallic = 0.0f;
+    material.roughness = 1.0f;
+  }
+}
+
+Result<SharedScene> prepared_scene(const Settings& settings) {
+  auto scene = load_scene(settings.scene);
+  if (!scene) return unexpected(scene.error());
+  if (settings.matte) make_matte(*scene);
+  return prepare(*scene);
+}
+
+Result<void> measure(const Settings& settings) {
+  const auto scene = prepared_scene(settings);
+  if (!scene) return unexpected(scene.error());
+  Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  const auto camera =
+      choose_camera((*scene)->world, settings.camera,
+                    static_cast<double>(settings.size.width) / settings.size.height);
+  if (!camera) return unexpected(camera.error());
+  snapshot.camera = *camera;
+  snapshot.settings.shadows = settings.shadows;
+
+  RenderSettings base = snapshot.settings;
+  snapshot.settings.method = Method::stochastic;
+  snapshot.settings.spp = settings.reference;
+  const Film reference = render_to_end(snapshot).film;
+
+  std::vector<Rung> asos = asos_ladder(base);
+  std::vector<Rung> stochastic = stochastic_ladder(base);
+  for (int run = 0; run < settings.runs; ++run) {
+    for (Rung& rung : stochastic) render(snapshot, reference, rung);
+    for (Rung& rung : asos) render(snapshot, reference, rung);
+  }
+
+  const double floor = extrapolated_error(stochastic, settings.reference);
+  fmt::print(
+      "\n{}{}, {}x{}, shadows {}, {} triangles; reference {} samples, its noise about {:.1e}\n",
+      settings.scene, settings.matte ? " made matte" : "", settings.size.width,
+      settings.size.height, settings.shadows ? "on" : "off", (*scene)->world.triangles.size(),
+      settings.reference, floor);
+  fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>9}\n", "", "RMSE", "raw RMSE", "cpu s",
+             "eye/pix", "shad/pix", "unres. %", "speed-up");
+  for (const Rung& rung : stochastic) {
+    print_rung(rung, floor);
+    fmt::print("\n");
+  }
+  for (const Rung& rung : asos) {
+    print_rung(rung, floor);
+    const double speed_up =
+        stochastic_seconds(stochastic, rung.error.shown) / rung.times.medians().cpu;
+    fmt::print("{:>10.4f}{:>9.2f}\n", 100.0 * rung.unresolved, speed_up);
+  }
+  if (settings.causes >= 0) {
+    snapshot.settings = base;
+    snapshot.settings.eps = 0.0;
+    snapshot.settings.max_level = settings.causes;
+    print_causes(snapshot, render_to_end(snapshot).film, reference);
+  }
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  std::string shadows = "on";
+  CLI::App app("Time at equal error, ASOS beside stochastic sampling");
+  add_size(app, settings.size);
+  add_camera(app, settings.camera);
+  app.add_option("--shadows", shadows)->check(CLI::IsMember({"on", "off"}));
+  app.add_option("--reference", settings.reference, "samples")->check(CLI::Range(256, 65536));
+  app.add_option("--runs", settings.runs)->check(CLI::Range(1, 99));
+  app.add_option("--causes", settings.causes, "MAX to look into")->check(CLI::Range(0, 8));
+  app.add_flag("--matte", settings.matte, "without textures and highlights");
+  app.add_option("SCENE", settings.scene)->required();
+  CLI11_PARSE(app, argc, argv);
+  settings.shadows = shadows == "on";
+  const auto done = measure(settings);
+  return done ? 0 : fail(done.error());
+}

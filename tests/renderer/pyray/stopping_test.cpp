@@ -1,0 +1,310 @@
+#include "renderer/pyray/stopping.h"
+
+#include "tests/support/polygon_cases.h"
+#include "tests/support/subdivide_polygons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+// The stopping rules: GI'93 tables 1 and 2, CGF'98 sections 3.1 and 6.2.
+
+namespace asos::test {
+namespace {
+
+double distance_to_outline(glm::dvec2 p, const Polygon& polygon) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
+    const double t = std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0);
+    nearest = std::min(nearest, glm::distance(p, a + t * d));
+  }
+  return nearest;
+}
+
+bool is_inside(glm::dvec2 p, const Polygon& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
+    if (d.x * (p.y - a.y) - d.y * (p.x - a.x) < 0.0) return false;
+  }
+  return true;
+}
+
+/// A row of the tables: M, in and out at level K.
+struct Row {
+  int level = 0;
+  std::uint32_t marginal = 0;
+  std::uint32_t in = 0;
+  std::uint32_t out = 0;
+
+  bool operator==(const Row&) const = default;
+};
+void PrintTo(const Row& r, std::ostream* os) {
+  *os << "K " << r.level << " M " << r.marginal << " in " << r.in << " out " << r.out;
+}
+
+/// By looking at each of the level's 4^K cells: marginal is one whose circle the outline enters.
+Row count_cells(const Polygon& polygon, int level) {
+  Row row{level};
+  const int n = 1 << level;
+  for (int i = 0; i < n * n; ++i) {
+    const glm::dvec2 centre((i % n + 0.5) / n, (i / n + 0.5) / n);
+    if (distance_to_outline(centre, polygon) >= std::sqrt(0.5) / n) continue;
+    ++row.marginal;
+    ++(is_inside(centre, polygon) ? row.in : row.out);
+  }
+  return row;
+}
+
+/// Subdivides a pixel that shows one polygon, and checks each level against the published rows and
+/// against the count of cells. Returns the subdivision's answer.
+Answer check_table(const Polygon& polygon, const std::vector<Row>& published, bool one_edge) {
+  PolygonScene scene;
+  add_parallel_polygon(scene, polygon);
+  SubdivisionTrace trace;
+  const Answer answer =
+      subdivide(scene.world, published_rules(8, 1.0 / 16.0), parallel_pixel(), &trace);
+  EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops elsewhere";
+  for (const LevelTally& tally : trace.levels) {
+    EXPECT_EQ(tally.objects.size(), 1u);
+    const ObjectTally& object = tally.objects.front();
+    const Row row{tally.level, tally.marginal, object.in, object.out};
+    EXPECT_EQ(row, count_cells(polygon, tally.level));
+    EXPECT_EQ(object.one_edge, one_edge) << "K " << tally.level;
+    const std::uint32_t larger = std::max(row.in, row.out);
+    EXPECT_EQ(object.larger(), larger);
+    EXPECT_EQ(object.change(row.level), std::ldexp(larger, -2 * row.level - (one_edge ? 1 : 0)));
+    if (row.level == 0) continue;
+    EXPECT_EQ(row, published.at(static_cast<std::size_t>(row.level) - 1));
+  }
+  return answer;
+}
+
+// GI'93 table 1 with a quadrilateral of our own: the papers' drawing has no coordinates.
+TEST(PublishedTables, APolygonInsideThePixel) {
+  const Polygon polygon{{0.491, 0.351}, {0.600, 0.404}, {0.804, 0.556}, {0.859, 0.903}};
+  const Answer answer =
+      check_table(polygon, {{1, 3, 0, 3}, {2, 5, 0, 5}, {3, 12, 4, 8}, {4, 28, 13, 15}}, false);
+  EXPECT_EQ(answer.outcome.deepest, 4);
+  // "14 4-pyrays": of its 13 marginal cells and one within it. In the papers' case that was wrong
+  // by 0.63 % of the pixel.
+  EXPECT_EQ(answer.coverage[0], 14.0 / 256.0);
+  EXPECT_LT(std::abs(answer.coverage[0] - area(polygon)), 0.0063);
+}
+
+// GI'93 table 2: stops at level 3, by half of L.
+TEST(PublishedTables, OneEdge) {
+  const double angle = 68.0 * std::numbers::pi / 180.0;
+  const glm::dvec2 normal(-std::sin(angle), std::cos(angle));
+  const Polygon polygon = half_plane(glm::dvec2(0.5) + 0.185 * normal, angle);
+  const Answer answer = check_table(polygon, {{1, 3, 1, 2}, {2, 6, 3, 3}, {3, 13, 6, 7}}, true);
+  EXPECT_EQ(answer.outcome.deepest, 3);
+  EXPECT_LE(std::abs(answer.coverage[0] - area(clip_to_unit_square(polygon))), 1.0 / 16.0);
+}
+
+// CGF'98 section 6.2, for the edge that is anywhere.
+void check_random_edges(Detection detection) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 10000; ++i) {
+    const auto polygon =
+        half_plane({unit(random), unit(random)}, unit(random) * 2.0 * std::numbers::pi);
+    PolygonScene scene;
+    add_parallel_polygon(scene, polygon);
+    const double eps = std::ldexp(1.0, -(1 + i % 10));
+    const int max = max_level_limit;
+    SubdivisionTrace trace;
+    const Answer answer =
+        subdivide(scene.world, published_rules(max, eps, detection), parallel_pixel(), &trace);
+    ASSERT_LE(answer.outcome.deepest, std::min(max, one_edge_level_bound(eps))) << "case " << i;
+    // At EPS = 1/1024 the bound is 9, so that MAX may come first; then L bounds the error.
+    const double bound = trace.levels.empty() ? 0.0 : trace.levels.back().largest_change();
+    const double error = std::abs(answer.coverage[0] - area(clip_to_unit_square(polygon)));
+    ASSERT_LE(error, bound + rounding) << "case " << i;
+    ASSERT_TRUE(bound <= eps || answer.outcome.deepest == max) << "case " << i;
+  }
+}
+TEST(PublishedRule, OneEdgeStopsInTimeAndKeepsEps) {
+  check_random_edges(Detection::square);
+}
+TEST(PublishedRule, OneEdgeStopsInTimeAndKeepsEpsByTheCone) {
+  check_random_edges(Detection::cone);
+}
+
+/// A comb whose bar lies above the pixel and whose teeth run down through the centres of the cells
+/// of even levels, and so past those of odd ones, whose u are never the same: one connected flat
+/// object for which the centre of the pixel is in, those of level 1 out, those of level 2 in, and
+/// so on (CGF'98 section 3.1).
+struct Comb {
+  static constexpr double half_tooth = 1.0 / 512.0;
+  static constexpr int levels = 4;
+
+  Comb() {
+    std::vector<double> teeth;
+    for (int level = 0; level <= levels; level += 2)
+      for (int i = 0; i < 1 << level; ++i) teeth.push_back(std::ldexp(i + 0.5, -level));
+    std::sort(teeth.begin(), teeth.end());
+    double u = -1.0;
+    const auto bar = [&](double to) {
+      add_parallel_polygon(scene, {{u, -2}, {to, -2}, {to, -1}, {u, -1}});
+      u = to;
+    };
+    for (const double tooth : teeth) {
+      bar(tooth - half_tooth);
+      bar(tooth + half_tooth);
+      add_parallel_polygon(scene,
+                           {{tooth - half_tooth, -1}, {u, -1}, {u, 2}, {tooth - half_tooth, 2}});
+    }
+    bar(2.0);
+    area = static_cast<double>(teeth.size()) * 2.0 * half_tooth;
+  }
+
+  PolygonScene scene;
+  double area = 0.0;  ///< of the pixel
+};
+
+TEST(PublishedRule, ThePathologicalObjectStopsAtMax) {
+  const Comb comb;
+  const FeatureSet features(comb.scene.world);
+  for (std::uint32_t t = 0; t < comb.scene.world.triangles.size(); ++t)
+    ASSERT_EQ(features.sheet(t), features.sheet(0)) << "not one object";
+  for (int max = 0; max <= Comb::levels; ++max) {
+    SubdivisionTrace trace;
+    const Answer answer =
+        subdivide(comb.scene.world, published_rules(max, 0.5), parallel_pixel(), &trace);
+    EXPECT_EQ(answer.outcome.deepest, max);
+    ASSERT_EQ(trace.levels.size(), static_cast<std::size_t>(max) + 1);
+    for (const LevelTally& tally : trace.levels) {
+      const std::uint32_t all = 1u << (2 * tally.level);
+      EXPECT_EQ(tally.marginal, all);
+      for (const ObjectTally& object : tally.objects)
+        if (object.object != ObjectTally::clusters) {
+          EXPECT_EQ(object.in, tally.level % 2 ? 0 : all) << "K " << tally.level;
+        }
+      EXPECT_EQ(tally.largest_change(), 1.0);
+    }
+    // All or nothing: wrong by what the comb leaves free or covers, within L / 2^2K.
+    const double seen = std::accumulate(answer.coverage.begin(), answer.coverage.end(), 0.0);
+    EXPECT_EQ(seen, max % 2 ? 0.0 : 1.0);
+    EXPECT_LE(std::abs(seen - comb.area), trace.levels.back().largest_change());
+  }
+}
+
+// Half a pixel's worth of a far object shows beside a near one. Where the axis hits the near one,
+// the far one's edge lies behind that, and counts all the same.
+TEST(PublishedRule, CountsObjectsBehindTheEdgeOfANearerOne) {
+  PolygonScene scene;
+  add_polygon(scene, {{-1, -1}, {0.26, -1}, {0.26, 2}, {-1, 2}}, 2.0);
+  const std::uint32_t far =
+      add_polygon(scene, {{0.27, -1}, {0.74, -1}, {0.74, 2}, {0.27, 2}}, 30.0);
+  const FeatureSet features(scene.world);
+  const std::uint32_t sheet = features.sheet(scene.world.parts[far].first_triangle);
+  const double eps = 0.25;
+  SubdivisionTrace trace;
+  const Answer answer = subdivide(scene.world, published_rules(8, eps), Pyray(), &trace);
+  const auto truth = by_oracle(scene.world);
+  EXPECT_LE(error_of(answer, truth), eps);
+  const auto& objects = trace.levels.at(1).objects;
+  const auto tally = std::find_if(objects.begin(), objects.end(),
+                                  [&](const ObjectTally& o) { return o.object == sheet; });
+  ASSERT_NE(tally, objects.end());
+  EXPECT_EQ(tally->in, 0u);
+  EXPECT_EQ(tally->out, 4u);
+}
+
+/// A white rectangle in each quarter of the pixel, wide enough to cover two fifths of it but missed
+/// by its centre.
+PolygonScene four_rectangles() {
+  PolygonScene scene;
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec2 corner(0.5 * (i & 1), 0.5 * (i >> 1));
+    const auto at = [&](double u, double v) { return corner + 0.5 * glm::dvec2(u, v); };
+    add_polygon(scene, {at(0.04, 0.05), at(0.48, 0.05), at(0.48, 0.95), at(0.04, 0.95)}, 2.0 + i);
+  }
+  return scene;
+}
+double sum_of(const std::vector<double>& shares) {
+  return std::accumulate(shares.begin(), shares.end(), 0.0);
+}
+
+// CGF'98 section 3.1 says "accurate to within the tolerance"; it looks at one object.
+TEST(PublishedRule, BreaksItsPromiseWhereSeveralObjectsChangeTogether) {
+  const PolygonScene scene = four_rectangles();
+  const double eps = 0.25;
+  const double truth = sum_of(by_oracle(scene.world));
+  SubdivisionTrace trace;
+  const Answer answer =
+      subdivide(scene.world, published_rules(8, eps, Detection::square), Pyray(), &trace);
+  EXPECT_EQ(answer.outcome.deepest, 1);
+  const LevelTally& last = trace.levels.back();
+  double changes = 0.0;
+  for (const ObjectTally& object : last.objects) {
+    EXPECT_LE(object.change(last.level), eps);
+    changes += object.change(last.level);
+  }
+  EXPECT_EQ(changes, 1.0);
+  EXPECT_GT(changes, eps);
+  EXPECT_GT(std::abs(sum_of(answer.coverage) - truth), eps);
+}
+
+TEST(UnresolvedRule, KeepsItsPromiseWhereThePublishedOneDoesNot) {
+  const PolygonScene scene = four_rectangles();
+  const double truth = sum_of(by_oracle(scene.world));
+  for (const bool exact : {false, true}) {
+    // Outlines of 5.4 pixels cross about 5.4 * 2^8 of the finest cells: over 1 / 64 of the pixel.
+    for (int i = 1; i <= 5; ++i) {
+      const double eps = std::ldexp(1.0, -i);
+      const Answer answer = subdivide(scene.world, rules_of(8, eps, exact));
+      EXPECT_LE(answer.outcome.unresolved_area, eps);
+      EXPECT_LE(std::abs(sum_of(answer.coverage) - truth), eps) << "exact " << exact;
+    }
+  }
+}
+
+// Where the rule ended the subdivision above MAX, a single object's share is right to EPS.
+void keeps_eps(bool exact, StoppingRule rule) {
+  Errors errors;
+  for (unsigned seed = 0; seed < 2 * cases; ++seed) {
+    Case c(seed);
+    if (seed % 2) {
+      c.add_wedge(c.between(1, 10));
+    } else {
+      c.add_triangle(1.2, c.between(1, 10));
+    }
+    const double eps = std::ldexp(1.0, -(1 + static_cast<int>(seed / 2 % 10)));
+    const Answer answer = subdivide(c.world(), rules_of(8, eps, exact, rule));
+    if (answer.outcome.deepest == 8) continue;
+    errors.check(c, error_of(answer, by_oracle(c.world())) / eps, 1.0 + rounding / eps, answer);
+  }
+}
+TEST(UnresolvedRule, ExactLeavesKeepWithinEps) {
+  keeps_eps(true, StoppingRule::unresolved);
+}
+TEST(UnresolvedRule, PointLeavesKeepWithinEps) {
+  keeps_eps(false, StoppingRule::unresolved);
+}
+TEST(PublishedRule, ExactLeavesKeepWithinEpsForOneObject) {
+  keeps_eps(true, StoppingRule::published);
+}
+TEST(PublishedRule, PointLeavesKeepWithinEpsForOneObject) {
+  keeps_eps(false, StoppingRule::published);
+}
+// With exact leaves also of several objects; where MAX came first there is no promise.
+TEST(UnresolvedRule, ExactLeavesKeepWithinEpsForSeveralObjects) {
+  Errors errors;
+  for (unsigned seed = 0; seed < cases; ++seed) {
+    Case c(seed);
+    c.add_half_plane(c.between(8, 20));
+    for (int i = 0; i < 4; ++i) c.add_triangle(0.7, c.between(1, 8));
+    const double eps = std::ldexp(1.0, -(1 + static_cast<int>(seed % 10)));
+    const Answer answer = subdivide(c.world(), rules_of(8, eps));
+    if (answer.outcome.unresolved_area > eps) continue;
+    errors.check(c, error_of(answer, by_oracle(c.world())) / eps, 1.0 + rounding / eps, answer);
+  }
+}
+
+}  // namespace
+}  // namespace asos::test

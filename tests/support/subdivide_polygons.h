@@ -1,0 +1,104 @@
+#pragma once
+
+#include "renderer/pyray/subdivide.h"
+#include "tests/support/polygon.h"
+#include "tests/support/polygon_scene.h"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+// One pyray subdivided over a scene of polygons.
+
+namespace asos::test {
+
+/// The pyray of a square of a frame.
+struct Pyray {
+  Frame frame = unit_frame();
+  Square square{0.0f, 0.0f, 1.0f};
+};
+
+/// A pixel looked at in parallel: (u, v) across it is the world's (x, -y). Half a pixel around it
+/// belongs to the frame, so that boundaries are known as far as its cone reaches.
+inline Pyray parallel_pixel() {
+  return {Frame::prism({-0.5, 0.5, 0}, {0, 0, -1}, {2, 0, 0}, {0, -2, 0}), {0.25f, 0.25f, 0.5f}};
+}
+
+struct Answer {
+  std::vector<double> coverage;  ///< of each part, as a share of the pyray
+  double total = 0.0;            ///< of all leaves
+  int probes = 0;
+  SubdivisionOutcome outcome;
+};
+
+/// `features` are the world's.
+inline Answer subdivide(const World& world, const FeatureSet& features,
+                        const SubdivisionRules& rules, const Pyray& pyray = {},
+                        SubdivisionTrace* trace = nullptr) {
+  HitLists lists;
+  lists.reset(features, pyray.frame, std::ldexp(pyray.square.side, -rules.max_level));
+  BruteForceCaster caster(world, features, pyray.frame);
+  HitLists::List list;
+  lists.refine(Detector(pyray.frame, rules.detection).reach(pyray.square), {}, lists.root(), list);
+  Root root;
+  root.square = pyray.square;
+  root.list = list;
+  Subdivider subdivider;
+  if (trace) subdivider.trace(root.id, *trace);
+  Answer answer;
+  answer.outcome = subdivider.run(lists, std::span(&root, 1), rules, caster)[0];
+  answer.coverage = caster.coverage;
+  answer.total = caster.total;
+  answer.probes = caster.probes();
+  return answer;
+}
+
+inline Answer subdivide(const World& world, const SubdivisionRules& rules, const Pyray& pyray = {},
+                        SubdivisionTrace* trace = nullptr) {
+  return subdivide(world, FeatureSet(world), rules, pyray, trace);
+}
+
+inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = true,
+                                 StoppingRule rule = StoppingRule::unresolved) {
+  SubdivisionRules rules;
+  rules.max_level = max_level;
+  rules.eps = eps;
+  rules.exact_leaves = exact;
+  rules.rule = rule;
+  return rules;
+}
+
+/// Point leaves and the published rule, with the detection that is asked for.
+inline SubdivisionRules published_rules(int max_level, double eps,
+                                        Detection detection = Detection::cone) {
+  SubdivisionRules rules = rules_of(max_level, eps, false, StoppingRule::published);
+  rules.detection = detection;
+  return rules;
+}
+
+/// Adds a convex polygon given in the unit frame's (u, v), at a depth; returns its part.
+inline std::uint32_t add_polygon(PolygonScene& scene, const Polygon& corners, double depth) {
+  std::vector<glm::vec3> points;
+  for (const glm::dvec2& c : corners) points.push_back(at_depth(c.x, c.y, depth));
+  return scene.add(points);
+}
+
+/// The same in the (u, v) of the parallel pixel.
+inline std::uint32_t add_parallel_polygon(PolygonScene& scene, const Polygon& corners,
+                                          double depth = 3.0) {
+  std::vector<glm::vec3> points;
+  for (const glm::dvec2& c : corners) points.emplace_back(c.x, -c.y, -depth);
+  return scene.add(points);
+}
+
+/// What lies to the left of a line through p (v running up), as far as one pixel can tell.
+inline Polygon half_plane(glm::dvec2 p, glm::dvec2 direction) {
+  const glm::dvec2 d = 4.0 * direction;
+  const glm::dvec2 n(-d.y, d.x);
+  return {p - d, p + d, p + d + n, p - d + n};
+}
+inline Polygon half_plane(glm::dvec2 p, double angle) {
+  return half_plane(p, glm::dvec2(std::cos(angle), std::sin(angle)));
+}
+
+}  // namespace asos::test
