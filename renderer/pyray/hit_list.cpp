@@ -142,7 +142,7 @@ bool HitLists::tell_apart(std::uint32_t i, const Square& cell, float tolerance, 
 // Whether an entry is a chain that looks straight: by how far it strays from its chord in the
 // world, as it would look at the chain's nearest point.
 bool HitLists::straight(const HitEntry& e, float tolerance) const {
-  if (e.is_segment() || e.chain[0] == FeatureEdge::none) return false;
+  if (e.is_segment() || !e.is_chain()) return false;
   return e.extent() <= tolerance ||
          e.chain_deviation * (frame_.parallel() ? 1.0f : e.q) * squares_a_unit_ <= tolerance;
 }

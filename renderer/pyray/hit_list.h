@@ -31,6 +31,7 @@ struct HitEntry {
   bool opened = false;
 
   [[nodiscard]] bool is_segment() const { return type == Type::segment; }
+  [[nodiscard]] bool is_chain() const { return chain[0] != FeatureEdge::none; }
   [[nodiscard]] float extent() const { return u1 - u0 > v1 - v0 ? u1 - u0 : v1 - v0; }
   [[nodiscard]] bool meets(const Square& s) const {
     return u0 < s.u + s.side && u1 > s.u && v0 < s.v + s.side && v1 > s.v;

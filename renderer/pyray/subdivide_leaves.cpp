@@ -9,6 +9,7 @@ namespace {
 // Arrangements of more lines than this cost more than four children do.
 constexpr std::size_t most_segments = 12;
 constexpr std::size_t most_pieces = 32;  // of a few chains
+constexpr std::ptrdiff_t most_groups = 8;
 // Outlines of more pieces than this for each of its finest cells, and more than `most` in all, are
 // not looked at one by one.
 constexpr std::size_t told_apart_a_finest_cell = 16;
@@ -57,7 +58,9 @@ void Subdivider::plan(const Level& level, std::uint32_t cell_index, bool with_ow
     return;
   }
   if (rules_.exact_leaves && plan_faces(level, cell_index, hiding)) return;
-  if (rules_.exact_leaves && plan_saturated(cell, cell_index)) return;
+  // What might all be hidden has to be seen first.
+  const bool seen = cell.cover.valid || has_centre;
+  if (rules_.exact_leaves && seen && plan_saturated(cell, cell_index)) return;
   if (!has_centre) add_plan(Plan::Kind::centre, cell_index, std::span(&centre, 1));
 }
 
@@ -112,9 +115,11 @@ std::span<const Face> Subdivider::cut(const Cell& cell, const HidingPlane& hidin
     segments_.push_back(hits_->segment(i));
   std::span<const Segment> boundaries = segments_;
   if (boundaries.size() > most_segments) {
-    boundaries = chains_.simplify(segments_, tolerance(cell));
+    // What is not too long stays as it is: something thin between two chains would be lost.
+    const bool long_chains = segments_.size() > most_pieces;
+    boundaries = chains_.simplify(segments_, long_chains ? tolerance(cell) : 0.0f);
     boundary_count_ = chains_.chain_count();
-    if (boundaries.size() > most_pieces) return {};
+    if (boundaries.size() > most_pieces || boundary_count_ > most_segments) return {};
   }
   return partition_.cut(cell.square, boundaries, most_faces());
 }
@@ -129,6 +134,11 @@ bool Subdivider::tell_apart(const Cell& cell, const HidingPlane& hiding) {
   const std::size_t finest_cells = std::size_t{1} << 2 * (rules_.max_level - level_);
   const std::size_t most =
       std::clamp(told_apart_a_finest_cell * finest_cells, least_told_apart, most_told_apart);
+  // An outline is a few groups, or chains; many groups of anything else are a tangle.
+  const auto groups = std::count_if(visible_.begin(), visible_.end(), [&](std::uint32_t i) {
+    return !hits_->entry(i).is_segment() && !hits_->entry(i).is_chain();
+  });
+  if (groups > most_groups) return false;
   list_.clear();
   for (const std::uint32_t i : visible_)
     if (!hits_->tell_apart(i, cell.square, tolerance(cell), most, list_)) return false;
@@ -138,12 +148,12 @@ bool Subdivider::tell_apart(const Cell& cell, const HidingPlane& hiding) {
   return true;
 }
 
-// About as many boundaries as finest cells: nearly all children would be marginal, so their
-// jittered samples are taken at once (design section 5).
+// So many boundaries, of which each crosses several of the finest cells, that nearly all of those
+// would be marginal: their jittered samples are taken at once (design section 5).
 bool Subdivider::plan_saturated(const Cell& cell, std::uint32_t cell_index) {
   const int below = rules_.max_level - level_;
   const std::uint32_t n = 1u << below;
-  if (below < 1 || boundary_count_ <= most_segments || boundary_count_ < n * n) return false;
+  if (below < 1 || boundary_count_ <= most_segments || 4 * boundary_count_ < n * n) return false;
   add_plan(Plan::Kind::saturated, cell_index, {});
   plans_.back().count = n * n;
   const float side = cell.square.side / static_cast<float>(n);
@@ -238,9 +248,11 @@ bool Subdivider::excluded_stay_hidden(const Cell& cell, const Plan& plan, Sample
 }
 
 // One boundary is worth a cut at any level; more parts only where they replace several levels of
-// children.
+// children: half as many as there are finest cells.
 std::size_t Subdivider::most_faces() const {
-  return static_cast<std::size_t>(2 + 2 * std::min(3, rules_.max_level - level_));
+  const int below = rules_.max_level - level_;
+  return static_cast<std::size_t>(
+      std::max(2 + 2 * std::min(3, below), std::min(64, (1 << 2 * below) / 2)));
 }
 
 // A point of a cell that depends on the root's seed and the cell only.
