@@ -76,6 +76,12 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
                     "Samples a pixel of uniform and stochastic, rounded up to a square",
                     whole(1, 65536), [&](int n) { settings.spp = n; })
       ->default_str(std::to_string(settings.spp));
+  add_choice(app, "--texture-filter", "KIND",
+             "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
+             "for (footprint) or looked up at its ray's hit (point)",
+             texture_filter_names, settings.texture_filter);
+  app.add_flag("!--no-shading-refinement", settings.refine_shading,
+               "Do not split what is shaded unevenly, only what boundaries cross");
   app.add_flag("!--no-shadows", settings.shadows, "Lights cast no shadows");
   add_parsed_option(app, "--threads", "N",
                     "Worker threads, 1 to 1024; 0: one for each core but one", whole(0, 1024),

@@ -45,6 +45,8 @@ const char* name_of(CellFate fate) {
       return "cut";
     case CellFate::split:
       return "split";
+    case CellFate::uneven:
+      return "uneven";
     case CellFate::stopped:
       return "stopped";
     case CellFate::finest:

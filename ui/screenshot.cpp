@@ -44,6 +44,7 @@ std::string look_at_words(const OrbitCamera& orbit, glm::dvec3 origin) {
 
 void add_method(ImageText& text, const RenderSettings& settings) {
   text.emplace_back("asos.method", name_in(method_names, settings.method));
+  text.emplace_back("asos.texture_filter", name_in(texture_filter_names, settings.texture_filter));
   text.emplace_back("asos.shadows", settings.shadows ? "true" : "false");
   switch (settings.method) {
     case Method::asos:
@@ -55,6 +56,7 @@ void add_method(ImageText& text, const RenderSettings& settings) {
       text.emplace_back("asos.rule", name_in(rule_names, used.rule));
       text.emplace_back("asos.detect", name_in(detection_names, used.detect));
       text.emplace_back("asos.fat", std::to_string(used.fat));
+      text.emplace_back("asos.refine_shading", used.refine_shading ? "true" : "false");
       text.emplace_back("asos.jitter", used.jitter ? "true" : "false");
       break;
     }

@@ -13,6 +13,7 @@ RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
   }
   split_pixels += other.split_pixels;
   missed_splits += other.missed_splits;
+  uneven_pixels += other.uneven_pixels;
   saturated_pixels += other.saturated_pixels;
   unresolved_area += other.unresolved_area;
   rejected_samples += other.rejected_samples;

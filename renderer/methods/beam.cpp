@@ -28,7 +28,7 @@ class BlockTracer {
         view_(view),
         block_(block),
         frame_(view.frame(block.x, block.y, block_size, block_size)),
-        shader_(shader_of(scene, settings)) {
+        shader_(shader_of(scene, settings, view)) {
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
       if (const auto facet = make_facet(frame_, t, corners_of(world_, t)))
         facets_.push_back(*facet);
@@ -69,7 +69,8 @@ class BlockTracer {
   glm::vec3 shade(const VisiblePart& part) {
     const glm::dvec2 c = part.centroid;
     const Ray ray = view_.ray(block_.x + c.x * block_size, block_.y + c.y * block_size);
-    return shader_.radiance(ray, hit_of(part, ray), result_.statistics);
+    const auto side = static_cast<float>(std::sqrt(part.area) * block_size);
+    return shader_.radiance(ray, hit_of(part, ray), side, result_.statistics);
   }
 
   // The hit from the exact point, for no ray was cast.

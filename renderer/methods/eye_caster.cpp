@@ -1,9 +1,27 @@
 #include "renderer/methods/eye_caster.h"
 
+#include "renderer/shading/unevenness.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asos {
+namespace {
+
+// How far one sample may be off the mean of the patch that it stands for: EPS, or a quarter of a
+// finest cell where that is more, so that MAX alone refines shading as it refines outlines.
+float let_pass(const RenderSettings& settings) {
+  if (!settings.refine_shading) return std::numeric_limits<float>::infinity();
+  return static_cast<float>(std::max(settings.eps, std::ldexp(1.0, -2 * (settings.max_level + 1))));
+}
+
+// The side, in pixels, of the square that a leaf stands for, whatever its shape.
+float side_of(double weight) {
+  return static_cast<float>(std::sqrt(weight));
+}
+
+}  // namespace
 
 EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
                      const Frame& frame, PixelRect block, std::size_t roots,
@@ -14,7 +32,9 @@ EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const RenderSet
       block_(block),
       stop_(stop),
       counts_(counts),
-      shader_(shader_of(scene, settings)),
+      shader_(shader_of(scene, settings, view)),
+      spacing_(PixelSpacing::of(view)),
+      most_uneven_(let_pass(settings)),
       sums_(roots) {}
 
 Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
@@ -64,7 +84,8 @@ std::uint32_t EyeCaster::surface(SampleId sample) const {
 void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
   if (cancelled()) return;
   if (root == logged_root_) logged_leaves_.push_back({sample, points_[sample], weight});
-  const glm::vec3 radiance = shader_.radiance(rays_[sample], hits_[sample], counts_);
+  const glm::vec3 radiance =
+      shader_.radiance(rays_[sample], hits_[sample], side_of(weight), counts_);
   if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
     ++counts_.rejected_samples;
     return;
@@ -73,9 +94,22 @@ void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
   sums_[root].weight += weight;
 }
 
-glm::vec3 EyeCaster::radiance(SampleId sample) const {
+bool EyeCaster::uneven(SampleId sample, double share) const {
+  const Hit& hit = hits_[sample];
+  if (!hit.valid()) return false;
+  const glm::uvec3 t = scene_.world.triangles[hit.triangle];
+  const glm::vec3 p0 = scene_.world.positions[t.x];
+  const glm::vec3 normal = glm::normalize(
+      glm::cross(scene_.world.positions[t.y] - p0, scene_.world.positions[t.z] - p0));
+  const Ray& ray = rays_[sample];
+  const Patch patch =
+      patch_on_plane(spacing_, ray.direction, hit.t, normal, static_cast<float>(std::sqrt(share)));
+  return midpoint_error(scene_.world, hit, ray.at(hit.t), patch) > most_uneven_;
+}
+
+glm::vec3 EyeCaster::radiance(SampleId sample, double weight) const {
   RenderStatistics uncounted;
-  return shader_.radiance(rays_[sample], hits_[sample], uncounted);
+  return shader_.radiance(rays_[sample], hits_[sample], side_of(weight), uncounted);
 }
 
 glm::vec3 EyeCaster::colour(std::uint32_t root) const {

@@ -5,6 +5,7 @@
 #include "renderer/methods/render_scene.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/subdivision_trace.h"
+#include "renderer/shading/footprint.h"
 #include "renderer/shading/shade.h"
 
 #include <glm/glm.hpp>
@@ -27,6 +28,7 @@ class EyeCaster final : public Caster {
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
+  [[nodiscard]] bool uneven(SampleId sample, double share) const override;
   [[nodiscard]] bool cancelled() const override { return stop_.stop_requested(); }
   void leaf(std::uint32_t root, SampleId sample, double weight) override;
 
@@ -35,8 +37,8 @@ class EyeCaster final : public Caster {
 
   /// The world's triangle that a sample met; Hit::none: the background.
   [[nodiscard]] std::uint32_t triangle(SampleId sample) const { return hits_[sample].triangle; }
-  /// What a sample sees, linear; its rays are not counted.
-  [[nodiscard]] glm::vec3 radiance(SampleId sample) const;
+  /// What a sample sees as a leaf of this weight, linear; its rays are not counted.
+  [[nodiscard]] glm::vec3 radiance(SampleId sample, double weight) const;
 
   /// Keeps the leaves of one root from now on.
   void log_leaves(std::uint32_t root) { logged_root_ = root; }
@@ -59,6 +61,8 @@ class EyeCaster final : public Caster {
   std::stop_token stop_;
   RenderStatistics& counts_;
   Shader shader_;
+  PixelSpacing spacing_;
+  float most_uneven_;
   std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

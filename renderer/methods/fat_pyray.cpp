@@ -175,10 +175,10 @@ bool FatPyray::touches_boundary(int x, int y) {
                       [&](std::uint32_t i) { return work_.lists.hidden(i, wide, hiding); });
 }
 
-// Clear pixels are one sample each, bounded ones are subdivided together, missed ones by the safety
-// net.
+// Clear pixels are one sample each, bounded and unevenly shaded ones are subdivided together,
+// missed ones by the safety net.
 void FatPyray::render_pixels() {
-  work_.bounded_roots.clear();
+  work_.split_roots.clear();
   for (int y = 0; y < block_.height; ++y) {
     for (int x = 0; x < block_.width; ++x) {
       const std::uint32_t i = index(x, y);
@@ -189,9 +189,11 @@ void FatPyray::render_pixels() {
       root.seed = pixel_seed(block_.x + x, block_.y + y);
       if (bounded_[i]) {
         root.list = work_.pixel_list[i];
-        work_.bounded_roots.push_back(root);
+        work_.split_roots.push_back(root);
       } else if (by_samples_[i]) {
         outcomes_[i] = split_by_samples(root, settings_.max_level, caster_);
+      } else if (settings_.max_level > 0 && caster_.uneven(i, 1.0)) {
+        work_.split_roots.push_back(root);
       } else {
         caster_.leaf(i, i, 1.0);
         outcomes_[i].pyrays_by_level[0] = 1;
@@ -199,8 +201,8 @@ void FatPyray::render_pixels() {
     }
   }
   const auto done =
-      work_.subdivider.run(work_.lists, work_.bounded_roots, rules_of(settings_), caster_);
-  for (std::size_t k = 0; k < done.size(); ++k) outcomes_[work_.bounded_roots[k].id] = done[k];
+      work_.subdivider.run(work_.lists, work_.split_roots, rules_of(settings_), caster_);
+  for (std::size_t k = 0; k < done.size(); ++k) outcomes_[work_.split_roots[k].id] = done[k];
 }
 
 void FatPyray::publish() {
@@ -217,6 +219,7 @@ void FatPyray::publish() {
         statistics.pyrays_by_level[k] += outcome.pyrays_by_level[k];
       statistics.split_pixels += outcome.deepest > 0;
       statistics.missed_splits += missed_[i];
+      statistics.uneven_pixels += outcome.uneven;
       statistics.saturated_pixels += outcome.saturated;
       statistics.unresolved_area += outcome.unresolved_area;
       result_.tile.radiance.push_back(caster_.colour(i));

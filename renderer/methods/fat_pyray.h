@@ -24,7 +24,7 @@ struct FatPyrayWorkspace {
   HitLists::List scratch;
   std::vector<glm::vec2> centres;
   std::vector<Root> roots;
-  std::vector<Root> bounded_roots;
+  std::vector<Root> split_roots;
 };
 
 /// A pyray around fat x fat pixels (CGF'98 section 6.4), which fetches its boundaries once and

@@ -32,6 +32,10 @@ inline constexpr std::array detection_names{
     Named<Detection>{"square", Detection::square},
     Named<Detection>{"cone", Detection::cone},
 };
+inline constexpr std::array texture_filter_names{
+    Named<TextureFilter>{"footprint", TextureFilter::footprint},
+    Named<TextureFilter>{"point", TextureFilter::point},
+};
 
 /// The name of `value` among `names`.
 template <typename Names, typename T>

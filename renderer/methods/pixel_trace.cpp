@@ -13,7 +13,8 @@ void FatPyray::finish_trace() {
   const Square own = pixel_square(trace_->x - block_.x, trace_->y - block_.y);
   const auto place = [&](float u, float v) { return glm::vec2(u - own.u, v - own.v) / own.side; };
   const auto sample = [&](const TracedLeaf& leaf) {
-    return PixelTraceSample{place(leaf.at.x, leaf.at.y), leaf.weight, caster_.radiance(leaf.sample),
+    return PixelTraceSample{place(leaf.at.x, leaf.at.y), leaf.weight,
+                            caster_.radiance(leaf.sample, leaf.weight),
                             caster_.triangle(leaf.sample)};
   };
   trace_->levels = std::move(subdivision_.levels);

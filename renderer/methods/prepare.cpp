@@ -46,15 +46,18 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   }
   prepared->needs = find_needs(prepared->world);
 
-  // Neither search structure needs the other.
+  // Neither of the three needs another.
   auto features = std::async(std::launch::async, [&] {
     return FeatureSet(prepared->world, [](const World& w, const TextureUse& use,
                                           std::uint32_t triangle, float b1, float b2) {
       return sample_texture(w, use, triangle, b1, b2, Encoding::linear);
     });
   });
+  auto mips =
+      std::async(std::launch::async, [&] { return MipChains(prepared->world, prepared->needs); });
   auto rays = RayScene::build(prepared->world, alpha_at);
   prepared->features = features.get();
+  prepared->mips = mips.get();
   if (!rays) return unexpected(Error{scene.source, rays.error().message()});
   prepared->rays = std::move(*rays);
   if (!prepared->features.intersections_complete()) {
@@ -63,8 +66,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
         "they do are found by samples only");
   }
 
-  const std::size_t bytes =
-      bytes_of(prepared->world) + prepared->rays.memory_bytes() + prepared->features.memory_bytes();
+  const std::size_t bytes = bytes_of(prepared->world) + prepared->mips.memory_bytes() +
+                            prepared->rays.memory_bytes() + prepared->features.memory_bytes();
   prepared->memory_mb = static_cast<double>(bytes) / (1024.0 * 1024.0);
   prepared->build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -21,16 +21,20 @@ struct RenderScene {
   bool default_rig = false;  ///< the scene had no lights; `world.lights` is the default rig
   RayScene rays;
   FeatureSet features;
+  MipChains mips;
   SceneNotes notes;
   std::string name;
   std::string source;
   double build_seconds = 0.0;
-  double memory_mb = 0.0;  ///< of geometry, textures and both hierarchies
+  double memory_mb = 0.0;  ///< of geometry, textures with their mip chains, and both hierarchies
 };
 
-/// The shader of a scene, as the settings ask.
-[[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings) {
-  return Shader(scene.world, scene.needs, scene.rays, {settings.shadows});
+/// The shader of a scene's picture, as the settings ask.
+[[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings,
+                                      const View& view) {
+  const bool filtered = settings.texture_filter == TextureFilter::footprint;
+  return Shader(scene.world, scene.needs, scene.rays,
+                {settings.shadows, filtered ? &scene.mips : nullptr, PixelSpacing::of(view)});
 }
 
 /// Flattens, lights (with the default rig where the scene has no lights) and indexes `scene`.

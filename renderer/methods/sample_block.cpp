@@ -15,9 +15,11 @@ namespace {
 /// The samples of a block's pixels, one pixel after the other, traced a batch at a time.
 class BlockSampler {
  public:
-  BlockSampler(const RenderScene& scene, const RenderSettings& settings, PixelRect block)
+  BlockSampler(const RenderScene& scene, const View& view, const RenderSettings& settings,
+               PixelRect block)
       : scene_(scene),
-        shader_(shader_of(scene, settings)),
+        shader_(shader_of(scene, settings, view)),
+        sample_side_(1.0f / static_cast<float>(grid_side(settings.spp))),
         block_(block),
         sums_(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height)),
         counts_(sums_.size(), 0) {}
@@ -33,7 +35,7 @@ class BlockSampler {
     scene_.rays.closest(std::span(rays_).first(used_), std::span(hits_).first(used_));
     statistics_.eye_rays += used_;
     for (std::size_t i = 0; i < used_; ++i) {
-      const glm::vec3 radiance = shader_.radiance(rays_[i], hits_[i], statistics_);
+      const glm::vec3 radiance = shader_.radiance(rays_[i], hits_[i], sample_side_, statistics_);
       if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
         ++statistics_.rejected_samples;
         continue;
@@ -62,6 +64,7 @@ class BlockSampler {
 
   const RenderScene& scene_;
   Shader shader_;
+  float sample_side_;  // in pixels
   PixelRect block_;
   std::vector<glm::dvec3> sums_;
   std::vector<std::uint32_t> counts_;
@@ -83,7 +86,7 @@ int grid_side(int spp) {
 BlockResult sample_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
                          PixelRect block, PlaceSample place, const std::stop_token& stop) {
   const int n = grid_side(settings.spp);
-  BlockSampler sampler(scene, settings, block);
+  BlockSampler sampler(scene, view, settings, block);
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x, ++pixel) {

@@ -28,6 +28,7 @@ RenderSettings as_published(RenderSettings settings) {
   settings.leaf = Leaf::point;
   settings.rule = StoppingRule::published;
   settings.detect = Detection::cone;
+  settings.refine_shading = false;
   return settings;
 }
 
@@ -64,6 +65,9 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   }
   if (s.detect != Detection::square && s.detect != Detection::cone) {
     return unexpected(Error{"detect", "is neither square nor cone"});
+  }
+  if (s.texture_filter != TextureFilter::footprint && s.texture_filter != TextureFilter::point) {
+    return unexpected(Error{"texture-filter", "is neither footprint nor point"});
   }
   if (s.crop == PixelRect{}) return s;
   const PixelRect c = s.crop;

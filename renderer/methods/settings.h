@@ -13,6 +13,9 @@ namespace asos {
 /// settings below say.
 enum class Method { asos, asos_published, uniform, stochastic, beam };
 enum class Leaf { exact, point };
+/// footprint: textures, and highlights where the normal turns, are averaged over what a sample
+/// stands for; point: they are looked up where its ray hits.
+enum class TextureFilter { footprint, point };
 
 /// What to render with. Defaulted and comparable; widgets edit a copy, work takes a copy.
 /// `validated` says what is out of range; nothing is clamped silently.
@@ -28,9 +31,11 @@ struct RenderSettings {
   Leaf leaf = Leaf::exact;   ///< exact: cut a cell along its few boundaries (6.2, 6.4)
   StoppingRule rule = StoppingRule::unresolved;
   Detection detect = Detection::square;
-  int fat = 8;          ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
-  bool jitter = false;  ///< jitter the samples of leaves that stay marginal at MAX
-  int spp = 16;         ///< uniform and stochastic: samples a pixel, rounded up to n * n
+  int fat = 8;                 ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
+  bool refine_shading = true;  ///< split what is shaded unevenly, too
+  bool jitter = false;         ///< jitter the samples of leaves that stay marginal at MAX
+  int spp = 16;                ///< uniform and stochastic: samples a pixel, rounded up to n * n
+  TextureFilter texture_filter = TextureFilter::footprint;
   bool shadows = true;  ///< lights cast shadows
   int threads = 0;      ///< workers; 0: all cores but one
 

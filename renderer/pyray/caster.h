@@ -29,6 +29,11 @@ class Caster {
   /// The surface that a sample met: equal numbers for one smooth, connected piece.
   [[nodiscard]] virtual std::uint32_t surface(SampleId sample) const = 0;
 
+  /// Whether one sample cannot stand for what a patch of the surface around it looks like, because
+  /// its shading varies by more than is let pass. `share` is the patch's share of its root's area.
+  /// The engine then splits the patch further, down to MAX.
+  [[nodiscard]] virtual bool uneven(SampleId /*sample*/, double /*share*/) const { return false; }
+
   /// True once nobody wants the result any more. The engine then returns early, with whatever it
   /// has; samples and leaves need not be meant from then on.
   [[nodiscard]] virtual bool cancelled() const { return false; }

@@ -63,8 +63,11 @@ void Subdivider::stop_roots(Level& level) {
     i = end;
     tally(level, cells);
     const bool stop = level_ >= rules_.max_level || tally_.holds(rules_.rule, rules_.eps);
-    for (Cell& cell : cells) cell.done = stop;
-    if (traced(cells.front())) trace_->levels.push_back(tally_);
+    for (Cell& cell : cells) {
+      cell.done = stop && !cell.uneven;
+      outcome(cell).uneven |= cell.uneven;
+    }
+    if (tally_.marginal > 0 && traced(cells.front())) trace_->levels.push_back(tally_);
   }
   finish_marginal(level);
 }
@@ -74,10 +77,12 @@ void Subdivider::stop_roots(Level& level) {
 void Subdivider::tally(const Level& level, std::span<const Cell> cells) {
   tally_.start(level_);
   if (rules_.rule == StoppingRule::unresolved && !trace_) {
-    tally_.marginal = static_cast<std::uint32_t>(cells.size());
+    tally_.marginal = static_cast<std::uint32_t>(
+        std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return !cell.uneven; }));
     return;
   }
   for (const Cell& cell : cells) {
+    if (cell.uneven) continue;
     // All that is near, also behind what the axis hits: it may show beyond the edge of that.
     near_.clear();
     bool one_edge = cell.count == 1;
@@ -127,7 +132,7 @@ void Subdivider::split(const Level& level, Level& next) {
   next.entries.clear();
   for (const Cell& cell : level.cells) {
     if (caster_->cancelled()) return;
-    (void)record(level, cell, CellFate::split);
+    (void)record(level, cell, cell.uneven ? CellFate::uneven : CellFate::split);
     for (int i = 0; i < 4; ++i) {
       Cell child;
       child.square = cell.square.quarter(i);

@@ -42,6 +42,7 @@ struct Root {
 struct SubdivisionOutcome {
   int deepest = 0;               ///< finest level examined; a cut counts as one more
   double unresolved_area = 0.0;  ///< share of the root whose cells stayed marginal
+  bool uneven = false;           ///< some cell was split for its shading alone
   bool saturated = false;        ///< some cell went to its finest samples at once
   std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
 };
@@ -72,6 +73,7 @@ class Subdivider {
     SampleId centre = Caster::no_sample;
     bool fresh = false;  // its centre was sampled in this level's first round
     bool done = false;
+    bool uneven = false;  // resolved but for its shading
   };
   struct Level {
     std::vector<Cell> cells;
@@ -106,6 +108,7 @@ class Subdivider {
   [[nodiscard]] bool plan_saturated(const Cell& cell, std::uint32_t cell_index);
   void add_plan(Plan::Kind kind, std::uint32_t cell_index, std::span<const glm::vec2> points);
   void carry_out(Level& level);
+  [[nodiscard]] bool uneven(const Cell& cell, const Plan& plan, SampleId first) const;
   void take_leaf(const Cell& cell, SampleId sample, glm::vec2 at, double share, TracedCell* seen);
   [[nodiscard]] bool excluded_stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const;
   // What stays marginal.

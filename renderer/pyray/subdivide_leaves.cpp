@@ -30,8 +30,10 @@ void Subdivider::resolve(Level& level) {
     points_.clear();
     faces_.clear();
     excluded_.clear();
-    for (std::uint32_t i = 0; i < level.cells.size(); ++i)
-      if (!level.cells[i].done && !caster_->cancelled()) plan(level, i, with_own_sample);
+    for (std::uint32_t i = 0; i < level.cells.size(); ++i) {
+      const Cell& cell = level.cells[i];
+      if (!cell.done && !cell.uneven && !caster_->cancelled()) plan(level, i, with_own_sample);
+    }
     carry_out(level);
   }
   std::erase_if(level.cells, [](const Cell& cell) { return cell.done; });
@@ -187,6 +189,12 @@ void Subdivider::carry_out(Level& level) {
     const double whole = weight(cell);
     switch (plan.kind) {
       case Plan::Kind::uniform:
+        if (uneven(cell, plan, sample)) {
+          cell.uneven = true;
+          if (plan.count) cell.centre = sample;
+          cell.cover = caster_->cover(cell.centre);
+          break;
+        }
         take_leaf(cell, plan.count ? sample : cell.centre,
                   {cell.square.centre_u(), cell.square.centre_v()}, whole,
                   record(level, cell, CellFate::uniform));
@@ -194,6 +202,12 @@ void Subdivider::carry_out(Level& level) {
         break;
       case Plan::Kind::faces: {
         if (!excluded_stay_hidden(cell, plan, sample)) break;
+        if (uneven(cell, plan, sample)) {
+          cell.uneven = true;
+          // Its children need a sample in the closure of each of them.
+          if (cell.centre == Caster::no_sample) cell.cover = Cover::none();
+          break;
+        }
         TracedCell* seen = record(level, cell, CellFate::cut);
         for (std::uint32_t i = 0; i < plan.count; ++i)
           take_leaf(cell, sample + i, points_[plan.first_point + i],
@@ -221,6 +235,17 @@ void Subdivider::carry_out(Level& level) {
       }
     }
   }
+}
+
+// Whether one of the leaves that a plan stands for should be split for its shading.
+bool Subdivider::uneven(const Cell& cell, const Plan& plan, SampleId first) const {
+  if (level_ >= rules_.max_level) return false;
+  const double whole = weight(cell);
+  if (plan.kind == Plan::Kind::uniform)
+    return caster_->uneven(plan.count ? first : cell.centre, whole);
+  for (std::uint32_t i = 0; i < plan.count; ++i)
+    if (caster_->uneven(first + i, whole * faces_[plan.first_face + i].area)) return true;
+  return false;
 }
 
 void Subdivider::take_leaf(const Cell& cell, SampleId sample, glm::vec2 at, double share,

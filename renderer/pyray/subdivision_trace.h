@@ -15,6 +15,7 @@ namespace asos {
 enum class CellFate {
   uniform,    ///< no visible boundary: one sample tells all
   cut,        ///< cut along its boundaries, one sample in each part
+  uneven,     ///< no boundary, or cut along them, but shaded too unevenly: its four children follow
   split,      ///< marginal: its four children follow
   stopped,    ///< marginal, and the rule held: one sample
   finest,     ///< marginal at MAX: one sample

@@ -77,7 +77,7 @@ void RenderRun::publish(std::size_t group, Pass pass, FinishedTile&& tile) {
 
 void RenderRun::work_coarse(const std::stop_token& stop) {
   const RenderScene& scene = *snapshot_.scene;
-  const Shader shader = shader_of(scene, snapshot_.settings);
+  const Shader shader = shader_of(scene, snapshot_.settings, view_);
   constexpr std::size_t blocks_in_group = (group_size / block_size) * (group_size / block_size);
   std::array<Ray, blocks_in_group> rays;
   std::array<Hit, blocks_in_group> hits;
@@ -97,7 +97,7 @@ void RenderRun::work_coarse(const std::stop_token& stop) {
     FinishedTile tile = tile_of(group);
     for (std::size_t i = 0; i < group.block_count; ++i) {
       if (stop.stop_requested()) return;
-      glm::vec3 radiance = shader.radiance(rays[i], hits[i], uncounted);
+      glm::vec3 radiance = shader.radiance(rays[i], hits[i], float{block_size}, uncounted);
       if (!std::isfinite(radiance.x + radiance.y + radiance.z)) radiance = glm::vec3(0.0f);
       FinishedTile block;
       block.rect = plan_.blocks[group.first_block + i].rect;

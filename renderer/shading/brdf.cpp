@@ -50,8 +50,12 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
 }
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
+  return brdf(material, angles, ggx_lobe(material.roughness, angles));
+}
+
+glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {
   return material.diffuse * std::numbers::inv_pi_v<float> +
-         fresnel_schlick(material.f0, angles.v_dot_h) * ggx_lobe(material.roughness, angles);
+         fresnel_schlick(material.f0, angles.v_dot_h) * lobe;
 }
 
 }  // namespace asos

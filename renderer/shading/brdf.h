@@ -36,6 +36,8 @@ struct ViewedMaterial {
 /// What the surface reflects of light from one direction: radiance per irradiance (1 / sr), so
 /// that the cosine is the caller's.
 [[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
+/// The same with a lobe that is not the material's own: its D * V.
+[[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe);
 
 /// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);

@@ -3,6 +3,7 @@
 #include "renderer/rays/surface_kind.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/lobe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,8 @@ glm::vec3 Shader::reflected(const SurfacePoint& point, const SurfaceMaterial& ma
   const ViewedMaterial seen = viewed(material, n_dot_v);
   glm::vec3 sum = ambient_radiance * (seen.diffuse + seen.specular);
 
+  const PatchLobe lobe(point.spread, seen.roughness, n);
+
   // Punctual lights: none reaches a surface from behind, whatever its shading normal says.
   for (const PreparedLight& light : lights_) {
     const Incident incident = incident_light(light, point.position);
@@ -76,7 +79,10 @@ glm::vec3 Shader::reflected(const SurfacePoint& point, const SurfaceMaterial& ma
     const glm::vec3 half = glm::normalize(incident.direction + to_viewer);
     const BrdfAngles angles{n_dot_l, n_dot_v, std::max(0.0f, glm::dot(n, half)),
                             std::max(0.0f, glm::dot(to_viewer, half))};
-    const glm::vec3 light_out = brdf(seen, angles) * incident.irradiance * n_dot_l;
+    const glm::vec3 share_out =
+        lobe.wider() ? brdf(seen, angles, lobe.value(half, incident.direction, to_viewer, angles))
+                     : brdf(seen, angles);
+    const glm::vec3 light_out = share_out * incident.irradiance * n_dot_l;
     if (light_out == glm::vec3(0.0f)) continue;
     const float share = visibility(light, point, incident.direction, counts);
     if (share > 0.0f) sum += share * light_out;
@@ -84,8 +90,10 @@ glm::vec3 Shader::reflected(const SurfacePoint& point, const SurfaceMaterial& ma
   return sum;
 }
 
-glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit,
+glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float side,
                            RenderStatistics& counts) const {
+  const SampleExtent extent{&settings_.spacing, settings_.mips, side};
+  const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   glm::vec3 sum{0.0f};
   glm::vec3 share{1.0f};  // of what lies behind the layers so far
   Ray ray = first_ray;
@@ -95,12 +103,12 @@ glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit,
 
   for (int layer = 0; layer < max_layers; ++layer) {
     if (!hit.valid()) return sum + share * background_radiance;
-    const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer);
+    const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
     const bool blended = surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
 
     if (hit.triangle != last) {
       // Add the layer by its opacity.
-      const SurfaceMaterial material = surface_material(world_, needs_, hit);
+      const SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
       if (material.opacity > 0.0f) {
         const glm::vec3 out =
             material.unlit ? material.base_color * (1.0f - material.transmission)

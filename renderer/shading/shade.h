@@ -22,11 +22,15 @@ namespace asos {
 /// What is shaded and what is left out.
 struct ShadingSettings {
   bool shadows = true;  ///< lights cast shadows
+  /// What textures, and highlights on surfaces that turn, are averaged with over what a sample
+  /// stands for; null: every sample is a point.
+  const MipChains* mips = nullptr;
+  PixelSpacing spacing;  ///< of the picture; only with mips
 };
 
-/// Point-samples the light that a scene sends along rays: every method shades through this one
-/// class. Keeps references; thread-safe. Making one prepares the lights: make one a block, not one
-/// a sample.
+/// Samples the light that a scene sends along rays: every method shades through this one class.
+/// Keeps references; thread-safe. Making one prepares the lights: make one a block, not one a
+/// sample.
 class Shader {
  public:
   Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
@@ -35,11 +39,13 @@ class Shader {
   /// Surfaces that are composited along one ray before what lies behind them is dropped.
   static constexpr int max_layers = 64;
 
-  /// Linear radiance arriving along `ray` whose nearest hit is `hit` (invalid: the background).
+  /// Linear radiance arriving along `ray`, of unit direction, whose nearest hit is `hit` (invalid:
+  /// the background). The sample stands for a square of `side` pixels around the ray, 0: a point.
   /// Blended surfaces are composited in depth order. Counts the rays it casts: those to lights, and
   /// eye rays that go on behind a blended surface. Results that are not finite (a light right on
   /// the surface) are returned as they are; the caller drops and counts them.
-  [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, RenderStatistics& counts) const;
+  [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
+                                   RenderStatistics& counts) const;
 
  private:
   [[nodiscard]] glm::vec3 reflected(const SurfacePoint& point, const SurfaceMaterial& material,

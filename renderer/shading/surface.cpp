@@ -1,6 +1,7 @@
 #include "renderer/shading/surface.h"
 
 #include "renderer/shading/texture.h"
+#include "renderer/shading/texture_filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,14 @@ glm::vec4 tangent_from_texcoords(const World& world, const Triangle& t, const Te
   return {along_u, mirrored ? -1.0f : 1.0f};
 }
 
-glm::vec3 mapped_normal(const World& world, const Hit& hit, const Triangle& t,
-                        const Material& material, glm::vec3 normal) {
+struct MappedNormal {
+  glm::vec3 normal;
+  float variance = 0.0f;
+};
+
+MappedNormal mapped_normal(const World& world, const Hit& hit, const Triangle& t,
+                           const Material& material, glm::vec3 normal, const Footprint& footprint,
+                           const MipChains* mips) {
   const TextureUse& use = material.normal_texture;
   glm::vec4 tangent{0.0f};
   if (!world.tangents.empty()) {
@@ -69,20 +76,72 @@ glm::vec3 mapped_normal(const World& world, const Hit& hit, const Triangle& t,
     along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
   }
   along_u = normalized_or(along_u, glm::vec3(0.0f));
-  if (along_u == glm::vec3(0.0f)) return normal;
+  if (along_u == glm::vec3(0.0f)) return {normal};
   const glm::vec3 along_v = glm::cross(normal, along_u) * (tangent.w < 0.0f ? -1.0f : 1.0f);
-  const glm::vec4 texel =
-      sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear);
-  glm::vec3 local = 2.0f * glm::vec3(texel) - 1.0f;
+  const MeanNormal mean =
+      mips ? filtered_normal(world, *mips, use, {hit.triangle, hit.b1, hit.b2, footprint})
+           : MeanNormal{sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear)};
+  glm::vec3 local = 2.0f * mean.texel - 1.0f;
   local.x *= use.scale;
   local.y *= use.scale;
-  return normalized_or(local.x * along_u + local.y * along_v + local.z * normal, normal);
+  return {normalized_or(local.x * along_u + local.y * along_v + local.z * normal, normal),
+          std::min(1.0f, mean.variance * use.scale * use.scale)};
+}
+
+/// How the interpolated normal turns along the footprint's edges; `length` is that of the
+/// interpolated vector before it became the unit `normal`.
+NormalSpread interpolated_spread(const World& world, const Triangle& t, const Footprint& footprint,
+                                 glm::vec3 normal, float length) {
+  const glm::vec3 n0 = world.normals[t.v.x];
+  const glm::vec3 n1 = world.normals[t.v.y];
+  const glm::vec3 n2 = world.normals[t.v.z];
+  const Steps<glm::vec3> steps(footprint, n0, n1, n2);
+  const auto turn = [&](glm::vec3 d) { return (d - glm::dot(d, normal) * normal) / length; };
+  return {turn(steps.right), turn(steps.down)};
+}
+
+// From here on a highlight is some 40 degrees wide: one sample of a pixel settles it.
+constexpr float least_broad_roughness = 0.6f;
+
+/// Whether a footprint on the triangle changes what is seen: where textures are, and highlights on
+/// normals that turn. Elsewhere none is made, for it takes as long as half of the shading.
+bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t triangle,
+                     const Triangle& t) {
+  const Material& m = world.material_of(triangle);
+  if (needs.textures && (m.base_color_texture.used() || m.metallic_roughness_texture.used() ||
+                         m.normal_texture.used() || m.emissive_texture.used()))
+    return true;
+  if (m.unlit || m.roughness > least_broad_roughness || world.lights.empty() ||
+      world.normals.empty())
+    return false;
+  return world.normals[t.v.x] != world.normals[t.v.y] ||
+         world.normals[t.v.x] != world.normals[t.v.z];
+}
+
+/// The shading normal, on the geometric normal's side whatever the winding, and its spread.
+void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, const Triangle& t,
+                  const MipChains* mips, SurfacePoint& point) {
+  point.shading_normal = point.geometric_normal;
+  if (world.normals.empty()) return;
+  const glm::vec3 mixed = t.mix(world.normals);
+  const glm::vec3 smooth = normalized_or(mixed, point.geometric_normal);
+  const float side = glm::dot(smooth, point.geometric_normal) < 0.0f ? -1.0f : 1.0f;
+  point.shading_normal = side * smooth;
+  if (!point.footprint.point())
+    point.spread = interpolated_spread(world, t, point.footprint, smooth, glm::length(mixed));
+  const Material& material = world.material_of(hit.triangle);
+  if (!needs.normal_maps || !material.normal_texture.used()) return;
+  const MappedNormal mapped = mapped_normal(world, hit, t, material, smooth, point.footprint, mips);
+  point.spread.variance = mapped.variance;
+  // A map that tilts the normal below the surface is not followed that far.
+  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
+    point.shading_normal = side * mapped.normal;
 }
 
 }  // namespace
 
 SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
-                           glm::vec3 to_viewer) {
+                           glm::vec3 to_viewer, const SampleExtent& extent) {
   const Triangle t(world, hit);
   const glm::vec3 p0 = world.positions[t.v.x];
   const glm::vec3 p1 = world.positions[t.v.y];
@@ -105,30 +164,35 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
     point.geometric_normal = -point.geometric_normal;
   }
 
-  // The shading normal goes to the geometric normal's side, whatever the winding.
-  point.shading_normal = point.geometric_normal;
-  if (world.normals.empty()) return point;
-  const glm::vec3 smooth = normalized_or(t.mix(world.normals), point.geometric_normal);
-  const float side = glm::dot(smooth, point.geometric_normal) < 0.0f ? -1.0f : 1.0f;
-  point.shading_normal = side * smooth;
-  const Material& material = world.material_of(hit.triangle);
-  if (needs.normal_maps && material.normal_texture.used()) {
-    const glm::vec3 mapped = side * mapped_normal(world, hit, t, material, smooth);
-    // A map that tilts the normal below the surface is not followed that far.
-    if (glm::dot(mapped, point.geometric_normal) > 0.0f) point.shading_normal = mapped;
+  if (!extent.point() && shows_footprint(world, needs, hit.triangle, t)) {
+    point.footprint = footprint_on(
+        world, hit.triangle,
+        patch_on_plane(*extent.spacing, -to_viewer, hit.t, point.geometric_normal, extent.side));
   }
+  shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
   return point;
 }
 
-SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit) {
+SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit,
+                                 const Footprint& footprint, const MipChains* mips) {
   const Material& material = world.material_of(hit.triangle);
-  const auto sample = [&](const TextureUse& use, Encoding encoding) {
-    return sample_texture(world, use, hit.triangle, hit.b1, hit.b2, encoding);
+  const auto sample = [&](const TextureUse& use, TexelKind kind) {
+    if (mips)
+      return filtered_texture(world, *mips, use, kind, {hit.triangle, hit.b1, hit.b2, footprint});
+    return sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
+                          kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
   };
 
   glm::vec4 base = material.base_color;
   if (needs.textures && material.base_color_texture.used()) {
-    base *= sample(material.base_color_texture, Encoding::srgb);
+    glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
+    // A cut-off is a point's, as that of rays is.
+    if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
+      texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
+                               Encoding::srgb)
+                    .a;
+    }
+    base *= texel;
   }
   if (needs.vertex_colors && !world.colors.empty()) base *= Triangle(world, hit).mix(world.colors);
 
@@ -147,7 +211,7 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   surface.metallic = material.metallic;
   surface.roughness = material.roughness;
   if (needs.textures && material.metallic_roughness_texture.used()) {
-    const glm::vec4 texel = sample(material.metallic_roughness_texture, Encoding::linear);
+    const glm::vec4 texel = sample(material.metallic_roughness_texture, TexelKind::data);
     surface.roughness *= texel.g;
     surface.metallic *= texel.b;
   }
@@ -157,7 +221,7 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
     if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {
-      surface.emission *= glm::vec3(sample(material.emissive_texture, Encoding::srgb));
+      surface.emission *= glm::vec3(sample(material.emissive_texture, TexelKind::color));
     }
   }
   return surface;

@@ -3,6 +3,9 @@
 #include "renderer/geometry/ray.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/world.h"
+#include "renderer/shading/footprint.h"
+#include "renderer/shading/mip_chain.h"
+#include "renderer/shading/normal_spread.h"
 
 #include <glm/glm.hpp>
 
@@ -15,6 +18,8 @@ struct SurfacePoint {
   glm::vec3 geometric_normal{0.0f};  ///< unit, towards the viewer; 0 for a zero-area triangle
   glm::vec3 shading_normal{0.0f};    ///< unit, in the geometric normal's half-space
   float extent = 0.0f;               ///< largest side of the triangle's box
+  Footprint footprint;
+  NormalSpread spread;  ///< of the shading normals across the footprint
 };
 
 /// Reflectance and emission of a material at a point: factors, textures and vertex colours.
@@ -29,11 +34,24 @@ struct SurfaceMaterial {
   bool unlit = false;
 };
 
-/// `to_viewer` is unit.
+/// What a sample stands for: a square of `side` pixels, and what averages textures over the patch
+/// that it shows. A default one is a point.
+struct SampleExtent {
+  const PixelSpacing* spacing = nullptr;
+  const MipChains* mips = nullptr;
+  float side = 0.0f;
+
+  [[nodiscard]] bool point() const { return !spacing || !mips || !(side > 0.0f); }
+};
+
+/// `to_viewer` is unit; the hit is that of a unit direction.
 [[nodiscard]] SurfacePoint surface_point(const World& world, const SceneNeeds& needs,
-                                         const Hit& hit, glm::vec3 to_viewer);
+                                         const Hit& hit, glm::vec3 to_viewer,
+                                         const SampleExtent& extent = {});
+/// The mean over a footprint where there are `mips`.
 [[nodiscard]] SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs,
-                                               const Hit& hit);
+                                               const Hit& hit, const Footprint& footprint = {},
+                                               const MipChains* mips = nullptr);
 
 /// Where a ray towards `direction` leaves a surface without meeting it again: the point moved along
 /// the geometric normal by its own error bound and that of the ray-triangle test, which grows with

@@ -1,6 +1,7 @@
 #include "renderer/shading/texture.h"
 
-#include <algorithm>
+#include "renderer/shading/bilinear.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,39 +23,16 @@ std::array<float, 256> make_decode_table(Encoding encoding) {
 const std::array<float, 256> srgb_table = make_decode_table(Encoding::srgb);
 const std::array<float, 256> linear_table = make_decode_table(Encoding::linear);
 
-/// Takes a coordinate to [0, 1], before it is scaled to texels. Done in this order, and not on
-/// texel indices, so that no coordinate overflows an integer.
-float wrapped(float x, Wrap wrap) {
-  if (!std::isfinite(x)) return 0.0f;
-  switch (wrap) {
-    case Wrap::repeat:
-      return x - std::floor(x);
-    case Wrap::mirrored_repeat: {
-      const float t = x - 2.0f * std::floor(0.5f * x);  // 0 to 2
-      return t <= 1.0f ? t : 2.0f - t;
-    }
-    case Wrap::clamp_to_edge:
-      break;
-  }
-  return std::clamp(x, 0.0f, 1.0f);
-}
-
-/// A texel's index that may lie one step outside 0..size-1, as bilinear neighbours do.
-int wrapped_neighbour(int i, int size, Wrap wrap) {
-  if (i >= 0 && i < size) return i;
-  if (wrap == Wrap::repeat) return i < 0 ? size - 1 : 0;
-  return i < 0 ? 0 : size - 1;  // a mirror shows the edge texel again
-}
-
 struct Texels {
   const Image& image;
   const std::array<float, 256>& colour;
+  int width = image.width;
+  int height = image.height;
 
   [[nodiscard]] glm::vec4 at(int x, int y) const {
-    const std::size_t index =
-        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-             static_cast<std::size_t>(x));
-    const std::uint8_t* p = image.rgba.data() + index;
+    const std::uint8_t* p =
+        image.rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x));
     return {colour[p[0]], colour[p[1]], colour[p[2]], linear_table[p[3]]};
   }
 };
@@ -65,33 +43,21 @@ float srgb_byte_to_linear(std::uint8_t byte) {
   return srgb_table[byte];
 }
 
+const Image* image_of(const World& world, int texture) {
+  if (texture < 0 || static_cast<std::size_t>(texture) >= world.textures.size()) return nullptr;
+  const int index = world.textures[static_cast<std::size_t>(texture)].image;
+  if (index < 0 || static_cast<std::size_t>(index) >= world.images.size()) return nullptr;
+  const Image& image = world.images[static_cast<std::size_t>(index)];
+  return image.width <= 0 || image.height <= 0 || image.rgba.empty() ? nullptr : &image;
+}
+
 glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv, Encoding encoding) {
-  constexpr glm::vec4 missing{1.0f};
-  if (texture < 0 || static_cast<std::size_t>(texture) >= world.textures.size()) return missing;
+  const Image* image = image_of(world, texture);
+  if (!image) return glm::vec4(1.0f);
   const Texture& t = world.textures[static_cast<std::size_t>(texture)];
-  if (t.image < 0 || static_cast<std::size_t>(t.image) >= world.images.size()) return missing;
-  const Image& image = world.images[static_cast<std::size_t>(t.image)];
-  if (image.width <= 0 || image.height <= 0 || image.rgba.empty()) return missing;
-
-  const Texels texels{image, encoding == Encoding::srgb ? srgb_table : linear_table};
-  const float x = wrapped(uv.x, t.wrap_u) * static_cast<float>(image.width);
-  const float y = wrapped(uv.y, t.wrap_v) * static_cast<float>(image.height);
-  if (t.filter == Filter::nearest) {
-    return texels.at(std::min(static_cast<int>(x), image.width - 1),
-                     std::min(static_cast<int>(y), image.height - 1));
-  }
-
-  // Texel centres lie at half integers.
-  const float x0 = std::floor(x - 0.5f);
-  const float y0 = std::floor(y - 0.5f);
-  const float fx = x - 0.5f - x0;
-  const float fy = y - 0.5f - y0;
-  const int left = wrapped_neighbour(static_cast<int>(x0), image.width, t.wrap_u);
-  const int right = wrapped_neighbour(static_cast<int>(x0) + 1, image.width, t.wrap_u);
-  const int top = wrapped_neighbour(static_cast<int>(y0), image.height, t.wrap_v);
-  const int bottom = wrapped_neighbour(static_cast<int>(y0) + 1, image.height, t.wrap_v);
-  return glm::mix(glm::mix(texels.at(left, top), texels.at(right, top), fx),
-                  glm::mix(texels.at(left, bottom), texels.at(right, bottom), fx), fy);
+  const Texels texels{*image, encoding == Encoding::srgb ? srgb_table : linear_table};
+  return t.filter == Filter::nearest ? nearest(texels, uv, t.wrap_u, t.wrap_v)
+                                     : bilinear(texels, uv, t.wrap_u, t.wrap_v);
 }
 
 glm::vec2 texcoord_at(const World& world, int set, std::uint32_t triangle, float b1, float b2) {

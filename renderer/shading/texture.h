@@ -12,9 +12,12 @@ enum class Encoding { srgb, linear };
 /// The linear value of an sRGB-encoded byte.
 [[nodiscard]] float srgb_byte_to_linear(std::uint8_t byte);
 
+/// A texture's image; null where it is missing or empty.
+[[nodiscard]] const Image* image_of(const World& world, int texture);
+
 /// A texture at (u, v): the nearest texel, or the bilinear mean of four *linear* values (decoded
 /// before they are mixed). Coordinates of any size wrap; those that are not finite read as 0. White
-/// where texture or image is missing or empty. Point-sampled: no mip levels.
+/// where texture or image is missing or empty. Point-sampled; filtered_texture averages.
 [[nodiscard]] glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv,
                                        Encoding encoding);
 

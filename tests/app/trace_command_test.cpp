@@ -43,7 +43,7 @@ void check_consistent(const json& trace) {
   for (const json& cell : trace.at("cells")) {
     const int level = cell.at("level");
     ++cells[level];
-    splits[level] += cell.at("fate") == "split";
+    splits[level] += cell.at("fate") == "split" || cell.at("fate") == "uneven";
     for (const json& s : cell.at("samples")) {
       weight += s.at("weight").get<double>();
       colour += s.at("weight").get<double>() * glm::dvec3(colour_of(s.at("radiance")));

@@ -7,10 +7,10 @@
 //   bench_animation [--size N] [--steps N] [--csv]
 
 #include "tests/bench/bench_support.h"
+#include "tests/support/thin_subject.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -21,6 +21,11 @@ namespace {
 
 using namespace asos;
 using namespace asos::bench;
+using test::steadiness;
+using test::Steadiness;
+using test::thin_scene;
+using test::thin_share;
+using test::ThinSubject;
 
 struct Settings {
   int size = 32;  ///< pixels; a pixel is one unit wide
@@ -28,78 +33,19 @@ struct Settings {
   bool csv = false;
 };
 
-constexpr double width = 1.0 / 8.0;  // pixels
-constexpr double travel = 2.0;       // pixels
+constexpr double travel = 2.0;  // pixels
 
-/// What moves: sheared by `slope` pixels across a pixel of height, from -half to +half in height.
-struct Subject {
-  const char* name;
-  double slope = 0.0;
-  double half = 0.0;  ///< 0: from beyond the picture's lower border to beyond its upper one
-  bool gap = false;
-};
-constexpr std::array<Subject, 6> subjects{{{"pole, upright", 0.0},
-                                           {"pole, tilted 1 in 7.3", 0.137},
-                                           {"pole, tilted 1 in 1.7", 0.593},
-                                           {"pole with ends, tilted", 0.137, 5.3},
-                                           {"gap, upright", 0.0, 0.0, true},
-                                           {"gap, tilted 1 in 7.3", 0.137, 0.0, true}}};
+constexpr std::array<ThinSubject, 6> subjects{{{"pole, upright", 0.0},
+                                               {"pole, tilted 1 in 7.3", 0.137},
+                                               {"pole, tilted 1 in 1.7", 0.593},
+                                               {"pole with ends, tilted", 0.137, 5.3},
+                                               {"gap, upright", 0.0, 0.0, true},
+                                               {"gap, tilted 1 in 7.3", 0.137, 0.0, true}}};
 
 struct Contender {
   std::string name;
   RenderSettings settings;
 };
-
-// A parallelogram facing +Z between the slanted lines that cross y = 0 at `left` and `right`.
-Mesh slanted(double left, double right, double slope, double half, double z) {
-  Mesh mesh;
-  for (const double y : {-half, half}) {
-    for (const double x : {left, right}) {
-      mesh.positions.emplace_back(x + slope * y, y, z);
-      mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
-    }
-  }
-  mesh.triangles = {{0, 1, 3}, {0, 3, 2}};
-  return mesh;
-}
-
-void add(Scene& scene, Mesh mesh, float grey) {
-  Material material;
-  material.base_color = glm::vec4(glm::vec3(grey), 1.0f);
-  material.unlit = true;
-  mesh.material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(material);
-  Instance instance;
-  instance.mesh = static_cast<int>(scene.meshes.size());
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back(instance);
-}
-
-Scene make_scene(const Subject& subject, double x, int size) {
-  Scene scene;
-  scene.source = "animation";
-  const double far = 4.0 * size;
-  const double half = subject.half > 0.0 ? subject.half : far;
-  add(scene, slanted(-far, far, 0.0, far, -10.0), 0.2f);
-  if (subject.gap) {
-    add(scene, slanted(-2.0 * far, x - width / 2.0, subject.slope, half, 0.0), 0.9f);
-    add(scene, slanted(x + width / 2.0, 2.0 * far, subject.slope, half, 0.0), 0.9f);
-  } else {
-    add(scene, slanted(x - width / 2.0, x + width / 2.0, subject.slope, half, 0.0), 0.9f);
-  }
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = size;
-  camera.world_from_camera[3] = glm::dvec4(0, 0, 20, 1);
-  scene.cameras.push_back(camera);
-  return scene;
-}
-
-double sum_of(const Film& film) {
-  double sum = 0.0;
-  for (const glm::vec3& c : film.radiance) sum += static_cast<double>(c.g);
-  return sum;
-}
 
 std::vector<Contender> contenders(int size) {
   RenderSettings base;
@@ -121,40 +67,22 @@ std::vector<Contender> contenders(int size) {
   return list;
 }
 
-/// Of what the subject adds to the picture (or takes from it), over all steps.
-struct Steadiness {
-  double range = 0.0;  ///< (max - min) / mean
-  double mean = 0.0;   ///< over the exact value
-};
-
-Steadiness steadiness(const Subject& subject, const std::vector<double>& sums, int size) {
-  const double contrast = subject.gap ? -0.7 : 0.7;
-  const double plain = (subject.gap ? 0.9 : 0.2) * size * size;
-  const double height = subject.half > 0.0 ? 2.0 * subject.half : size;
-  std::vector<double> shares;
-  for (const double sum : sums) shares.push_back((sum - plain) / (contrast * width * height));
-  const auto [lo, hi] = std::minmax_element(shares.begin(), shares.end());
-  double mean = 0.0;
-  for (const double share : shares) mean += share / static_cast<double>(shares.size());
-  return {(*hi - *lo) / mean, mean};
-}
-
-Result<void> measure(const Subject& subject, const Settings& settings) {
+Result<void> measure(const ThinSubject& subject, const Settings& settings) {
   std::vector<Contender> list = contenders(settings.size);
-  std::vector<std::vector<double>> sums(list.size());
+  std::vector<std::vector<double>> shares(list.size());
   for (int step = 0; step < settings.steps; ++step) {
     const auto scene =
-        prepare(make_scene(subject, travel * step / settings.steps - travel / 2, settings.size));
+        prepare(thin_scene(subject, travel * step / settings.steps - travel / 2, settings.size));
     if (!scene) return unexpected(scene.error());
     Snapshot snapshot = snapshot_of(*scene, settings.size, settings.size);
     for (std::size_t i = 0; i < list.size(); ++i) {
       snapshot.settings = list[i].settings;
-      sums[i].push_back(sum_of(render_to_end(snapshot).film));
+      shares[i].push_back(thin_share(subject, render_to_end(snapshot).film));
     }
   }
   if (!settings.csv) fmt::print("{}\n", subject.name);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Steadiness s = steadiness(subject, sums[i], settings.size);
+    const Steadiness s = steadiness(shares[i]);
     if (settings.csv)
       fmt::print("\"{}\",\"{}\",{:.6f},{:.6f}\n", subject.name, list[i].name, 100.0 * s.range,
                  s.mean);
@@ -178,7 +106,7 @@ int main(int argc, char** argv) {
     fmt::print("subject,method,range_percent,mean_over_exact\n");
   else
     fmt::print("  {:<20}{:>12}{:>14}\n", "", "range, %", "mean / exact");
-  for (const Subject& subject : subjects)
+  for (const ThinSubject& subject : subjects)
     if (const auto done = measure(subject, settings); !done) return fail(done.error());
   return 0;
 }

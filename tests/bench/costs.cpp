@@ -8,6 +8,7 @@
 //   bench_costs [--size WxH] [--max K] [--runs N] [PART...]
 
 #include "tests/bench/bench_support.h"
+#include "tests/support/flat_mesh.h"
 
 #include <fmt/format.h>
 
@@ -63,31 +64,12 @@ Contender make_contender(std::string name, const SharedScene& scene, const Setti
   return c;
 }
 
-int add_material(Scene& scene, glm::vec3 colour) {
+Material paint(glm::vec3 colour) {
   Material material;
   material.base_color = glm::vec4(colour, 1.0f);
   material.metallic = 0.0f;
   material.double_sided = true;
-  scene.materials.push_back(material);
-  return static_cast<int>(scene.materials.size()) - 1;
-}
-
-void place(Scene& scene, Mesh mesh, const glm::dmat4& world_from_mesh) {
-  Instance instance;
-  instance.mesh = static_cast<int>(scene.meshes.size());
-  instance.world_from_mesh = world_from_mesh;
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back(instance);
-}
-
-/// A wall half a unit before the first camera, far larger than its view.
-void add_wall(Scene& scene) {
-  Mesh wall;
-  wall.positions = {{-9, -9, -0.5f}, {9, -9, -0.5f}, {9, 9, -0.5f}, {-9, 9, -0.5f}};
-  wall.normals.assign(4, glm::vec3(0, 0, 1));
-  wall.triangles = {{0, 1, 2}, {0, 2, 3}};
-  wall.material = add_material(scene, glm::vec3(0.7f));
-  place(scene, std::move(wall), scene.cameras.front().world_from_camera);
+  return material;
 }
 
 Result<void> measure_wall(const Settings& settings) {
@@ -96,8 +78,8 @@ Result<void> measure_wall(const Settings& settings) {
   Scene alone = *scene;
   alone.meshes.clear();
   alone.instances.clear();
-  add_wall(alone);
-  add_wall(*scene);
+  test::add_wall_before_camera(alone);
+  test::add_wall_before_camera(*scene);
   const auto a = prepare(alone);
   const auto b = prepare(*scene);
   if (!a || !b) return unexpected(a ? b.error() : a.error());
@@ -128,7 +110,7 @@ Scene soup(int count, float size) {
   constexpr int colours = 4;
   for (int k = 0; k < colours; ++k) {
     Mesh mesh;
-    mesh.material = add_material(scene, 0.2f + 0.6f * glm::abs(anywhere()));
+    const Material material = paint(0.2f + 0.6f * glm::abs(anywhere()));
     for (int i = 0; i < count / colours; ++i) {
       const glm::vec3 centre = anywhere() * glm::vec3(2.4f, 1.4f, 0.5f);
       const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -140,7 +122,7 @@ Scene soup(int count, float size) {
                           glm::dot(n, n) > 0.0f ? glm::normalize(n) : glm::vec3(0, 0, 1));
       mesh.triangles.emplace_back(first, first + 1, first + 2);
     }
-    place(scene, std::move(mesh), glm::dmat4(1.0));
+    test::place(scene, std::move(mesh), material);
   }
   Camera camera;
   camera.world_from_camera[3] = glm::dvec4(0, 0, 4, 1);

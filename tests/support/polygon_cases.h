@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/methods/exact_visibility.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/subdivide_polygons.h"
 
 #include <gtest/gtest.h>
@@ -135,7 +136,7 @@ class Errors {
 };
 
 /// How many cases a class has.
-inline constexpr unsigned cases = 1000;
+inline constexpr unsigned cases = sanitized ? 200 : 1000;
 /// The engine's coordinates are floats.
 inline constexpr double rounding = 1e-5;
 

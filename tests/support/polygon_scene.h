@@ -51,7 +51,7 @@ class PolygonScene {
 
 /// A Caster that looks through a frame by testing every triangle in double precision, and adds up
 /// what share of the root each part covers.
-class BruteForceCaster final : public Caster {
+class BruteForceCaster : public Caster {
  public:
   BruteForceCaster(const World& world, const FeatureSet& features, const Frame& frame)
       : coverage(world.parts.size()), world_(world), features_(features), frame_(frame) {}

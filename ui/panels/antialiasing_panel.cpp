@@ -47,6 +47,14 @@ constexpr std::array detections{
                      "which splits more."},
 };
 
+constexpr std::array texture_filters{
+    Controls::Option{"Footprint",
+                     "Textures, and highlights where a surface turns, are averaged over the patch "
+                     "that a sample stands for: no moire, no sparkle."},
+    Controls::Option{"Points",
+                     "Textures and highlights are looked up just where a sample's ray hits."},
+};
+
 // As a fraction where that says more: 1/256 is one step of an 8-bit picture.
 std::string eps_words(double eps) {
   if (eps <= 0.0) return "0: always to MAX";
@@ -82,6 +90,10 @@ void asos_controls(Controls& controls, RenderSettings& settings) {
     choose(controls, "Leaf", leaves, settings.leaf);
     choose(controls, "Rule", rules, settings.rule);
     choose(controls, "Detection", detections, settings.detect);
+    controls.checkbox("Refine shading",
+                      "Split what is shaded unevenly, too: strongly bent surfaces, and what lies "
+                      "close to a light.",
+                      settings.refine_shading);
   }
   controls.checkbox("Jitter",
                     "Move the samples of cells that are still undecided at level MAX to random "
@@ -120,6 +132,7 @@ void antialiasing_panel(Controls& controls, RenderSettings& settings, const Rend
   if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);
   }
+  choose(controls, "Textures", texture_filters, settings.texture_filter);
 }
 
 }  // namespace asos

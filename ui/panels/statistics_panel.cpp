@@ -47,6 +47,8 @@ void split_rows(Controls& controls, const RenderStatistics& statistics, const Fi
   controls.row("Unresolved area", finished.share(statistics.unresolved_area),
                "Area of the cells that were still undecided at MAX, as a share of the finished "
                "pixels: it bounds the error.");
+  controls.row("Uneven", finished.share(static_cast<double>(statistics.uneven_pixels)),
+               "Pixels of which parts were split for their shading alone.");
   controls.row("Saturated", finished.share(static_cast<double>(statistics.saturated_pixels)),
                "Share of the pixels with so many boundaries that they were sampled at the finest "
                "level at once.");

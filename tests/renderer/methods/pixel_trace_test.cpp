@@ -48,6 +48,10 @@ Place place_of(glm::vec2 corner, float side) {
           std::lround(256.0f * side)};
 }
 
+bool has_children(CellFate fate) {
+  return fate == CellFate::split || fate == CellFate::uneven;
+}
+
 // Every split cell has its four quarters, and every cell but the first a parent.
 void check_tree(const PixelTrace& trace) {
   std::set<Place> expected{place_of({0, 0}, 1.0f)};
@@ -55,7 +59,7 @@ void check_tree(const PixelTrace& trace) {
   for (const PixelTraceCell& cell : trace.cells) {
     EXPECT_NEAR(cell.side, std::ldexp(1.0, -cell.level), 1e-5);
     EXPECT_TRUE(found.insert(place_of(cell.corner, cell.side)).second) << "twice";
-    if (cell.fate != CellFate::split) continue;
+    if (!has_children(cell.fate)) continue;
     EXPECT_TRUE(cell.samples.empty());
     const float half = 0.5f * cell.side;
     for (int i = 0; i < 4; ++i)
@@ -79,7 +83,7 @@ void check_samples(const PixelTrace& trace) {
       EXPECT_TRUE(in.x > -1e-4f && in.y > -1e-4f && in.x < 1.0001f && in.y < 1.0001f);
     }
     total += weight;
-    if (cell.fate == CellFate::split) continue;
+    if (has_children(cell.fate)) continue;
     EXPECT_NEAR(weight, area_of(cell), 1e-5);
     const bool resolved = cell.fate == CellFate::uniform || cell.fate == CellFate::cut ||
                           cell.fate == CellFate::by_samples;

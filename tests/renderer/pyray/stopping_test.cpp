@@ -1,6 +1,7 @@
 #include "renderer/pyray/stopping.h"
 
 #include "tests/support/polygon_cases.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/subdivide_polygons.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +110,7 @@ TEST(PublishedTables, OneEdge) {
 void check_random_edges(Detection detection) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < (sanitized ? 500 : 10000); ++i) {
     const auto polygon =
         half_plane({unit(random), unit(random)}, unit(random) * 2.0 * std::numbers::pi);
     PolygonScene scene;

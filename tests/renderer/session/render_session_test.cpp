@@ -2,6 +2,8 @@
 
 #include "renderer/methods/method.h"
 #include "renderer/session/work_plan.h"
+#include "tests/support/expect_same.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -38,14 +40,6 @@ std::shared_ptr<const RenderScene> flat_scene(float grey) {
   return test::make_render_scene(std::move(world));
 }
 
-void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
-  EXPECT_EQ(a.eye_rays, b.eye_rays);
-  EXPECT_EQ(a.shadow_rays, b.shadow_rays);
-  EXPECT_EQ(a.pyrays_by_level, b.pyrays_by_level);
-  EXPECT_EQ(a.split_pixels, b.split_pixels);
-  EXPECT_EQ(a.unresolved_area, b.unresolved_area);
-}
-
 RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {
   RenderSettings settings;
   settings.width = width;
@@ -79,44 +73,6 @@ TEST(WorkPlan, ACropTakesTheBlocksThatItTouchesFromTheMiddle) {
   const WorkPlan clipped(plan_settings(12, 12, {9, 9, 1, 1}));
   ASSERT_EQ(clipped.blocks.size(), 1u);
   EXPECT_EQ(clipped.blocks[0].rect, (PixelRect{8, 8, 4, 4}));
-}
-
-TEST(RenderToEnd, TheSameBitsForAnyNumberOfThreads) {
-  for (const Method method : {Method::asos, Method::uniform, Method::stochastic}) {
-    const RenderResult one = render_to_end(snapshot_of(method, 150, 90, 1));
-    ASSERT_EQ(one.film.width, 150);
-    for (const int threads : {2, 5}) {
-      const RenderResult many = render_to_end(snapshot_of(method, 150, 90, threads));
-      EXPECT_EQ(many.film.radiance, one.film.radiance) << threads;
-      EXPECT_EQ(many.film.split_level, one.film.split_level) << threads;
-      expect_same(many.statistics, one.statistics);
-    }
-  }
-}
-
-TEST(RenderToEnd, ACropIsThatPartOfTheWhole) {
-  for (const Method method : {Method::asos, Method::stochastic}) {
-    Snapshot snapshot = snapshot_of(method, 120, 90, 2);
-    const RenderResult whole = render_to_end(snapshot);
-    for (const PixelRect crop : {PixelRect{37, 21, 45, 30},
-                                 {0, 0, 1, 1},
-                                 {119, 89, 1, 1},
-                                 {31, 31, 3, 3},
-                                 {0, 0, 120, 90}}) {
-      snapshot.settings.crop = crop;
-      const RenderResult part = render_to_end(snapshot);
-      ASSERT_EQ(part.film.width, crop.width);
-      ASSERT_EQ(part.film.height, crop.height);
-      for (int y = 0; y < crop.height; ++y) {
-        for (int x = 0; x < crop.width; ++x) {
-          const std::size_t there = whole.film.index(crop.x + x, crop.y + y);
-          ASSERT_EQ(part.film.radiance[part.film.index(x, y)], whole.film.radiance[there])
-              << x << " " << y;
-          ASSERT_EQ(part.film.split_level[part.film.index(x, y)], whole.film.split_level[there]);
-        }
-      }
-    }
-  }
 }
 
 TEST(RenderToEnd, ReportsProgressAndEndsWithAllOfIt) {
@@ -163,7 +119,7 @@ TEST(RenderSession, PassesFollowEachOtherAndEndAsHeadless) {
   EXPECT_TRUE(session.take_finished().empty());
   const RenderResult headless = render_to_end(snapshot);
   EXPECT_EQ(film.radiance, headless.film.radiance);
-  expect_same(session.statistics(), headless.statistics);
+  test::expect_same(session.statistics(), headless.statistics);
 }
 
 TEST(RenderSession, NeverGivesTilesOfAnOlderSnapshot) {
@@ -215,11 +171,7 @@ TEST(RenderSession, CancelKeepsWhatWasPublishedAndIsQuick) {
   }
   EXPECT_FALSE(session.take_finished().empty());
   std::sort(milliseconds.begin(), milliseconds.end());
-#ifdef ASOS_SANITIZED
-  constexpr double limit = 100.0;  // instrumented code is ten times slower
-#else
-  constexpr double limit = 10.0;
-#endif
+  constexpr double limit = test::sanitized ? 100.0 : 10.0;
   EXPECT_LT(milliseconds[4], limit) << "median of nine";
 }
 

@@ -33,7 +33,7 @@ struct Lit {
   Lit(const Lit&) = delete;
 
   glm::vec3 look(const Ray& ray) {
-    return Shader(world, needs, rays).radiance(ray, rays.closest(ray), counts);
+    return Shader(world, needs, rays).radiance(ray, rays.closest(ray), 0.0f, counts);
   }
   RenderStatistics counts;
 };
@@ -306,7 +306,7 @@ TEST(Shader, ALightOnTheSurfaceIsNotFiniteAndIsReturned) {
   hit.b2 = 0.5f;  // the middle of the quad's diagonal
   RenderStatistics counts;
   const glm::vec3 c =
-      Shader(lit.world, lit.needs, lit.rays).radiance(straight_down(0, 0), hit, counts);
+      Shader(lit.world, lit.needs, lit.rays).radiance(straight_down(0, 0), hit, 0.0f, counts);
   EXPECT_FALSE(std::isfinite(c.r + c.g + c.b));
 }
 

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+// Lookups in one level of a texture. A level has `width`, `height` and `at(x, y)`, a glm::vec4.
+
+namespace asos {
+
+/// std::floor where an integer can hold the result: without SSE 4.1 that is a call.
+inline float floor_near(float x) {
+  if (!(std::abs(x) < 8388608.0f)) return std::floor(x);
+  const auto whole = static_cast<float>(static_cast<int>(x));
+  return whole > x ? whole - 1.0f : whole;
+}
+
+/// Takes a coordinate to [0, 1], before it is scaled to texels. Done in this order, and not on
+/// texel indices, so that no coordinate overflows an integer.
+inline float wrapped(float x, Wrap wrap) {
+  if (!std::isfinite(x)) return 0.0f;
+  switch (wrap) {
+    case Wrap::repeat:
+      return x - floor_near(x);
+    case Wrap::mirrored_repeat: {
+      const float t = x - 2.0f * floor_near(0.5f * x);  // 0 to 2
+      return t <= 1.0f ? t : 2.0f - t;
+    }
+    case Wrap::clamp_to_edge:
+      break;
+  }
+  return std::clamp(x, 0.0f, 1.0f);
+}
+
+/// A texel's index that may lie one step outside 0..size-1, as bilinear neighbours do.
+inline int wrapped_neighbour(int i, int size, Wrap wrap) {
+  if (i >= 0 && i < size) return i;
+  if (wrap == Wrap::repeat) return i < 0 ? size - 1 : 0;
+  return i < 0 ? 0 : size - 1;  // a mirror shows the edge texel again
+}
+
+template <typename Level>
+glm::vec4 nearest(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
+  const float x = wrapped(uv.x, wrap_u) * static_cast<float>(level.width);
+  const float y = wrapped(uv.y, wrap_v) * static_cast<float>(level.height);
+  return level.at(std::min(static_cast<int>(x), level.width - 1),
+                  std::min(static_cast<int>(y), level.height - 1));
+}
+
+/// The four texels around a place and how far it lies from the first to the last of them.
+struct TexelPlace {
+  int left, right, top, bottom;
+  float fx, fy;
+
+  TexelPlace(int width, int height, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
+    // Texel centres lie at half integers.
+    const float x = wrapped(uv.x, wrap_u) * static_cast<float>(width) - 0.5f;
+    const float y = wrapped(uv.y, wrap_v) * static_cast<float>(height) - 0.5f;
+    const float x0 = floor_near(x);
+    const float y0 = floor_near(y);
+    fx = x - x0;
+    fy = y - y0;
+    left = wrapped_neighbour(static_cast<int>(x0), width, wrap_u);
+    right = wrapped_neighbour(static_cast<int>(x0) + 1, width, wrap_u);
+    top = wrapped_neighbour(static_cast<int>(y0), height, wrap_v);
+    bottom = wrapped_neighbour(static_cast<int>(y0) + 1, height, wrap_v);
+  }
+};
+
+template <typename Level>
+glm::vec4 bilinear(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
+  const TexelPlace p(level.width, level.height, uv, wrap_u, wrap_v);
+  return glm::mix(glm::mix(level.at(p.left, p.top), level.at(p.right, p.top), p.fx),
+                  glm::mix(level.at(p.left, p.bottom), level.at(p.right, p.bottom), p.fx), p.fy);
+}
+
+}  // namespace asos

@@ -1,0 +1,66 @@
+#include "renderer/shading/lobe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+// Of a lobe's squared roughness; what is added below it changes the highlight by as little.
+constexpr float least_added = 1e-3f;
+
+}  // namespace
+
+PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal) {
+  if (spread.flat()) return;
+  // A map's normals are spread like a lobe's and not like a box: twice their variance in each of
+  // the two directions (Toksvig 2005, Olano and Baker 2010), of which each has half.
+  const float turned = (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down)) *
+                       std::numbers::inv_pi_v<float>;
+  const float added = turned + 2.0f * spread.variance;
+  const float alpha = std::clamp(roughness, roughness_floor, 1.0f);
+  const float alpha2 = alpha * alpha * alpha * alpha;
+  if (!(added > least_added * alpha2) || !std::isfinite(added)) return;
+  wider_ = true;
+
+  // A tangent frame of any direction (Duff et al. 2017).
+  const float sign = std::copysign(1.0f, normal.z);
+  const float a = -1.0f / (sign + normal.z);
+  const float b = normal.x * normal.y * a;
+  tangent_ = {1.0f + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
+  bitangent_ = {b, sign + normal.y * normal.y * a, -normal.y};
+
+  const float part = std::min(1.0f, most_added / added);
+  const float turn = part * std::numbers::inv_pi_v<float>;
+  const float round = alpha2 + part * spread.variance;
+  const glm::vec2 r(glm::dot(tangent_, spread.right), glm::dot(bitangent_, spread.right));
+  const glm::vec2 d(glm::dot(tangent_, spread.down), glm::dot(bitangent_, spread.down));
+  xx_ = round + turn * (r.x * r.x + d.x * d.x);
+  yy_ = round + turn * (r.y * r.y + d.y * d.y);
+  xy_ = turn * (r.x * r.y + d.x * d.y);
+}
+
+float PatchLobe::quadratic(glm::vec3 v) const {
+  const float x = glm::dot(tangent_, v);
+  const float y = glm::dot(bitangent_, v);
+  return xx_ * x * x + 2.0f * xy_ * x * y + yy_ * y * y;
+}
+
+float PatchLobe::value(glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer,
+                       const BrdfAngles& angles) const {
+  // GGX and Smith's height-correlated shadowing with a matrix for alpha^2 (Heitz 2014).
+  const float x = glm::dot(tangent_, half);
+  const float y = glm::dot(bitangent_, half);
+  const float det = xx_ * yy_ - xy_ * xy_;
+  const float slopes = (yy_ * x * x - 2.0f * xy_ * x * y + xx_ * y * y) / det;
+  const float d = slopes + angles.n_dot_h * angles.n_dot_h;
+  const float distribution = std::numbers::inv_pi_v<float> / (std::sqrt(det) * d * d);
+  const float nl = angles.n_dot_l;
+  const float nv = angles.n_dot_v;
+  const float shadowing = nl * std::sqrt(nv * nv + quadratic(to_viewer)) +
+                          nv * std::sqrt(nl * nl + quadratic(to_light));
+  return distribution * 0.5f / shadowing;
+}
+
+}  // namespace asos

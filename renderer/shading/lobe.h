@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/normal_spread.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// The GGX lobe of a patch whose normals differ: what a highlight smaller than the patch is on
+/// average ("geometric specular antialiasing", Kaplanyan et al. 2016). The squared slopes of the
+/// lobe, a 2x2 matrix in the tangent plane, grow by the normals' own, anisotropic where they turn
+/// one way (Tokuyoshi and Kaplanyan 2021). Constants are theirs (2019): a normal that turns by d
+/// along an edge adds d d^T / pi, with which a box of normals much wider than the lobe keeps its
+/// mean (a box of slopes has height 1 / d^2, a GGX lobe 1 / (pi alpha^2)).
+class PatchLobe {
+ public:
+  /// Squared roughness that a patch adds at most, over both directions. Beyond, the normals at hand
+  /// (the derivatives of one triangle) do not tell what the patch shows.
+  static constexpr float most_added = 0.18f;
+
+  PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal);
+
+  /// False where the patch's normals differ too little to show: ggx_lobe is the lobe.
+  [[nodiscard]] bool wider() const { return wider_; }
+
+  /// D * V in 1 / sr, as ggx_lobe; all directions unit.
+  [[nodiscard]] float value(glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer,
+                            const BrdfAngles& angles) const;
+
+ private:
+  /// v^T A v for the part of v in the tangent plane.
+  [[nodiscard]] float quadratic(glm::vec3 v) const;
+
+  bool wider_ = false;
+  glm::vec3 tangent_{0.0f};
+  glm::vec3 bitangent_{0.0f};
+  float xx_ = 0.0f, xy_ = 0.0f, yy_ = 0.0f;  // A: alpha^2 by direction
+};
+
+}  // namespace asos

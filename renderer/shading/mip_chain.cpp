@@ -1,0 +1,174 @@
+#include "renderer/shading/mip_chain.h"
+
+#include "renderer/shading/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace asos {
+namespace {
+
+glm::vec4 first_level_texel(const Image& image, TexelKind kind, int x, int y) {
+  const std::uint8_t* p =
+      image.rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                               static_cast<std::size_t>(x));
+  const glm::vec4 bytes = glm::vec4(p[0], p[1], p[2], p[3]) * (1.0f / 255.0f);
+  switch (kind) {
+    case TexelKind::color:
+    case TexelKind::cover:
+      return {srgb_byte_to_linear(p[0]), srgb_byte_to_linear(p[1]), srgb_byte_to_linear(p[2]),
+              bytes.a};
+    case TexelKind::data:
+      break;
+    case TexelKind::normal: {
+      const glm::vec3 n = 2.0f * glm::vec3(bytes) - 1.0f;
+      const float length = glm::length(n);
+      return {0.5f + 0.5f * (length > 0.0f ? n / length : n), 0.0f};
+    }
+  }
+  return bytes;
+}
+
+/// Adds texels up by their share of a box, and averages them as their kind asks.
+class Mean {
+ public:
+  explicit Mean(TexelKind kind) : kind_(kind) {}
+
+  void add(glm::vec4 texel, float share) {
+    weight_ += share;
+    sum_ += share * texel;
+    if (kind_ == TexelKind::cover) colour_ += share * texel.a * glm::vec3(texel);
+    if (kind_ != TexelKind::normal) return;
+    const glm::vec3 n = 2.0f * glm::vec3(texel) - 1.0f;
+    second_moment_ += share * (texel.a + glm::dot(n, n));
+  }
+
+  [[nodiscard]] glm::vec4 value() const {
+    glm::vec4 mean = sum_ / weight_;
+    if (kind_ == TexelKind::cover && sum_.a > 0.0f) mean = glm::vec4(colour_ / sum_.a, mean.a);
+    if (kind_ == TexelKind::normal) {
+      const glm::vec3 n = 2.0f * glm::vec3(mean) - 1.0f;
+      mean.a = second_moment_ / weight_ - glm::dot(n, n);
+    }
+    return mean;
+  }
+
+ private:
+  TexelKind kind_;
+  float weight_ = 0.0f;
+  glm::vec4 sum_{0.0f};
+  glm::vec3 colour_{0.0f};
+  float second_moment_ = 0.0f;
+};
+
+/// Which texels of a row of `from` fall into texel `i` of a row of `to`, and how far: up to three,
+/// for an odd size is halved to the whole number below.
+struct Box {
+  int first;
+  int last;
+  double lo;
+  double hi;
+
+  Box(int i, int from, int to)
+      : lo(static_cast<double>(i) * from / to), hi(static_cast<double>(i + 1) * from / to) {
+    first = static_cast<int>(lo);
+    last = std::min(from - 1, static_cast<int>(std::ceil(hi)) - 1);
+  }
+  [[nodiscard]] float share(int texel) const {
+    return static_cast<float>(std::min(hi, texel + 1.0) - std::max(lo, static_cast<double>(texel)));
+  }
+};
+
+template <typename TexelAt>
+MipLevel halved(int width, int height, TexelKind kind, const TexelAt& texel) {
+  MipLevel level;
+  level.width = std::max(1, width / 2);
+  level.height = std::max(1, height / 2);
+  level.rgba.reserve(4 * static_cast<std::size_t>(level.width) *
+                     static_cast<std::size_t>(level.height));
+  for (int y = 0; y < level.height; ++y) {
+    const Box rows(y, height, level.height);
+    for (int x = 0; x < level.width; ++x) {
+      const Box columns(x, width, level.width);
+      Mean mean(kind);
+      for (int v = rows.first; v <= rows.last; ++v)
+        for (int u = columns.first; u <= columns.last; ++u)
+          mean.add(texel(u, v), rows.share(v) * columns.share(u));
+      const glm::vec4 value = glm::clamp(mean.value(), 0.0f, 1.0f);
+      for (int k = 0; k < 4; ++k)
+        level.rgba.push_back(static_cast<std::uint16_t>(value[k] * 65535.0f + 0.5f));
+    }
+  }
+  return level;
+}
+
+using ImageUse = std::pair<int, TexelKind>;
+
+void add_use(std::set<ImageUse>& uses, const World& world, const TextureUse& use, TexelKind kind) {
+  if (!use.used() || static_cast<std::size_t>(use.texture) >= world.textures.size()) return;
+  const int image = world.textures[static_cast<std::size_t>(use.texture)].image;
+  if (image >= 0 && static_cast<std::size_t>(image) < world.images.size())
+    uses.emplace(image, kind);
+}
+
+void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& needs,
+              const Material& m) {
+  add_use(uses, world, m.base_color_texture, base_color_kind(m));
+  if (m.unlit) return;
+  add_use(uses, world, m.metallic_roughness_texture, TexelKind::data);
+  if (needs.normal_maps) add_use(uses, world, m.normal_texture, TexelKind::normal);
+  if (needs.emission) add_use(uses, world, m.emissive_texture, TexelKind::color);
+}
+
+}  // namespace
+
+TexelKind base_color_kind(const Material& material) {
+  return material.alpha_mode == AlphaMode::opaque ? TexelKind::color : TexelKind::cover;
+}
+
+MipChain make_mip_chain(const Image& image, TexelKind kind) {
+  MipChain chain;
+  if (image.width <= 0 || image.height <= 0 || image.rgba.empty()) return chain;
+  if (image.width == 1 && image.height == 1) return chain;
+  chain.push_back(halved(image.width, image.height, kind,
+                         [&](int x, int y) { return first_level_texel(image, kind, x, y); }));
+  while (chain.back().width > 1 || chain.back().height > 1) {
+    const MipLevel& finer = chain.back();
+    MipLevel coarser =
+        halved(finer.width, finer.height, kind, [&](int x, int y) { return finer.at(x, y); });
+    chain.push_back(std::move(coarser));
+  }
+  return chain;
+}
+
+MipChains::MipChains(const World& world, const SceneNeeds& needs) {
+  if (!needs.textures) return;
+  std::set<ImageUse> uses;
+  for (const Part& part : world.parts) {
+    if (part.triangle_count > 0) add_uses(uses, world, needs, world.materials[part.material]);
+  }
+  chains_.resize(world.images.size());
+  for (const auto& [image, kind] : uses) {
+    const auto i = static_cast<std::size_t>(image);
+    chains_[i][static_cast<std::size_t>(kind)] = make_mip_chain(world.images[i], kind);
+  }
+}
+
+const MipChain& MipChains::chain(int image, TexelKind kind) const {
+  static const MipChain none;
+  const auto i = static_cast<std::size_t>(image);
+  return i < chains_.size() ? chains_[i][static_cast<std::size_t>(kind)] : none;
+}
+
+std::size_t MipChains::memory_bytes() const {
+  std::size_t bytes = chains_.capacity() * sizeof(chains_[0]);
+  for (const auto& kinds : chains_) {
+    for (const MipChain& chain : kinds)
+      for (const MipLevel& level : chain) bytes += level.rgba.capacity() * sizeof(std::uint16_t);
+  }
+  return bytes;
+}
+
+}  // namespace asos

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "renderer/scene/needs.h"
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// What an image's texels are, and so what their mean is.
+enum class TexelKind {
+  color,   ///< sRGB with linear alpha: averaged as light
+  cover,   ///< the same where alpha cuts or blends: colours count by their alpha
+  data,    ///< four independent linear values
+  normal,  ///< a normal map's directions; the mean is shorter than 1, and the rest is variance
+};
+inline constexpr std::size_t texel_kinds = 4;
+
+/// An image averaged over boxes of 2^level by 2^level texels, or what comes nearest to that in
+/// whole texels: the borders never move, whatever the size.
+struct MipLevel {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint16_t> rgba;  ///< linear, of 65535; see MipChain for normals
+
+  /// For normals (x, y, z) as in the map, unsigned like its bytes, and the variance around them:
+  /// the mean squared distance from the mean, 0 to 1.
+  [[nodiscard]] glm::vec4 at(int x, int y) const {
+    const std::uint16_t* p = texel(x, y);
+    return glm::vec4(p[0], p[1], p[2], p[3]) * unit;
+  }
+
+  static constexpr float unit = 1.0f / 65535.0f;
+  [[nodiscard]] const std::uint16_t* texel(int x, int y) const {
+    return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(x));
+  }
+};
+
+/// Levels 1, 2, ... of an image down to a single texel; level 0 is the image itself. Averages are
+/// kept to 16 bits, so that dark ones stay exact. Empty for images of one texel or none.
+using MipChain = std::vector<MipLevel>;
+[[nodiscard]] MipChain make_mip_chain(const Image& image, TexelKind kind);
+
+/// The chains of a world's images, each in the kinds that materials on triangles use it as.
+class MipChains {
+ public:
+  MipChains() = default;
+  MipChains(const World& world, const SceneNeeds& needs);
+
+  /// Empty where nothing uses `image` as `kind`.
+  [[nodiscard]] const MipChain& chain(int image, TexelKind kind) const;
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+ private:
+  std::vector<std::array<MipChain, texel_kinds>> chains_;  // by image
+};
+
+/// What a material's base colour texture is.
+[[nodiscard]] TexelKind base_color_kind(const Material& material);
+
+}  // namespace asos

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// How the normals of a patch differ from its sample's. A default one: not at all.
+struct NormalSpread {
+  glm::vec3 right{0.0f};  ///< turn of the unit normal along the patch's edges
+  glm::vec3 down{0.0f};
+  float variance = 0.0f;  ///< what a normal map adds: mean squared distance of unit normals
+
+  [[nodiscard]] bool flat() const {
+    return right == glm::vec3(0.0f) && down == glm::vec3(0.0f) && variance == 0.0f;
+  }
+};
+
+}  // namespace asos

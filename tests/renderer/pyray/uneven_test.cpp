@@ -1,0 +1,100 @@
+#include "renderer/pyray/subdivide.h"
+#include "tests/support/subdivide_polygons.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Cells that no boundary makes marginal, split for their shading.
+
+namespace asos::test {
+namespace {
+
+/// Says that no leaf may stand for more than a share of its root.
+class PickyCaster final : public BruteForceCaster {
+ public:
+  PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
+      : BruteForceCaster(world, features, frame), most_(most) {}
+
+  [[nodiscard]] bool uneven(SampleId, double share) const override { return share > most_; }
+  void leaf(std::uint32_t root, SampleId sample, double weight) override {
+    largest = std::max(largest, weight);
+    BruteForceCaster::leaf(root, sample, weight);
+  }
+
+  double largest = 0.0;
+
+ private:
+  double most_;
+};
+
+struct Case {
+  explicit Case(double most, int max_level, double eps = 0.0) {
+    add_polygon(scene, half_plane({0.3, 0.4}, 0.7), 2.0);
+    const FeatureSet features(scene.world);
+    const Frame frame = unit_frame();
+    HitLists lists;
+    lists.reset(features, frame, std::ldexp(1.0f, -max_level));
+    PickyCaster caster(scene.world, features, frame, most);
+    HitLists::List list;
+    lists.refine({0, 0, 1}, {}, lists.root(), list);
+    Root root;
+    root.list = list;
+    SubdivisionRules rules = rules_of(max_level);
+    rules.eps = eps;
+    Subdivider subdivider;
+    subdivider.trace(root.id, trace);
+    outcome = subdivider.run(lists, std::span(&root, 1), rules, caster)[0];
+    coverage = caster.coverage[0];
+    total = caster.total;
+    largest = caster.largest;
+  }
+
+  PolygonScene scene;
+  SubdivisionTrace trace;
+  SubdivisionOutcome outcome;
+  double coverage = 0.0;
+  double total = 0.0;
+  double largest = 0.0;
+};
+
+TEST(Uneven, CellsAreSplitUntilTheirLeavesAreSmallEnough) {
+  const Case c(1.0 / 16.0, 4);
+  EXPECT_TRUE(c.outcome.uneven);
+  EXPECT_LE(c.largest, 1.0 / 16.0);
+  EXPECT_GE(c.largest, 1.0 / 64.0);  // and no further
+  EXPECT_NEAR(c.total, 1.0, 1e-9);
+}
+
+TEST(Uneven, ExactAreasStayExactAndNothingIsUnresolved) {
+  const Case coarse(2.0, 4);
+  const Case fine(1.0 / 64.0, 4);
+  EXPECT_FALSE(coarse.outcome.uneven);
+  EXPECT_NEAR(fine.coverage, coarse.coverage, 1e-6);
+  EXPECT_EQ(fine.outcome.unresolved_area, 0.0);
+  EXPECT_TRUE(fine.trace.levels.empty());  // the rule's tables are about boundaries
+}
+
+TEST(Uneven, StopsAtMax) {
+  const Case c(0.0, 3);
+  EXPECT_EQ(c.outcome.deepest, 3);
+  EXPECT_LE(c.largest, 1.0 / 64.0);
+  EXPECT_GT(c.largest, 1.0 / 256.0);
+  EXPECT_NEAR(c.total, 1.0, 1e-9);
+}
+
+TEST(Uneven, TheRuleForBoundariesDoesNotEndIt) {
+  const Case c(1.0 / 16.0, 4, 1.0);
+  EXPECT_LE(c.largest, 1.0 / 16.0);
+}
+
+TEST(Uneven, TheTraceTellsWhichCellsWereSplitForIt) {
+  const Case c(1.0 / 4.0, 4);
+  int uneven = 0;
+  for (const TracedCell& cell : c.trace.cells) uneven += cell.fate == CellFate::uneven;
+  EXPECT_EQ(uneven, 1);
+  EXPECT_EQ(c.trace.cells.front().fate, CellFate::uneven);
+}
+
+}  // namespace
+}  // namespace asos::test

@@ -1,0 +1,141 @@
+#include "renderer/methods/method.h"
+#include "renderer/scene/load.h"
+#include "renderer/session/render_session.h"
+#include "renderer/session/work_plan.h"
+#include "tests/support/expect_same.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+// A picture is a function of scene, camera and settings: whatever the number of workers, the order
+// of the blocks and the part that is asked for, it is the same to the bit.
+
+namespace asos::test {
+namespace {
+
+struct Choice {
+  std::string name;
+  RenderSettings settings;
+};
+
+/// Each method, and each way that ASOS can be told to go.
+std::vector<Choice> choices() {
+  RenderSettings base;
+  base.width = 90;  // the last blocks are clipped, of all sizes
+  base.height = 54;
+  base.spp = 4;
+  std::vector<Choice> all;
+  const auto add = [&](const std::string& name, auto change) {
+    change(all.emplace_back(Choice{name, base}).settings);
+  };
+  add("asos_published", [](RenderSettings& s) { s.method = Method::asos_published; });
+  add("uniform", [](RenderSettings& s) { s.method = Method::uniform; });
+  add("stochastic", [](RenderSettings& s) { s.method = Method::stochastic; });
+  add("beam", [](RenderSettings& s) { s.method = Method::beam; });
+  for (const int fat : {2, 4, 8, 16})
+    add("fat " + std::to_string(fat), [fat](RenderSettings& s) { s.fat = fat; });
+  add("published rule", [](RenderSettings& s) { s.rule = StoppingRule::published; });
+  add("cone", [](RenderSettings& s) { s.detect = Detection::cone; });
+  add("cone, fat 16", [](RenderSettings& s) {
+    s.detect = Detection::cone;
+    s.fat = 16;
+  });
+  add("jittered point leaves", [](RenderSettings& s) {
+    s.leaf = Leaf::point;
+    s.jitter = true;
+  });
+  return all;
+}
+
+class SameBits : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto loaded = load_scene("builtin:office");
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    const auto scene = prepare(*loaded);
+    ASSERT_TRUE(scene) << scene.error().message();
+    scene_ = *scene;
+  }
+
+  [[nodiscard]] Snapshot snapshot(const RenderSettings& settings) const {
+    return {scene_, scene_->world.cameras.front(), settings, false};
+  }
+  [[nodiscard]] RenderResult render(RenderSettings settings, int threads) const {
+    settings.threads = threads;
+    return render_to_end(snapshot(settings));
+  }
+
+  std::shared_ptr<const RenderScene> scene_;
+};
+
+TEST_F(SameBits, ForAnyNumberOfThreads) {
+  for (const Choice& choice : choices()) {
+    SCOPED_TRACE(choice.name);
+    const RenderResult one = render(choice.settings, 1);
+    ASSERT_EQ(one.film.width, choice.settings.width);
+    const std::vector<glm::vec3>& pixels = one.film.radiance;
+    EXPECT_NE(std::adjacent_find(pixels.begin(), pixels.end(), std::not_equal_to<>()), pixels.end())
+        << "a flat picture proves nothing";
+    for (const int threads : {2, 5}) {
+      SCOPED_TRACE(threads);
+      const RenderResult many = render(choice.settings, threads);
+      expect_same(many.film, one.film);
+      expect_same(many.statistics, one.statistics);
+    }
+  }
+}
+
+TEST_F(SameBits, ForBlocksInReverseOrder) {
+  for (const Choice& choice : choices()) {
+    SCOPED_TRACE(choice.name);
+    const RenderSettings& settings = choice.settings;
+    const WorkPlan plan(settings);
+    const View view(scene_->world.cameras.front(), settings.width, settings.height);
+    Film film(settings.width, settings.height);
+    std::vector<RenderStatistics> of_block(plan.blocks.size());
+    for (std::size_t i = plan.blocks.size(); i-- > 0;) {
+      const BlockResult block = render_block(*scene_, view, settings, plan.blocks[i].rect);
+      film.put(block.tile);
+      of_block[i] = block.statistics;
+    }
+    RenderStatistics statistics;
+    for (const RenderStatistics& s : of_block) statistics += s;
+    const RenderResult forwards = render(settings, 2);
+    expect_same(film, forwards.film);
+    expect_same(statistics, forwards.statistics);
+  }
+}
+
+TEST_F(SameBits, ForACropAsThatPartOfTheWhole) {
+  for (const Choice& choice : choices()) {
+    SCOPED_TRACE(choice.name);
+    const RenderResult whole = render(choice.settings, 2);
+    for (const PixelRect crop : {PixelRect{37, 21, 25, 18},
+                                 {0, 0, 1, 1},
+                                 {89, 53, 1, 1},
+                                 {31, 31, 3, 3},
+                                 {0, 0, 90, 54}}) {
+      SCOPED_TRACE(crop.x);
+      RenderSettings settings = choice.settings;
+      settings.crop = crop;
+      const RenderResult part = render(settings, 2);
+      Film expected(crop.width, crop.height);
+      for (int y = 0; y < crop.height; ++y) {
+        for (int x = 0; x < crop.width; ++x) {
+          const std::size_t from = whole.film.index(crop.x + x, crop.y + y);
+          expected.radiance[expected.index(x, y)] = whole.film.radiance[from];
+          expected.split_level[expected.index(x, y)] = whole.film.split_level[from];
+        }
+      }
+      expect_same(part.film, expected);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos::test

@@ -1,0 +1,181 @@
+#include "renderer/shading/texture_filter.h"
+
+#include "renderer/shading/texture.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace asos {
+namespace {
+
+using test::make_image;
+using test::Texel;
+
+/// One triangle whose (b1, b2) are its (u, v), and one texture on it.
+struct Textured {
+  World world;
+  MipChains mips;
+  TextureUse use;
+
+  explicit Textured(Image image, Wrap wrap = Wrap::repeat, Filter filter = Filter::linear) {
+    Material m = test::matte(glm::vec3(1));
+    use.texture = test::add_texture(world, std::move(image), wrap, filter);
+    m.base_color_texture = m.metallic_roughness_texture = m.normal_texture = use;
+    test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, m);
+    mips = MipChains(world, find_needs(world));
+  }
+
+  [[nodiscard]] glm::vec4 look(TexelKind kind, glm::vec2 uv, glm::vec2 right,
+                               glm::vec2 down) const {
+    return filtered_texture(world, mips, use, kind, {0, uv.x, uv.y, {right, down}});
+  }
+};
+
+Texel grey(double value) {
+  const auto b = static_cast<std::uint8_t>(std::lround(255.0 * value));
+  return {b, b, b, 255};
+}
+
+Image checkerboard(int size) {
+  return make_image(size, size, [](int x, int y) { return grey((x + y) % 2); });
+}
+
+Image stripes(int size, int width) {
+  return make_image(size, size, [=](int x, int) { return grey(x / width % 2); });
+}
+
+TEST(TextureFilter, ACheckerboardAveragesToItsLight) {
+  for (const int size : {64, 60, 62}) {
+    const Textured t(checkerboard(size));
+    std::mt19937 rng(3);
+    std::uniform_real_distribution<float> u(0.0f, 1.0f);
+    for (int i = 0; i < 200; ++i) {
+      // 8 to 40 texels wide, at any angle, up to 4 times longer.
+      const float angle = 6.28f * u(rng);
+      const float width = (8.0f + 32.0f * u(rng)) / static_cast<float>(size);
+      const glm::vec2 a = width * glm::vec2(std::cos(angle), std::sin(angle));
+      const glm::vec2 b = (1.0f + 3.0f * u(rng)) * glm::vec2(-a.y, a.x);
+      // Boxes of an even number of texels are exact; a box of 60 / 8 = 7.5 texels, which levels of
+      // 60 and 62 have, is off by at most half a texel of 7.5 along each of two axes.
+      const float bound = size == 64 ? 1e-3f : 0.5f * 0.25f / 7.5f;
+      EXPECT_NEAR(t.look(TexelKind::color, {u(rng), u(rng)}, a, b).r, 0.5f, bound) << size;
+    }
+  }
+}
+
+TEST(TextureFilter, ARampIsReproducedByAnyFootprintInsideIt) {
+  // Bytes 0 to 255 along u: level L's texel centres lie on the same line.
+  const Textured t(make_image(256, 64, [](int x, int) { return grey(x / 255.0); }),
+                   Wrap::clamp_to_edge);
+  std::mt19937 rng(4);
+  std::uniform_real_distribution<float> r(-1.0f, 1.0f);
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec2 a = 0.06f * glm::vec2(r(rng), r(rng));
+    const glm::vec2 b = 0.06f * glm::vec2(r(rng), r(rng));
+    const float u = 0.5f + 0.25f * r(rng);
+    // Levels err by 2^-17 each, and taps by rounding.
+    EXPECT_NEAR(t.look(TexelKind::data, {u, 0.5f}, a, b).g, (256.0f * u - 0.5f) / 255.0f, 5e-5f)
+        << i;
+  }
+}
+
+TEST(TextureFilter, StripesStaySharpAcrossAndAverageAlong) {
+  // Stripes of 8 texels. A footprint 16 times longer than its half texel.
+  const Textured t(stripes(128, 8));
+  const glm::vec2 thin(0.5f / 128.0f, 0.0f);
+  const glm::vec2 tall(0.0f, 8.0f / 128.0f);
+  for (int stripe = 0; stripe < 16; ++stripe) {
+    const float u = (8.0f * static_cast<float>(stripe) + 4.0f) / 128.0f;
+    EXPECT_NEAR(t.look(TexelKind::data, {u, 0.4f}, thin, tall).r, static_cast<float>(stripe % 2),
+                1e-5f);
+  }
+  // Across two whole stripes it is their mean: sixteen texels by taps at most 1.8 texels apart,
+  // whose mean over a period of 16 is exact but for where the taps' ends fall.
+  const glm::vec2 wide(16.0f / 128.0f, 0.0f);
+  const glm::vec2 low(0.0f, 0.5f / 128.0f);
+  for (float u = 0.2f; u < 0.8f; u += 0.013f)
+    EXPECT_NEAR(t.look(TexelKind::data, {u, 0.4f}, wide, low).r, 0.5f, 0.06f) << u;
+}
+
+TEST(TextureFilter, AFootprintWithinATexelIsTheLookupToTheBit) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<float> u(-2.0f, 3.0f);
+  for (const Filter filter : {Filter::linear, Filter::nearest}) {
+    for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
+      const Textured t(
+          make_image(13, 7, [](int x, int y) { return grey((x * 5 + y * 3) % 11 / 10.0); }), wrap,
+          filter);
+      for (int i = 0; i < 300; ++i) {
+        const glm::vec2 uv(u(rng), u(rng));
+        for (const float texels : {0.0f, 1e-20f, 0.9f}) {
+          const glm::vec2 right(texels / 13.0f, 0.0f);
+          const glm::vec2 down(0.0f, texels / 7.0f);
+          const glm::vec4 filtered = t.look(TexelKind::color, uv, right, down);
+          const glm::vec4 point = sample_texture(t.world, t.use, 0, uv.x, uv.y, Encoding::srgb);
+          EXPECT_EQ(std::memcmp(&filtered, &point, sizeof point), 0) << uv.x << " " << uv.y;
+          const MeanNormal n =
+              filtered_normal(t.world, t.mips, t.use, {0, uv.x, uv.y, {right, down}});
+          EXPECT_EQ(n.texel,
+                    glm::vec3(sample_texture(t.world, t.use, 0, uv.x, uv.y, Encoding::linear)));
+          EXPECT_EQ(n.variance, 0.0f);
+        }
+      }
+    }
+  }
+}
+
+TEST(TextureFilter, MeansCrossBordersAsTheSamplerWraps) {
+  // Left half black, right half white; a footprint of a quarter around the border at u = 0.
+  const Image halves = make_image(64, 64, [](int x, int) { return grey(x >= 32); });
+  const glm::vec2 a(0.25f, 0.0f);
+  const glm::vec2 b(0.0f, 0.25f);
+  const auto at_border = [&](Wrap wrap) {
+    return Textured(halves, wrap).look(TexelKind::data, {0.0f, 0.5f}, a, b).r;
+  };
+  EXPECT_NEAR(at_border(Wrap::repeat), 0.5f, 1e-4f);
+  EXPECT_NEAR(at_border(Wrap::mirrored_repeat), 0.0f, 1e-4f);
+  EXPECT_NEAR(at_border(Wrap::clamp_to_edge), 0.0f, 1e-4f);
+}
+
+TEST(TextureFilter, AnyFootprintIsSafe) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const Textured t(checkerboard(16));
+  for (const float bad : {nan, infinity, -infinity, 3e38f, 1e18f, 1e9f}) {
+    for (const float u : {0.3f, nan, infinity, 3e38f}) {
+      for (const glm::vec2 b : {glm::vec2(0.0f), glm::vec2(0, 1), glm::vec2(bad, 1)}) {
+        const float r = t.look(TexelKind::color, {u, 0.2f}, {bad, 0.0f}, b).r;
+        EXPECT_TRUE(r >= 0.0f && r <= 1.0f) << bad << " " << u << " " << r;
+        const MeanNormal n =
+            filtered_normal(t.world, t.mips, t.use, {0, u, 0.2f, {{bad, 0.0f}, b}});
+        EXPECT_TRUE(n.variance >= 0.0f && n.variance <= 1.0f) << bad << " " << u;
+      }
+    }
+  }
+}
+
+TEST(TextureFilter, NormalsThatAreAveragedAwayAreVariance) {
+  // Ridges: normals tilted to either side by 30 degrees. Their mean is upright, cos 30 long, and
+  // the variance sin^2 30; bytes err by 1/255.
+  const Textured t(make_image(64, 64, [](int x, int) {
+    return Texel{static_cast<std::uint8_t>(x % 2 == 0 ? 191 : 64), 128, 238, 255};
+  }));
+  const TexturePlace place{0, 0.4f, 0.3f, {{0.25f, 0.0f}, {0.0f, 0.25f}}};
+  const MeanNormal n = filtered_normal(t.world, t.mips, t.use, place);
+  EXPECT_NEAR(n.texel.x, 0.5f, 0.004f);
+  EXPECT_NEAR(2.0f * n.texel.z - 1.0f, std::sqrt(0.75f), 0.008f);
+  EXPECT_NEAR(n.variance, 0.25f, 0.008f);
+
+  const Textured flat(make_image(64, 64, [](int, int) { return Texel{128, 128, 255, 255}; }));
+  EXPECT_NEAR(filtered_normal(flat.world, flat.mips, flat.use, place).variance, 0.0f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,91 @@
+#include "renderer/shading/unevenness.h"
+
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asos::test {
+namespace {
+
+Material white() {
+  Material material;
+  material.base_color = glm::vec4(1.0f);
+  return material;
+}
+
+/// A triangle in the plane z = 0 whose normals turn about the y axis by `turn` a unit of x.
+World bent(float turn) {
+  World world;
+  const auto normal = [&](float x) {
+    return glm::vec3(std::sin(turn * x), 0.0f, std::cos(turn * x));
+  };
+  add_part(world,
+           {{{-1, -1, 0}, normal(-1), {}}, {{1, -1, 0}, normal(1), {}}, {{0, 1, 0}, normal(0), {}}},
+           {{0, 1, 2}}, white());
+  return world;
+}
+
+const Hit middle{0, 1.0f, 0.25f, 0.5f};  // at the origin
+constexpr glm::vec3 origin{0.0f};
+
+Patch square(float side) {
+  return {{side, 0, 0}, {0, side, 0}};
+}
+
+TEST(MidpointError, FlatShadingUnderDistantLightsHasNone) {
+  EXPECT_EQ(midpoint_error(bent(0.0f), middle, origin, square(1.0f)), 0.0f);
+}
+
+// The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of that in the middle.
+TEST(MidpointError, OfATurningNormalIsThatOfACosine) {
+  for (const float turn : {0.05f, 0.2f, 0.5f}) {
+    const float truth = 1.0f - std::sin(0.5f * turn) / (0.5f * turn);
+    // The chord of the normals is shorter than their arc by turn^2 / 6 in the whole triangle.
+    EXPECT_NEAR(midpoint_error(bent(turn), middle, origin, square(1.0f)), truth,
+                truth * turn * turn);
+  }
+}
+
+TEST(MidpointError, FallsWithTheSquareOfTheSize) {
+  const World world = bent(0.3f);
+  EXPECT_NEAR(midpoint_error(world, middle, origin, square(0.5f)),
+              midpoint_error(world, middle, origin, square(1.0f)) / 4.0f, 1e-7f);
+}
+
+// Along the line to the light: 1 / (r - x)^2 over an edge of length h has the mean
+// 1 / (r^2 - h^2 / 4), so that the relative error is h^2 / 4 r^2 = 6 / 24 (h / r)^2 to second
+// order.
+TEST(MidpointError, NearALightIsThatOfTheInverseSquare) {
+  World world = bent(0.0f);
+  Light light;
+  light.position = {0, 0, 2};
+  world.lights.push_back(light);
+  const float side = 0.2f;
+  const Patch edge{{side, 0, 0}, {0, 0, 0}};
+  EXPECT_NEAR(midpoint_error(world, middle, origin, edge), side * side / (4.0f * 4.0f), 1e-6f);
+  world.lights.front().type = Light::Type::directional;
+  EXPECT_EQ(midpoint_error(world, middle, origin, edge), 0.0f);
+}
+
+TEST(MidpointError, IsNoMoreThanWhatTheMaterialReflects) {
+  World world = bent(1.0f);
+  world.materials.front().base_color = glm::vec4(0.0f, 0.1f, 0.05f, 1.0f);
+  EXPECT_NEAR(midpoint_error(world, middle, origin, square(1.0f)),
+              0.1f * midpoint_error(bent(1.0f), middle, origin, square(1.0f)), 1e-7f);
+  world.materials.front().unlit = true;
+  EXPECT_EQ(midpoint_error(world, middle, origin, square(1.0f)), 0.0f);
+}
+
+TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
+  World world = bent(0.5f);
+  world.lights.emplace_back();  // at the very point
+  EXPECT_EQ(midpoint_error(world, middle, origin, square(1.0f)), 1.0f);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(midpoint_error(world, middle, origin, square(nan)), 0.0f);
+}
+
+}  // namespace
+}  // namespace asos::test
