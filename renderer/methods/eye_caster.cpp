@@ -104,7 +104,7 @@ bool EyeCaster::uneven(SampleId sample, double share) const {
   const Ray& ray = rays_[sample];
   const Patch patch =
       patch_on_plane(spacing_, ray.direction, hit.t, normal, static_cast<float>(std::sqrt(share)));
-  return midpoint_error(scene_.world, hit, ray.at(hit.t), patch) > most_uneven_;
+  return midpoint_error(scene_.world, hit, ray.at(hit.t), -ray.direction, patch) > most_uneven_;
 }
 
 glm::vec3 EyeCaster::radiance(SampleId sample, double weight) const {

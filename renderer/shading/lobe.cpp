@@ -7,6 +7,8 @@
 namespace asos {
 namespace {
 
+// The variance of a turn that is spread evenly over the patch's edge.
+constexpr float box_variance = 1.0f / 12.0f;
 // Of a lobe's squared roughness; what is added below it changes the highlight by as little.
 constexpr float least_added = 1e-3f;
 
@@ -16,8 +18,8 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
   if (spread.flat()) return;
   // A map's normals are spread like a lobe's and not like a box: twice their variance in each of
   // the two directions (Toksvig 2005, Olano and Baker 2010), of which each has half.
-  const float turned = (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down)) *
-                       std::numbers::inv_pi_v<float>;
+  const float turned =
+      (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down)) * box_variance;
   const float added = turned + 2.0f * spread.variance;
   const float alpha = std::clamp(roughness, roughness_floor, 1.0f);
   const float alpha2 = alpha * alpha * alpha * alpha;
@@ -32,7 +34,7 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
   bitangent_ = {b, sign + normal.y * normal.y * a, -normal.y};
 
   const float part = std::min(1.0f, most_added / added);
-  const float turn = part * std::numbers::inv_pi_v<float>;
+  const float turn = part * box_variance;
   const float round = alpha2 + part * spread.variance;
   const glm::vec2 r(glm::dot(tangent_, spread.right), glm::dot(bitangent_, spread.right));
   const glm::vec2 d(glm::dot(tangent_, spread.down), glm::dot(bitangent_, spread.down));

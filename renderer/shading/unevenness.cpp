@@ -1,25 +1,60 @@
 #include "renderer/shading/unevenness.h"
 
+#include "renderer/shading/brdf.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace asos {
 namespace {
 
-// How far the unit shading normal turns along the patch's edges, squared and summed.
-float turn2(const World& world, const Hit& hit, const Patch& patch) {
+// Rougher surfaces have highlights so wide that they vary hardly more than the diffuse light does.
+constexpr float smooth = 0.6f;
+
+// The unit shading normal, and how far it turns along the patch's edges, squared and summed.
+struct Bend {
+  glm::vec3 normal{0, 0, 1};
+  float turn2 = 0.0f;
+};
+
+Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
   const glm::uvec3 v = world.triangles[hit.triangle];
   const glm::vec3 n0 = world.normals[v.x], n1 = world.normals[v.y], n2 = world.normals[v.z];
-  if (n0 == n1 && n1 == n2) return 0.0f;
+  if (n0 == n1 && n1 == n2) return {n0, 0.0f};
   const Steps<glm::vec3> steps(footprint_on(world, hit.triangle, patch), n0, n1, n2);
   const glm::vec3 n = (1.0f - hit.b1 - hit.b2) * n0 + hit.b1 * n1 + hit.b2 * n2;
   const float length2 = glm::dot(n, n);
-  if (!(length2 > 0.0f)) return 0.0f;
+  if (!(length2 > 0.0f)) return {};
   const auto along = [&](glm::vec3 step) {
     const glm::vec3 across = step - n * (glm::dot(n, step) / length2);
     return glm::dot(across, across) / length2;
   };
-  return along(steps.right) + along(steps.down);
+  return {n / std::sqrt(length2), along(steps.right) + along(steps.down)};
+}
+
+// What a light's highlight can add to the error where one may lie in the patch. A GGX lobe of width
+// alpha falls to half its peak within half of alpha; where it shows as white it shows wider.
+float highlight_error(const Light& light, const Material& material, const Bend& bend,
+                      glm::vec3 position, glm::vec3 to_viewer) {
+  glm::vec3 to_light = -glm::vec3(light.direction);
+  float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
+  if (light.type != Light::Type::directional) {
+    const glm::vec3 d = glm::vec3(light.position) - position;
+    irradiance /= glm::dot(d, d);
+    to_light = glm::normalize(d);
+  }
+  const float roughness = std::max(material.roughness, roughness_floor);
+  const float alpha = roughness * roughness;
+  const glm::vec3 c = glm::vec3(material.base_color);
+  const float f0 = glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic);
+  const float peak = irradiance * f0 / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
+  const float width = alpha * std::max(1.0f, std::pow(peak, 0.25f));
+  const glm::vec3 normal = glm::dot(bend.normal, to_viewer) < 0.0f ? -bend.normal : bend.normal;
+  const float away2 = 2.0f - 2.0f * glm::dot(normal, glm::normalize(to_light + to_viewer));
+  const float reach = 2.0f * width + std::sqrt(bend.turn2);
+  if (!(away2 < reach * reach)) return 0.0f;
+  return std::min(peak, 1.0f) * std::min(1.0f, bend.turn2 / (6.0f * alpha * alpha));
 }
 
 // The patch's squared size over the squared distance of the nearest light that has a place.
@@ -36,14 +71,19 @@ float nearness2(const World& world, glm::vec3 position, const Patch& patch) {
 
 }  // namespace
 
-float midpoint_error(const World& world, const Hit& hit, glm::vec3 position, const Patch& patch) {
+float midpoint_error(const World& world, const Hit& hit, glm::vec3 position, glm::vec3 to_viewer,
+                     const Patch& patch) {
   const Material& material = world.material_of(hit.triangle);
   const glm::vec3 size = glm::abs(patch.right) + glm::abs(patch.down);
   if (material.unlit || !std::isfinite(size.x + size.y + size.z)) return 0.0f;
   const glm::vec3 c = glm::vec3(material.base_color);
   const float reflected = std::clamp(std::max({c.x, c.y, c.z}), 0.0f, 1.0f);
-  const float error =
-      reflected * (turn2(world, hit, patch) + 6.0f * nearness2(world, position, patch)) / 24.0f;
+  const Bend bend = bend_of(world, hit, patch);
+  float error = reflected * (bend.turn2 + 6.0f * nearness2(world, position, patch)) / 24.0f;
+  if (bend.turn2 > 0.0f && material.roughness < smooth) {
+    for (const Light& light : world.lights)
+      error += highlight_error(light, material, bend, position, to_viewer);
+  }
   return error < 1.0f ? error : 1.0f;
 }
 

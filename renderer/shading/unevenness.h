@@ -7,14 +7,14 @@
 namespace asos {
 
 /// By how much the mean display intensity (0 to 1) of a patch of surface may differ from that at
-/// its middle, where a hit lies: the midpoint rule's error, to second order, of what diffuse
-/// shading does across the patch. The shading normal turns (its cosine to a light errs by turn^2 /
-/// 24 along each edge), and near a light the inverse square of the distance falls off (6 / 24 of
-/// the squared ratio of edge to distance). Times what the material reflects at most. What lies
-/// beyond a boundary, shadows, highlights and textures are not looked at. 0 for flat shading under
-/// distant lights, for unlit materials, and for patches that are not finite, which splitting would
-/// not make so.
+/// its middle, where a hit lies: the midpoint rule's error, to second order, of what shading does
+/// across the patch. The shading normal turns (its cosine to a light errs by turn^2 / 24 along each
+/// edge), near a light the inverse square of the distance falls off (6 / 24 of the squared ratio of
+/// edge to distance), both times what the material reflects at most; and a bent, smooth surface may
+/// hold a light's highlight, narrower than the patch. `to_viewer` is unit. What lies beyond a
+/// boundary, shadows and textures are not looked at. 0 for flat shading under distant lights, for
+/// unlit materials, and for patches that are not finite, which splitting would not make so.
 [[nodiscard]] float midpoint_error(const World& world, const Hit& hit, glm::vec3 position,
-                                   const Patch& patch);
+                                   glm::vec3 to_viewer, const Patch& patch);
 
 }  // namespace asos

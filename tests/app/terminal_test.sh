@@ -14,7 +14,7 @@ fail() {
   exit 1
 }
 
-render=(render builtin:boxes --size 640x360 --method stochastic --spp 64 --threads 1)
+render=(render builtin:boxes --size 640x360 --method stochastic --spp 16 --threads 1)
 script -qec "'$1' ${render[*]} -o terminal.png" typescript >/dev/null ||
   fail "rendering on a terminal failed: $(cat typescript)"
 grep -q '\[#*\.*\] *[0-9]* %' typescript || fail "no progress bar: $(cat -v typescript)"

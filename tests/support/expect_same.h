@@ -16,6 +16,7 @@ inline void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
   EXPECT_EQ(a.split_pixels, b.split_pixels);
   EXPECT_EQ(a.missed_splits, b.missed_splits);
   EXPECT_EQ(a.saturated_pixels, b.saturated_pixels);
+  EXPECT_EQ(a.uneven_pixels, b.uneven_pixels);
   EXPECT_EQ(a.unresolved_area, b.unresolved_area);
   EXPECT_EQ(a.rejected_samples, b.rejected_samples);
 }
