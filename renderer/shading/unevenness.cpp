@@ -33,8 +33,9 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
   return {n / std::sqrt(length2), along(steps.right) + along(steps.down)};
 }
 
-// What a light's highlight can add to the error where one may lie in the patch. A GGX lobe of width
-// alpha falls to half its peak within half of alpha; where it shows as white it shows wider.
+// What a light's highlight can add to the error. A GGX lobe of width alpha is peak / (1 + (x /
+// alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak; farther out its
+// width is what it has fallen over.
 float highlight_error(const Light& light, const Material& material, const Bend& bend,
                       glm::vec3 position, glm::vec3 to_viewer) {
   glm::vec3 to_light = -glm::vec3(light.direction);
@@ -49,12 +50,14 @@ float highlight_error(const Light& light, const Material& material, const Bend& 
   const glm::vec3 c = glm::vec3(material.base_color);
   const float f0 = glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic);
   const float peak = irradiance * f0 / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
-  const float width = alpha * std::max(1.0f, std::pow(peak, 0.25f));
   const glm::vec3 normal = glm::dot(bend.normal, to_viewer) < 0.0f ? -bend.normal : bend.normal;
-  const float away2 = 2.0f - 2.0f * glm::dot(normal, glm::normalize(to_light + to_viewer));
-  const float reach = 2.0f * width + std::sqrt(bend.turn2);
-  if (!(away2 < reach * reach)) return 0.0f;
-  return std::min(peak, 1.0f) * std::min(1.0f, bend.turn2 / (6.0f * alpha * alpha));
+  // How far the patch's nearest normal is from the half vector, and the lobe there.
+  const float cosine = glm::dot(normal, glm::normalize(to_light + to_viewer));
+  const float away = std::sqrt(std::max(0.0f, 2.0f - 2.0f * cosine));
+  const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(bend.turn2));
+  const float width2 = alpha * alpha + nearest * nearest;
+  const float fall = alpha * alpha / width2;
+  return std::min(peak * fall * fall, 1.0f) * std::min(1.0f, bend.turn2 / (6.0f * width2));
 }
 
 // The patch's squared size over the squared distance of the nearest light that has a place.

@@ -81,7 +81,7 @@ TEST(MidpointError, IsNoMoreThanWhatTheMaterialReflects) {
 }
 
 // A mirror-like cylinder under a light behind the viewer: the highlight lies where the normal
-// points at them, and nothing is gained by splitting elsewhere.
+// points at them; what reaches elsewhere is far below one step of a display.
 TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   World world = bent(0.1f);
   Material& material = world.materials.front();
@@ -95,7 +95,7 @@ TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   const float diffuse = midpoint_error(bent(0.1f), middle, origin, up, square(1.0f));
   EXPECT_GT(midpoint_error(world, middle, origin, up, square(1.0f)), 0.5f);
   world.lights.front().direction = glm::normalize(glm::vec3(-1, 0, -1));
-  EXPECT_NEAR(midpoint_error(world, middle, origin, up, square(1.0f)), diffuse, 1e-7f);
+  EXPECT_LT(midpoint_error(world, middle, origin, up, square(1.0f)), diffuse + 1.0f / 1024.0f);
   world.lights.front().direction = {0, 0, -1};
   world.materials.front().roughness = 1.0f;
   EXPECT_NEAR(midpoint_error(world, middle, origin, up, square(1.0f)), diffuse, 1e-7f);
