@@ -10,10 +10,13 @@ namespace asos {
 namespace {
 
 // How far one sample may be off the mean of the patch that it stands for: EPS, or a quarter of a
-// finest cell where that is more, so that MAX alone refines shading as it refines outlines.
+// finest cell where that is more, so that MAX alone refines shading as it refines outlines; but no
+// less than an eighth of one step of an 8-bit picture, which nobody sees and which would cost most.
 float let_pass(const RenderSettings& settings) {
   if (!settings.refine_shading) return std::numeric_limits<float>::infinity();
-  return static_cast<float>(std::max(settings.eps, std::ldexp(1.0, -2 * (settings.max_level + 1))));
+  constexpr double invisible = 1.0 / 2048.0;
+  return static_cast<float>(
+      std::max({settings.eps, std::ldexp(1.0, -2 * (settings.max_level + 1)), invisible}));
 }
 
 // The side, in pixels, of the square that a leaf stands for, whatever its shape.
