@@ -117,7 +117,7 @@ void FatPyray::descend(const Square& square, int x, int y, int size, const HitLi
   const HidingPlane hiding = HidingPlane::of(cover, frame_, reach.side);
   const auto depth = static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(size)));
   HitLists::List& list = size == 1 ? work_.pixel_list[index(x, y)] : work_.descent[depth];
-  work_.lists.refine(reach, hiding, parent, list);
+  work_.lists.refine(reach, hiding, parent, list, true);
   std::erase_if(list, [&](std::uint32_t i) {
     return work_.lists.entry(i).is_segment() && !detector_.near(work_.lists.segment(i), square);
   });

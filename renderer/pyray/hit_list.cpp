@@ -14,6 +14,8 @@ namespace {
 // that it is marginal anyway.
 constexpr std::size_t few_entries = 4;
 constexpr std::size_t many_entries = 16;
+// So many in front of what a sample met that nothing smaller could make the cell less of a tangle.
+constexpr std::size_t tangle_nodes = 64;
 // Segments are cut this far outside the root square, so that they are straight through its border.
 constexpr double margin = 1.0 / 16.0;
 
@@ -83,8 +85,10 @@ HitLists::List HitLists::root() const {
 }
 
 void HitLists::refine(const Square& cell, const HidingPlane& hiding,
-                      std::span<const std::uint32_t> parent, List& list) {
+                      std::span<const std::uint32_t> parent, List& list, bool seen) {
   list.clear();
+  nodes_in_view_ = 0;
+  most_nodes_in_view_ = seen ? tangle_nodes : std::numeric_limits<std::size_t>::max();
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
   // Few entries left: what hides in the nodes decides.
@@ -110,10 +114,13 @@ void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hid
     if (!clip(segments_[e.ref], cell).empty()) list.push_back(i);
     return;
   }
-  const float size = e.extent();
-  if (size <= 0.25f * cell.side || size <= finest_side_ ||
+  const bool is_hidden =
       hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
-                   std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side), e.q)) {
+                   std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side), e.q);
+  const float size = e.extent();
+  if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ ||
+      nodes_in_view_ >= most_nodes_in_view_) {
+    nodes_in_view_ += !is_hidden;
     list.push_back(i);
     return;
   }

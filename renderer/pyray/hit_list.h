@@ -55,9 +55,11 @@ class HitLists {
 
   /// The list of a cell from its parent's. Drops what misses the cell; opens a node while it is
   /// larger than a quarter of the cell, or while so few entries are left that the cell may turn out
-  /// empty or crossed by one boundary. What `hiding` hides is kept, but never opened.
+  /// empty or crossed by one boundary. What `hiding` hides is kept, but never opened. `seen`:
+  /// hiding is what a sample in the cell tells, so that opening may stop where a tangle lies before
+  /// it.
   void refine(const Square& cell, const HidingPlane& hiding, std::span<const std::uint32_t> parent,
-              List& list);
+              List& list, bool seen = false);
 
   /// Opens an entry all the way down, however small it is, and appends the segments below it that
   /// cross the cell; a chain that is straight within `tolerance`, in the frame, becomes one
@@ -92,6 +94,8 @@ class HitLists {
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;
+  std::size_t nodes_in_view_ = 0;  // of the list being refined: unopened ones that may be seen
+  std::size_t most_nodes_in_view_ = 0;
   float squares_a_unit_ = 1.0f;  // what a length across the view covers of the square, at q = 1
   std::vector<HitEntry> entries_;
   std::vector<Segment> segments_;

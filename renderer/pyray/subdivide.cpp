@@ -141,7 +141,7 @@ void Subdivider::split(const Level& level, Level& next) {
       child.cover = cell.cover;
       const Square reach = detector_->reach(child.square);
       hits_->refine(reach, HidingPlane::of(child.cover, hits_->frame(), reach.side),
-                    level.list(cell), list_);
+                    level.list(cell), list_, cell.centre != Caster::no_sample);
       std::erase_if(list_, [&](std::uint32_t entry) {
         return hits_->entry(entry).is_segment() &&
                !detector_->near(hits_->segment(entry), child.square);
