@@ -99,7 +99,7 @@ void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
 
 bool EyeCaster::uneven(SampleId sample, double share) const {
   const Hit& hit = hits_[sample];
-  if (!hit.valid()) return false;
+  if (!hit.valid() || !std::isfinite(most_uneven_)) return false;
   const glm::uvec3 t = scene_.world.triangles[hit.triangle];
   const glm::vec3 p0 = scene_.world.positions[t.x];
   const glm::vec3 normal = glm::normalize(

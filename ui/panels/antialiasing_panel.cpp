@@ -15,7 +15,7 @@ constexpr std::array methods{
     Controls::Option{"ASOS",
                      "Adaptive supersampling in object space: a pixel is split only where the "
                      "boundary of an object passes through it."},
-    Controls::Option{"ASOS as published",
+    Controls::Option{"Papers",
                      "As in the papers: boundaries are looked for with the cone around a pyray, "
                      "leaves are point samples, and splitting stops by the published rule."},
     Controls::Option{"Uniform", "A regular grid of n x n samples in every pixel."},
@@ -90,7 +90,7 @@ void asos_controls(Controls& controls, RenderSettings& settings) {
     choose(controls, "Leaf", leaves, settings.leaf);
     choose(controls, "Rule", rules, settings.rule);
     choose(controls, "Detection", detections, settings.detect);
-    controls.checkbox("Refine shading",
+    controls.checkbox("Shading",
                       "Split what is shaded unevenly, too: strongly bent surfaces, and what lies "
                       "close to a light.",
                       settings.refine_shading);
