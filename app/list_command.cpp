@@ -15,7 +15,7 @@ Command add_list_command(CLI::App& program) {
   parser->footer("Example:\n  asos list-scenes");
   return {parser, [](const Streams& streams) -> int {
             for (const BuiltinScene& scene : builtin_scenes())
-              streams.out << fmt::format("builtin:{:<12} {}\n", scene.name, scene.summary);
+              streams.out << fmt::format("builtin:{:<20} {}\n", scene.name, scene.summary);
             return exit_ok;
           }};
 }

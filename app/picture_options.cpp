@@ -45,7 +45,7 @@ auto number(double lo, double hi, bool open = false) {
 void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--method", "NAME",
              "asos, asos-published (cone, point leaves, published rule), uniform (n x n grid), "
-             "stochastic (jittered) or beam (exact, for small scenes)",
+             "stochastic (jittered), sobol (Owen-scrambled) or beam (exact, for small scenes)",
              method_names, settings.method);
   add_parsed_option(app, "--max", "K",
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
@@ -72,9 +72,10 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
       ->default_str(std::to_string(settings.fat));
   app.add_flag("--jitter", settings.jitter,
                "Jitter the samples of cells that stay unresolved at MAX");
-  add_parsed_option(app, "--spp", "N",
-                    "Samples a pixel of uniform and stochastic, rounded up to a square",
-                    whole(1, 65536), [&](int n) { settings.spp = n; })
+  add_parsed_option(
+      app, "--spp", "N",
+      "Samples a pixel of sobol, and of uniform and stochastic, rounded up to a square",
+      whole(1, 65536), [&](int n) { settings.spp = n; })
       ->default_str(std::to_string(settings.spp));
   add_choice(app, "--texture-filter", "KIND",
              "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
@@ -82,7 +83,27 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              texture_filter_names, settings.texture_filter);
   app.add_flag("!--no-shading-refinement", settings.refine_shading,
                "Do not split what is shaded unevenly, only what boundaries cross");
+  app.add_flag("!--no-culling", settings.cull,
+               "Show the backs of single-sided materials, which glTF hides");
   app.add_flag("!--no-shadows", settings.shadows, "Lights cast no shadows");
+  add_choice(
+      app, "--shadow-quality", "NAME",
+      "How soft shadows are found over the patch that a leaf shows: refined (split where one "
+      "pyray would be off), centre, supersampling, forced, extended, extended-divided or "
+      "extended-adaptive (CGF'98 sections 4.2 to 4.3.4)",
+      shadow_quality_names, settings.shadow_quality);
+  add_parsed_option(app, "--shadow-divisions", "N",
+                    "Parts along a patch's side of the shadow qualities that divide it: 1 to 16",
+                    whole(1, 16), [&](int n) { settings.shadow_divisions = n; })
+      ->default_str(std::to_string(settings.shadow_divisions));
+  add_choice(app, "--light-rule", "NAME",
+             "Irradiance of lights of some size: physical (closed forms) or published (I A cos "
+             "theta with inverse square at each leaf)",
+             light_rule_names, settings.light_rule);
+  add_parsed_option(app, "--seed", "N", "Of sobol's scrambling: other seeds, other noise",
+                    whole(0, std::numeric_limits<int>::max()),
+                    [&](int seed) { settings.seed = seed; })
+      ->default_str("0");
   add_parsed_option(app, "--threads", "N",
                     "Worker threads, 1 to 1024; 0: one for each core but one", whole(0, 1024),
                     [&](int n) { settings.threads = n; })

@@ -24,14 +24,31 @@ Json bounds_json(const World& world) {
           {"max", vector_json(world.origin + glm::dvec3(world.bounds.hi))}};
 }
 
+/// Every light is counted under its type; "ball" and "sun" say how many of the points and spots,
+/// and of the directional lights, have a size.
 Json lights_json(const Scene& scene) {
+  const auto count_if = [&scene](auto wanted) {
+    return std::count_if(scene.lights.begin(), scene.lights.end(), wanted);
+  };
   const auto count = [&](Light::Type type) {
-    return std::count_if(scene.lights.begin(), scene.lights.end(),
-                         [type](const Light& light) { return light.type == type; });
+    return count_if([type](const Light& light) { return light.type == type; });
+  };
+  const auto is_ball = [](const Light& light) {
+    return (light.type == Light::Type::point || light.type == Light::Type::spot) &&
+           light.radius > 0.0;
+  };
+  const auto is_sun = [](const Light& light) {
+    return light.type == Light::Type::directional && light.angular_diameter_rad > 0.0;
   };
   return {{"point", count(Light::Type::point)},
           {"spot", count(Light::Type::spot)},
-          {"directional", count(Light::Type::directional)}};
+          {"directional", count(Light::Type::directional)},
+          {"linear", count(Light::Type::linear)},
+          {"rectangle", count(Light::Type::rectangle)},
+          {"disk", count(Light::Type::disk)},
+          {"polygon", count(Light::Type::polygon)},
+          {"ball", count_if(is_ball)},
+          {"sun", count_if(is_sun)}};
 }
 
 Json cameras_json(const Scene& scene) {
@@ -77,11 +94,15 @@ std::string bounds_line(const Json& bounds) {
 }
 
 std::string lights_line(const Json& lights) {
-  std::string text;
-  for (const auto& [type, count] : lights.items())
-    if (count.get<int>() > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<int>(), type);
-  return fmt::format("Lights:     {}\n", text.empty() ? "none, the default rig is used" : text);
+  std::string text, sized;
+  for (const auto& [type, count] : lights.items()) {
+    if (count.get<int>() == 0) continue;
+    std::string& part = type == "ball" || type == "sun" ? sized : text;
+    part += fmt::format("{}{} {}", part.empty() ? "" : ", ", count.get<int>(), type);
+  }
+  if (text.empty()) text = "none, the default rig is used";
+  if (!sized.empty()) text += fmt::format(" (of these with a size: {})", sized);
+  return fmt::format("Lights:     {}\n", text);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ Film stretched(const Film& old, int width, int height) {
       const int from_x = static_cast<int>(static_cast<std::int64_t>(x) * old.width / width);
       film.radiance[film.index(x, y)] = old.radiance[old.index(from_x, from_y)];
       film.split_level[film.index(x, y)] = old.split_level[old.index(from_x, from_y)];
+      film.cause[film.index(x, y)] = old.cause[old.index(from_x, from_y)];
     }
   }
   return film;

@@ -58,8 +58,15 @@ void add_method(ImageText& text, const RenderSettings& settings) {
       text.emplace_back("asos.fat", std::to_string(used.fat));
       text.emplace_back("asos.refine_shading", used.refine_shading ? "true" : "false");
       text.emplace_back("asos.jitter", used.jitter ? "true" : "false");
+      text.emplace_back("asos.shadow_quality", name_in(shadow_quality_names, used.shadow_quality));
+      text.emplace_back("asos.shadow_divisions", std::to_string(used.shadow_divisions));
+      text.emplace_back("asos.light_rule", name_in(light_rule_names, used.light_rule));
       break;
     }
+    case Method::sobol:
+      text.emplace_back("asos.seed", std::to_string(settings.seed));
+      text.emplace_back("asos.spp", std::to_string(settings.spp));
+      break;
     case Method::uniform:
     case Method::stochastic:
       text.emplace_back("asos.spp", std::to_string(settings.spp));

@@ -57,14 +57,17 @@ Film::Film(int w, int h)
     : width(std::max(w, 0)),
       height(std::max(h, 0)),
       radiance(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec3(0.0f)),
-      split_level(radiance.size(), 0) {}
+      split_level(radiance.size(), 0),
+      cause(radiance.size(), SplitCause::none) {}
 
 void Film::put(const FinishedTile& tile) {
   // What lies outside the picture is left out; a tile whose arrays are too short is not a tile.
   if (tile.rect.empty()) return;
   const auto tile_width = static_cast<std::size_t>(tile.rect.width);
   const std::size_t pixels = tile_width * static_cast<std::size_t>(tile.rect.height);
-  if (tile.radiance.size() < pixels || tile.split_level.size() < pixels) return;
+  if (tile.radiance.size() < pixels || tile.split_level.size() < pixels ||
+      tile.cause.size() < pixels)
+    return;
   const int x0 = std::max(tile.rect.x, 0);
   const int x1 = std::min(tile.rect.x + tile.rect.width, width);
   const int y0 = std::max(tile.rect.y, 0);
@@ -77,6 +80,7 @@ void Film::put(const FinishedTile& tile) {
     const auto to = static_cast<std::ptrdiff_t>(index(x0, y));
     std::copy_n(tile.radiance.begin() + from, x1 - x0, radiance.begin() + to);
     std::copy_n(tile.split_level.begin() + from, x1 - x0, split_level.begin() + to);
+    std::copy_n(tile.cause.begin() + from, x1 - x0, cause.begin() + to);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/split_cause.h"
 #include "renderer/geometry/view.h"
 
 #include <glm/glm.hpp>
@@ -15,14 +16,17 @@ struct FinishedTile {
   PixelRect rect;
   std::vector<glm::vec3> radiance;        ///< linear
   std::vector<std::uint8_t> split_level;  ///< deepest level that the pixel split to; 0: not split
+  std::vector<SplitCause> cause;          ///< why; methods other than ASOS tell none
 };
 
-/// A whole picture: linear radiance and the split map, row-major from the top left.
+/// A whole picture: linear radiance and the split map by level and by cause, row-major from the top
+/// left.
 struct Film {
   int width = 0;
   int height = 0;
   std::vector<glm::vec3> radiance;
   std::vector<std::uint8_t> split_level;
+  std::vector<SplitCause> cause;
 
   Film() = default;
   Film(int w, int h);

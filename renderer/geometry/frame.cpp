@@ -1,5 +1,7 @@
 #include "renderer/geometry/frame.h"
 
+#include <cmath>
+
 namespace asos {
 
 Frame::Frame(bool parallel, glm::dvec3 apex, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b,
@@ -24,6 +26,15 @@ Frame Frame::prism(glm::dvec3 corner, glm::dvec3 direction, glm::dvec3 a, glm::d
 glm::dvec3 Frame::world(FramePoint p) const {
   if (parallel_) return apex_ + p.u * a_ + p.v * b_ - p.q * c_;
   return apex_ + (p.u * a_ + p.v * b_ + c_) / p.q;
+}
+
+std::optional<glm::dvec3> Frame::on_plane(glm::dvec2 uv, const HalfSpace& plane) const {
+  const glm::dvec3 across = uv.x * a_ + uv.y * b_;
+  const glm::dvec3 start = parallel_ ? apex_ + across : apex_;
+  const glm::dvec3 along = parallel_ ? direction_ : across + c_;
+  const double t = -plane.height(start) / glm::dot(plane.normal, along);
+  if (!std::isfinite(t) || (!parallel_ && t <= 0.0)) return std::nullopt;
+  return start + t * along;
 }
 
 }  // namespace asos

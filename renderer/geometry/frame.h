@@ -1,6 +1,10 @@
 #pragma once
 
+#include "renderer/geometry/half_space.h"
+
 #include <glm/glm.hpp>
+
+#include <optional>
 
 namespace asos {
 
@@ -44,6 +48,9 @@ class Frame {
   }
   /// The world point at (u, v) whose nearness is q.
   [[nodiscard]] glm::dvec3 world(FramePoint p) const;
+
+  /// Where the line through (u, v) meets a plane: not behind the apex. Nothing where it does not.
+  [[nodiscard]] std::optional<glm::dvec3> on_plane(glm::dvec2 uv, const HalfSpace& plane) const;
 
   [[nodiscard]] glm::dvec3 row_u() const { return row_u_; }
   [[nodiscard]] glm::dvec3 row_v() const { return row_v_; }

@@ -1,5 +1,7 @@
 #include "renderer/methods/exact_visibility.h"
 #include "renderer/methods/method.h"
+#include "renderer/methods/sample_block.h"
+#include "renderer/rays/back_face.h"
 #include "renderer/shading/shade.h"
 
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ std::array<glm::dvec3, 3> corners_of(const World& world, std::uint32_t triangle)
           glm::dvec3(world.positions[t.z])};
 }
 
-class BlockTracer {
+class BlockTracer final : private LightTransport {
  public:
   BlockTracer(const RenderScene& scene, const View& view, const RenderSettings& settings,
               PixelRect block)
@@ -28,10 +30,15 @@ class BlockTracer {
         view_(view),
         block_(block),
         frame_(view.frame(block.x, block.y, block_size, block_size)),
-        shader_(shader_of(scene, settings, view)) {
-    for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
+        shader_(shader_of(scene, settings, view)),
+        places_(grid_side(settings.spp), true),
+        light_samples_(grid_side(settings.spp) * grid_side(settings.spp)),
+        lights_(scene.rays, places_) {
+    for (std::uint32_t t = 0; t < world_.triangles.size(); ++t) {
+      if (settings.cull && !world_.material_of(t).double_sided && shows_back(t)) continue;
       if (const auto facet = make_facet(frame_, t, corners_of(world_, t)))
         facets_.push_back(*facet);
+    }
   }
 
   BlockResult run(const std::stop_token& stop) {
@@ -46,6 +53,12 @@ class BlockTracer {
   }
 
  private:
+  [[nodiscard]] bool shows_back(std::uint32_t triangle) const {
+    const glm::dvec3 towards =
+        frame_.parallel() ? frame_.direction() : corners_of(world_, triangle)[0] - frame_.apex();
+    return meets_back(world_, triangle, glm::vec3(towards));
+  }
+
   void trace_pixel(int x, int y) {
     const glm::dvec2 corner = glm::dvec2(x, y) / double{block_size};
     const auto parts =
@@ -64,13 +77,31 @@ class BlockTracer {
     result_.statistics.split_pixels += parts.size() > 1;
     result_.tile.radiance.push_back(area > 0.0 ? glm::vec3(sum / area) : glm::vec3(0.0f));
     result_.tile.split_level.push_back(parts.size() > 1 ? 1 : 0);
+    result_.tile.cause.push_back(SplitCause::none);
   }
 
   glm::vec3 shade(const VisiblePart& part) {
     const glm::dvec2 c = part.centroid;
     const Ray ray = view_.ray(block_.x + c.x * block_size, block_.y + c.y * block_size);
     const auto side = static_cast<float>(std::sqrt(part.area) * block_size);
-    return shader_.radiance(ray, hit_of(part, ray), side, result_.statistics);
+    places_.start_pixel(block_.x + static_cast<int>(c.x * block_size),
+                        block_.y + static_cast<int>(c.y * block_size));
+    sums_.assign(1, glm::dvec3(0.0));
+    const glm::vec3 radiance =
+        shader_.radiance(ray, hit_of(part, ray), side, *this, result_.statistics);
+    lights_.trace(sums_);
+    return radiance + glm::vec3(sums_.front());
+  }
+
+  // Lights at as many points as the settings have samples.
+  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override {
+    Illumination one = lit;
+    const int samples = lit.light.extended() ? light_samples_ : 1;
+    one.reflected /= static_cast<float>(samples);
+    for (int i = 0; i < samples; ++i) {
+      places_.start_sample(i);
+      lights_.add(one, radiance, counts);
+    }
   }
 
   // The hit from the exact point, for no ray was cast.
@@ -98,6 +129,10 @@ class BlockTracer {
   PixelRect block_;
   Frame frame_;
   Shader shader_;
+  GridPlaces places_;
+  int light_samples_;
+  SampledLights lights_;
+  std::vector<glm::dvec3> sums_;
   std::vector<Facet> facets_;
   ExactVisibility visibility_;
   BlockResult result_;

@@ -1,10 +1,13 @@
 #include "renderer/methods/eye_caster.h"
 
+#include "renderer/methods/random.h"
 #include "renderer/shading/unevenness.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asos {
 namespace {
@@ -19,6 +22,27 @@ float let_pass(const RenderSettings& settings) {
       std::max({settings.eps, std::ldexp(1.0, -2 * (settings.max_level + 1)), invisible}));
 }
 
+ShadowSettings shadow_settings(const RenderSettings& settings, float most_uneven) {
+  ShadowSettings shadows;
+  shadows.quality = settings.shadow_quality;
+  shadows.divisions = settings.shadow_divisions;
+  shadows.max_level = settings.max_level;
+  shadows.eps = settings.eps;
+  shadows.exact_leaves = settings.leaf == Leaf::exact;
+  shadows.most_uneven = most_uneven;
+  return shadows;
+}
+
+std::uint64_t seed_of(glm::vec2 at, PixelRect block) {
+  const auto bits = [](float x) {
+    return static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(x));
+  };
+  const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x))
+                                  << 32 |
+                              static_cast<std::uint32_t>(block.y);
+  return mix_bits(mix_bits(place) ^ (bits(at.x) << 32 | bits(at.y)));
+}
+
 // The side, in pixels, of the square that a leaf stands for, whatever its shape.
 float side_of(double weight) {
   return static_cast<float>(std::sqrt(weight));
@@ -28,8 +52,10 @@ float side_of(double weight) {
 
 EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
                      const Frame& frame, PixelRect block, std::size_t roots,
-                     const std::stop_token& stop, RenderStatistics& counts)
+                     ShadowWorkspace& shadows, const std::stop_token& stop,
+                     RenderStatistics& counts)
     : scene_(scene),
+      shadow_scene_{scene.world, scene.features, scene.rays},
       view_(view),
       frame_(frame),
       block_(block),
@@ -37,8 +63,17 @@ EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const RenderSet
       counts_(counts),
       shader_(shader_of(scene, settings, view)),
       spacing_(PixelSpacing::of(view)),
+      faces_(seen_faces(settings)),
       most_uneven_(let_pass(settings)),
-      sums_(roots) {}
+      groups_(shadow_scene_),
+      shadows_(shadow_scene_, shadow_settings(settings, most_uneven_), frame, groups_, shadows),
+      sums_(roots) {
+  for (const PreparedLight& light : shader_.lights()) {
+    const bool casts = settings.shadows && light.casts_shadows;
+    cast_shadows_ |= casts;
+    extended_lights_ |= casts && light.extended();
+  }
+}
 
 Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
   const std::size_t first = rays_.size();
@@ -52,7 +87,8 @@ Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
   constexpr std::size_t run = 1024;
   for (std::size_t i = first; i < rays_.size() && !cancelled(); i += run) {
     const std::size_t count = std::min(run, rays_.size() - i);
-    scene_.rays.closest(std::span(rays_).subspan(i, count), std::span(hits_).subspan(i, count));
+    scene_.rays.closest(std::span(rays_).subspan(i, count), std::span(hits_).subspan(i, count),
+                        faces_);
   }
   counts_.eye_rays += points.size();
   return static_cast<SampleId>(first);
@@ -84,11 +120,43 @@ std::uint32_t EyeCaster::surface(SampleId sample) const {
   return hit.valid() ? scene_.features.sheet(hit.triangle) : Hit::none;
 }
 
-void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
+Patch EyeCaster::patch_of(SampleId sample, double share) const {
+  const Hit& hit = hits_[sample];
+  const glm::uvec3 t = scene_.world.triangles[hit.triangle];
+  const glm::vec3 p0 = scene_.world.positions[t.x];
+  const glm::vec3 normal = glm::normalize(
+      glm::cross(scene_.world.positions[t.y] - p0, scene_.world.positions[t.z] - p0));
+  return patch_on_plane(spacing_, rays_[sample].direction, hit.t, normal, side_of(share));
+}
+
+void EyeCaster::gather_surfaces(std::size_t count) {
+  if (!cast_shadows_) return;
+  groups_.reset(shader_.lights().size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Hit& hit = hits_[i];
+    if (!hit.valid()) continue;
+    const SurfacePoint point = surface_point(scene_.world, scene_.needs, hit, -rays_[i].direction);
+    groups_.add(hit, point.position, point.geometric_normal,
+                patch_of(static_cast<SampleId>(i), 1.0));
+  }
+}
+
+glm::vec3 EyeCaster::shade(SampleId sample, double weight, const LeafRegion& region,
+                           RenderStatistics& counts) {
+  const float pixel = 1.0f / static_cast<float>(block_.width);
+  shadows_.set_leaf({region, pixel, weight, seed_of(points_[sample], block_)});
+  return shader_.radiance(rays_[sample], hits_[sample], side_of(weight), counted_shadows_, counts);
+}
+
+void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) {
   if (cancelled()) return;
-  if (root == logged_root_) logged_leaves_.push_back({sample, points_[sample], weight});
-  const glm::vec3 radiance =
-      shader_.radiance(rays_[sample], hits_[sample], side_of(weight), counts_);
+  counted_shadows_.forget();
+  const glm::vec3 radiance = shade(sample, weight, region, counts_);
+  sums_[root].shadow_cut |= counted_shadows_.met_shadow_edge();
+  if (root == logged_root_) {
+    logged_leaves_.push_back({sample, points_[sample], weight});
+    logged_radiance_.emplace(sample, radiance);
+  }
   if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
     ++counts_.rejected_samples;
     return;
@@ -97,22 +165,32 @@ void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight) {
   sums_[root].weight += weight;
 }
 
-bool EyeCaster::uneven(SampleId sample, double share) const {
+Unevenness EyeCaster::uneven(SampleId sample, double share) const {
   const Hit& hit = hits_[sample];
-  if (!hit.valid() || !std::isfinite(most_uneven_)) return false;
-  const glm::uvec3 t = scene_.world.triangles[hit.triangle];
-  const glm::vec3 p0 = scene_.world.positions[t.x];
-  const glm::vec3 normal = glm::normalize(
-      glm::cross(scene_.world.positions[t.y] - p0, scene_.world.positions[t.z] - p0));
+  if (!hit.valid() || !std::isfinite(most_uneven_)) return Unevenness::none;
+  const Patch patch = patch_of(sample, share);
   const Ray& ray = rays_[sample];
-  const Patch patch =
-      patch_on_plane(spacing_, ray.direction, hit.t, normal, static_cast<float>(std::sqrt(share)));
-  return midpoint_error(scene_.world, hit, ray.at(hit.t), -ray.direction, patch) > most_uneven_;
+  if (midpoint_error(scene_.world, hit, ray.at(hit.t), -ray.direction, patch) > most_uneven_)
+    return Unevenness::shading;
+  return extended_lights_ && shadow_uneven(sample, patch) ? Unevenness::shadow : Unevenness::none;
 }
 
-glm::vec3 EyeCaster::radiance(SampleId sample, double weight) const {
-  RenderStatistics uncounted;
-  return shader_.radiance(rays_[sample], hits_[sample], side_of(weight), uncounted);
+bool EyeCaster::shadow_uneven(SampleId sample, const Patch& patch) const {
+  const Hit& hit = hits_[sample];
+  const Material& material = scene_.world.material_of(hit.triangle);
+  if (material.unlit) return false;
+  const SurfacePoint point =
+      surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction);
+  const glm::vec3 c = glm::clamp(glm::vec3(material.base_color), 0.0f, 1.0f);
+  const float reflected = std::max({c.x, c.y, c.z}) * std::numbers::inv_pi_v<float>;
+  float error = 0.0f;
+  const auto lights = shader_.lights();
+  for (std::uint32_t i = 0; i < lights.size() && !(error > most_uneven_); ++i) {
+    if (!lights[i].casts_shadows || !lights[i].extended()) continue;
+    const CountForLight count(counts_, i);
+    error += shadows_.midpoint_error(lights[i], i, point, patch, reflected, counts_);
+  }
+  return error > most_uneven_;
 }
 
 glm::vec3 EyeCaster::colour(std::uint32_t root) const {

@@ -2,15 +2,18 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/view.h"
+#include "renderer/methods/counted_lights.h"
 #include "renderer/methods/render_scene.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/subdivision_trace.h"
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/shade.h"
+#include "renderer/shadows/shadow_pyrays.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <map>
 #include <stop_token>
 #include <vector>
 
@@ -22,27 +25,35 @@ namespace asos {
 class EyeCaster final : public Caster {
  public:
   EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
-            const Frame& frame, PixelRect block, std::size_t roots, const std::stop_token& stop,
-            RenderStatistics& counts);
+            const Frame& frame, PixelRect block, std::size_t roots, ShadowWorkspace& shadows,
+            const std::stop_token& stop, RenderStatistics& counts);
 
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
-  [[nodiscard]] bool uneven(SampleId sample, double share) const override;
+  [[nodiscard]] Unevenness uneven(SampleId sample, double share) const override;
   [[nodiscard]] bool cancelled() const override { return stop_.stop_requested(); }
-  void leaf(std::uint32_t root, SampleId sample, double weight) override;
+  void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
+
+  /// Tells the shadow pyrays which surfaces the block shows: those of the first `count` samples.
+  void gather_surfaces(std::size_t count);
 
   /// Whether a sample met the background or a surface without holes and nothing shining through.
   [[nodiscard]] bool opaque(SampleId sample) const;
 
   /// The world's triangle that a sample met; Hit::none: the background.
   [[nodiscard]] std::uint32_t triangle(SampleId sample) const { return hits_[sample].triangle; }
-  /// What a sample sees as a leaf of this weight, linear; its rays are not counted.
-  [[nodiscard]] glm::vec3 radiance(SampleId sample, double weight) const;
-
   /// Keeps the leaves of one root from now on.
   void log_leaves(std::uint32_t root) { logged_root_ = root; }
   [[nodiscard]] const std::vector<TracedLeaf>& logged_leaves() const { return logged_leaves_; }
+  /// What one of them sees, linear.
+  [[nodiscard]] glm::vec3 logged_radiance(SampleId sample) const {
+    const auto found = logged_radiance_.find(sample);
+    return found != logged_radiance_.end() ? found->second : glm::vec3(0.0f);
+  }
+
+  /// Whether the edge of a hard shadow cut one of a root's leaves.
+  [[nodiscard]] bool shadow_cut(std::uint32_t root) const { return sums_[root].shadow_cut; }
 
   /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
   /// counted.
@@ -52,9 +63,16 @@ class EyeCaster final : public Caster {
   struct Sum {
     glm::dvec3 radiance{0.0};
     double weight = 0.0;
+    bool shadow_cut = false;
   };
 
+  [[nodiscard]] glm::vec3 shade(SampleId sample, double weight, const LeafRegion& region,
+                                RenderStatistics& counts);
+  [[nodiscard]] Patch patch_of(SampleId sample, double share) const;
+  [[nodiscard]] bool shadow_uneven(SampleId sample, const Patch& patch) const;
+
   const RenderScene& scene_;
+  ShadowScene shadow_scene_;
   const View& view_;
   const Frame& frame_;
   PixelRect block_;
@@ -62,13 +80,20 @@ class EyeCaster final : public Caster {
   RenderStatistics& counts_;
   Shader shader_;
   PixelSpacing spacing_;
+  Faces faces_;
   float most_uneven_;
+  ShadowGroups groups_;
+  mutable ShadowPyrays shadows_;
+  CountedLights counted_shadows_{shadows_};
+  bool cast_shadows_ = false;     // some light does
+  bool extended_lights_ = false;  // and has a size
   std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<Sum> sums_;
   std::uint32_t logged_root_ = no_sample;
   std::vector<TracedLeaf> logged_leaves_;
+  std::map<SampleId, glm::vec3> logged_radiance_;
 };
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #include "renderer/methods/fat_pyray.h"
 
+#include "renderer/methods/split_causes.h"
 #include "renderer/pyray/safety_net.h"
 
 #include <algorithm>
@@ -55,7 +56,8 @@ FatPyray::FatPyray(const RenderScene& scene, const View& view, const RenderSetti
       frame_(view.frame(framed_.x, framed_.y, framed_.width, framed_.height)),
       detector_(frame_, settings.detect),
       caster_(scene, view, settings, frame_, framed_,
-              static_cast<std::size_t>(settings.fat * settings.fat), stop, result_.statistics) {
+              static_cast<std::size_t>(settings.fat * settings.fat), work.shadows, stop,
+              result_.statistics) {
   const auto pixels = static_cast<std::size_t>(settings.fat * settings.fat);
   outcomes_.resize(pixels);
   bounded_.resize(pixels);
@@ -106,6 +108,7 @@ void FatPyray::look_through_centres() {
     }
   }
   (void)caster_.probe(work_.centres);
+  caster_.gather_surfaces(work_.centres.size());
 }
 
 // Hands the hit list of a fat pyray down to its pixels. `parent` may be the list of any square that
@@ -192,10 +195,10 @@ void FatPyray::render_pixels() {
         work_.split_roots.push_back(root);
       } else if (by_samples_[i]) {
         outcomes_[i] = split_by_samples(root, settings_.max_level, caster_);
-      } else if (settings_.max_level > 0 && caster_.uneven(i, 1.0)) {
+      } else if (settings_.max_level > 0 && caster_.uneven(i, 1.0) != Unevenness::none) {
         work_.split_roots.push_back(root);
       } else {
-        caster_.leaf(i, i, 1.0);
+        caster_.leaf(i, i, 1.0, {root.square, {}});
         outcomes_[i].pyrays_by_level[0] = 1;
       }
     }
@@ -219,11 +222,14 @@ void FatPyray::publish() {
         statistics.pyrays_by_level[k] += outcome.pyrays_by_level[k];
       statistics.split_pixels += outcome.deepest > 0;
       statistics.missed_splits += missed_[i];
-      statistics.uneven_pixels += outcome.uneven;
+      statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
       statistics.saturated_pixels += outcome.saturated;
       statistics.unresolved_area += outcome.unresolved_area;
       result_.tile.radiance.push_back(caster_.colour(i));
       result_.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
+      const SplitCause cause = cause_of({outcome, by_samples_[i] != 0, caster_.shadow_cut(i)});
+      result_.tile.cause.push_back(cause);
+      if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
     }
   }
 }

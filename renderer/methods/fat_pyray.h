@@ -19,6 +19,7 @@ namespace asos {
 struct FatPyrayWorkspace {
   HitLists lists;
   Subdivider subdivider;
+  ShadowWorkspace shadows;
   std::array<HitLists::List, 5> descent;  // one for each size: 1, 2, 4, 8, 16 pixels
   std::vector<HitLists::List> pixel_list;
   HitLists::List scratch;

@@ -34,13 +34,19 @@ struct BlockResult {
                                             const RenderSettings& settings, PixelRect block,
                                             const std::stop_token& stop = {});
 /// n x n samples a pixel on a regular grid; n * n is the first square of at least `settings.spp`.
+/// Each looks at one point of each light, on a grid of its own in an order of the pixel's own.
 [[nodiscard]] BlockResult render_block_uniform(const RenderScene& scene, const View& view,
                                                const RenderSettings& settings, PixelRect block,
                                                const std::stop_token& stop = {});
-/// One sample at a random place in each of the n x n strata, seeded by pixel and sample.
+/// One sample at a random place in each of the n x n strata, of the pixel and of each light, seeded
+/// by pixel and sample.
 [[nodiscard]] BlockResult render_block_stochastic(const RenderScene& scene, const View& view,
                                                   const RenderSettings& settings, PixelRect block,
                                                   const std::stop_token& stop = {});
+/// `settings.spp` points of an Owen-scrambled Sobol sequence over the pixel and each light.
+[[nodiscard]] BlockResult render_block_sobol(const RenderScene& scene, const View& view,
+                                             const RenderSettings& settings, PixelRect block,
+                                             const std::stop_token& stop = {});
 /// Beam tracing (CGF'98 section 2.6): a pixel is the sum over its exactly visible polygons of area
 /// times radiance at the centroid, whatever MAX, EPS and the samples asked for. The areas are exact
 /// for opaque surfaces only: a cut-out or see-through surface hides with its whole triangles what

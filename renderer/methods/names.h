@@ -18,6 +18,7 @@ inline constexpr std::array method_names{
     Named<Method>{"asos-published", Method::asos_published},
     Named<Method>{"uniform", Method::uniform},
     Named<Method>{"stochastic", Method::stochastic},
+    Named<Method>{"sobol", Method::sobol},
     Named<Method>{"beam", Method::beam},
 };
 inline constexpr std::array leaf_names{
@@ -35,6 +36,20 @@ inline constexpr std::array detection_names{
 inline constexpr std::array texture_filter_names{
     Named<TextureFilter>{"footprint", TextureFilter::footprint},
     Named<TextureFilter>{"point", TextureFilter::point},
+};
+
+inline constexpr std::array shadow_quality_names{
+    Named<ShadowQuality>{"refined", ShadowQuality::refined},
+    Named<ShadowQuality>{"centre", ShadowQuality::centre},
+    Named<ShadowQuality>{"supersampling", ShadowQuality::supersampling},
+    Named<ShadowQuality>{"forced", ShadowQuality::forced},
+    Named<ShadowQuality>{"extended", ShadowQuality::extended},
+    Named<ShadowQuality>{"extended-divided", ShadowQuality::extended_divided},
+    Named<ShadowQuality>{"extended-adaptive", ShadowQuality::extended_adaptive},
+};
+inline constexpr std::array light_rule_names{
+    Named<LightRule>{"physical", LightRule::physical},
+    Named<LightRule>{"published", LightRule::published},
 };
 
 /// The name of `value` among `names`.

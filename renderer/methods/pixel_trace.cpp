@@ -14,8 +14,7 @@ void FatPyray::finish_trace() {
   const auto place = [&](float u, float v) { return glm::vec2(u - own.u, v - own.v) / own.side; };
   const auto sample = [&](const TracedLeaf& leaf) {
     return PixelTraceSample{place(leaf.at.x, leaf.at.y), leaf.weight,
-                            caster_.radiance(leaf.sample, leaf.weight),
-                            caster_.triangle(leaf.sample)};
+                            caster_.logged_radiance(leaf.sample), caster_.triangle(leaf.sample)};
   };
   trace_->levels = std::move(subdivision_.levels);
   trace_->unresolved_area = outcomes_[pixel].unresolved_area;

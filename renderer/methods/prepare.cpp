@@ -1,12 +1,20 @@
+#include "renderer/geometry/view.h"
+#include "renderer/lights/emitters.h"
+#include "renderer/lights/studio_rig.h"
 #include "renderer/methods/render_scene.h"
-#include "renderer/shading/default_rig.h"
+#include "renderer/rays/surface_kind.h"
+#include "renderer/shading/environment.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/texture.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <future>
+#include <iterator>
+#include <limits>
 #include <new>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -27,6 +35,87 @@ std::size_t bytes_of(const World& world) {
   return bytes;
 }
 
+// Emissive meshes that give a scene less than this share of the sky's irradiance are decoration (a
+// bicycle's reflectors) and do not light it.
+constexpr double least_share_of_sky = 0.02;
+// A studio's lights that reach a smaller share of what is seen are shut out by walls.
+constexpr double least_reached_share = 0.25;
+
+/// What a surface emits at a point: times its opacity, as the shader adds it.
+glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, float b2) {
+  const Material& m = world.material_of(triangle);
+  glm::vec3 emission = m.emissive * m.emissive_strength;
+  if (m.emissive_texture.used()) {
+    emission *=
+        glm::vec3(sample_texture(world, m.emissive_texture, triangle, b1, b2, Encoding::srgb));
+  }
+  if (m.alpha_mode == AlphaMode::opaque) return emission;
+  // Without what transmission lets through: glass shines all the same.
+  const float solid = 1.0f - std::clamp(m.transmission, 0.0f, 1.0f);
+  if (!(solid > 0.0f)) return emission;
+  float opacity = alpha_at(world, triangle, b1, b2);
+  if (surface_kind(m) == SurfaceKind::masked) {
+    opacity = opacity >= m.alpha_cutoff ? 1.0f : 0.0f;
+  } else {
+    opacity = std::min(1.0f, opacity / solid);
+  }
+  return opacity * emission;
+}
+
+/// Whether no light of the file shines at all and emissive meshes give next to nothing.
+bool needs_rig(const World& world, std::size_t lights_of_file, const std::vector<Light>& emissive) {
+  const auto end = world.lights.begin() + static_cast<std::ptrdiff_t>(lights_of_file);
+  const bool shines = std::any_of(world.lights.begin(), end, [](const Light& light) {
+    return light.intensity * std::max({light.color.x, light.color.y, light.color.z}) > 0.0f;
+  });
+  if (shines) return false;
+  if (world.bounds.empty()) return true;
+  const double radius =
+      0.5 * glm::length(glm::dvec3(world.bounds.hi) - glm::dvec3(world.bounds.lo));
+  const double sky = std::numbers::pi * static_cast<double>(ambient_radiance);
+  return !(mean_irradiance(emissive, radius) >= least_share_of_sky * sky);
+}
+
+/// What a grid of eye rays meets.
+std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, const Camera& camera) {
+  constexpr int width = 16;
+  constexpr int height = 9;
+  const View view(camera, width, height);
+  std::vector<SeenPoint> seen;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Ray ray = view.ray(x + 0.5, y + 0.5);
+      const Hit hit = rays.closest(ray, Faces::as_material_says);
+      if (!hit.valid()) continue;
+      const SurfacePoint point = surface_point(world, {}, hit, -ray.direction);
+      seen.push_back({ray.origin, point.position, point.geometric_normal});
+    }
+  }
+  return seen;
+}
+
+double free_distance(const RayScene& rays, glm::dvec3 from, glm::dvec3 direction) {
+  Ray ray;
+  ray.origin = from;
+  ray.direction = direction;
+  Blocker blocker;
+  rays.blockers({&ray, 1}, {&blocker, 1});
+  return blocker.hit.valid() ? blocker.hit.t : std::numeric_limits<double>::infinity();
+}
+
+/// A studio around the scene; or lights inside, where its walls shut a studio out.
+std::vector<Light> rig_for(const World& world, const RayScene& rays) {
+  const Camera camera =
+      world.cameras.empty() ? default_camera(world, 16.0 / 9.0) : world.cameras.front();
+  std::vector<Light> studio = studio_rig(camera, world.bounds);
+  const std::vector<SeenPoint> seen = look_around(world, rays, camera);
+  const FreeDistance way = [&](glm::dvec3 from, glm::dvec3 direction) {
+    return free_distance(rays, from, direction);
+  };
+  if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share) return studio;
+  return interior_rig(camera, seen, way);
+}
+
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene) {
   const auto start = std::chrono::steady_clock::now();
   auto world = flatten(scene);
@@ -38,13 +127,14 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   prepared->source = scene.source;
   prepared->notes = scene.notes;
 
-  if (prepared->world.lights.empty()) {
-    const World& w = prepared->world;
-    prepared->default_rig = true;
-    prepared->world.lights =
-        default_rig(w.cameras.empty() ? default_camera(w, 16.0 / 9.0) : w.cameras.front());
-  }
+  // Emissive meshes light every scene; only those that show a light of the file do not.
+  const std::size_t lights_of_file = prepared->world.lights.size();
+  std::vector<Light> emissive = emissive_lights(prepared->world, emission_at);
+  prepared->default_rig = needs_rig(prepared->world, lights_of_file, emissive);
+  prepared->emissive_lights = emissive.size();
+  std::move(emissive.begin(), emissive.end(), std::back_inserter(prepared->world.lights));
   prepared->needs = find_needs(prepared->world);
+  prepared->needs.punctual_lights |= prepared->default_rig;
 
   // Neither of the three needs another.
   auto features = std::async(std::launch::async, [&] {
@@ -60,6 +150,11 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   prepared->mips = mips.get();
   if (!rays) return unexpected(Error{scene.source, rays.error().message()});
   prepared->rays = std::move(*rays);
+  if (prepared->default_rig) {
+    // It has no part of the world as its own, so that the rays need not know of it.
+    for (Light& light : rig_for(prepared->world, prepared->rays))
+      prepared->world.lights.push_back(std::move(light));
+  }
   if (!prepared->features.intersections_complete()) {
     prepared->notes.warnings.emplace_back(
         "surfaces pass through each other or overlap too often; the lines where "

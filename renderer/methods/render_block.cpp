@@ -1,14 +1,18 @@
 #include "renderer/methods/method.h"
 
 namespace asos {
+namespace {
 
-BlockResult render_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                         PixelRect block, const std::stop_token& stop) {
+BlockResult render_by_method(const RenderScene& scene, const View& view,
+                             const RenderSettings& settings, PixelRect block,
+                             const std::stop_token& stop) {
   switch (settings.method) {
     case Method::uniform:
       return render_block_uniform(scene, view, settings, block, stop);
     case Method::stochastic:
       return render_block_stochastic(scene, view, settings, block, stop);
+    case Method::sobol:
+      return render_block_sobol(scene, view, settings, block, stop);
     case Method::beam:
       return render_block_beam(scene, view, settings, block, stop);
     case Method::asos:
@@ -16,6 +20,16 @@ BlockResult render_block(const RenderScene& scene, const View& view, const Rende
       break;
   }
   return render_block_asos(scene, view, as_published(settings), block, stop);
+}
+
+}  // namespace
+
+BlockResult render_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                         PixelRect block, const std::stop_token& stop) {
+  BlockResult result = render_by_method(scene, view, settings, block, stop);
+  // Methods that split nothing have no causes to tell.
+  result.tile.cause.resize(result.tile.split_level.size(), SplitCause::none);
+  return result;
 }
 
 }  // namespace asos

@@ -8,6 +8,7 @@
 #include "renderer/scene/world.h"
 #include "renderer/shading/shade.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -18,7 +19,8 @@ namespace asos {
 struct RenderScene {
   World world;
   SceneNeeds needs;
-  bool default_rig = false;  ///< the scene had no lights; `world.lights` is the default rig
+  bool default_rig = false;  ///< next to no light came from the scene: `world.lights` ends in a rig
+  std::size_t emissive_lights = 0;  ///< lights in `world.lights` that stand for emissive meshes
   RayScene rays;
   FeatureSet features;
   MipChains mips;
@@ -29,15 +31,21 @@ struct RenderScene {
   double memory_mb = 0.0;  ///< of geometry, textures with their mip chains, and both hierarchies
 };
 
+[[nodiscard]] inline Faces seen_faces(const RenderSettings& settings) {
+  return settings.cull ? Faces::as_material_says : Faces::all;
+}
+
 /// The shader of a scene's picture, as the settings ask.
 [[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings,
                                       const View& view) {
   const bool filtered = settings.texture_filter == TextureFilter::footprint;
   return Shader(scene.world, scene.needs, scene.rays,
-                {settings.shadows, filtered ? &scene.mips : nullptr, PixelSpacing::of(view)});
+                {settings.shadows, settings.light_rule, seen_faces(settings),
+                 filtered ? &scene.mips : nullptr, PixelSpacing::of(view)});
 }
 
-/// Flattens, lights (with the default rig where the scene has no lights) and indexes `scene`.
+/// Flattens and indexes `scene` and lights it: by its own lights, its emissive meshes, and a rig
+/// where neither shines to speak of.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene);
 
 }  // namespace asos

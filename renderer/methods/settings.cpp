@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace asos {
 namespace {
@@ -29,6 +30,9 @@ RenderSettings as_published(RenderSettings settings) {
   settings.rule = StoppingRule::published;
   settings.detect = Detection::cone;
   settings.refine_shading = false;
+  // "Our current implementation uses this method" (CGF'98 section 4.3.2).
+  settings.shadow_quality = ShadowQuality::extended;
+  settings.light_rule = LightRule::published;
   return settings;
 }
 
@@ -44,7 +48,9 @@ Result<RenderSettings> validated(const RenderSettings& s) {
                          {"max", s.max_level, 0, RenderSettings::max_level_limit},
                          {"spp", s.spp, 1, max_spp},
                          {"threads", s.threads, 0, max_threads},
-                         {"fat", s.fat, 2, 16}}) {
+                         {"fat", s.fat, 2, 16},
+                         {"shadow-divisions", s.shadow_divisions, 1, 16},
+                         {"seed", s.seed, 0, std::numeric_limits<int>::max()}}) {
     if (r.value < r.lo || r.value > r.hi) {
       return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
     }
@@ -68,6 +74,12 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   }
   if (s.texture_filter != TextureFilter::footprint && s.texture_filter != TextureFilter::point) {
     return unexpected(Error{"texture-filter", "is neither footprint nor point"});
+  }
+  if (s.shadow_quality < ShadowQuality::refined ||
+      s.shadow_quality > ShadowQuality::extended_adaptive)
+    return unexpected(Error{"shadow-quality", "is not one of the program's"});
+  if (s.light_rule != LightRule::physical && s.light_rule != LightRule::published) {
+    return unexpected(Error{"light-rule", "is neither physical nor published"});
   }
   if (s.crop == PixelRect{}) return s;
   const PixelRect c = s.crop;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "renderer/geometry/view.h"
+#include "renderer/lights/prepared_light.h"
 #include "renderer/pyray/detection.h"
 #include "renderer/pyray/stopping.h"
 #include "renderer/result.h"
+#include "renderer/shadows/shadow_settings.h"
 
 #include <cstdint>
 
@@ -11,7 +13,7 @@ namespace asos {
 
 /// asos_published: asos with cone detection, point leaves and the published rule, whatever the
 /// settings below say.
-enum class Method { asos, asos_published, uniform, stochastic, beam };
+enum class Method { asos, asos_published, uniform, stochastic, sobol, beam };
 enum class Leaf { exact, point };
 /// footprint: textures, and highlights where the normal turns, are averaged over what a sample
 /// stands for; point: they are looked up where its ray hits.
@@ -34,10 +36,15 @@ struct RenderSettings {
   int fat = 8;                 ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
   bool refine_shading = true;  ///< split what is shaded unevenly, too
   bool jitter = false;         ///< jitter the samples of leaves that stay marginal at MAX
-  int spp = 16;                ///< uniform and stochastic: samples a pixel, rounded up to n * n
+  int spp = 16;  ///< sobol: samples a pixel; uniform and stochastic: rounded up to n * n
   TextureFilter texture_filter = TextureFilter::footprint;
   bool shadows = true;  ///< lights cast shadows
-  int threads = 0;      ///< workers; 0: all cores but one
+  ShadowQuality shadow_quality = ShadowQuality::refined;
+  int shadow_divisions = 2;  ///< n of the qualities that divide a patch into n x n, 1 to 16
+  LightRule light_rule = LightRule::physical;
+  bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
+  int seed = 0;      ///< sobol: of the scrambling, from 0; other seeds, other noise
+  int threads = 0;   ///< workers; 0: all cores but one
 
   bool operator==(const RenderSettings&) const = default;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/pyray/cover.h"
+#include "renderer/pyray/square.h"
 
 #include <glm/glm.hpp>
 
@@ -8,6 +9,9 @@
 #include <span>
 
 namespace asos {
+
+/// Why one sample cannot stand for what a patch of a surface looks like.
+enum class Unevenness : std::uint8_t { none, shading, shadow };
 
 /// What asks the engine: knows how to look along points of the root frame's square, and what to do
 /// with what it saw. Eye, shadow and reflection pyrays are the same engine behind different
@@ -30,16 +34,20 @@ class Caster {
   [[nodiscard]] virtual std::uint32_t surface(SampleId sample) const = 0;
 
   /// Whether one sample cannot stand for what a patch of the surface around it looks like, because
-  /// its shading varies by more than is let pass. `share` is the patch's share of its root's area.
-  /// The engine then splits the patch further, down to MAX.
-  [[nodiscard]] virtual bool uneven(SampleId /*sample*/, double /*share*/) const { return false; }
+  /// its shading or a shadow on it varies by more than is let pass. `share` is the patch's share of
+  /// its root's area. The engine then splits the patch further, down to MAX.
+  [[nodiscard]] virtual Unevenness uneven(SampleId /*sample*/, double /*share*/) const {
+    return Unevenness::none;
+  }
 
   /// True once nobody wants the result any more. The engine then returns early, with whatever it
   /// has; samples and leaves need not be meant from then on.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 
-  /// A finished leaf of the root whose id is `root`; `weight` is its share of the root's area.
-  virtual void leaf(std::uint32_t root, SampleId sample, double weight) = 0;
+  /// A finished leaf of the root whose id is `root`; `weight` is its share of the root's area, the
+  /// region what it covers of the root frame.
+  virtual void leaf(std::uint32_t root, SampleId sample, double weight,
+                    const LeafRegion& region) = 0;
 };
 
 }  // namespace asos

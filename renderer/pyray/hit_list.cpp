@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace asos {
@@ -61,8 +62,10 @@ bool is_silhouette(const Frame& frame, glm::dvec3 a, glm::dvec3 b, glm::dvec3 le
 
 }  // namespace
 
-void HitLists::reset(const FeatureSet& features, const Frame& frame, float finest_side) {
+void HitLists::reset(const FeatureSet& features, const Frame& frame, float finest_side,
+                     const SearchBounds& bounds) {
   features_ = &features;
+  bounds_ = bounds;
   frame_ = frame;
   test_frame_ = NodeTestFrame(frame);
   finest_side_ = finest_side;
@@ -72,16 +75,24 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   squares_a_unit_ = static_cast<float>(std::max(glm::length(a), glm::length(b)) / area);
   entries_.clear();
   segments_.clear();
+  root_.clear();
   if (features_->nodes().empty()) return;
-  HitEntry root;
-  root.u0 = root.v0 = -std::numeric_limits<float>::infinity();
-  root.u1 = root.v1 = root.q = std::numeric_limits<float>::infinity();
-  entries_.push_back(root);
+  if (bounds_.cut) {
+    for (const CutNode& part : *bounds_.cut)
+      open_node(features_->nodes()[part.node], part.children);
+  } else {
+    HitEntry root;
+    root.u0 = root.v0 = -std::numeric_limits<float>::infinity();
+    root.u1 = root.v1 = root.q = std::numeric_limits<float>::infinity();
+    entries_.push_back(root);
+  }
+  root_.resize(entries_.size());
+  std::iota(root_.begin(), root_.end(), 0u);
 }
 
-HitLists::List HitLists::root() const {
-  if (entries_.empty()) return {};
-  return {0};
+void HitLists::add_boundary(glm::vec2 p, glm::vec2 q, float nearness) {
+  root_.push_back(static_cast<std::uint32_t>(entries_.size()));
+  keep_segment({p.x, p.y, nearness, q.x, q.y, nearness, FeatureEdge::none});
 }
 
 void HitLists::refine(const Square& cell, const HidingPlane& hiding,
@@ -164,6 +175,7 @@ std::uint32_t HitLists::first_edge(const HitEntry& e) const {
 // Makes the segment between a chain's ends, once.
 bool HitLists::replace_by_chord(std::uint32_t i) {
   if (entries_[i].chord != FeatureEdge::none) return true;
+  if (bounds_.ignores(features_->edges()[first_edge(entries_[i])].a)) return false;
   const std::span<const glm::vec3> positions = features_->positions();
   const auto chord = static_cast<std::uint32_t>(entries_.size());
   add_segment(first_edge(entries_[i]), glm::dvec3(positions[entries_[i].chain[0]]),
@@ -171,6 +183,20 @@ bool HitLists::replace_by_chord(std::uint32_t i) {
   if (entries_.size() == chord) return false;
   entries_[i].chord = chord;
   return true;
+}
+
+std::optional<FeatureKind> HitLists::kind(std::uint32_t i) const {
+  if (segment(i).edge == FeatureEdge::none) return std::nullopt;
+  const FeatureEdge& edge = features_->edges()[segment(i).edge];
+  const bool may_be_silhouette =
+      edge.folds && edge.right != FeatureEdge::none &&
+      (edge.kind == FeatureKind::crease || edge.kind == FeatureKind::seam);
+  if (!may_be_silhouette) return edge.kind;
+  const std::span<const glm::vec3> positions = features_->positions();
+  const bool silhouette =
+      is_silhouette(frame_, glm::dvec3(positions[edge.a]), glm::dvec3(positions[edge.b]),
+                    glm::dvec3(positions[edge.left]), glm::dvec3(positions[edge.right]));
+  return silhouette ? FeatureKind::silhouette : edge.kind;
 }
 
 bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const {
@@ -193,7 +219,7 @@ void HitLists::open(std::uint32_t i) {
   if (entries_[i].opened) return;
   const auto first = static_cast<std::uint32_t>(entries_.size());
   if (entries_[i].type == HitEntry::Type::node) {
-    open_node(i);
+    open_node(features_->nodes()[entries_[i].ref], ~0u);
   } else {
     open_leaf(i);
   }
@@ -202,11 +228,24 @@ void HitLists::open(std::uint32_t i) {
   entries_[i].child_count = static_cast<std::uint16_t>(entries_.size() - first);
 }
 
-void HitLists::open_node(std::uint32_t i) {
-  const FeatureNode& node = features_->nodes()[entries_[i].ref];
+// Whether a child's box lies outside of the bounds.
+bool HitLists::outside(const FeatureNode& node, unsigned child) const {
+  for (const HalfSpace& half : bounds_.within) {
+    double farthest = -half.offset;
+    for (int k = 0; k < 3; ++k) {
+      const float* side = half.normal[k] > 0.0 ? node.hi[k] : node.lo[k];
+      farthest += half.normal[k] * static_cast<double>(side[child]);
+    }
+    if (farthest < 0.0) return true;
+  }
+  return false;
+}
+
+void HitLists::open_node(const FeatureNode& node, unsigned children) {
   const NodeTestResult test = test_children(node, test_frame_);
-  for (unsigned kept = test.kept; kept != 0; kept &= kept - 1) {
+  for (unsigned kept = test.kept & children; kept != 0; kept &= kept - 1) {
     const auto c = static_cast<unsigned>(__builtin_ctz(kept));
+    if (outside(node, c)) continue;
     HitEntry child;
     child.u0 = test.u0[c];
     child.v0 = test.v0[c];
@@ -230,6 +269,7 @@ void HitLists::open_leaf(std::uint32_t i) {
   const std::span<const glm::vec3> positions = features_->positions();
   for (std::uint32_t e = first; e < first + count; ++e) {
     const FeatureEdge& edge = features_->edges()[e];
+    if (bounds_.ignores(edge.a)) continue;
     const glm::dvec3 a(positions[edge.a]);
     const glm::dvec3 b(positions[edge.b]);
     if (edge.kind == FeatureKind::silhouette &&
@@ -244,8 +284,10 @@ void HitLists::open_leaf(std::uint32_t i) {
 void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 h0 = frame_.homogeneous(a);
   const glm::dvec3 h1 = frame_.homogeneous(b);
-  const std::optional<Range> range = inside(frame_, h0, h1);
+  std::optional<Range> range = inside(frame_, h0, h1);
   if (!range) return;
+  for (const HalfSpace& half : bounds_.within) range->keep(half.height(a), half.height(b));
+  if (!(range->t0 < range->t1)) return;
   const FramePoint p0 = frame_.project(range->t0 > 0.0 ? h0 + range->t0 * (h1 - h0) : h0);
   const FramePoint p1 = frame_.project(range->t1 < 1.0 ? h0 + range->t1 * (h1 - h0) : h1);
   Segment s;
@@ -255,6 +297,10 @@ void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   s.edge = edge;
   // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
   if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1) || (s.u0 == s.u1 && s.v0 == s.v1)) return;
+  keep_segment(s);
+}
+
+void HitLists::keep_segment(const Segment& s) {
   HitEntry entry;
   entry.type = HitEntry::Type::segment;
   entry.u0 = std::min(s.u0, s.u1), entry.u1 = std::max(s.u0, s.u1);

@@ -4,9 +4,11 @@
 #include "renderer/geometry/frame.h"
 #include "renderer/pyray/cover.h"
 #include "renderer/pyray/node_test.h"
+#include "renderer/pyray/search_bounds.h"
 #include "renderer/pyray/square.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,12 +48,16 @@ class HitLists {
  public:
   using List = std::vector<std::uint32_t>;
 
-  /// Starts a new root frame among `features`, which must outlive its use. Nothing smaller than
-  /// `finest_side` is ever opened for its size.
-  void reset(const FeatureSet& features, const Frame& frame, float finest_side);
+  /// Starts a new root frame among `features`, which must outlive its use, as must what `bounds`
+  /// points to. Nothing smaller than `finest_side` is ever opened for its size.
+  void reset(const FeatureSet& features, const Frame& frame, float finest_side,
+             const SearchBounds& bounds = {});
 
-  /// The list of the whole square: just the hierarchy's root, not opened.
-  [[nodiscard]] List root() const;
+  /// A boundary that is no feature of the scene: straight, from p to q, at one nearness.
+  void add_boundary(glm::vec2 p, glm::vec2 q, float nearness);
+
+  /// The list of the whole square: the hierarchy's root or the cut, not opened, and what was added.
+  [[nodiscard]] const List& root() const { return root_; }
 
   /// The list of a cell from its parent's. Drops what misses the cell; opens a node while it is
   /// larger than a quarter of the cell, or while so few entries are left that the cell may turn out
@@ -72,9 +78,13 @@ class HitLists {
   [[nodiscard]] const Segment& segment(std::uint32_t i) const { return segments_[entries_[i].ref]; }
   /// The sheets on both sides of a segment's edge (FeatureEdge::none: none there).
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> sheets(std::uint32_t i) const {
+    if (segment(i).edge == FeatureEdge::none) return {FeatureEdge::none, FeatureEdge::none};
     const FeatureEdge& edge = features_->edges()[segment(i).edge];
     return {edge.left_sheet, edge.right_sheet};
   }
+  /// What a segment is from where this frame looks: a crease or a seam whose two faces lie to the
+  /// same side of it is a silhouette. Nothing for a boundary that is no feature of the scene.
+  [[nodiscard]] std::optional<FeatureKind> kind(std::uint32_t i) const;
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
   /// Whether an entry of a cell's list lies behind `hiding` wherever it crosses the cell.
@@ -83,14 +93,18 @@ class HitLists {
  private:
   void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
   void open(std::uint32_t i);
-  void open_node(std::uint32_t i);
+  void open_node(const FeatureNode& node, unsigned children);
+  [[nodiscard]] bool outside(const FeatureNode& node, unsigned child) const;
   void open_leaf(std::uint32_t i);
   void add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b);
+  void keep_segment(const Segment& s);
   [[nodiscard]] std::uint32_t first_edge(const HitEntry& e) const;
   [[nodiscard]] bool straight(const HitEntry& e, float tolerance) const;
   [[nodiscard]] bool replace_by_chord(std::uint32_t i);
 
   const FeatureSet* features_ = nullptr;
+  SearchBounds bounds_;
+  List root_;
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;

@@ -48,6 +48,7 @@ std::span<const Face> CellPartition::cut(const Square& cell, std::span<const Seg
                                          std::size_t max_faces) {
   cell_ = cell;
   faces_.clear();
+  sides_.clear();
   pieces_.clear();
   for (const Segment& s : segments)
     if (!add_piece(s)) return {};
@@ -117,7 +118,9 @@ bool CellPartition::cut_by_one() {
     polygon[n++] = part == 0 ? piece.q : piece.p;
     double area = 0.0;
     glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
+    const std::size_t first_side = sides_.size();
     for (int i = 0; i < n; ++i) {
+      emit_side(polygon[i], polygon[(i + 1) % n]);
       lo = glm::min(lo, polygon[i]);
       hi = glm::max(hi, polygon[i]);
       if (i < 1 || i + 1 >= n) continue;
@@ -125,7 +128,7 @@ bool CellPartition::cut_by_one() {
       area += a;
       centroid += a * (start + polygon[i] + polygon[i + 1]) / 3.0;
     }
-    if (area > 0.0) emit(area, centroid / area, lo, hi);
+    if (area > 0.0) emit(area, centroid / area, lo, hi, first_side);
   }
   return !faces_.empty();
 }
@@ -309,13 +312,16 @@ bool CellPartition::inside_face(std::int32_t face, glm::dvec2 p) const {
 bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
   double area = 0.0;
   glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
+  const std::size_t first_side = sides_.size();
   bool simple = true;
   for (const Loop& loop : loops_) {
     if (loop.face != face) continue;
     simple &= loop.area > 0.0;
     area += loop.area;
-    for_each_side(loop,
-                  [&](glm::dvec2 a, glm::dvec2 b) { centroid += cross(a, b) * (a + b) / 6.0; });
+    for_each_side(loop, [&](glm::dvec2 a, glm::dvec2 b) {
+      centroid += cross(a, b) * (a + b) / 6.0;
+      emit_side(a, b);
+    });
   }
   for_each_side(outer, [&](glm::dvec2 a, glm::dvec2) {
     lo = glm::min(lo, a);
@@ -324,7 +330,7 @@ bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
   if (area < 1e-12) return true;
   centroid /= area;
   if (simple && outer.count <= 3) {
-    emit(area, centroid, lo, hi);
+    emit(area, centroid, lo, hi, first_side);
     return true;
   }
   double clearest = inside_face(face, centroid) ? clearance(face, centroid) : 0.0;
@@ -340,7 +346,7 @@ bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
     }
   }
   if (clearest <= 0.0) return false;
-  emit(area, best, lo, hi);
+  emit(area, best, lo, hi, first_side);
   return true;
 }
 
@@ -370,10 +376,21 @@ double CellPartition::clearance(std::int32_t face, glm::dvec2 p) const {
   return nearest;
 }
 
-void CellPartition::emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi) {
+void CellPartition::emit_side(glm::dvec2 from, glm::dvec2 to) {
+  const auto placed = [&](glm::dvec2 p) {
+    return glm::vec2(cell_.u, cell_.v) + cell_.side * glm::vec2(p);
+  };
+  sides_.push_back({placed(from), placed(to)});
+}
+
+// The sides since `first_side` are the face's.
+void CellPartition::emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi,
+                         std::size_t first_side) {
   const auto u = [&](double x) { return cell_.u + cell_.side * static_cast<float>(x); };
   const auto v = [&](double y) { return cell_.v + cell_.side * static_cast<float>(y); };
-  faces_.push_back({area, u(at.x), v(at.y), u(lo.x), v(lo.y), u(hi.x), v(hi.y)});
+  faces_.push_back({area, u(at.x), v(at.y), u(lo.x), v(lo.y), u(hi.x), v(hi.y),
+                    static_cast<std::uint32_t>(first_side),
+                    static_cast<std::uint32_t>(sides_.size() - first_side)});
 }
 
 }  // namespace asos

@@ -16,6 +16,8 @@ struct Face {
   float u = 0.0f;     ///< a point well inside it, in the root frame
   float v = 0.0f;
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;  ///< its bounding rectangle
+  std::uint32_t first_side = 0;          ///< of its sides, one after the other
+  std::uint32_t side_count = 0;
 };
 
 /// Cuts a cell along the boundary segments that cross it, with exact areas ("exact leaf"). CGF'98
@@ -28,6 +30,9 @@ class CellPartition {
   /// `max_faces` or too nearly degenerate to be told apart: the cell then has to be subdivided.
   [[nodiscard]] std::span<const Face> cut(const Square& cell, std::span<const Segment> segments,
                                           std::size_t max_faces);
+
+  /// All sides of the faces cut last, in the root frame.
+  [[nodiscard]] std::span<const Side> sides() const { return sides_; }
 
  private:
   struct Edge {
@@ -69,7 +74,8 @@ class CellPartition {
       visit(nodes_[loop_nodes_[loop.first + k]],
             nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]]);
   }
-  void emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi);
+  void emit_side(glm::dvec2 from, glm::dvec2 to);
+  void emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi, std::size_t first_side);
 
   Square cell_;
   std::vector<Piece> pieces_;
@@ -79,6 +85,7 @@ class CellPartition {
   std::vector<Loop> loops_;
   std::vector<std::uint32_t> loop_nodes_;
   std::vector<Face> faces_;
+  std::vector<Side> sides_;
   std::vector<double> crossings_;
   std::vector<std::pair<double, std::uint32_t>> order_;
   std::vector<Spoke> around_;

@@ -33,7 +33,8 @@ struct Splitter {
       return;
     }
     if (differ) outcome.unresolved_area += 4.0 * weight;
-    for (std::uint32_t i = 0; i < 4; ++i) caster.leaf(id, first + i, weight);
+    for (std::uint32_t i = 0; i < 4; ++i)
+      caster.leaf(id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ});
   }
 };
 
@@ -49,7 +50,7 @@ SubdivisionOutcome split_by_samples(const Root& root, int max_level, Caster& cas
   const glm::vec2 centre(root.square.centre_u(), root.square.centre_v());
   caster.leaf(root.id,
               root.centre != Caster::no_sample ? root.centre : caster.probe(std::span(&centre, 1)),
-              1.0);
+              1.0, {root.square, {}, true});
   return splitter.outcome;
 }
 

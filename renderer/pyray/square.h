@@ -1,6 +1,9 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
+#include <span>
 
 namespace asos {
 
@@ -25,6 +28,48 @@ struct Segment {
   float u0 = 0, v0 = 0, q0 = 0;
   float u1 = 0, v1 = 0, q1 = 0;
   std::uint32_t edge = 0;  ///< index into FeatureSet::edges
+};
+
+/// A directed side of a region of a root frame: the region lies to the left where u points to the
+/// right and v up, so that outer sides run counter-clockwise and those of holes clockwise.
+struct Side {
+  glm::vec2 from{0.0f};
+  glm::vec2 to{0.0f};
+};
+
+/// Whether directed sides go around a point an odd number of times.
+[[nodiscard]] inline bool winds_around(std::span<const Side> sides, glm::vec2 p) {
+  bool in = false;
+  for (const Side& s : sides) {
+    if ((s.from.y > p.y) != (s.to.y > p.y) &&
+        p.x < s.from.x + (s.to.x - s.from.x) * (p.y - s.from.y) / (s.to.y - s.from.y))
+      in = !in;
+  }
+  return in;
+}
+
+/// What a leaf covers: a square, or the part of it that the sides go around.
+struct LeafRegion {
+  Square square;
+  std::span<const Side> sides;  ///< empty: the whole square
+  bool marginal = false;        ///< boundaries pass through it: one sample stands for all of it
+
+  [[nodiscard]] bool holds(glm::vec2 p) const {
+    if (!sides.empty()) return winds_around(sides, p);
+    return p.x >= square.u && p.x <= square.u + square.side && p.y >= square.v &&
+           p.y <= square.v + square.side;
+  }
+  /// Calls visit(Side) for every side, those of the square where that is all.
+  template <typename Visit>
+  void for_each_side(Visit&& visit) const {
+    if (!sides.empty()) {
+      for (const Side& side : sides) visit(side);
+      return;
+    }
+    const float u1 = square.u + square.side, v1 = square.v + square.side;
+    const glm::vec2 corners[4] = {{square.u, square.v}, {u1, square.v}, {u1, v1}, {square.u, v1}};
+    for (int i = 0; i < 4; ++i) visit(Side{corners[i], corners[(i + 1) % 4]});
+  }
 };
 
 /// The part of a segment inside a square, as parameters along it: empty unless t0 < t1.

@@ -62,10 +62,14 @@ void Subdivider::stop_roots(Level& level) {
     const std::span cells = std::span(level.cells).subspan(i, end - i);
     i = end;
     tally(level, cells);
-    const bool stop = level_ >= rules_.max_level || tally_.holds(rules_.rule, rules_.eps);
+    const bool holds = tally_.holds(rules_.rule, rules_.eps);
+    const bool at_limit = level_ >= rules_.max_level;
+    SubdivisionOutcome& o = outcome(cells.front());
+    o.at_limit |= at_limit && tally_.marginal > 0 && !holds;
     for (Cell& cell : cells) {
-      cell.done = stop && !cell.uneven;
-      outcome(cell).uneven |= cell.uneven;
+      cell.done = (at_limit || holds) && !cell.is_uneven();
+      o.uneven_shading |= cell.uneven == Unevenness::shading;
+      o.uneven_shadow |= cell.uneven == Unevenness::shadow;
     }
     if (tally_.marginal > 0 && traced(cells.front())) trace_->levels.push_back(tally_);
   }
@@ -77,12 +81,12 @@ void Subdivider::stop_roots(Level& level) {
 void Subdivider::tally(const Level& level, std::span<const Cell> cells) {
   tally_.start(level_);
   if (rules_.rule == StoppingRule::unresolved && !trace_) {
-    tally_.marginal = static_cast<std::uint32_t>(
-        std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return !cell.uneven; }));
+    tally_.marginal = static_cast<std::uint32_t>(std::count_if(
+        cells.begin(), cells.end(), [](const Cell& cell) { return !cell.is_uneven(); }));
     return;
   }
   for (const Cell& cell : cells) {
-    if (cell.uneven) continue;
+    if (cell.is_uneven()) continue;
     // All that is near, also behind what the axis hits: it may show beyond the edge of that.
     near_.clear();
     bool one_edge = cell.count == 1;
@@ -117,8 +121,9 @@ void Subdivider::finish_marginal(Level& level) {
     if (!cell.done) continue;
     const double share = weight(cell);
     outcome(cell).unresolved_area += share;
+    find_boundaries(level, cell);
     const SampleId leaf = anew ? sample++ : cell.centre;
-    caster_->leaf(roots_[cell.root].id, leaf, share);
+    caster_->leaf(roots_[cell.root].id, leaf, share, {cell.square, {}, true});
     if (TracedCell* seen =
             record(level, cell, level_ < rules_.max_level ? CellFate::stopped : CellFate::finest))
       seen->leaves.push_back({leaf, *point, share});
@@ -132,7 +137,7 @@ void Subdivider::split(const Level& level, Level& next) {
   next.entries.clear();
   for (const Cell& cell : level.cells) {
     if (caster_->cancelled()) return;
-    (void)record(level, cell, cell.uneven ? CellFate::uneven : CellFate::split);
+    (void)record(level, cell, cell.is_uneven() ? CellFate::uneven : CellFate::split);
     for (int i = 0; i < 4; ++i) {
       Cell child;
       child.square = cell.square.quarter(i);

@@ -27,6 +27,7 @@ struct SubdivisionRules {
   Detection detection = Detection::square;
   bool exact_leaves = true;  ///< cut cells along their boundaries; false: point leaves
   bool jitter = false;       ///< jitter the samples of cells that stay marginal at MAX
+  int least_faces = 2;       ///< an exact leaf may have at least as many parts, at any level
 };
 
 /// A pyray to subdivide: a square of the frame, and the boundaries that pass through it.
@@ -38,12 +39,32 @@ struct Root {
   std::uint64_t seed = 0;                       ///< for jitter
 };
 
+/// Kinds of boundaries, a bit for each FeatureKind.
+class BoundaryKinds {
+ public:
+  void add(FeatureKind kind) { bits_ = static_cast<std::uint8_t>(bits_ | bit(kind)); }
+  void add(BoundaryKinds other) { bits_ = static_cast<std::uint8_t>(bits_ | other.bits_); }
+  [[nodiscard]] bool has(FeatureKind kind) const { return (bits_ & bit(kind)) != 0; }
+  [[nodiscard]] bool empty() const { return bits_ == 0; }
+
+ private:
+  [[nodiscard]] static std::uint8_t bit(FeatureKind kind) {
+    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
+  }
+  std::uint8_t bits_ = 0;
+};
+
 /// What a root's subdivision came to.
 struct SubdivisionOutcome {
   int deepest = 0;               ///< finest level examined; a cut counts as one more
   double unresolved_area = 0.0;  ///< share of the root whose cells stayed marginal
-  bool uneven = false;           ///< some cell was split for its shading alone
+  bool uneven_shading = false;   ///< some cell was split for its shading alone
+  bool uneven_shadow = false;    ///< some cell was split for a shadow on it alone
   bool saturated = false;        ///< some cell went to its finest samples at once
+  bool at_limit = false;         ///< cells stayed marginal at MAX and the rule did not hold
+  /// Of the boundaries that were visible in cells that were cut or stayed marginal to the end;
+  /// groups of edges that were not told apart there count as silhouettes.
+  BoundaryKinds boundaries;
   std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
 };
 
@@ -73,7 +94,9 @@ class Subdivider {
     SampleId centre = Caster::no_sample;
     bool fresh = false;  // its centre was sampled in this level's first round
     bool done = false;
-    bool uneven = false;  // resolved but for its shading
+    Unevenness uneven = Unevenness::none;  // but for which it would be resolved
+
+    [[nodiscard]] bool is_uneven() const { return uneven != Unevenness::none; }
   };
   struct Level {
     std::vector<Cell> cells;
@@ -92,6 +115,7 @@ class Subdivider {
     std::uint32_t count = 0;
     std::uint32_t first_excluded = 0;  // entries taken for hidden
     std::uint32_t excluded_count = 0;
+    BoundaryKinds boundaries;
   };
 
   void start(std::span<const Root> roots);
@@ -108,8 +132,11 @@ class Subdivider {
   [[nodiscard]] bool plan_saturated(const Cell& cell, std::uint32_t cell_index);
   void add_plan(Plan::Kind kind, std::uint32_t cell_index, std::span<const glm::vec2> points);
   void carry_out(Level& level);
-  [[nodiscard]] bool uneven(const Cell& cell, const Plan& plan, SampleId first) const;
-  void take_leaf(const Cell& cell, SampleId sample, glm::vec2 at, double share, TracedCell* seen);
+  [[nodiscard]] BoundaryKinds kinds_of(std::span<const std::uint32_t> entries) const;
+  void find_boundaries(const Level& level, const Cell& cell);
+  [[nodiscard]] Unevenness uneven(const Cell& cell, const Plan& plan, SampleId first) const;
+  void take_leaf(const Cell& cell, SampleId sample, glm::vec2 at, double share,
+                 const LeafRegion& region, TracedCell* seen);
   [[nodiscard]] bool excluded_stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const;
   // What stays marginal.
   void stop_roots(Level& level);
@@ -136,7 +163,8 @@ class Subdivider {
   CellPartition partition_;
   ChainSimplifier chains_;
   std::vector<std::uint32_t> visible_;
-  std::vector<std::uint32_t> told_apart_;  // what was visible_, without clusters
+  std::vector<std::uint32_t> told_apart_;     // what was visible_, without clusters
+  std::span<const std::uint32_t> cut_along_;  // visible_ or told_apart_, of the cell cut last
   std::vector<Segment> segments_;
   std::size_t boundary_count_ = 0;  // of the cell looked at last: chains, where those are known
   LevelTally tally_;
@@ -146,6 +174,7 @@ class Subdivider {
   std::vector<Plan> plans_;
   std::vector<glm::vec2> points_;
   std::vector<Face> faces_;
+  std::vector<Side> sides_;  // of the faces
   std::vector<std::uint32_t> excluded_;
 };
 

@@ -20,6 +20,12 @@ constexpr std::size_t most_told_apart = 1024;
 // of that, so that what is lost along a longer chain is the same.
 constexpr float chain_tolerance = 1.0f / 64.0f;
 
+// Part i of n x n of a square, in rows.
+Square part_of(const Square& s, std::uint32_t n, std::uint32_t i) {
+  const float side = s.side / static_cast<float>(n);
+  return {s.u + static_cast<float>(i % n) * side, s.v + static_cast<float>(i / n) * side, side};
+}
+
 }  // namespace
 
 // Takes the leaves of all cells that are uniform or can be cut, and a sample at the centre of the
@@ -29,10 +35,11 @@ void Subdivider::resolve(Level& level) {
     plans_.clear();
     points_.clear();
     faces_.clear();
+    sides_.clear();
     excluded_.clear();
     for (std::uint32_t i = 0; i < level.cells.size(); ++i) {
       const Cell& cell = level.cells[i];
-      if (!cell.done && !cell.uneven && !caster_->cancelled()) plan(level, i, with_own_sample);
+      if (!cell.done && !cell.is_uneven() && !caster_->cancelled()) plan(level, i, with_own_sample);
     }
     carry_out(level);
   }
@@ -94,10 +101,14 @@ bool Subdivider::plan_faces(const Level& level, std::uint32_t cell_index,
   }
   add_plan(Plan::Kind::faces, cell_index, {});
   Plan& plan = plans_.back();
+  plan.boundaries = kinds_of(cut_along_);
   plan.count = static_cast<std::uint32_t>(faces.size());
   plan.first_face = static_cast<std::uint32_t>(faces_.size());
+  const auto first_side = static_cast<std::uint32_t>(sides_.size());
+  sides_.insert(sides_.end(), partition_.sides().begin(), partition_.sides().end());
   for (const Face& face : faces) {
     faces_.push_back(face);
+    faces_.back().first_side += first_side;
     points_.emplace_back(face.u, face.v);
   }
   plan.first_excluded = static_cast<std::uint32_t>(first_excluded);
@@ -113,8 +124,8 @@ std::span<const Face> Subdivider::cut(const Cell& cell, const HidingPlane& hidin
   boundary_count_ = visible_.size();
   if (clusters && !tell_apart(cell, hiding)) return {};
   segments_.clear();
-  for (const std::uint32_t i : clusters ? told_apart_ : visible_)
-    segments_.push_back(hits_->segment(i));
+  cut_along_ = clusters ? told_apart_ : visible_;
+  for (const std::uint32_t i : cut_along_) segments_.push_back(hits_->segment(i));
   std::span<const Segment> boundaries = segments_;
   if (boundaries.size() > most_segments) {
     // What is not too long stays as it is: something thin between two chains would be lost.
@@ -158,13 +169,9 @@ bool Subdivider::plan_saturated(const Cell& cell, std::uint32_t cell_index) {
   if (below < 1 || boundary_count_ <= most_segments || 4 * boundary_count_ < n * n) return false;
   add_plan(Plan::Kind::saturated, cell_index, {});
   plans_.back().count = n * n;
-  const float side = cell.square.side / static_cast<float>(n);
-  for (std::uint32_t y = 0; y < n; ++y) {
-    for (std::uint32_t x = 0; x < n; ++x) {
-      points_.push_back(jittered(cell.root, {cell.square.u + static_cast<float>(x) * side,
-                                             cell.square.v + static_cast<float>(y) * side, side}));
-    }
-  }
+  plans_.back().boundaries = kinds_of(visible_);
+  for (std::uint32_t i = 0; i < n * n; ++i)
+    points_.push_back(jittered(cell.root, part_of(cell.square, n, i)));
   return true;
 }
 
@@ -189,31 +196,36 @@ void Subdivider::carry_out(Level& level) {
     const double whole = weight(cell);
     switch (plan.kind) {
       case Plan::Kind::uniform:
-        if (uneven(cell, plan, sample)) {
-          cell.uneven = true;
+        cell.uneven = uneven(cell, plan, sample);
+        if (cell.is_uneven()) {
           if (plan.count) cell.centre = sample;
           cell.cover = caster_->cover(cell.centre);
           break;
         }
         take_leaf(cell, plan.count ? sample : cell.centre,
-                  {cell.square.centre_u(), cell.square.centre_v()}, whole,
+                  {cell.square.centre_u(), cell.square.centre_v()}, whole, {cell.square, {}},
                   record(level, cell, CellFate::uniform));
         cell.done = true;
         break;
       case Plan::Kind::faces: {
         if (!excluded_stay_hidden(cell, plan, sample)) break;
-        if (uneven(cell, plan, sample)) {
-          cell.uneven = true;
+        cell.uneven = uneven(cell, plan, sample);
+        if (cell.is_uneven()) {
           // Its children need a sample in the closure of each of them.
           if (cell.centre == Caster::no_sample) cell.cover = Cover::none();
           break;
         }
         TracedCell* seen = record(level, cell, CellFate::cut);
-        for (std::uint32_t i = 0; i < plan.count; ++i)
-          take_leaf(cell, sample + i, points_[plan.first_point + i],
-                    whole * faces_[plan.first_face + i].area, seen);
-        if (plan.count > 1)
+        for (std::uint32_t i = 0; i < plan.count; ++i) {
+          const Face& face = faces_[plan.first_face + i];
+          take_leaf(cell, sample + i, points_[plan.first_point + i], whole * face.area,
+                    {cell.square, std::span(sides_).subspan(face.first_side, face.side_count)},
+                    seen);
+        }
+        if (plan.count > 1) {
           o.deepest = std::max(o.deepest, std::min(level_ + 1, std::max(1, rules_.max_level)));
+          o.boundaries.add(plan.boundaries);
+        }
         cell.done = true;
         break;
       }
@@ -224,9 +236,12 @@ void Subdivider::carry_out(Level& level) {
         break;
       case Plan::Kind::saturated: {
         TracedCell* seen = record(level, cell, CellFate::saturated);
+        const std::uint32_t n = 1u << (rules_.max_level - level_);
         for (std::uint32_t i = 0; i < plan.count; ++i)
-          take_leaf(cell, sample + i, points_[plan.first_point + i], whole / plan.count, seen);
+          take_leaf(cell, sample + i, points_[plan.first_point + i], whole / plan.count,
+                    {part_of(cell.square, n, i), {}, true}, seen);
         o.saturated = true;
+        o.boundaries.add(plan.boundaries);
         o.deepest = rules_.max_level;
         o.unresolved_area += whole;
         o.pyrays_by_level[static_cast<std::size_t>(rules_.max_level)] += plan.count;
@@ -238,19 +253,38 @@ void Subdivider::carry_out(Level& level) {
 }
 
 // Whether one of the leaves that a plan stands for should be split for its shading.
-bool Subdivider::uneven(const Cell& cell, const Plan& plan, SampleId first) const {
-  if (level_ >= rules_.max_level) return false;
+Unevenness Subdivider::uneven(const Cell& cell, const Plan& plan, SampleId first) const {
+  if (level_ >= rules_.max_level) return Unevenness::none;
   const double whole = weight(cell);
   if (plan.kind == Plan::Kind::uniform)
     return caster_->uneven(plan.count ? first : cell.centre, whole);
-  for (std::uint32_t i = 0; i < plan.count; ++i)
-    if (caster_->uneven(first + i, whole * faces_[plan.first_face + i].area)) return true;
-  return false;
+  for (std::uint32_t i = 0; i < plan.count; ++i) {
+    const Unevenness found = caster_->uneven(first + i, whole * faces_[plan.first_face + i].area);
+    if (found != Unevenness::none) return found;
+  }
+  return Unevenness::none;
+}
+
+BoundaryKinds Subdivider::kinds_of(std::span<const std::uint32_t> entries) const {
+  BoundaryKinds kinds;
+  for (const std::uint32_t i : entries) {
+    const auto kind =
+        hits_->entry(i).is_segment() ? hits_->kind(i) : std::optional(FeatureKind::silhouette);
+    if (kind) kinds.add(*kind);
+  }
+  return kinds;
+}
+
+// Of a cell that stays marginal.
+void Subdivider::find_boundaries(const Level& level, const Cell& cell) {
+  const Square reach = detector_->reach(cell.square);
+  find_visible(level.list(cell), reach, HidingPlane::of(cell.cover, hits_->frame(), reach.side));
+  outcome(cell).boundaries.add(kinds_of(visible_));
 }
 
 void Subdivider::take_leaf(const Cell& cell, SampleId sample, glm::vec2 at, double share,
-                           TracedCell* seen) {
-  caster_->leaf(roots_[cell.root].id, sample, share);
+                           const LeafRegion& region, TracedCell* seen) {
+  caster_->leaf(roots_[cell.root].id, sample, share, region);
   if (seen) seen->leaves.push_back({sample, at, share});
 }
 
@@ -276,8 +310,8 @@ bool Subdivider::excluded_stay_hidden(const Cell& cell, const Plan& plan, Sample
 // children: half as many as there are finest cells.
 std::size_t Subdivider::most_faces() const {
   const int below = rules_.max_level - level_;
-  return static_cast<std::size_t>(
-      std::max(2 + 2 * std::min(3, below), std::min(64, (1 << 2 * below) / 2)));
+  return static_cast<std::size_t>(std::max(
+      {rules_.least_faces, 2 + 2 * std::min(3, below), std::min(64, (1 << 2 * below) / 2)}));
 }
 
 // A point of a cell that depends on the root's seed and the cell only.

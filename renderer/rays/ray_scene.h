@@ -14,13 +14,38 @@ namespace asos {
 /// What a ray's alpha test needs to know of a world: opacity of `triangle` at (b1, b2), 0 to 1.
 using AlphaAt = float (*)(const World& world, std::uint32_t triangle, float b1, float b2);
 
+/// Which sides of surfaces a ray meets.
+enum class Faces : std::uint8_t {
+  all,
+  /// A ray goes through the back of a single-sided material's triangle as if it were not there, as
+  /// glTF 2.0 says for what a viewer sees (section 3.9.4, doubleSided; which side is the back:
+  /// meets_back).
+  as_material_says,
+};
+
+/// What a shadow ray meets on its way.
+struct Blocker {
+  /// The nearest surface that blocks all light: opaque, or masked where its opacity reaches the
+  /// cut-off; not valid if there is none.
+  Hit hit;
+  /// What `RayScene::transmittance` says: 0 if blocked, else what blended surfaces leave.
+  float transmittance = 1.0f;
+  /// Whether the ray met the geometry of a masked or blended material no farther than `hit` (which
+  /// may be masked itself), hole or not: rays nearby may then fare otherwise, although no outline
+  /// of a surface lies between.
+  bool see_through = false;
+};
+
 /// Rays against a world's triangles, through Embree. Masked surfaces are tested against their
-/// cut-off; blended ones are met by `closest` and attenuate `transmittance`. Both sides of every
-/// surface are met, also of single-sided materials: many models are wound carelessly, and a
-/// previewer must not lose their surfaces. Keeps a pointer into the world, which must stay where it
-/// is and outlive it. Thread-safe once built.
+/// cut-off; blended ones are met by `closest` and attenuate `transmittance`. Shadow rays meet both
+/// sides of every surface, and so do others unless they ask for less. Keeps a pointer into the
+/// world, which must stay where it is and outlive it. Thread-safe once built.
 ///
-/// The same call gives the same bits on one machine. The two forms of `closest`, and spans cut
+/// Queries for shadows take the part (index into World::parts) that shines the light in question
+/// and does not shade it: `Light::own_part` of a light of the world, or -1 for none. A part that is
+/// no light's own is never ignored.
+///
+/// The same call gives the same bits on one machine. A query for one ray, and spans cut
 /// differently, may differ in a hit's last bits, so what goes into one span must not depend on the
 /// timing of threads. A ray that is not finite, or has no direction, meets nothing; so does every
 /// ray on a RayScene that was not built.
@@ -31,20 +56,27 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Errors: Embree's, such as lack of memory.
+  /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist.
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha);
 
   /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
-  void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
-  [[nodiscard]] Hit closest(const Ray& ray) const;
+  void closest(std::span<const Ray> rays, std::span<Hit> hits, Faces faces = Faces::all) const;
+  [[nodiscard]] Hit closest(const Ray& ray, Faces faces = Faces::all) const;
 
-  /// The share of light that passes along the ray, 0 (blocked) to 1.
-  [[nodiscard]] float transmittance(const Ray& ray) const;
+  /// The share of light that passes along each ray, 0 (blocked) to 1; `shares` is as long as
+  /// `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
+  void transmittance(std::span<const Ray> rays, std::span<float> shares,
+                     std::int32_t ignored_part = -1) const;
+  [[nodiscard]] float transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
+
+  /// What each ray meets on its way to a light; `blockers` is as long as `rays`.
+  void blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
+                std::int32_t ignored_part = -1) const;
 
   /// What Embree holds for this scene, and the copies made for it.
   [[nodiscard]] std::size_t memory_bytes() const;
 
-  /// Rays traced at once by the span form of `closest`: 16, 8, 4 or 1. Chosen for the processor by
+  /// Rays traced at once by the queries for spans: 16, 8, 4 or 1. Chosen for the processor by
   /// `build`; another width may be set for a measurement, while no ray is under way.
   [[nodiscard]] int packet_width() const;
   void set_packet_width(int width);

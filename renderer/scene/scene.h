@@ -85,22 +85,38 @@ struct Instance {
   std::string name;
   int mesh = -1;  ///< index into Scene::meshes
   glm::dmat4 world_from_mesh{1.0};
+  bool shows_light = false;  ///< an emissive stand-in for a light of the scene: not a light itself
 };
 
-/// A punctual light (KHR_lights_punctual), already placed in the world.
+/// A light, already placed in the world. Its encoding in files: scene/gltf/LIGHTS.md. It has no
+/// surface of its own: what a viewer sees of a lamp is an instance with an emissive material.
 struct Light {
-  enum class Type { point, spot, directional };
+  enum class Type { point, spot, directional, linear, rectangle, disk, polygon };
 
   std::string name;
   Type type = Type::point;
   glm::vec3 color{1.0f};
-  float intensity = 1.0f;          ///< candela (point, spot) or lux (directional)
-  glm::dvec3 position{0.0};        ///< point and spot
-  glm::dvec3 direction{0, 0, -1};  ///< unit, the way the light travels: spot and directional
-  double range = std::numeric_limits<double>::infinity();
-  double inner_cone_rad = 0.0;
+  /// Candela (point, spot; linear: of the whole, seen square on), lux (directional: of a surface
+  /// that faces it) or nits (rectangle, disk, polygon).
+  float intensity = 1.0f;
+  glm::dvec3 position{0.0};        ///< its middle; polygon: any point of its plane
+  glm::dvec3 direction{0, 0, -1};  ///< unit, the way the light travels; flat lights shine that way
+  double range = std::numeric_limits<double>::infinity();  ///< point and spot
+  double inner_cone_rad = 0.0;                             ///< spot
   double outer_cone_rad = 0.7853981633974483;
+  double radius = 0.0;                ///< disk; point and spot: of a ball that shines, 0: a point
+  double angular_diameter_rad = 0.0;  ///< directional: of a sun's disk, 0: infinitely far point
+  glm::dvec3 half_u{
+      0.0};  ///< rectangle, linear: from the middle to the middle of a side, or an end
+  glm::dvec3 half_v{0.0};  ///< rectangle: square to half_u and direction
+  /// Polygon: closed outlines in one plane, the last corner joined to the first. The outer one runs
+  /// counter-clockwise and holes clockwise as seen by who looks against `direction`.
+  std::vector<std::vector<glm::dvec3>> outlines;
+  bool two_sided = false;  ///< rectangle, disk, polygon: shines both ways
   bool casts_shadows = true;
+  /// Index into World::parts of the surface that shines this light, which does not shade it; -1:
+  /// none. Only in a World.
+  std::int32_t own_part = -1;
 };
 
 /// A camera placed in the world; it looks along -Z of `world_from_camera`, +Y is up, the columns of

@@ -269,6 +269,7 @@ class Flattener {
     part.material = placed.mesh->material >= 0
                         ? static_cast<std::uint32_t>(placed.mesh->material)
                         : static_cast<std::uint32_t>(scene_.materials.size());
+    part.shows_light = instance.shows_light;
 
     add_positions(placed, instance.world_from_mesh);
     for (glm::uvec3 t : placed.triangles()) {
@@ -350,7 +351,12 @@ class Flattener {
     world_.textures = scene_.textures;
     world_.images = scene_.images;
     world_.lights = scene_.lights;
-    for (Light& light : world_.lights) light.position -= world_.origin;
+    for (Light& light : world_.lights) {
+      light.position -= world_.origin;
+      for (std::vector<glm::dvec3>& outline : light.outlines) {
+        for (glm::dvec3& corner : outline) corner -= world_.origin;
+      }
+    }
     world_.cameras = scene_.cameras;
     for (Camera& camera : world_.cameras) {
       camera.world_from_camera[3] -= glm::dvec4(world_.origin, 0.0);

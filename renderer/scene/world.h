@@ -18,6 +18,7 @@ struct Part {
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
   std::uint32_t material = 0;  ///< index into World::materials, always valid
+  bool shows_light = false;    ///< as Instance's
 };
 
 struct Box {

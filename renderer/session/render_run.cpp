@@ -1,5 +1,6 @@
 #include "renderer/session/render_run.h"
 
+#include "renderer/methods/sample_block.h"
 #include "renderer/shading/shade.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ FinishedTile RenderRun::tile_of(const BlockGroup& group) const {
       static_cast<std::size_t>(tile.rect.width) * static_cast<std::size_t>(tile.rect.height);
   tile.radiance.resize(pixels, glm::vec3(0.0f));
   tile.split_level.resize(pixels, 0);
+  tile.cause.resize(pixels, SplitCause::none);
   return tile;
 }
 
@@ -58,6 +60,8 @@ void RenderRun::copy_into(FinishedTile& tile, const FinishedTile& block) const {
                 tile.radiance.begin() + index(tile.rect));
     std::copy_n(block.split_level.begin() + index(block.rect), shared.width,
                 tile.split_level.begin() + index(tile.rect));
+    std::copy_n(block.cause.begin() + index(block.rect), shared.width,
+                tile.cause.begin() + index(tile.rect));
   }
 }
 
@@ -81,6 +85,9 @@ void RenderRun::work_coarse(const std::stop_token& stop) {
   constexpr std::size_t blocks_in_group = (group_size / block_size) * (group_size / block_size);
   std::array<Ray, blocks_in_group> rays;
   std::array<Hit, blocks_in_group> hits;
+  std::vector<glm::dvec3> sums;
+  GridPlaces places(1, false);
+  SampledLights lights(scene.rays, places);
   RenderStatistics uncounted;
   while (!stop.stop_requested()) {
     const std::size_t index = next_coarse_++;
@@ -93,17 +100,26 @@ void RenderRun::work_coarse(const std::stop_token& stop) {
       rays[i] = view_.ray(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
     }
     scene.rays.closest(std::span(rays).first(group.block_count),
-                       std::span(hits).first(group.block_count));
+                       std::span(hits).first(group.block_count), seen_faces(snapshot_.settings));
     FinishedTile tile = tile_of(group);
+    sums.assign(group.block_count, glm::dvec3(0.0));
     for (std::size_t i = 0; i < group.block_count; ++i) {
       if (stop.stop_requested()) return;
-      glm::vec3 radiance = shader.radiance(rays[i], hits[i], float{block_size}, uncounted);
+      places.start_pixel(plan_.blocks[group.first_block + i].rect.x,
+                         plan_.blocks[group.first_block + i].rect.y);
+      lights.set_target(i);
+      sums[i] = shader.radiance(rays[i], hits[i], float{block_size}, lights, uncounted);
+    }
+    lights.trace(sums);
+    for (std::size_t i = 0; i < group.block_count; ++i) {
+      glm::vec3 radiance(sums[i]);
       if (!std::isfinite(radiance.x + radiance.y + radiance.z)) radiance = glm::vec3(0.0f);
       FinishedTile block;
       block.rect = plan_.blocks[group.first_block + i].rect;
       const auto pixels = static_cast<std::size_t>(block.rect.width * block.rect.height);
       block.radiance.assign(pixels, radiance);
       block.split_level.assign(pixels, 0);
+      block.cause.assign(pixels, SplitCause::none);
       copy_into(tile, block);
     }
     publish(index, coarse, std::move(tile));
@@ -113,6 +129,7 @@ void RenderRun::work_coarse(const std::stop_token& stop) {
 void RenderRun::work_centres(const std::stop_token& stop) {
   // A pixel's centre is what the regular grid of one sample takes.
   RenderSettings settings = snapshot_.settings;
+  settings.method = Method::uniform;
   settings.spp = 1;
   while (!stop.stop_requested()) {
     const std::size_t index = next_centres_++;
@@ -122,7 +139,7 @@ void RenderRun::work_centres(const std::stop_token& stop) {
     for (std::size_t i = 0; i < group.block_count; ++i) {
       if (stop.stop_requested()) return;
       const PixelRect& rect = plan_.blocks[group.first_block + i].rect;
-      copy_into(tile, render_block_uniform(*snapshot_.scene, view_, settings, rect).tile);
+      copy_into(tile, render_block(*snapshot_.scene, view_, settings, rect).tile);
     }
     publish(index, centres, std::move(tile));
   }

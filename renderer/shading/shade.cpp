@@ -19,6 +19,36 @@ constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
 // The lobe's denominator needs a positive angle; one this small is within a tenth of a degree.
 constexpr float grazing_cosine = 1.0f / 512.0f;
 
+/// A point as it is seen.
+struct ViewedPoint {
+  const SurfacePoint& point;
+  glm::vec3 to_viewer;
+  float n_dot_v;
+};
+
+/// Radiance towards the viewer per irradiance from a light. The lobe's part is that of the light's
+/// representative point, made as broad as the light by the ratio of what its width was to what it
+/// would be (Karis 2013): of the whole light, whatever is visible of it.
+glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
+                          const PatchLobe& lobe, const ViewedPoint& view,
+                          const Highlight& highlight) {
+  const glm::vec3 n = view.point.shading_normal;
+  const glm::vec3 l = highlight.direction;
+  const glm::vec3 half = glm::normalize(l + view.to_viewer);
+  const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
+                          std::max(0.0f, glm::dot(n, half)),
+                          std::max(0.0f, glm::dot(view.to_viewer, half))};
+  float value =
+      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
+  if (highlight.half_angle_tangent > 0.0f) {
+    const float roughness = std::max(seen.roughness, roughness_floor);
+    const float width = roughness * roughness;
+    const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
+    value *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
+  }
+  return brdf(seen, angles, value);
+}
+
 /// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
 float behind(const Ray& ray, const SurfacePoint& point, float t) {
   const float length = glm::length(ray.direction);
@@ -37,61 +67,40 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
                ShadingSettings settings)
     : world_(world), needs_(needs), rays_(rays), settings_(settings) {
   lights_.reserve(world.lights.size());
-  for (const Light& light : world.lights) lights_.push_back(prepare_light(light));
+  for (const Light& light : world.lights)
+    lights_.push_back(prepare_light(light, settings.light_rule));
 }
 
-float Shader::visibility(const PreparedLight& light, const SurfacePoint& point, glm::vec3 direction,
-                         RenderStatistics& counts) const {
-  if (!light.casts_shadows || !settings_.shadows) return 1.0f;
-  ++counts.shadow_rays;
-  Ray ray;
-  ray.origin = spawn_origin(point, direction);
-  if (light.type == Light::Type::directional) {
-    ray.direction = direction;
-    return rays_.transmittance(ray);
-  }
-  // The light lies at t = 1; the subtraction and the test of a lamp's own glass right at the light
-  // err by some units in the last place of the coordinates.
-  ray.direction = light.position - ray.origin;
-  const glm::vec3 size = glm::abs(light.position) + glm::abs(ray.origin);
-  const float relative = (size.x + size.y + size.z) / glm::length(ray.direction);
-  ray.t_far = 1.0f - std::min(0.5f, 4.0f * std::numeric_limits<float>::epsilon() * relative);
-  return rays_.transmittance(ray);
-}
-
-glm::vec3 Shader::reflected(const SurfacePoint& point, const SurfaceMaterial& material,
-                            glm::vec3 to_viewer, RenderStatistics& counts) const {
+void Shader::add_reflected(const SurfacePoint& point, const SurfaceMaterial& material,
+                           glm::vec3 to_viewer, const Layer& layer, LightTransport& transport,
+                           glm::vec3& radiance, RenderStatistics& counts) const {
   const glm::vec3 n = point.shading_normal;
   const float n_dot_v = std::max(glm::dot(n, to_viewer), grazing_cosine);
 
   // The constant sky, in closed form and unoccluded.
   const ViewedMaterial seen = viewed(material, n_dot_v);
-  glm::vec3 sum = ambient_radiance * (seen.diffuse + seen.specular);
+  radiance += layer.share * (ambient_radiance * (seen.diffuse + seen.specular));
 
   const PatchLobe lobe(point.spread, seen.roughness, n);
-
-  // Punctual lights: none reaches a surface from behind, whatever its shading normal says.
-  for (const PreparedLight& light : lights_) {
-    const Incident incident = incident_light(light, point.position);
-    const float n_dot_l = glm::dot(n, incident.direction);
-    if (n_dot_l <= 0.0f || glm::dot(point.geometric_normal, incident.direction) <= 0.0f) continue;
-    if (incident.irradiance == glm::vec3(0.0f)) continue;
-    const glm::vec3 half = glm::normalize(incident.direction + to_viewer);
-    const BrdfAngles angles{n_dot_l, n_dot_v, std::max(0.0f, glm::dot(n, half)),
-                            std::max(0.0f, glm::dot(to_viewer, half))};
-    const glm::vec3 share_out =
-        lobe.wider() ? brdf(seen, angles, lobe.value(half, incident.direction, to_viewer, angles))
-                     : brdf(seen, angles);
-    const glm::vec3 light_out = share_out * incident.irradiance * n_dot_l;
-    if (light_out == glm::vec3(0.0f)) continue;
-    const float share = visibility(light, point, incident.direction, counts);
-    if (share > 0.0f) sum += share * light_out;
+  const Receiver receiver = receiver_at(point);
+  const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
+  for (std::uint32_t i = 0; i < lights_.size(); ++i) {
+    const PreparedLight& light = lights_[i];
+    const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
+    if (irradiance == glm::vec3(0.0f)) continue;
+    const glm::vec3 share_out = reflected_share(light, seen, lobe, {point, to_viewer, n_dot_v},
+                                                highlight_of(light, receiver.position, mirrored));
+    const Illumination lit{light, i, point, irradiance, layer.share * share_out, layer.number};
+    if (light.casts_shadows && settings_.shadows) {
+      transport.add(lit, radiance, counts);
+    } else {
+      radiance += lit.reflected * lit.unshadowed;
+    }
   }
-  return sum;
 }
 
 glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float side,
-                           RenderStatistics& counts) const {
+                           LightTransport& transport, RenderStatistics& counts) const {
   const SampleExtent extent{&settings_.spacing, settings_.mips, side};
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   glm::vec3 sum{0.0f};
@@ -110,10 +119,13 @@ glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float sid
       // Add the layer by its opacity.
       const SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
       if (material.opacity > 0.0f) {
-        const glm::vec3 out =
-            material.unlit ? material.base_color * (1.0f - material.transmission)
-                           : material.emission + reflected(point, material, to_viewer, counts);
-        sum += share * (material.opacity * out);
+        const Layer here{share * material.opacity, layer};
+        if (material.unlit) {
+          sum += here.share * material.base_color * (1.0f - material.transmission);
+        } else {
+          sum += here.share * material.emission;
+          add_reflected(point, material, to_viewer, here, transport, sum, counts);
+        }
       }
       if (!blended) return sum;
       // Thin glass tints what shines through it by its base colour.
@@ -125,7 +137,7 @@ glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float sid
 
     // Go on behind it.
     ray.t_near = behind(ray, point, hit.t);
-    hit = rays_.closest(ray);
+    hit = rays_.closest(ray, settings_.faces);
     ++counts.eye_rays;
   }
   return sum;

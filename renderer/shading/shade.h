@@ -2,14 +2,16 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/ray.h"
+#include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/world.h"
-#include "renderer/shading/light.h"
+#include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
 
 #include <glm/glm.hpp>
 
+#include <span>
 #include <vector>
 
 namespace asos {
@@ -22,6 +24,8 @@ namespace asos {
 /// What is shaded and what is left out.
 struct ShadingSettings {
   bool shadows = true;  ///< lights cast shadows
+  LightRule light_rule = LightRule::physical;
+  Faces faces = Faces::all;  ///< which surfaces lie behind blended ones
   /// What textures, and highlights on surfaces that turn, are averaged with over what a sample
   /// stands for; null: every sample is a point.
   const MipChains* mips = nullptr;
@@ -41,17 +45,23 @@ class Shader {
 
   /// Linear radiance arriving along `ray`, of unit direction, whose nearest hit is `hit` (invalid:
   /// the background). The sample stands for a square of `side` pixels around the ray, 0: a point.
-  /// Blended surfaces are composited in depth order. Counts the rays it casts: those to lights, and
-  /// eye rays that go on behind a blended surface. Results that are not finite (a light right on
-  /// the surface) are returned as they are; the caller drops and counts them.
+  /// Blended surfaces are composited in depth order. Lights that cast shadows go by way of
+  /// `transport`. Counts the eye rays that go on behind a blended surface. Results that are not
+  /// finite are returned as they are; the caller drops and counts them.
   [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
-                                   RenderStatistics& counts) const;
+                                   LightTransport& transport, RenderStatistics& counts) const;
+
+  [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }
 
  private:
-  [[nodiscard]] glm::vec3 reflected(const SurfacePoint& point, const SurfaceMaterial& material,
-                                    glm::vec3 to_viewer, RenderStatistics& counts) const;
-  [[nodiscard]] float visibility(const PreparedLight& light, const SurfacePoint& point,
-                                 glm::vec3 direction, RenderStatistics& counts) const;
+  /// A layer that a ray meets: its share of the ray's radiance, and how many lie before it.
+  struct Layer {
+    glm::vec3 share{1.0f};
+    int number = 0;
+  };
+  void add_reflected(const SurfacePoint& point, const SurfaceMaterial& material,
+                     glm::vec3 to_viewer, const Layer& layer, LightTransport& transport,
+                     glm::vec3& radiance, RenderStatistics& counts) const;
 
   const World& world_;
   const SceneNeeds& needs_;

@@ -150,6 +150,7 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
   // Position from the corners: its error is bounded by their size alone, not by the distance that
   // the ray came.
   SurfacePoint point;
+  point.triangle = hit.triangle;
   point.position = t.b0 * p0 + t.b1 * p1 + t.b2 * p2;
   point.error = gamma_bound(7) * (glm::abs(t.b0 * p0) + glm::abs(t.b1 * p1) + glm::abs(t.b2 * p2));
   const glm::vec3 size = glm::max(p0, glm::max(p1, p2)) - glm::min(p0, glm::min(p1, p2));
@@ -227,13 +228,17 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   return surface;
 }
 
-glm::vec3 spawn_origin(const SurfacePoint& point, glm::vec3 direction) {
+float clear_height(const SurfacePoint& point) {
   // The test of a ray against the triangle works on corners relative to the ray's origin: a dozen
   // operations on lengths of up to the triangle's extent.
+  return 2.0f *
+         (glm::dot(glm::abs(point.geometric_normal), point.error) + gamma_bound(12) * point.extent);
+}
+
+glm::vec3 spawn_origin(const SurfacePoint& point, glm::vec3 direction) {
   const glm::vec3 n = point.geometric_normal;
-  const float distance =
-      2.0f * (glm::dot(glm::abs(n), point.error) + gamma_bound(12) * point.extent);
-  return point.position + (glm::dot(n, direction) < 0.0f ? -distance : distance) * n;
+  const float height = clear_height(point);
+  return point.position + (glm::dot(n, direction) < 0.0f ? -height : height) * n;
 }
 
 }  // namespace asos

@@ -18,6 +18,7 @@ struct SurfacePoint {
   glm::vec3 geometric_normal{0.0f};  ///< unit, towards the viewer; 0 for a zero-area triangle
   glm::vec3 shading_normal{0.0f};    ///< unit, in the geometric normal's half-space
   float extent = 0.0f;               ///< largest side of the triangle's box
+  std::uint32_t triangle = Hit::none;
   Footprint footprint;
   NormalSpread spread;  ///< of the shading normals across the footprint
 };
@@ -52,6 +53,9 @@ struct SampleExtent {
 [[nodiscard]] SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs,
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
+
+/// How far above the surface a ray starts or ends without meeting it, along its normal.
+[[nodiscard]] float clear_height(const SurfacePoint& point);
 
 /// Where a ray towards `direction` leaves a surface without meeting it again: the point moved along
 /// the geometric normal by its own error bound and that of the ray-triangle test, which grows with

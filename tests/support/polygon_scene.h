@@ -77,7 +77,7 @@ class BruteForceCaster : public Caster {
     return t == Hit::none ? Hit::none : features_.sheet(t);
   }
 
-  void leaf(std::uint32_t, SampleId id, double weight) override {
+  void leaf(std::uint32_t, SampleId id, double weight, const LeafRegion&) override {
     total += weight;
     const std::uint32_t t = samples_[id].triangle;
     if (t != Hit::none) coverage[world_.triangle_part[t]] += weight;

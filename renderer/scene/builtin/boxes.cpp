@@ -49,7 +49,7 @@ Scene make_boxes() {
   const int fence_mesh = stage.keep("fence", std::move(fence), stage.paint("white", 0xf2efe6));
   stage.place("fence", fence_mesh, turned({-3.0, 0.0, -1.75}, 4.0));
 
-  stage.sun("sun", {-0.55, -0.85, -0.6}, 0xfff3dc, 3.1f);
+  stage.soft_sun("panel", {-0.15, 0.6, -0.3}, {-0.55, -0.85, -0.6}, 120.0, 0xfff3dc, 3.1f);
   stage.sun("sky", {0.25, -1.0, 0.15}, 0xc9dcff, 0.45f);
   stage.sun("fill", {-0.25, -0.06, -1.0}, 0xe4ecff, 0.6f);
   stage.camera("front", {1.3, 2.05, 5.4}, {-0.15, 0.62, -0.5}, 36.0);

@@ -78,7 +78,7 @@ Scene make_dense() {
               turned({1.85, 0.8, -0.35}, -30.0) *
                   glm::rotate(glm::dmat4(1.0), glm::radians(68.0), glm::dvec3(1, 0, 0)));
 
-  stage.sun("sun", {0.65, -0.9, -0.6}, 0xfff1da, 3.1f);
+  stage.soft_sun("panel", {0.1, 0.9, -0.2}, {0.65, -0.9, -0.6}, 120.0, 0xfff1da, 3.1f);
   stage.sun("sky", {-0.2, -1.0, 0.1}, 0xccdcff, 0.4f);
   stage.sun("fill", {0.08, -0.06, -1.0}, 0xe6edff, 0.6f);
   stage.camera("front", {-0.35, 1.8, 5.7}, {0.1, 0.95, -0.2}, 34.0);

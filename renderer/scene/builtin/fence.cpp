@@ -116,7 +116,7 @@ Scene make_fence() {
   }
   stage.add("masts", std::move(masts), stage.paint("mast", 0xb8483a, 0.6f));
 
-  stage.sun("sun", {-0.75, -0.6, -0.4}, 0xfff0d8, 3.2f);
+  stage.sun("sun", {-0.75, -0.6, -0.4}, 0xfff0d8, 3.2f, sun_diameter_rad);
   stage.sun("sky", {0.2, -1.0, 0.2}, 0xcfe0ff, 0.6f);
   stage.sun("fill", {0.25, -0.06, -1.0}, 0xe6edff, 0.9f);
   stage.camera("down the road", {-1.1, 1.6, 4.4}, {0.7, 3.1, -12.0}, 50.0);

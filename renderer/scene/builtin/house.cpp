@@ -96,7 +96,7 @@ Scene make_house() {
   add_porch(stage, -half_length, 1.6f, half_width);
   add_gazebo(stage, {7.6, 0.0, 4.4});
 
-  stage.sun("sun", {-0.62, -0.68, -0.55}, 0xfff0d6, 3.1f);
+  stage.sun("sun", {-0.62, -0.68, -0.55}, 0xfff0d6, 3.1f, sun_diameter_rad);
   stage.sun("sky", {0.25, -1.0, 0.1}, 0xcfe0ff, 0.5f);
   stage.sun("fill", {-0.29, -0.05, -1.0}, 0xe6edff, 0.75f);
   stage.camera("garden", {7.2, 3.0, 17.5}, {2.05, 3.25, 0.0}, 35.0);

@@ -41,7 +41,7 @@ Scene make_mixed() {
   const int fence_mesh = stage.keep("fence", std::move(fence), stage.paint("white", 0xf4f1ea));
   stage.place("fence", fence_mesh, turned({-3.4, 0.0, -1.75}, -3.0));
 
-  stage.sun("sun", {0.6, -0.9, -0.65}, 0xfff2dd, 3.1f);
+  stage.soft_sun("panel", {0.0, 0.7, -0.3}, {0.6, -0.9, -0.65}, 120.0, 0xfff2dd, 3.1f);
   stage.sun("sky", {-0.2, -1.0, 0.1}, 0xccdcff, 0.45f);
   stage.sun("fill", {0.12, -0.06, -1.0}, 0xe6edff, 0.6f);
   stage.camera("front", {-0.5, 1.75, 5.6}, {0.05, 0.78, -0.4}, 36.0);

@@ -161,8 +161,9 @@ void add_whiteboard(Stage& stage) {
   stage.add("drawing", std::move(writing), stage.paint("marker", 0x2b4f95, 0.8f));
 }
 
-/// An emissive panel under the ceiling. The lamps just below it make its light until panels of
-/// light are lights of their own.
+/// The luminous panel under the ceiling: what shines is a rectangle a hair below the panel that one
+/// sees, which would shade it otherwise. The panel is shown just brighter than white: with all of
+/// its radiance its outline could only be clipped, and would look jagged whatever the method.
 void add_ceiling_light(Stage& stage) {
   const glm::vec3 centre(0.1f, ceiling, -0.15f);
   const glm::mat4 facing_down =
@@ -172,9 +173,9 @@ void add_ceiling_light(Stage& stage) {
   add_box(panel, centre - glm::vec3(0.62f, 0.045f, 0.32f), centre + glm::vec3(0.62f, 0.0f, 0.32f));
   stage.add("light frame", std::move(frame), stage.paint("light frame", 0xd5d7d9, 0.5f));
   stage.add("light panel", std::move(panel), stage.glow("light panel", 0xfffaf0, 1.6f));
-  for (const float x : {-0.42f, 0.42f}) {
-    stage.lamp("panel lamp", centre + glm::vec3(x, -0.075f, 0.0f), 0xfff6e6, 4.6f);
-  }
+  stage.show_light();
+  const glm::dvec3 below = glm::dvec3(centre) - glm::dvec3(0.0, 0.046, 0.0);
+  stage.panel("ceiling panel", below, below - glm::dvec3(0, 1, 0), {1.24, 0.64}, 0xfff6e6, 11.6f);
 }
 
 }  // namespace

@@ -4,10 +4,17 @@
 
 namespace asos::builtin {
 
+namespace {
+
+/// The lamp's place, its colour and its candela, whatever its shape.
+constexpr glm::dvec3 lamp_place(-2.6, 7.5, 3.4);
+constexpr std::uint32_t lamp_srgb = 0xfff4e2;
+constexpr float lamp_candela = 185.0f;
+
 // The shapes of GI'93 figure 6 with their shadows: sphere, cylinder, cone, truncated cone, box and
-// disk over a plane. Round ones have 256 sides, so that their outlines look smooth up close.
-Scene make_primitives() {
-  Stage stage("primitives");
+// disk over a plane. Round ones have 256 sides, so that their outlines look smooth up close. All
+// but the main light.
+void furnish(Stage& stage) {
   constexpr int sides = 256;
 
   Mesh plane;
@@ -41,11 +48,48 @@ Scene make_primitives() {
   stage.make_double_sided(disk_paint);
   stage.add("disk", std::move(disk), disk_paint);
 
-  stage.lamp("lamp", {-2.6, 7.5, 3.4}, 0xfff4e2, 185.0f);
   stage.sun("sky", {0.3, -1.0, 0.2}, 0xd5e2ff, 0.7f);
   stage.sun("fill", {-0.03, -0.06, -1.0}, 0xdfe9ff, 0.6f);
   stage.camera("front", {0.25, 3.5, 7.0}, {0.05, 0.72, -0.3}, 34.0);
   stage.camera("low", {-3.6, 0.9, 4.6}, {0.1, 0.75, -0.5}, 42.0);
+}
+
+}  // namespace
+
+Scene make_primitives() {
+  Stage stage("primitives");
+  stage.lamp("lamp", lamp_place, lamp_srgb, lamp_candela);
+  furnish(stage);
+  return stage.take();
+}
+
+// The lights of figure 6 have about a quarter of their distance in size, and all give the same
+// light where the shapes stand.
+
+Scene make_primitives_ball() {
+  Stage stage("primitives-ball");
+  stage.ball("ball", lamp_place, 1.0, lamp_srgb, lamp_candela);
+  furnish(stage);
+  return stage.take();
+}
+
+Scene make_primitives_linear() {
+  Stage stage("primitives-linear");
+  const glm::dvec3 half(1.25, 0.0, 0.0);
+  stage.tube("tube", lamp_place - half, lamp_place + half, lamp_srgb, lamp_candela);
+  furnish(stage);
+  return stage.take();
+}
+
+Scene make_primitives_rectangle() {
+  Stage stage("primitives-rectangle");
+  // It hangs level; seen from the origin, its outline shrinks by a cosine, which the nits make up.
+  constexpr double side = 2.0;
+  const double cosine = lamp_place.y / glm::length(lamp_place);
+  const double nits = static_cast<double>(lamp_candela) / (side * side * cosine);
+  stage.panel("panel", lamp_place, lamp_place - glm::dvec3(0, 1, 0), {side, side}, lamp_srgb,
+              static_cast<float>(nits));
+  furnish(stage);
   return stage.take();
 }
 

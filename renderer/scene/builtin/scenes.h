@@ -8,6 +8,9 @@ namespace asos::builtin {
 
 [[nodiscard]] Scene make_office();
 [[nodiscard]] Scene make_primitives();
+[[nodiscard]] Scene make_primitives_ball();
+[[nodiscard]] Scene make_primitives_linear();
+[[nodiscard]] Scene make_primitives_rectangle();
 [[nodiscard]] Scene make_house();
 [[nodiscard]] Scene make_fence();
 [[nodiscard]] Scene make_boxes();

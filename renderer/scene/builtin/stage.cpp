@@ -55,13 +55,15 @@ void Stage::add(const std::string& name, Mesh mesh, int material) {
   place(name, keep(name, std::move(mesh), material), glm::dmat4(1.0));
 }
 
-void Stage::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux) {
+void Stage::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
+                double diameter_rad) {
   Light light;
   light.name = name;
   light.type = Light::Type::directional;
   light.color = linear_from_srgb(srgb);
   light.intensity = lux;
   light.direction = glm::normalize(travel);
+  light.angular_diameter_rad = diameter_rad;
   scene_.lights.push_back(light);
 }
 
@@ -85,12 +87,53 @@ void Stage::spot(const std::string& name, glm::dvec3 position, glm::dvec3 target
   light.inner_cone_rad = 0.6 * light.outer_cone_rad;
 }
 
+void Stage::ball(const std::string& name, glm::dvec3 position, double radius, std::uint32_t srgb,
+                 float candela) {
+  lamp(name, position, srgb, candela);
+  scene_.lights.back().radius = radius;
+}
+
+void Stage::tube(const std::string& name, glm::dvec3 from, glm::dvec3 to, std::uint32_t srgb,
+                 float candela) {
+  lamp(name, 0.5 * (from + to), srgb, candela);
+  Light& light = scene_.lights.back();
+  light.type = Light::Type::linear;
+  light.half_u = 0.5 * (to - from);
+}
+
+void Stage::panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target, glm::dvec2 size,
+                  std::uint32_t srgb, float nits) {
+  lamp(name, centre, srgb, nits);
+  Light& light = scene_.lights.back();
+  light.type = Light::Type::rectangle;
+  light.direction = glm::normalize(target - centre);
+  const glm::dvec3 level = glm::cross(light.direction, glm::dvec3(0, 1, 0));
+  const glm::dvec3 u = glm::length(level) > 1e-9 ? glm::normalize(level) : glm::dvec3(1, 0, 0);
+  light.half_u = 0.5 * size.x * u;
+  light.half_v = 0.5 * size.y * glm::cross(u, light.direction);
+}
+
+void Stage::soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel, double distance,
+                     std::uint32_t srgb, float lux) {
+  const glm::dvec2 size(0.3 * distance);
+  const double nits = static_cast<double>(lux) / illuminance_before(size, distance);
+  panel(name, target - distance * glm::normalize(travel), target, size, srgb,
+        static_cast<float>(nits));
+}
+
 void Stage::camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {
   Camera camera;
   camera.name = name;
   camera.world_from_camera = glm::inverse(glm::lookAt(eye, target, glm::dvec3(0, 1, 0)));
   camera.fov_y_rad = glm::radians(fov_y_deg);
   scene_.cameras.push_back(camera);
+}
+
+double illuminance_before(glm::dvec2 size, double distance) {
+  const glm::dvec2 half = 0.5 * size / distance;
+  const glm::dvec2 reach = glm::sqrt(1.0 + half * half);
+  return 2.0 * (half.x / reach.x * std::atan(half.y / reach.x) +
+                half.y / reach.y * std::atan(half.x / reach.y));
 }
 
 glm::dmat4 turned(glm::dvec3 position, double degrees) {

@@ -13,9 +13,9 @@ namespace asos::builtin {
 /// Collects a built-in scene. Colours are given as people write them, 0xRRGGBB in sRGB.
 ///
 /// Brightness: a white diffuse surface under an illuminance of pi lux has radiance 1, which is
-/// display white at exposure 0. So suns have 2 to 3 lux and lamps the candela that give about as
-/// much where they matter. There is no ambient light: each scene has a weak fill light from near
-/// its camera, whose shadows the subject itself hides, or from the sky.
+/// display white at exposure 0. So suns have 2 to 3 lux, lamps the candela and panels the nits that
+/// give about as much where they matter. There is no ambient light: each scene has a weak fill
+/// light from near its camera, whose shadows the subject itself hides, or from the sky.
 class Stage {
  public:
   explicit Stage(const std::string& name);
@@ -31,12 +31,31 @@ class Stage {
   void place(const std::string& name, int mesh, const glm::dmat4& world_from_mesh);
   /// Keeps a mesh that is built in world coordinates and places it there.
   void add(const std::string& name, Mesh mesh, int material);
+  /// Makes what was placed last the visible stand-in of a light, which is no light itself.
+  void show_light() { scene_.instances.back().shows_light = true; }
 
-  /// `travel`: the way the light goes; any length.
-  void sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux);
+  /// `travel`: the way the light goes; any length. `diameter_rad`: of the sun's disk in the sky, 0
+  /// for light from one direction only.
+  void sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
+           double diameter_rad = 0.0);
   void lamp(const std::string& name, glm::dvec3 position, std::uint32_t srgb, float candela);
   void spot(const std::string& name, glm::dvec3 position, glm::dvec3 target, std::uint32_t srgb,
             float candela, double outer_cone_deg);
+  /// A lamp that is a ball with a radius, in metres.
+  void ball(const std::string& name, glm::dvec3 position, double radius, std::uint32_t srgb,
+            float candela);
+  /// A straight tube between two ends; `candela` of the whole, seen square on.
+  void tube(const std::string& name, glm::dvec3 from, glm::dvec3 to, std::uint32_t srgb,
+            float candela);
+  /// A rectangle around `centre`, `size.x` wide along the level and `size.y` high, which shines
+  /// towards `target` only. One that faces straight up or down is wide along x.
+  void panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target, glm::dvec2 size,
+             std::uint32_t srgb, float nits);
+  /// The soft counterpart of a sun: a square panel at `distance` against `travel` from `target`,
+  /// whose side is 0.3 of that, so that penumbrae are 0.3 of the way from an edge to its shadow. It
+  /// gives `lux` at the target to a surface that faces it.
+  void soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel, double distance,
+                std::uint32_t srgb, float lux);
 
   /// An upright perspective camera; fov is the full vertical angle.
   void camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg);
@@ -46,6 +65,13 @@ class Stage {
  private:
   Scene scene_;
 };
+
+/// The illuminance in lux that a rectangle of `size` and one nit gives at `distance` before its
+/// middle to a surface that faces it: the closed form of its projected solid angle.
+[[nodiscard]] double illuminance_before(glm::dvec2 size, double distance);
+
+/// A sun's diameter in the sky, as seen from the earth.
+inline constexpr double sun_diameter_rad = 0.0093;
 
 /// The placement that turns by `degrees` about +Y and then moves to `position`.
 [[nodiscard]] glm::dmat4 turned(glm::dvec3 position, double degrees);

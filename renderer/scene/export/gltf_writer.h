@@ -53,6 +53,9 @@ class GltfDocument {
   std::vector<std::uint8_t> binary_;
 };
 
+/// A node to be filled, with its name where there is one.
+[[nodiscard]] nlohmann::json named_node(const std::string& name);
+
 /// Why `scene` cannot be written as glTF, naming the part; empty when it can.
 [[nodiscard]] std::string why_not_exportable(const Scene& scene);
 

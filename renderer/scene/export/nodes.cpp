@@ -1,10 +1,5 @@
 #include "renderer/scene/export/gltf_writer.h"
 
-#include <glm/gtc/quaternion.hpp>
-
-#include <algorithm>
-#include <cmath>
-
 namespace asos::exporting {
 
 using nlohmann::json;
@@ -21,10 +16,6 @@ json matrix_json(const glm::dmat4& m) {
     for (int row = 0; row < 4; ++row) out.push_back(m[column][row]);
   }
   return out;
-}
-
-json named_node(const std::string& name) {
-  return name.empty() ? json::object() : json{{"name", name}};
 }
 
 int write_positions(const Mesh& mesh, GltfDocument& document) {
@@ -61,36 +52,6 @@ json mesh_json(const Mesh& mesh, GltfDocument& document) {
   return out;
 }
 
-/// The turn that takes -Z to the unit `direction`, as glTF's (x, y, z, w).
-json rotation_json(const glm::dvec3& direction) {
-  const glm::dvec3 away(0.0, 0.0, -1.0);
-  // Straight back, every half turn about an axis across -Z does; elsewhere the shortest turn.
-  const double w = 1.0 + glm::dot(away, direction);
-  const glm::dquat q = w < 1e-12 ? glm::dquat(0.0, 0.0, 1.0, 0.0)
-                                 : glm::normalize(glm::dquat(w, glm::cross(away, direction)));
-  return json::array({q.x, q.y, q.z, q.w});
-}
-
-json light_json(const Light& light) {
-  json out{{"color", {light.color.r, light.color.g, light.color.b}},
-           {"intensity", light.intensity}};
-  if (!light.name.empty()) out["name"] = light.name;
-  if (light.type == Light::Type::directional) {
-    out["type"] = "directional";
-  } else {
-    out["type"] = light.type == Light::Type::spot ? "spot" : "point";
-    if (std::isfinite(light.range)) out["range"] = light.range;
-  }
-  if (light.type == Light::Type::spot) {
-    // glTF wants the inner cone smaller than the outer one, if only by a hair.
-    const double inner = std::min(light.inner_cone_rad, light.outer_cone_rad * (1.0 - 1e-12));
-    out["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", light.outer_cone_rad}};
-  }
-  // glTF has no word for it; other programs keep extras and do not mind them.
-  if (!light.casts_shadows) out["extras"]["casts_shadows"] = false;
-  return out;
-}
-
 json camera_json(const Camera& camera) {
   json out;
   if (!camera.name.empty()) out["name"] = camera.name;
@@ -111,6 +72,10 @@ json camera_json(const Camera& camera) {
 
 }  // namespace
 
+json named_node(const std::string& name) {
+  return name.empty() ? json::object() : json{{"name", name}};
+}
+
 void write_meshes(const Scene& scene, GltfDocument& document) {
   // glTF has no empty meshes: one without triangles is left out, and its instances stay as nodes.
   std::vector<int> mesh_of(scene.meshes.size(), -1);
@@ -125,20 +90,7 @@ void write_meshes(const Scene& scene, GltfDocument& document) {
     if (instance.world_from_mesh != glm::dmat4(1.0)) {
       node["matrix"] = matrix_json(instance.world_from_mesh);
     }
-    document.add_root_node(std::move(node));
-  }
-}
-
-void write_lights(const Scene& scene, GltfDocument& document) {
-  if (scene.lights.empty()) return;
-  document.use_extension("KHR_lights_punctual");
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Light& light = scene.lights[i];
-    document.root["extensions"]["KHR_lights_punctual"]["lights"].push_back(light_json(light));
-    json node = named_node(light.name);
-    node["extensions"]["KHR_lights_punctual"]["light"] = i;
-    node["translation"] = {light.position.x, light.position.y, light.position.z};
-    if (light.type != Light::Type::point) node["rotation"] = rotation_json(light.direction);
+    if (instance.shows_light) node["extras"]["asos_light_fallback"] = true;
     document.add_root_node(std::move(node));
   }
 }

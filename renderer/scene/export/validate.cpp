@@ -1,4 +1,5 @@
 #include "renderer/scene/export/gltf_writer.h"
+#include "renderer/scene/gltf/light_fault.h"
 
 #include <fmt/format.h>
 
@@ -118,24 +119,6 @@ std::string image_fault(const Image& image) {
   return {};
 }
 
-std::string light_fault(const Light& light) {
-  if (!within(light.intensity, 0.0, huge)) return "has an intensity that is no positive number";
-  for (int i = 0; i < 3; ++i) {
-    if (!within(light.color[i], 0.0, huge)) return "has a colour that is no positive number";
-    if (!std::isfinite(light.position[i])) return "has a position that is not finite";
-  }
-  if (!(light.range > 0.0)) return "has a range that is no positive number";
-  if (light.type != Light::Type::point && !within(glm::length(light.direction), 0.999, 1.001)) {
-    return "has a direction that is not of unit length";
-  }
-  if (light.type == Light::Type::spot &&
-      !(light.inner_cone_rad >= 0.0 && light.inner_cone_rad <= light.outer_cone_rad &&
-        light.outer_cone_rad <= 1.5707973)) {
-    return "has cone angles that are not in order between 0 and 90 degrees";
-  }
-  return {};
-}
-
 std::string camera_fault(const Camera& camera) {
   if (!finite(camera.world_from_camera)) return "is placed by a matrix that is not finite";
   if (camera.aspect_ratio && !within(*camera.aspect_ratio, 1e-9, 1e9)) {
@@ -177,7 +160,7 @@ std::string why_not_exportable(const Scene& scene) {
                                  first_fault("material", scene.materials, of_scene(material_fault)),
                                  first_fault("mesh", scene.meshes, of_scene(mesh_fault)),
                                  first_fault("instance", scene.instances, instance_fault),
-                                 first_fault("light", scene.lights, light_fault),
+                                 first_fault("light", scene.lights, gltf::light_fault),
                                  first_fault("camera", scene.cameras, camera_fault)}) {
     if (!why.empty()) return why;
   }

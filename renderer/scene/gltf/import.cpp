@@ -1,4 +1,5 @@
 #include "renderer/scene/gltf/instancing.h"
+#include "renderer/scene/gltf/light_values.h"
 #include "renderer/scene/gltf/lights_cameras.h"
 #include "renderer/scene/gltf/materials.h"
 #include "renderer/scene/gltf/nodes.h"
@@ -121,8 +122,10 @@ class Importer {
     if (skin && !skinned) doc_.warnings.add(place + " has a skin, but no joints");
     if (skinned) world_from_mesh = glm::dmat4(1.0);
     const int loaded = load(index, p, skinned ? skin : nullptr, place, world_from_mesh);
+    const bool shows_light = on_or_off(node.extras, "asos_light_fallback").value_or(false);
     for (const glm::dmat4& copy : copies) {
-      if (loaded >= 0) scene_.instances.push_back({node.name, loaded, world_from_mesh * copy});
+      if (loaded < 0) continue;
+      scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light});
     }
     return {};
   }

@@ -1,11 +1,14 @@
 #include "renderer/scene/gltf/lights_cameras.h"
 
-#include "renderer/scene/gltf/values.h"
+#include "renderer/scene/gltf/area_lights.h"
+#include "renderer/scene/gltf/light_fault.h"
+#include "renderer/scene/gltf/light_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace asos::gltf {
@@ -13,10 +16,6 @@ namespace asos::gltf {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-bool positive(double value) {
-  return std::isfinite(value) && value > 0.0;
-}
 
 /// Rotation and position of `m` without its scale; nullopt where it has lost a direction.
 std::optional<glm::dmat4> rigid(const glm::dmat4& m) {
@@ -54,7 +53,6 @@ std::string read_projection(const tinygltf::Camera& source, Camera& camera) {
 /// Why the light is none, or empty.
 std::string read_light(const tinygltf::Light& source, const std::string& place, Light& light,
                        Warnings& warnings) {
-  light.name = source.name;
   if (source.type == "point") {
     light.type = Light::Type::point;
   } else if (source.type == "spot") {
@@ -64,20 +62,14 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
   } else {
     return fmt::format("has the unknown type '{}'", source.type);
   }
-  light.intensity = static_cast<float>(source.intensity);
-  if (!std::isfinite(light.intensity) || light.intensity < 0.0f) {
-    return fmt::format("has an intensity of {}", source.intensity);
+  std::vector<double> color = source.color;
+  if (color.size() != 3) {
+    if (!color.empty()) warnings.add(place + ": its colour is not three numbers; white is used");
+    color.assign(3, 1.0);
   }
-  if (source.color.size() == 3) {
-    for (int c = 0; c < 3; ++c) {
-      light.color[c] = static_cast<float>(source.color[static_cast<std::size_t>(c)]);
-      if (!std::isfinite(light.color[c]) || light.color[c] < 0.0f) return "has no valid colour";
-    }
-  } else if (!source.color.empty()) {
-    warnings.add(place + ": its colour is not three numbers; white is used");
-  }
+  if (std::string why = set_brightness(source.intensity, color, light); !why.empty()) return why;
   if (positive(source.range)) light.range = source.range;  // tinygltf's 0: without end
-  light.casts_shadows = flag(source.extras, "casts_shadows").value_or(true);
+  light.casts_shadows = on_or_off(source.extras, "casts_shadows").value_or(true);
   if (light.type != Light::Type::spot) return {};
 
   light.inner_cone_rad = source.spot.innerConeAngle;
@@ -93,6 +85,72 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
     light.inner_cone_rad = std::min(light.inner_cone_rad, light.outer_cone_rad);
   }
   return {};
+}
+
+/// A size from the node's extras or else the light's: 0 where neither has it, or where it is not
+/// in [0, end), with a warning.
+double read_size(const tinygltf::Node& node, const tinygltf::Light& source, const std::string& name,
+                 double end, const std::string& place, Warnings& warnings) {
+  const tinygltf::Value& extras =
+      node.extras.IsObject() && node.extras.Has(name) ? node.extras : source.extras;
+  if (!extras.IsObject() || !extras.Has(name)) return 0.0;
+  const std::optional<double> value = number(extras, name);
+  if (value && *value >= 0.0 && *value < end) return *value;
+  const std::string given = value ? fmt::format("of {}", *value) : "that is not a number";
+  warnings.add(fmt::format("{} has a {} {}; it is taken to have no size", place, name, given));
+  return 0.0;
+}
+
+/// How large a punctual light is: glTF has no word for it, so it is in extras (LIGHTS.md).
+void read_sizes(const tinygltf::Node& node, const tinygltf::Light& source,
+                const glm::dmat4& world_from_node, const std::string& place, Light& light,
+                Warnings& warnings) {
+  if (light.type == Light::Type::directional) {
+    light.angular_diameter_rad = read_size(node, source, "angular_diameter", pi, place, warnings);
+    return;
+  }
+  constexpr double largest = std::numeric_limits<float>::max();
+  light.radius =
+      largest_scale(world_from_node) * read_size(node, source, "radius", largest, place, warnings);
+  if (light.radius <= largest) return;
+  warnings.add(place + " is placed by a matrix that makes it endless; it is taken for a point");
+  light.radius = 0.0;
+}
+
+void add_punctual_light(Document& document, const tinygltf::Node& node,
+                        const glm::dmat4& world_from_node, Scene& scene) {
+  const tinygltf::Value* reference = extension(node.extensions, "KHR_lights_punctual");
+  if (!reference) return;
+  const int index = whole(*reference, "light").value_or(-1);
+  if (index < 0 || static_cast<std::size_t>(index) >= document.model.lights.size()) {
+    document.warnings.add(fmt::format(
+        "node '{}' has light {}, which the file does not define; left out", node.name, index));
+    return;
+  }
+  const tinygltf::Light& source = document.model.lights[static_cast<std::size_t>(index)];
+  const std::string& name = source.name.empty() ? node.name : source.name;
+  const std::string place =
+      name.empty() ? fmt::format("light {}", index) : fmt::format("light {} '{}'", index, name);
+  Light light;
+  if (const std::string why = read_light(source, place, light, document.warnings); !why.empty()) {
+    document.warnings.add(fmt::format("{} {}; left out", place, why));
+    return;
+  }
+  light.name = name;
+  read_sizes(node, source, world_from_node, place, light, document.warnings);
+  light.position = glm::dvec3(world_from_node[3]);
+  const glm::dvec3 along = -glm::dvec3(world_from_node[2]);
+  if (positive(glm::length(along))) {
+    light.direction = glm::normalize(along);
+  } else if (light.type != Light::Type::point) {
+    document.warnings.add(place + " is placed by a matrix that leaves it no direction; left out");
+    return;
+  }
+  if (const std::string why = light_fault(light); !why.empty()) {
+    document.warnings.add(fmt::format("{} {}; left out", place, why));
+    return;
+  }
+  scene.lights.push_back(std::move(light));
 }
 
 }  // namespace
@@ -123,32 +181,8 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
 
 void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                Scene& scene) {
-  const tinygltf::Value* reference = extension(node.extensions, "KHR_lights_punctual");
-  if (!reference) return;
-  const int index = whole(*reference, "light").value_or(-1);
-  if (index < 0 || static_cast<std::size_t>(index) >= document.model.lights.size()) {
-    document.warnings.add(fmt::format(
-        "node '{}' has light {}, which the file does not define; left out", node.name, index));
-    return;
-  }
-  const std::string place = fmt::format("light {}", index);
-  Light light;
-  if (const std::string why = read_light(document.model.lights[static_cast<std::size_t>(index)],
-                                         place, light, document.warnings);
-      !why.empty()) {
-    document.warnings.add(fmt::format("{} {}; left out", place, why));
-    return;
-  }
-  if (light.name.empty()) light.name = node.name;
-  light.position = glm::dvec3(world_from_node[3]);
-  const glm::dvec3 along = -glm::dvec3(world_from_node[2]);
-  if (positive(glm::length(along))) {
-    light.direction = glm::normalize(along);
-  } else if (light.type != Light::Type::point) {
-    document.warnings.add(place + " is placed by a matrix that leaves it no direction; left out");
-    return;
-  }
-  scene.lights.push_back(std::move(light));
+  add_punctual_light(document, node, world_from_node, scene);
+  add_area_light(document, node, world_from_node, scene);
 }
 
 }  // namespace asos::gltf

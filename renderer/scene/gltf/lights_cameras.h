@@ -12,7 +12,9 @@ namespace asos::gltf {
 void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                 Scene& scene);
 
-/// Adds the node's light (KHR_lights_punctual), or leaves it out with a warning.
+/// Adds the node's lights: the one of KHR_lights_punctual, which may have a size in extras, and the
+/// area, linear or polygon light. What is not a valid light is left out with a warning. LIGHTS.md
+/// has the encodings.
 void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                Scene& scene);
 

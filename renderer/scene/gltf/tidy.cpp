@@ -1,6 +1,7 @@
 #include "renderer/scene/gltf/tidy.h"
 
 #include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/tidy_lights.h"
 
 #include <climits>
 #include <fmt/format.h>
@@ -16,19 +17,12 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 13> supported = {"KHR_lights_punctual",
-                                                        "KHR_materials_unlit",
-                                                        "KHR_materials_ior",
-                                                        "KHR_materials_emissive_strength",
-                                                        "KHR_materials_transmission",
-                                                        "KHR_texture_transform",
-                                                        "KHR_mesh_quantization",
-                                                        "KHR_draco_mesh_compression",
-                                                        "EXT_meshopt_compression",
-                                                        "KHR_meshopt_compression",
-                                                        "EXT_mesh_gpu_instancing",
-                                                        "KHR_node_visibility",
-                                                        "MSFT_lod"};
+constexpr std::array<std::string_view, 15> supported = {
+    "KHR_lights_punctual",        "EXT_lights_area",         "KHR_lights_area",
+    "KHR_materials_unlit",        "KHR_materials_ior",       "KHR_materials_emissive_strength",
+    "KHR_materials_transmission", "KHR_texture_transform",   "KHR_mesh_quantization",
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
+    "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod"};
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {
@@ -67,7 +61,9 @@ bool is_misplaced(std::string_view extension, std::string_view place) {
   }
   if (extension.starts_with("KHR_materials_")) return !at_material;
   if (extension == "KHR_texture_transform") return !in_material;
-  if (extension == "KHR_lights_punctual") return !place.empty() && !place.starts_with("/nodes/");
+  if (is_light_extension(extension)) {
+    return !place.empty() && !place.starts_with("/nodes/");
+  }
   if (extension == "KHR_node_visibility") return !place.starts_with("/nodes/");
   return false;
 }
@@ -118,22 +114,6 @@ class Tidier {
   }
 
  private:
-  /// Of all that applications put there, one thing is read: whether a light casts shadows.
-  static void tidy_extras(json& object, const std::string& place) {
-    const auto extras = object.find("extras");
-    if (extras == object.end()) return;
-    const bool light = place.starts_with("/extensions/KHR_lights_punctual/lights/");
-    if (light && extras->is_object()) {
-      const auto casts = extras->find("casts_shadows");
-      if (casts != extras->end() && casts->is_boolean()) {
-        const bool casts_shadows = casts->get<bool>();
-        *extras = {{"casts_shadows", casts_shadows}};
-        return;
-      }
-    }
-    object.erase(extras);
-  }
-
   void tidy_extensions(json& object, const std::string& place) {
     const auto found = object.find("extensions");
     if (found == object.end()) return;
@@ -287,6 +267,7 @@ Checked<void> tidy(json& root, Warnings& warnings) {
   Tidier tidier(warnings, strings_of(root, "extensionsUsed", warnings));
   if (auto done = tidier.visit(root, ""); !done) return done;
   tidy_meshes(root, warnings);
+  tidy_area_lights(root);
   return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -18,11 +19,14 @@ TEST(Film, PutsTilesAndLeavesOutWhatLiesOutside) {
   for (int i = 0; i < 6; ++i) {
     tile.radiance.emplace_back(static_cast<float>(i + 1));
     tile.split_level.push_back(static_cast<std::uint8_t>(i + 1));
+    tile.cause.push_back(static_cast<SplitCause>(i + 1));
   }
   film.put(tile);
   EXPECT_EQ(film.radiance[film.index(3, 0)].x, 3.0f);
   EXPECT_EQ(film.radiance[film.index(3, 1)].x, 5.0f);
   EXPECT_EQ(film.split_level[film.index(3, 1)], 5);
+  EXPECT_EQ(film.cause[film.index(3, 1)], static_cast<SplitCause>(5));
+  EXPECT_EQ(std::count(film.cause.begin(), film.cause.end(), SplitCause::none), 10);
   float sum = 0.0f;
   for (const glm::vec3& c : film.radiance) sum += c.x;
   EXPECT_EQ(sum, 8.0f);
@@ -34,6 +38,10 @@ TEST(Film, IgnoresTilesWithoutTheirData) {
   tile.rect = {0, 0, 2, 2};
   tile.radiance.resize(3, glm::vec3(1.0f));
   tile.split_level.resize(4, 1);
+  tile.cause.resize(4, SplitCause::crease);
+  film.put(tile);
+  tile.radiance.resize(4, glm::vec3(1.0f));
+  tile.cause.resize(3);
   film.put(tile);
   for (const glm::vec3& c : film.radiance) EXPECT_EQ(c, glm::vec3(0.0f));
   EXPECT_TRUE(Film(-1, 5).radiance.empty());

@@ -43,6 +43,7 @@ class Picture {
     mesh.material = static_cast<int>(scene_.materials.size());
     Material material;
     material.unlit = true;
+    material.double_sided = true;
     material.base_color = color;
     scene_.materials.push_back(material);
     mesh.positions = corners;

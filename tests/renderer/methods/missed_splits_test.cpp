@@ -50,7 +50,9 @@ class MissedSplits : public testing::TestWithParam<Case> {
 };
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
-  return info.param.name;
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 std::vector<Case> builtin_cases() {

@@ -206,7 +206,8 @@ TEST(RoughMeshes, WallsModelledTwiceLookAsOnce) {
     const Solid rest = quad(0.5f * along + glm::vec3(0, -1, 0), 0.7f * along, {0, 1, 0});
     for (const glm::vec3& p : rest.positions) wall.positions.push_back(p);
     for (const glm::uvec3& t : rest.triangles) wall.triangles.push_back(t + 4u);
-    const Material paint = unlit({0.2f * static_cast<float>(i), 0.5f, 0.9f});
+    Material paint = unlit({0.2f * static_cast<float>(i), 0.5f, 0.9f});
+    paint.double_sided = true;
     once.add(wall, paint);
     for (std::size_t k = 0, n = wall.triangles.size(); i % 2 == 0 && k < n; ++k) {
       const glm::uvec3 t = wall.triangles[k];
@@ -237,6 +238,7 @@ TEST(RoughMeshes, FlippedFacesLookTheSame) {
   }
   Mesh& floor = sound.add(quad({-2, -0.6f, 2}, {4, 0, 0}, {0, 0, -4}), matte({0.6f, 0.6f, 0.6f}));
   floor.normals.assign(4, glm::vec3(0, 1, 0));
+  for (Material& material : sound.scene().materials) material.double_sided = true;
   RoughScene flipped = sound;
   for (Mesh& mesh : flipped.scene().meshes)
     for (glm::uvec3& t : mesh.triangles)
@@ -256,6 +258,7 @@ TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
   const auto wall = [](float jump) {
     RoughScene rough;
     Material paint = unlit({1, 1, 1});
+    paint.double_sided = true;
     paint.base_color_texture.texture = 0;
     Solid solid = quad({-1.125f, -0.75f, 0}, {1, 0, 0}, {0, 1.5f, 0});
     const Solid right = quad({-0.125f, -0.75f, 0}, {1, 0, 0}, {0, 1.5f, 0});

@@ -16,10 +16,12 @@ class PickyCaster final : public BruteForceCaster {
   PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
       : BruteForceCaster(world, features, frame), most_(most) {}
 
-  [[nodiscard]] bool uneven(SampleId, double share) const override { return share > most_; }
-  void leaf(std::uint32_t root, SampleId sample, double weight) override {
+  [[nodiscard]] Unevenness uneven(SampleId, double share) const override {
+    return share > most_ ? Unevenness::shading : Unevenness::none;
+  }
+  void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override {
     largest = std::max(largest, weight);
-    BruteForceCaster::leaf(root, sample, weight);
+    BruteForceCaster::leaf(root, sample, weight, region);
   }
 
   double largest = 0.0;
@@ -60,7 +62,8 @@ struct Case {
 
 TEST(Uneven, CellsAreSplitUntilTheirLeavesAreSmallEnough) {
   const Case c(1.0 / 16.0, 4);
-  EXPECT_TRUE(c.outcome.uneven);
+  EXPECT_TRUE(c.outcome.uneven_shading);
+  EXPECT_FALSE(c.outcome.uneven_shadow);
   EXPECT_LE(c.largest, 1.0 / 16.0);
   EXPECT_GE(c.largest, 1.0 / 64.0);  // and no further
   EXPECT_NEAR(c.total, 1.0, 1e-9);
@@ -69,7 +72,7 @@ TEST(Uneven, CellsAreSplitUntilTheirLeavesAreSmallEnough) {
 TEST(Uneven, ExactAreasStayExactAndNothingIsUnresolved) {
   const Case coarse(2.0, 4);
   const Case fine(1.0 / 64.0, 4);
-  EXPECT_FALSE(coarse.outcome.uneven);
+  EXPECT_FALSE(coarse.outcome.uneven_shading);
   EXPECT_NEAR(fine.coverage, coarse.coverage, 1e-6);
   EXPECT_EQ(fine.outcome.unresolved_area, 0.0);
   EXPECT_TRUE(fine.trace.levels.empty());  // the rule's tables are about boundaries

@@ -1,5 +1,6 @@
 #include "renderer/rays/ray_scene.h"
 
+#include "tests/renderer/rays/ray_worlds.h"
 #include "tests/support/tiny_world.h"
 #include "tests/support/triangle_crossing.h"
 
@@ -10,7 +11,6 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace asos {
@@ -18,46 +18,12 @@ namespace {
 
 using test::add_quad;
 using test::add_triangle;
+using test::build;
 using test::matte;
+using test::random_ray;
+using test::random_triangles;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-float factor_alpha(const World& world, std::uint32_t triangle, float, float) {
-  const Material& m = world.material_of(triangle);
-  return m.base_color.a * (1.0f - m.transmission);
-}
-
-RayScene build(const World& world, AlphaAt alpha = factor_alpha) {
-  auto built = RayScene::build(world, alpha);
-  EXPECT_TRUE(built.has_value());
-  return std::move(*built);
-}
-
-glm::vec3 random_point(std::mt19937& rng, float scale) {
-  std::uniform_real_distribution<float> d(-scale, scale);
-  const float x = d(rng);
-  const float y = d(rng);
-  return {x, y, d(rng)};
-}
-
-World random_triangles(std::uint32_t seed, int count, float size) {
-  std::mt19937 rng(seed);
-  World world;
-  for (int i = 0; i < count; ++i) {
-    const glm::vec3 c = random_point(rng, 1.0f);
-    const glm::vec3 a = c + random_point(rng, size);
-    const glm::vec3 b = c + random_point(rng, size);
-    add_triangle(world, a, b, c + random_point(rng, size), matte(glm::vec3(0.5f)));
-  }
-  return world;
-}
-
-Ray random_ray(std::mt19937& rng) {
-  Ray ray;
-  ray.origin = random_point(rng, 2.0f);
-  ray.direction = random_point(rng, 1.0f);
-  return ray;
-}
 
 /// The slow twin: every triangle, in double.
 struct Oracle {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -98,12 +100,21 @@ bool is_sheet(const std::string& scene, const std::string& mesh) {
   static const std::map<std::string, std::set<std::string>> sheets{
       {"office", {"floor", "ceiling", "walls", "sky", "lawn"}},
       {"primitives", {"plane", "disk"}},
+      {"primitives-ball", {"plane", "disk"}},
+      {"primitives-linear", {"plane", "disk"}},
+      {"primitives-rectangle", {"plane", "disk"}},
       {"house", {"ground", "window pane"}},
       {"fence", {"ground"}},
       {"boxes", {"ground"}},
       {"mixed", {"ground"}},
       {"dense", {"ground"}}};
   return sheets.at(scene).contains(mesh);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const BuiltinScene& scene : builtin_scenes()) all.push_back(scene.name);
+  return all;
 }
 
 class BuiltinSceneTest : public testing::TestWithParam<std::string> {
@@ -121,6 +132,9 @@ TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
   static const std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> range{
       {"office", {5'000, 40'000}},
       {"primitives", {10'000, 60'000}},
+      {"primitives-ball", {10'000, 60'000}},
+      {"primitives-linear", {10'000, 60'000}},
+      {"primitives-rectangle", {10'000, 60'000}},
       {"house", {2'600, 3'000}},
       {"fence", {10'000, 80'000}},
       {"boxes", {200, 900}},
@@ -203,13 +217,15 @@ TEST_P(BuiltinSceneTest, IsLitAndTheSameEveryTime) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest,
-                         testing::Values("office", "primitives", "house", "fence", "boxes", "mixed",
-                                         "dense"),
-                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
+                         [](const auto& scene) {
+                           std::string name = scene.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
-TEST(BuiltinScenes, AreSevenWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 7u);
+TEST(BuiltinScenes, AreTenWithOfficeFirst) {
+  ASSERT_EQ(builtin_scenes().size(), 10u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }

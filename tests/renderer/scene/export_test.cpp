@@ -1,5 +1,6 @@
 #include "renderer/scene/export/gltf_writer.h"
 #include "renderer/scene/load.h"
+#include "tests/renderer/scene/light_checks.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -376,23 +377,6 @@ void expect_equal(const Material& a, const Material& b) {
   expect_equal(a.emissive_texture, b.emissive_texture);
 }
 
-void expect_equal(const Light& a, const Light& b) {
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.type, b.type);
-  EXPECT_EQ(a.color, b.color);
-  EXPECT_EQ(a.intensity, b.intensity);
-  EXPECT_EQ(a.position, b.position);
-  EXPECT_EQ(a.range, b.range);
-  EXPECT_EQ(a.casts_shadows, b.casts_shadows);
-  if (a.type != Light::Type::point) {
-    EXPECT_LT(glm::length(a.direction - b.direction), 1e-12);
-  }
-  if (a.type == Light::Type::spot) {
-    EXPECT_EQ(a.inner_cone_rad, b.inner_cone_rad);
-    EXPECT_EQ(a.outer_cone_rad, b.outer_cone_rad);
-  }
-}
-
 void expect_equal(const Camera& a, const Camera& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.type, b.type);
@@ -416,6 +400,7 @@ void expect_equal(const Scene& a, const Scene& b) {
     SCOPED_TRACE(a.instances[i].name);
     EXPECT_EQ(a.instances[i].name, b.instances[i].name);
     EXPECT_EQ(a.instances[i].world_from_mesh, b.instances[i].world_from_mesh);
+    EXPECT_EQ(a.instances[i].shows_light, b.instances[i].shows_light);
     EXPECT_TRUE(was.positions == is.positions);
     EXPECT_TRUE(was.triangles == is.triangles);
     EXPECT_TRUE(was.colors == is.colors);
@@ -431,7 +416,7 @@ void expect_equal(const Scene& a, const Scene& b) {
     expect_equal(a.materials[i], b.materials[i]);
   }
   ASSERT_EQ(a.lights.size(), b.lights.size());
-  for (std::size_t i = 0; i < a.lights.size(); ++i) expect_equal(a.lights[i], b.lights[i]);
+  for (std::size_t i = 0; i < a.lights.size(); ++i) test::expect_equal(a.lights[i], b.lights[i]);
   ASSERT_EQ(a.cameras.size(), b.cameras.size());
   for (std::size_t i = 0; i < a.cameras.size(); ++i) expect_equal(a.cameras[i], b.cameras[i]);
 }

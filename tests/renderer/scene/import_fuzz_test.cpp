@@ -1,3 +1,4 @@
+#include "renderer/scene/gltf/light_fault.h"
 #include "renderer/scene/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
 #include "tests/renderer/scene/load_timer.h"
@@ -54,16 +55,23 @@ GltfBuilder lit() {
        {{"bufferView", b.view(std::vector<std::uint16_t>{1, 4})}, {"componentType", 5123}}},
       {"values", {{"bufferView", b.view(std::vector<glm::vec3>{{1, 0, 0}, {0, 1, 0}})}}}};
   b.primitive({{"POSITION", zeros}}, 5);
-  b.json["extensionsUsed"] = {"KHR_lights_punctual", "EXT_mesh_gpu_instancing"};
+  b.json["extensionsUsed"] = {"KHR_lights_punctual", "EXT_mesh_gpu_instancing", "EXT_lights_area"};
   b.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-      {{"type", "point"}, {"intensity", 5}, {"color", {1, 1, 0}}}};
+      {{"type", "point"}, {"intensity", 5}, {"color", {1, 1, 0}}, {"extras", {{"radius", 0.5}}}}};
+  b.json["extensions"]["EXT_lights_area"]["lights"] = {
+      {{"type", "rect"}, {"intensity", 5}, {"size", 2}, {"rect", {{"aspect", 2}}}}};
   b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}}};
   b.json["nodes"].push_back({{"camera", 0},
                              {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1}},
                              {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  b.json["nodes"].push_back({{"extensions", {{"EXT_lights_area", {{"light", 0}}}}}});
+  b.json["nodes"].push_back(
+      {{"extras",
+        {{"asos_light",
+          {{"type", "polygon"}, {"intensity", 3}, {"corners", {0, 0, 0, 2, 0, 0, 0, 2, 0}}}}}}});
   b.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
       b.vec3({{0, 0, 0}, {3, 0, 0}});
-  b.json["scenes"][0]["nodes"] = {0, 1};
+  b.json["scenes"][0]["nodes"] = {0, 1, 2, 3};
   return b;
 }
 
@@ -80,6 +88,7 @@ void check(const Result<Scene>& scene, const std::string& path) {
       ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
     }
   }
+  for (const Light& light : scene->lights) EXPECT_EQ(gltf::light_fault(light), "") << light.name;
   const Result<World> world = flatten(*scene);
   if (!world) {
     // Only sizes may be refused here: the importer vouches for everything else.

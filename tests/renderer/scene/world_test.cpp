@@ -45,14 +45,28 @@ TEST(Flatten, LightsAndCamerasMoveAlong) {
   Scene scene = scene_of(triangle_mesh(), glm::translate(glm::dmat4(1.0), glm::dvec3(100, 0, 0)));
   scene.lights.emplace_back();
   scene.lights[0].position = {100, 5, 0};
+  scene.lights[0].outlines = {{{100, 5, 0}, {101, 5, 0}, {100, 5, 0.1}}};
   scene.cameras.emplace_back();
   scene.cameras[0].world_from_camera[3] = {100, 0, 7, 1};
   const Result<World> world = flatten(scene);
   ASSERT_TRUE(world);
   EXPECT_EQ(world->lights[0].position + world->origin, glm::dvec3(100, 5, 0));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(world->lights[0].outlines[0][i], scene.lights[0].outlines[0][i] - world->origin);
+  }
   EXPECT_EQ(glm::dvec3(world->cameras[0].world_from_camera[3]) + world->origin,
             glm::dvec3(100, 0, 7));
   EXPECT_EQ(world->cameras[0].world_from_camera[3].w, 1.0);
+}
+
+TEST(Flatten, PartsKnowWhatShowsALight) {
+  Scene scene = scene_of(triangle_mesh(), glm::dmat4(1.0));
+  scene.instances.push_back(scene.instances[0]);
+  scene.instances[1].shows_light = true;
+  const Result<World> world = flatten(scene);
+  ASSERT_TRUE(world);
+  EXPECT_FALSE(world->parts.at(0).shows_light);
+  EXPECT_TRUE(world->parts.at(1).shows_light);
 }
 
 TEST(Flatten, MirrorsTurnTrianglesAndTangentsRound) {

@@ -1,4 +1,5 @@
 #include "renderer/shading/shade.h"
+#include "tests/support/ray_transport.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
 
@@ -26,7 +27,8 @@ class Picture {
 
   /// Root mean square error of one sample a pixel against n x n point samples a pixel.
   [[nodiscard]] double error(float side, int n) const {
-    const ShadingSettings settings{false, &mips_, PixelSpacing::of(view_)};
+    const ShadingSettings settings{
+        .shadows = false, .mips = &mips_, .spacing = PixelSpacing::of(view_)};
     const Shader shader(world_, needs_, rays_, settings);
     double sum = 0.0;
     for (int y = 0; y < height; ++y) {
@@ -45,7 +47,8 @@ class Picture {
   [[nodiscard]] glm::dvec3 look(const Shader& shader, double x, double y, float side) const {
     RenderStatistics counts;
     const Ray ray = view_.ray(x, y);
-    return glm::dvec3(shader.radiance(ray, rays_.closest(ray), side, counts));
+    test::RayTransport transport(rays_);
+    return glm::dvec3(shader.radiance(ray, rays_.closest(ray), side, transport, counts));
   }
 
   World world_;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// The points p with dot(normal, p) >= offset.
+struct HalfSpace {
+  glm::dvec3 normal{0, 0, 1};
+  double offset = 0.0;
+
+  /// Above zero inside; a distance where the normal is unit.
+  [[nodiscard]] double height(glm::dvec3 p) const { return glm::dot(normal, p) - offset; }
+};
+
+}  // namespace asos

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// What is put together by place and by the way it faces.
+struct ClusterPoint {
+  glm::dvec3 position{0.0};  ///< in units of the size of the whole
+  glm::dvec3 facing{0.0};    ///< unit; 0: none
+  double weight = 1.0;
+};
+
+/// Groups of the points' indices, none empty: at most `most` of them, and no more than it takes
+/// to bring every point within `tolerance` of its group's first one. Seeds farthest from each other
+/// (Gonzalez 1985), then Lloyd's k-means in the six dimensions. Depends on nothing but the points'
+/// order.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster(std::span<const ClusterPoint> points,
+                                                              std::size_t most, double tolerance);
+
+}  // namespace asos

@@ -1,0 +1,232 @@
+#include "renderer/lights/emitters.h"
+
+#include "renderer/lights/emitter_clusters.h"
+#include "renderer/lights/emitter_mesh.h"
+#include "renderer/lights/emitter_moments.h"
+#include "renderer/lights/emitter_shapes.h"
+#include "renderer/lights/prepared_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace asos {
+namespace {
+
+using std::numbers::pi;
+
+// A piece of more flat regions than a box has may be round.
+constexpr std::size_t regions_of_box = 6;
+// Among many regions, those with at least this share of the area keep their outlines.
+constexpr double large_share = 0.1;
+// What a curved piece's rectangles take in: some 30 degrees of normals, a quarter of its length.
+constexpr double curved_tolerance = 0.5;
+// A surface faces one way if at least this share of it is seen from there.
+constexpr double facing_share = 0.5;
+
+struct EmissiveSurface {
+  std::vector<EmitterTriangle> triangles;
+  bool double_sided = false;
+};
+
+/// What edges join.
+struct ConnectedPiece {
+  std::vector<Piece> regions;
+  Piece triangles;
+  Moments moments;
+};
+
+double brightest_channel(glm::dvec3 c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+void turn_inside_out(EmissiveSurface& surface, const Piece& piece) {
+  for (const std::uint32_t i : piece) {
+    EmitterTriangle& t = surface.triangles[i];
+    std::swap(t.corner[1], t.corner[2]);
+    std::swap(t.vertex[1], t.vertex[2]);
+    t.normal = -t.normal;
+  }
+}
+
+std::vector<ConnectedPiece> pieces_of(EmissiveSurface& surface) {
+  std::vector<ConnectedPiece> pieces;
+  const EmitterNeighbours neighbours(surface.triangles);
+  for (std::vector<Piece>& regions : connected_pieces(surface.triangles, neighbours)) {
+    ConnectedPiece& piece = pieces.emplace_back();
+    for (const Piece& region : regions)
+      piece.triangles.insert(piece.triangles.end(), region.begin(), region.end());
+    piece.regions = std::move(regions);
+    piece.moments = Moments::of(surface.triangles, piece.triangles);
+    // Both sides of what encloses a space count as its outside.
+    if (surface.double_sided && piece.moments.encloses() && piece.moments.outward < 0.0) {
+      turn_inside_out(surface, piece.triangles);
+      piece.moments = Moments::of(surface.triangles, piece.triangles);
+    }
+  }
+  return pieces;
+}
+
+bool two_sided(const EmissiveSurface& surface, const ConnectedPiece& piece) {
+  return surface.double_sided && !piece.moments.encloses();
+}
+
+/// Rectangles for what is curved, at most `most`.
+std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece, std::size_t most,
+                              bool both_sides) {
+  const Moments whole = Moments::of(surface.triangles, piece);
+  // The half length of a straight line with this spread.
+  const double size = std::sqrt(3.0 * principal_axes(whole.spread).value.x);
+  std::vector<ClusterPoint> points;
+  for (const std::uint32_t i : piece) {
+    const EmitterTriangle& t = surface.triangles[i];
+    points.push_back(
+        {size > 0.0 ? (t.middle() - whole.centre) / size : glm::dvec3(0.0), t.normal, t.area});
+  }
+  std::vector<Light> lights;
+  for (const std::vector<std::uint32_t>& group : cluster(points, most, curved_tolerance)) {
+    Piece members;
+    for (const std::uint32_t i : group) members.push_back(piece[i]);
+    if (auto light = one_light(Moments::of(surface.triangles, members), both_sides))
+      lights.push_back(std::move(*light));
+  }
+  return lights;
+}
+
+std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiece& piece) {
+  if (piece.regions.size() > regions_of_box) {
+    if (auto ball = ball_light(piece.moments)) return {std::move(*ball)};
+    if (auto tube = tube_light(surface.triangles, piece.triangles, piece.moments))
+      return {std::move(*tube)};
+  }
+  const bool both_sides = two_sided(surface, piece);
+  const bool few = piece.regions.size() <= max_lights_of_curved_piece;
+  std::vector<Light> lights;
+  Piece curved;
+  for (const Piece& region : piece.regions) {
+    double area = 0.0;
+    for (const std::uint32_t i : region) area += surface.triangles[i].area;
+    std::optional<Light> flat;
+    if (few || area >= large_share * piece.moments.area)
+      flat = polygon_light(surface.triangles, region, both_sides);
+    if (flat) {
+      lights.push_back(std::move(*flat));
+    } else {
+      curved.insert(curved.end(), region.begin(), region.end());
+    }
+  }
+  const std::size_t left = max_lights_of_curved_piece - lights.size();
+  for (Light& light : rectangles(surface, curved, left, both_sides))
+    lights.push_back(std::move(light));
+  return lights;
+}
+
+/// The lights of at most `max_lights_of_part` pieces: those of the brightest as they are while
+/// there is room for one light of each of the others.
+std::vector<Light> lights_of_few(const EmissiveSurface& surface,
+                                 std::vector<ConnectedPiece>& pieces) {
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const ConnectedPiece& a, const ConnectedPiece& b) {
+                     return brightest_channel(a.moments.power) > brightest_channel(b.moments.power);
+                   });
+  std::vector<Light> lights;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::vector<Light> own = lights_of(surface, pieces[i]);
+    if (lights.size() + own.size() + (pieces.size() - i - 1) > max_lights_of_part) {
+      own.clear();
+      if (auto one = one_light(pieces[i].moments, two_sided(surface, pieces[i])))
+        own.push_back(std::move(*one));
+    }
+    for (Light& light : own) lights.push_back(std::move(light));
+  }
+  return lights;
+}
+
+/// The lights of more pieces than that: those near to each other, and facing alike, together.
+std::vector<Light> lights_of_many(const EmissiveSurface& surface,
+                                  const std::vector<ConnectedPiece>& pieces) {
+  Piece all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const Moments whole = Moments::of(surface.triangles, all);
+  const double size = std::sqrt(3.0 * principal_axes(whole.spread).value.x);
+  std::vector<ClusterPoint> points;
+  for (const ConnectedPiece& piece : pieces) {
+    const Moments& m = piece.moments;
+    const double facing = glm::length(m.area_vector);
+    points.push_back({size > 0.0 ? (m.centre - whole.centre) / size : glm::dvec3(0.0),
+                      facing > facing_share * m.area ? m.area_vector / facing : glm::dvec3(0.0),
+                      m.area});
+  }
+  std::vector<Light> lights;
+  for (const std::vector<std::uint32_t>& group : cluster(points, max_lights_of_part, 0.0)) {
+    Piece members;
+    bool both_sides = false;
+    for (const std::uint32_t i : group) {
+      members.insert(members.end(), pieces[i].triangles.begin(), pieces[i].triangles.end());
+      both_sides |= two_sided(surface, pieces[i]);
+    }
+    std::vector<Light> own;
+    if (group.size() == 1) own = lights_of(surface, pieces[group.front()]);
+    if (own.size() != 1) {
+      own.clear();
+      if (auto one = one_light(Moments::of(surface.triangles, members), both_sides))
+        own.push_back(std::move(*one));
+    }
+    for (Light& light : own) lights.push_back(std::move(light));
+  }
+  return lights;
+}
+
+/// Of the front side, and the back side where it shines too: nits times area times pi.
+double power(const Light& light) {
+  const double brightest = brightest_channel(light.color) * light.intensity;
+  switch (light.type) {
+    case Light::Type::point:
+    case Light::Type::spot:
+      return 4.0 * pi * brightest;
+    case Light::Type::linear:
+      return pi * pi * brightest;
+    case Light::Type::rectangle:
+    case Light::Type::disk:
+    case Light::Type::polygon:
+      return pi * brightest * prepare_light(light).area * (light.two_sided ? 2.0 : 1.0);
+    case Light::Type::directional:
+      break;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+bool emits(const Material& material) {
+  return !material.unlit && material.emissive_strength > 0.0f &&
+         std::max({material.emissive.x, material.emissive.y, material.emissive.z}) > 0.0f;
+}
+
+std::vector<Light> emissive_lights(const World& world, EmissionAt emission) {
+  std::vector<Light> lights;
+  for (std::uint32_t part = 0; part < world.parts.size(); ++part) {
+    const Part& of = world.parts[part];
+    const Material& material = world.materials[of.material];
+    if (of.shows_light || of.triangle_count == 0 || !emits(material)) continue;
+    EmissiveSurface surface{emitting_triangles(world, part, emission), material.double_sided};
+    std::vector<ConnectedPiece> pieces = pieces_of(surface);
+    for (Light& light : pieces.size() > max_lights_of_part ? lights_of_many(surface, pieces)
+                                                           : lights_of_few(surface, pieces)) {
+      light.name = of.name;
+      light.own_part = static_cast<std::int32_t>(part);
+      lights.push_back(std::move(light));
+    }
+  }
+  return lights;
+}
+
+double mean_irradiance(const std::vector<Light>& lights, double radius) {
+  double sum = 0.0;
+  for (const Light& light : lights) sum += power(light);
+  return radius > 0.0 ? sum / (4.0 * pi * radius * radius) : 0.0;
+}
+
+}  // namespace asos

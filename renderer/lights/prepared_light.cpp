@@ -1,0 +1,140 @@
+#include "renderer/lights/prepared_light.h"
+
+#include "renderer/lights/light_math.h"
+#include "renderer/lights/prepare_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+using std::numbers::pi;
+using Shape = PreparedLight::Shape;
+
+/// power / measure, if that is a number that a float holds. False, with nothing changed: the light
+/// is too small for that and counts as one of no size.
+bool spread(glm::vec3& power, double measure) {
+  const glm::vec3 spread_power(glm::dvec3(power) / measure);
+  const float sum = spread_power.x + spread_power.y + spread_power.z;
+  if (!(measure > 0.0) || !std::isfinite(sum)) return false;
+  power = spread_power;
+  return true;
+}
+
+void prepare_ball(const Light& light, PreparedLight& prepared) {
+  prepared.inverse_range = light.range > 0.0 ? 1.0 / light.range : 0.0;
+  if (light.type == Light::Type::spot) {
+    // The extension's own formula, with its own guard against equal angles.
+    const double cos_outer = std::cos(light.outer_cone_rad);
+    const double scale = 1.0 / std::max(0.001, std::cos(light.inner_cone_rad) - cos_outer);
+    prepared.cone_scale = scale;
+    prepared.cone_offset = -cos_outer * scale;
+  }
+  // A ball of radiance L shows a disk of radius r from everywhere: L pi r^2 candela.
+  if (light.radius > 0.0 && spread(prepared.power, pi * light.radius * light.radius)) {
+    prepared.shape = Shape::ball;
+    prepared.radius = light.radius;
+  }
+}
+
+void prepare_sun(const Light& light, PreparedLight& prepared) {
+  prepared.shape = Shape::distant;
+  if (!(light.angular_diameter_rad > 0.0)) return;
+  // A surface that faces a disk of half angle a and radiance L gets L pi sin^2 a.
+  const double sine = std::sin(0.5 * light.angular_diameter_rad);
+  if (!spread(prepared.power, pi * sine * sine)) return;
+  prepared.shape = Shape::sun;
+  prepared.radius = std::tan(0.5 * light.angular_diameter_rad);
+}
+
+void prepare_segment(const Light& light, PreparedLight& prepared) {
+  if (!spread(prepared.power, 2.0 * glm::length(light.half_u))) return;  // all of it in one point
+  prepared.shape = Shape::segment;
+  prepared.half_u = light.half_u;
+}
+
+bool prepare_rectangle(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
+  const glm::dvec3 u = light.half_u;
+  glm::dvec3 v = light.half_v;
+  const double lengths = glm::length(u) * glm::length(v);
+  glm::dvec3 across = glm::cross(u, v);
+  if (!(glm::length(across) > 1e-13 * lengths)) return false;
+  if (glm::dot(across, direction) < 0.0) {
+    v = -v;
+    across = -across;
+  }
+  const glm::dvec3 c = light.position;
+  std::vector<std::vector<glm::dvec3>> outlines{{c - u - v, c + u - v, c + u + v, c - u + v}};
+  // A sheared one is a polygon like any other.
+  if (std::abs(glm::dot(u, v)) > 1e-6 * lengths)
+    return prepare_polygon(outlines, direction, prepared);
+  prepared.rectangle = true;
+  prepared.outlines = std::move(outlines);
+  prepared.towards = glm::normalize(across);
+  prepared.half_u = u;
+  prepared.half_v = v;
+  prepared.area = 4.0 * glm::length(across);
+  return true;
+}
+
+bool prepare_disk(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
+  if (!(light.radius > 0.0)) return false;
+  const glm::dvec3 u = any_perpendicular(direction);
+  prepared.towards = direction;
+  prepared.radius = light.radius;
+  prepared.half_u = light.radius * u;
+  prepared.half_v = light.radius * glm::cross(direction, u);
+  prepared.area = pi * light.radius * light.radius;
+  return true;
+}
+
+bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
+  prepared.two_sided = light.two_sided;
+  if (light.type == Light::Type::disk) {
+    prepared.shape = Shape::disk;
+    return prepare_disk(light, direction, prepared);
+  }
+  prepared.shape = Shape::polygon;
+  if (light.type == Light::Type::rectangle) return prepare_rectangle(light, direction, prepared);
+  return prepare_polygon(light.outlines, direction, prepared);
+}
+
+}  // namespace
+
+PreparedLight prepare_light(const Light& light, LightRule rule) {
+  PreparedLight prepared;
+  prepared.rule = rule;
+  prepared.position = light.position;
+  prepared.casts_shadows = light.casts_shadows;
+  prepared.own_part = light.own_part;
+  prepared.power = light.color * light.intensity;
+  const double length = glm::length(light.direction);
+  const glm::dvec3 direction = length > 0.0 ? light.direction / length : glm::dvec3(0.0, 0.0, -1.0);
+  prepared.towards = -direction;
+
+  switch (light.type) {
+    case Light::Type::point:
+    case Light::Type::spot:
+      prepare_ball(light, prepared);
+      break;
+    case Light::Type::directional:
+      prepare_sun(light, prepared);
+      break;
+    case Light::Type::linear:
+      prepare_segment(light, prepared);
+      break;
+    case Light::Type::rectangle:
+    case Light::Type::disk:
+    case Light::Type::polygon:
+      if (!prepare_flat(light, direction, prepared)) {
+        prepared.shape = Shape::point;
+        prepared.power = glm::vec3(0.0f);
+      }
+      break;
+  }
+  return prepared;
+}
+
+}  // namespace asos

@@ -1,0 +1,108 @@
+#include "renderer/methods/sobol_points.h"
+
+#include "renderer/methods/random.h"
+
+#include <array>
+#include <cstddef>
+
+namespace asos {
+namespace {
+
+constexpr int digits = 32;
+using DirectionNumbers = std::array<std::uint32_t, digits>;  // by digit of the index
+
+/// The primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 over the integers modulo 2, the
+/// a_i as the bits of `inner`, a_1 first; and the first direction integers m_1 to m_degree.
+struct Polynomial {
+  std::size_t degree;
+  std::uint32_t inner;
+  std::array<std::uint32_t, 3> first;
+};
+
+constexpr Polynomial second_dimension{1, 0, {1}};
+constexpr Polynomial third_dimension{2, 1, {1, 3}};
+constexpr Polynomial fourth_dimension{3, 1, {1, 3, 1}};
+
+/// Van der Corput's: the index with its digits mirrored.
+constexpr DirectionNumbers mirrored() {
+  DirectionNumbers numbers{};
+  for (std::size_t k = 0; k < digits; ++k) numbers[k] = 1u << (digits - 1 - k);
+  return numbers;
+}
+
+/// By Sobol's recurrence m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ ... ^ 2^s m_(k-s) ^ m_(k-s).
+constexpr DirectionNumbers generated(const Polynomial& p) {
+  DirectionNumbers m{};
+  for (std::size_t k = 0; k < digits; ++k) {
+    if (k < p.degree) {
+      m[k] = p.first[k];
+      continue;
+    }
+    m[k] = m[k - p.degree] ^ (m[k - p.degree] << p.degree);
+    for (std::size_t i = 1; i < p.degree; ++i) {
+      if ((p.inner >> (p.degree - 1 - i)) & 1u) m[k] ^= m[k - i] << i;
+    }
+  }
+  for (std::size_t k = 0; k < digits; ++k) m[k] <<= digits - 1 - k;
+  return m;
+}
+
+constexpr std::array<DirectionNumbers, 4> directions = {mirrored(), generated(second_dimension),
+                                                        generated(third_dimension),
+                                                        generated(fourth_dimension)};
+
+constexpr std::uint32_t reversed(std::uint32_t x) {
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  return (x >> 16) | (x << 16);
+}
+
+// What is scrambled: four dimensions, of which each light has its own last two.
+std::uint64_t seed_of(std::uint64_t key, std::uint32_t light, std::uint64_t dimension) {
+  return mix_bits(key + ((std::uint64_t{light} << 2) | dimension));
+}
+
+double scrambled(int dimension, std::uint32_t index, std::uint64_t seed) {
+  constexpr double scale = 1.0 / 4294967296.0;
+  return scale * owen_scramble(sobol_bits(dimension, index), seed);
+}
+
+}  // namespace
+
+std::uint32_t sobol_bits(int dimension, std::uint32_t index) {
+  const DirectionNumbers& numbers = directions[static_cast<std::size_t>(dimension)];
+  std::uint32_t bits = 0;
+  for (std::size_t k = 0; index != 0; ++k, index >>= 1) {
+    if (index & 1u) bits ^= numbers[k];
+  }
+  return bits;
+}
+
+std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {
+  // The hash of Laine and Karras 2011, "Stratified sampling for stochastic transparency", in the
+  // form of Vegdahl 2021, "Building a better LK hash", here with a seed of 64 bits. With the digits
+  // mirrored, sums and products carry from a digit to later ones only.
+  std::uint32_t x = reversed(bits);
+  x ^= x * 0x3d20adeau;
+  x += static_cast<std::uint32_t>(seed);
+  x *= static_cast<std::uint32_t>(seed >> 32) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return reversed(x);
+}
+
+SobolPixel::SobolPixel(int x, int y, std::uint32_t seed)
+    : key_(pixel_random(x, y, seed)), seed_x_(seed_of(key_, 0, 0)), seed_y_(seed_of(key_, 0, 1)) {}
+
+glm::dvec2 SobolPixel::pixel(std::uint32_t index) const {
+  return {scrambled(0, index, seed_x_), scrambled(1, index, seed_y_)};
+}
+
+glm::dvec2 SobolPixel::light(std::uint32_t index, std::uint32_t light) const {
+  return {scrambled(2, index, seed_of(key_, light, 2)),
+          scrambled(3, index, seed_of(key_, light, 3))};
+}
+
+}  // namespace asos

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace asos {
+
+/// Dimension 0 to 3 of point `index` of Sobol's sequence, as a 32-bit binary fraction (Sobol 1967,
+/// with the direction numbers of Joe and Kuo 2008, "Constructing Sobol sequences with better
+/// two-dimensional projections", table new-joe-kuo-6.21201). Points are in the order of their
+/// indices, not in that of the Gray code.
+[[nodiscard]] std::uint32_t sobol_bits(int dimension, std::uint32_t index);
+
+/// Owen's nested uniform scrambling of a binary fraction: each digit is flipped or not by a hash of
+/// the seed and all digits before it, so that nets remain nets (Owen 1995, "Randomly permuted
+/// (t,m,s)-nets and (t,s)-sequences"; Burley 2020, "Practical hash-based Owen scrambling").
+[[nodiscard]] std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed);
+
+/// The sample points of one pixel: Sobol's first four dimensions, each scrambled by itself. They
+/// are a function of the pixel, the seed of the run and the sample's index and of nothing else.
+///
+/// Points 0 to 2^m - 1, and every later 2^m that start at a multiple of 2^m, are a (0, m, 2)-net on
+/// the pixel, a (2, m, 2)-net on each light, and up to m = 10 a (3, m, 4)-net on both together.
+/// Each point is uniform by itself, and independent between pixels, seeds and lights.
+///
+/// All lights use dimensions 2 and 3 of the same point and differ in their scrambling. Burley pads
+/// with points in shuffled order, which a product of functions of different lights would need; but
+/// the light of several lights is a sum, and the shuffle would cost each light its stratification
+/// together with the pixel.
+class SobolPixel {
+ public:
+  SobolPixel(int x, int y, std::uint32_t seed);
+
+  /// Where sample `index` lies in the pixel, each coordinate in [0, 1).
+  [[nodiscard]] glm::dvec2 pixel(std::uint32_t index) const;
+
+  /// Which point of light number `light` sample `index` looks at, in [0, 1) each.
+  [[nodiscard]] glm::dvec2 light(std::uint32_t index, std::uint32_t light) const;
+
+ private:
+  std::uint64_t key_;
+  std::uint64_t seed_x_;
+  std::uint64_t seed_y_;
+};
+
+}  // namespace asos

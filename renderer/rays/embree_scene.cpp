@@ -1,0 +1,154 @@
+#include "renderer/rays/embree_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace asos::tracing {
+namespace {
+
+Error embree_error(std::string reason) {
+  return {"ray tracing", std::move(reason)};
+}
+
+Result<void> check_own_parts(const World& world) {
+  for (const Light& light : world.lights) {
+    if (light.own_part < -1 ||
+        (light.own_part >= 0 && static_cast<std::size_t>(light.own_part) >= world.parts.size())) {
+      return unexpected(Error{fmt::format("light '{}'", light.name),
+                              fmt::format("its own part {} does not exist", light.own_part)});
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void EmbreeScene::Errors::note(void* self, RTCError code, const char* text) {
+  auto& errors = *static_cast<Errors*>(self);
+  const std::lock_guard lock(errors.mutex);
+  if (!errors.first.empty()) return;
+  const std::string words = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "";
+  errors.first = fmt::format("{}{}{}", words, words.empty() || !text ? "" : ": ", text ? text : "");
+  if (errors.first.empty()) errors.first = fmt::format("error {}", static_cast<int>(code));
+}
+
+EmbreeScene::~EmbreeScene() {
+  if (scene_) rtcReleaseScene(scene_);
+  if (device_) rtcReleaseDevice(device_);
+}
+
+Result<void> EmbreeScene::build(const World& world, AlphaAt alpha) {
+  if (auto checked = check_own_parts(world); !checked) return checked;
+  device_ = rtcNewDevice(nullptr);
+  if (!device_) {
+    return unexpected(embree_error(fmt::format("Embree does not start (error {})",
+                                               static_cast<int>(rtcGetDeviceError(nullptr)))));
+  }
+  rtcSetDeviceErrorFunction(device_, Errors::note, &errors_);
+  rtcSetDeviceMemoryMonitorFunction(
+      device_,
+      [](void* counter, ssize_t bytes, bool) {
+        static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes,
+                                                                    std::memory_order_relaxed);
+        return true;
+      },
+      &device_bytes_);
+
+  sort_triangles(world, alpha);
+  copy_vertices(world);
+  scene_ = rtcNewScene(device_);
+  // Measured (tests/bench/rays_bench.cpp): being able to carry a filter of the context's costs
+  // queries without one nothing.
+  rtcSetSceneFlags(scene_, sides_.any_single_sided
+                               ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
+                               : RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+  for (unsigned id = 0; id < groups_.size(); ++id) add(id, world);
+  rtcCommitScene(scene_);
+  if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
+  return {};
+}
+
+void EmbreeScene::sort_triangles(const World& world, AlphaAt alpha) {
+  std::vector<std::uint8_t> owned(world.parts.size(), 0);
+  for (const Light& light : world.lights) {
+    if (light.own_part >= 0) owned[static_cast<std::size_t>(light.own_part)] = 1;
+  }
+  for (std::size_t id = 0; id < groups_.size(); ++id) {
+    groups_[id] = {&world, alpha, static_cast<SurfaceKind>(id % 3), id >= 3, {}};
+  }
+  for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
+    const auto kind = static_cast<std::size_t>(surface_kind(world.material_of(i)));
+    groups_[kind + (owned[world.triangle_part[i]] ? 3 : 0)].triangles.push_back(i);
+  }
+  for (const Group& group : groups_) {
+    see_through_ |= group.kind != SurfaceKind::opaque && !group.triangles.empty();
+  }
+
+  sides_.world = &world;
+  for (const Part& part : world.parts) {
+    const bool single = !world.materials[part.material].double_sided;
+    sides_.single_sided.push_back(single);
+    sides_.any_single_sided |= single && part.triangle_count > 0;
+  }
+}
+
+void EmbreeScene::copy_vertices(const World& world) {
+  vertices_.resize(3 * world.positions.size() + 4);
+  for (std::size_t i = 0; i < world.positions.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      vertices_[3 * i + static_cast<std::size_t>(k)] = world.positions[i][k];
+    }
+  }
+}
+
+void EmbreeScene::add(unsigned id, const World& world) {
+  Group& group = groups_[id];
+  const bool all = group.triangles.size() == world.triangles.size();
+  if (group.triangles.empty()) return;
+
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             vertices_.data(), 0, 3 * sizeof(float), world.positions.size());
+  if (all) {
+    group.triangles = std::vector<std::uint32_t>();
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               world.triangles.data(), 0, sizeof(glm::uvec3),
+                               world.triangles.size());
+  } else {
+    auto* indices = static_cast<glm::uvec3*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(glm::uvec3), group.triangles.size()));
+    if (indices) {
+      for (std::size_t i = 0; i < group.triangles.size(); ++i) {
+        indices[i] = world.triangles[group.triangles[i]];
+      }
+    }
+  }
+  rtcSetGeometryUserData(geometry, &group);
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+  if (group.owned || group.kind != SurfaceKind::opaque) {
+    rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);
+    rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
+int EmbreeScene::native_width() const {
+  const auto has = [this](RTCDeviceProperty p) { return rtcGetDeviceProperty(device_, p) != 0; };
+  if (has(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return 16;
+  if (has(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) return 8;
+  return has(RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED) ? 4 : 1;
+}
+
+std::size_t EmbreeScene::memory_bytes() const {
+  std::size_t bytes = vertices_.capacity() * sizeof(float) + sides_.single_sided.capacity();
+  for (const Group& group : groups_) bytes += group.triangles.capacity() * sizeof(std::uint32_t);
+  return bytes + static_cast<std::size_t>(std::max<std::int64_t>(0, device_bytes_));
+}
+
+}  // namespace asos::tracing

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "renderer/rays/filters.h"
+#include "renderer/result.h"
+
+#include <embree3/rtcore.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace asos::tracing {
+
+/// Embree's device and scene for a world. Stays where it was made: Embree keeps pointers into it.
+class EmbreeScene {
+ public:
+  EmbreeScene() = default;
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+  ~EmbreeScene();
+
+  /// Once. Errors: Embree's, and a light whose own part does not exist.
+  [[nodiscard]] Result<void> build(const World& world, AlphaAt alpha);
+
+  [[nodiscard]] RTCScene scene() const { return scene_; }
+  /// By Embree's geometry id.
+  [[nodiscard]] const Group* groups() const { return groups_.data(); }
+  [[nodiscard]] const Sides& sides() const { return sides_; }
+  /// Whether any surface may let light through.
+  [[nodiscard]] bool see_through() const { return see_through_; }
+  /// The widest packets that the processor has: 16, 8, 4 or 1.
+  [[nodiscard]] int native_width() const;
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+ private:
+  struct Errors {
+    std::mutex mutex;
+    std::string first;
+    static void note(void* self, RTCError code, const char* text);
+  };
+
+  void sort_triangles(const World& world, AlphaAt alpha);
+  void copy_vertices(const World& world);
+  void add(unsigned id, const World& world);
+
+  std::array<Group, 6> groups_;  // three kinds, then the three of lights' own parts
+  Sides sides_;
+  bool see_through_ = false;
+  // Embree reads 16 bytes for the last vertex, so it cannot share World's array of 12-byte ones.
+  std::vector<float> vertices_;
+  Errors errors_;
+  std::atomic<std::int64_t> device_bytes_{0};
+  RTCDevice device_ = nullptr;
+  RTCScene scene_ = nullptr;
+};
+
+}  // namespace asos::tracing

@@ -1,0 +1,108 @@
+#include "renderer/rays/filters.h"
+
+#include "renderer/rays/back_face.h"
+
+#include <algorithm>
+
+namespace asos::tracing {
+namespace {
+
+const Context& context_of(const RTCFilterFunctionNArguments& args) {
+  return *reinterpret_cast<const Context*>(args.context);
+}
+
+/// One candidate of a call, which is about up to 16 rays.
+struct Candidate {
+  const RTCFilterFunctionNArguments& args;
+  const Group& group;
+  unsigned i;
+
+  [[nodiscard]] std::uint32_t triangle() const {
+    return group.triangle(RTCHitN_primID(args.hit, args.N, i));
+  }
+  [[nodiscard]] float opacity() const {
+    return group.alpha(*group.world, triangle(), RTCHitN_u(args.hit, args.N, i),
+                       RTCHitN_v(args.hit, args.N, i));
+  }
+  [[nodiscard]] bool hole() const {
+    return opacity() < group.world->material_of(triangle()).alpha_cutoff;
+  }
+  [[nodiscard]] bool ignored(std::int32_t part) const {
+    return group.owned && part >= 0 &&
+           group.world->triangle_part[triangle()] == static_cast<std::uint32_t>(part);
+  }
+  // Embree hands packets over whole or ray by ray, as it likes; the id is the ray's lane.
+  [[nodiscard]] std::size_t lane() const { return RTCRayN_id(args.ray, args.N, i); }
+  [[nodiscard]] float t() const { return RTCRayN_tfar(args.ray, args.N, i); }
+};
+
+/// Calls `keeps` for each candidate and drops those that it refuses.
+template <typename Keeps>
+void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
+  const Group& group = *static_cast<const Group*>(args.geometryUserPtr);
+  const std::int32_t ignored_part = context_of(args).ignored_part;
+  for (unsigned i = 0; i < args.N; ++i) {
+    if (args.valid[i] != -1) continue;
+    const Candidate candidate{args, group, i};
+    if (candidate.ignored(ignored_part) || !keeps(candidate)) args.valid[i] = 0;
+  }
+}
+
+/// Lets a ray through a blended surface; the share of its light that is left.
+float pass(const Candidate& candidate, Lanes& lanes) {
+  return lanes.transmittance[candidate.lane()] *= 1.0f - candidate.opacity();
+}
+
+}  // namespace
+
+bool Sides::culled(std::uint32_t triangle, glm::vec3 direction) const {
+  return single_sided[world->triangle_part[triangle]] != 0 &&
+         meets_back(*world, triangle, direction);
+}
+
+void closest_filter(const RTCFilterFunctionNArguments* args) {
+  Lanes* lanes = context_of(*args).lanes;
+  filter(*args, [lanes](const Candidate& candidate) {
+    const SurfaceKind kind = candidate.group.kind;
+    if (kind == SurfaceKind::opaque) return true;
+    if (lanes) {
+      float& touched = lanes->touched[candidate.lane()];
+      touched = std::min(touched, candidate.t());
+    }
+    if (kind == SurfaceKind::masked) return !candidate.hole();
+    if (!lanes) return true;
+    pass(candidate, *lanes);
+    return false;
+  });
+}
+
+void shadow_filter(const RTCFilterFunctionNArguments* args) {
+  Lanes& lanes = *context_of(*args).lanes;
+  filter(*args, [&lanes](const Candidate& candidate) {
+    switch (candidate.group.kind) {
+      case SurfaceKind::opaque:
+        return true;
+      case SurfaceKind::masked:
+        return !candidate.hole();
+      case SurfaceKind::blended:
+        return pass(candidate, lanes) <= opaque_enough;
+    }
+    return true;
+  });
+}
+
+void back_filter(const RTCFilterFunctionNArguments* args) {
+  const Context& context = context_of(*args);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    const Group& group = context.groups[RTCHitN_geomID(args->hit, args->N, i)];
+    const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
+                              RTCRayN_dir_y(args->ray, args->N, i),
+                              RTCRayN_dir_z(args->ray, args->N, i));
+    if (context.sides->culled(group.triangle(RTCHitN_primID(args->hit, args->N, i)), direction)) {
+      args->valid[i] = 0;
+    }
+  }
+}
+
+}  // namespace asos::tracing

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "renderer/rays/ray_scene.h"
+#include "renderer/rays/surface_kind.h"
+#include "renderer/scene/world.h"
+
+#include <embree3/rtcore.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+// What Embree asks of us at a hit. Internal to this folder.
+
+namespace asos::tracing {
+
+/// No more light is followed once less than this is left, below what a display can show even at +8
+/// stops.
+inline constexpr float opaque_enough = 1.0f / (256.0f * 256.0f);
+
+inline constexpr std::size_t most_lanes = 16;
+
+/// The triangles of one geometry of Embree's; `triangles` maps its primitives to World's triangles
+/// and is empty where the geometry holds all of them in order.
+struct Group {
+  const World* world = nullptr;
+  AlphaAt alpha = nullptr;
+  SurfaceKind kind = SurfaceKind::opaque;
+  bool owned = false;  ///< of parts that are the surfaces of lights
+  std::vector<std::uint32_t> triangles;
+
+  [[nodiscard]] std::uint32_t triangle(unsigned primitive) const {
+    return triangles.empty() ? primitive : triangles[primitive];
+  }
+};
+
+/// What the surfaces that let light through leave of a packet's rays, by the rays' ids.
+struct Lanes {
+  std::array<float, most_lanes> transmittance;
+  std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first
+
+  void reset() {
+    transmittance.fill(1.0f);
+    touched.fill(std::numeric_limits<float>::infinity());
+  }
+};
+
+/// Which parts have a back that a ray for the viewer goes through.
+struct Sides {
+  const World* world = nullptr;
+  std::vector<std::uint8_t> single_sided;  ///< by World's parts
+  bool any_single_sided = false;
+
+  /// Whether a ray for the viewer goes through the triangle because it meets its back.
+  [[nodiscard]] bool culled(std::uint32_t triangle, glm::vec3 direction) const;
+};
+
+/// Embree's context and what the filters need to know of the query.
+struct Context {
+  RTCIntersectContext base;
+  const Group* groups;
+  const Sides* sides;
+  std::int32_t ignored_part;
+  Lanes* lanes = nullptr;  ///< collects what lets light through; closest hits do without
+
+  Context(RTCIntersectContextFlags flags, const Group* groups_by_id, const Sides* sides_of_parts,
+          std::int32_t part_to_ignore)
+      : groups(groups_by_id), sides(sides_of_parts), ignored_part(part_to_ignore) {
+    rtcInitIntersectContext(&base);
+    base.flags = flags;
+  }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+};
+static_assert(offsetof(Context, base) == 0, "the filters cast Embree's context back");
+
+/// Of a geometry, for closest hits: drops an ignored part, and holes; with lanes, blended surfaces
+/// too, whose attenuation is collected.
+void closest_filter(const RTCFilterFunctionNArguments* args);
+
+/// Of a geometry, for shadow rays: drops an ignored part, holes, and blended surfaces as long as
+/// light is left. Needs lanes.
+void shadow_filter(const RTCFilterFunctionNArguments* args);
+
+/// Of a context, so that only queries that ask for it pay: drops the backs of single-sided
+/// surfaces.
+void back_filter(const RTCFilterFunctionNArguments* args);
+
+}  // namespace asos::tracing

@@ -1,0 +1,156 @@
+#pragma once
+
+#include "renderer/geometry/ray.h"
+#include "renderer/rays/filters.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+// Embree's calls for 1, 4, 8 and 16 rays under one name. Internal to this folder.
+
+namespace asos::tracing {
+
+template <int width>
+struct Packet;
+template <>
+struct Packet<1> {
+  using Rays = RTCRay;
+  using RayHits = RTCRayHit;
+  static void intersect(const int*, RTCScene scene, RTCIntersectContext* context, RayHits* query) {
+    rtcIntersect1(scene, context, query);
+  }
+  static void occluded(const int*, RTCScene scene, RTCIntersectContext* context, Rays* query) {
+    rtcOccluded1(scene, context, query);
+  }
+};
+template <>
+struct Packet<4> {
+  using Rays = RTCRay4;
+  using RayHits = RTCRayHit4;
+  static constexpr auto intersect = rtcIntersect4;
+  static constexpr auto occluded = rtcOccluded4;
+};
+template <>
+struct Packet<8> {
+  using Rays = RTCRay8;
+  using RayHits = RTCRayHit8;
+  static constexpr auto intersect = rtcIntersect8;
+  static constexpr auto occluded = rtcOccluded8;
+};
+template <>
+struct Packet<16> {
+  using Rays = RTCRay16;
+  using RayHits = RTCRayHit16;
+  static constexpr auto intersect = rtcIntersect16;
+  static constexpr auto occluded = rtcOccluded16;
+};
+
+/// A lane of a packet's field; a single ray's fields are plain numbers.
+template <typename T>
+[[nodiscard]] auto& lane_of(T& field, std::size_t lane) {
+  if constexpr (std::is_array_v<T>) {
+    return field[lane];
+  } else {
+    return field;
+  }
+}
+
+/// Whether Embree may be asked about a ray.
+[[nodiscard]] inline bool traceable(const Ray& ray) {
+  // A sum is finite only if all its terms are (huge ones that overflow are no use either), and
+  // saves five of six tests in the hot path.
+  const glm::vec3 d = ray.direction;
+  const float sum = ray.origin.x + ray.origin.y + ray.origin.z + d.x + d.y + d.z;
+  return std::isfinite(sum) && !std::isnan(ray.t_near) && !std::isnan(ray.t_far) &&
+         (d.x != 0.0f || d.y != 0.0f || d.z != 0.0f);
+}
+
+template <typename Rays>
+void load(Rays& rays, std::size_t lane, const Ray& ray) {
+  lane_of(rays.org_x, lane) = ray.origin.x;
+  lane_of(rays.org_y, lane) = ray.origin.y;
+  lane_of(rays.org_z, lane) = ray.origin.z;
+  lane_of(rays.tnear, lane) = ray.t_near;
+  lane_of(rays.dir_x, lane) = ray.direction.x;
+  lane_of(rays.dir_y, lane) = ray.direction.y;
+  lane_of(rays.dir_z, lane) = ray.direction.z;
+  lane_of(rays.tfar, lane) = ray.t_far;
+  lane_of(rays.mask, lane) = ~0u;
+  lane_of(rays.id, lane) = static_cast<unsigned>(lane);
+}
+
+/// The nearest hits: `store(i, lane, hit)` for each ray i, after its packet is done and before the
+/// next one uses the context's lanes.
+template <int width, typename Store>
+void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
+  constexpr std::size_t lanes = width;
+  for (std::size_t first = 0; first < rays.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, rays.size() - first);
+    alignas(64) std::array<int, lanes> valid{};
+    alignas(64) typename Packet<width>::RayHits query{};
+    for (std::size_t i = 0; i < count; ++i) {
+      valid[i] = traceable(rays[first + i]) ? -1 : 0;
+      load(query.ray, i, rays[first + i]);
+      lane_of(query.hit.geomID, i) = RTC_INVALID_GEOMETRY_ID;
+    }
+    if (context.lanes) context.lanes->reset();
+    if (width > 1 || valid[0]) {
+      Packet<width>::intersect(valid.data(), scene, &context.base, &query);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const unsigned geometry = lane_of(query.hit.geomID, i);
+      if (!valid[i] || geometry == RTC_INVALID_GEOMETRY_ID) {
+        store(first + i, i, Hit{});
+        continue;
+      }
+      store(first + i, i,
+            Hit{context.groups[geometry].triangle(lane_of(query.hit.primID, i)),
+                lane_of(query.ray.tfar, i), lane_of(query.hit.u, i), lane_of(query.hit.v, i)});
+    }
+  }
+}
+
+/// Whether anything blocks the rays: `store(i, lane, blocked)`, as above.
+template <int width, typename Store>
+void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
+  constexpr std::size_t lanes = width;
+  constexpr float far_end_of_blocked = -std::numeric_limits<float>::infinity();  // Embree's mark
+  for (std::size_t first = 0; first < rays.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, rays.size() - first);
+    alignas(64) std::array<int, lanes> valid{};
+    alignas(64) typename Packet<width>::Rays query{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Ray& ray = rays[first + i];
+      valid[i] = traceable(ray) && ray.t_far != far_end_of_blocked ? -1 : 0;
+      load(query, i, ray);
+    }
+    if (context.lanes) context.lanes->reset();
+    if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);
+    for (std::size_t i = 0; i < count; ++i) {
+      store(first + i, i, valid[i] != 0 && lane_of(query.tfar, i) == far_end_of_blocked);
+    }
+  }
+}
+
+/// Calls `work` with a width that is known when it is compiled; one ray goes alone.
+template <typename Work>
+void with_width(int width, std::size_t rays, Work work) {
+  if (width == 1 || rays == 1) {
+    work(std::integral_constant<int, 1>{});
+  } else if (width == 4) {
+    work(std::integral_constant<int, 4>{});
+  } else if (width == 8) {
+    work(std::integral_constant<int, 8>{});
+  } else {
+    work(std::integral_constant<int, 16>{});
+  }
+}
+
+}  // namespace asos::tracing

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+#include <string>
+
+namespace asos::gltf {
+
+/// Why `light` is not what scene.h promises of its type, in words that follow its name; empty where
+/// it is. What the importer adds and what the exporter writes has no fault.
+[[nodiscard]] std::string light_fault(const Light& light);
+
+}  // namespace asos::gltf

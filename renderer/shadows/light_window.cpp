@@ -1,0 +1,203 @@
+#include "renderer/shadows/light_window.h"
+
+#include "renderer/lights/form_factor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Where shadow pyrays end before a light, in distances to it: its own surface does not shade it.
+constexpr double before_light = 1e-5;
+
+struct Rectangle {
+  glm::dvec3 middle, half_u, half_v;  // the middle from the receiver
+};
+
+// The circle in which a cone from the receiver touches a ball.
+std::optional<Rectangle> rim_of_ball(glm::dvec3 to_centre, double radius) {
+  const double d2 = glm::dot(to_centre, to_centre);
+  const double tangent2 = d2 - radius * radius;
+  if (!(tangent2 > 0.0)) return std::nullopt;
+  const double d = std::sqrt(d2);
+  const glm::dvec3 axis = to_centre / d;
+  const glm::dvec3 across = glm::normalize(
+      glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const double rim = radius * std::sqrt(tangent2) / d;
+  return Rectangle{axis * (tangent2 / d), rim * across, rim * glm::cross(axis, across)};
+}
+
+std::optional<Rectangle> rectangle_around(const PreparedLight& light, glm::dvec3 apex) {
+  using Shape = PreparedLight::Shape;
+  switch (light.shape) {
+    case Shape::ball:
+      return rim_of_ball(light.position - apex, light.radius);
+    case Shape::sun:
+      return rim_of_ball(light.towards,
+                         light.radius / std::sqrt(1.0 + light.radius * light.radius));
+    case Shape::polygon:
+    case Shape::disk:
+      return Rectangle{light.position - apex, light.half_u, light.half_v};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
+    : frame_(frame), normal_(receiver.normal) {
+  using Shape = PreparedLight::Shape;
+  const glm::dvec3 middle = towards({0.5, 0.5});
+  const glm::dvec3 face = glm::cross(frame_.base_u(), frame_.base_v());
+  orientation_ = glm::dot(face, middle) < 0.0 ? 1.0 : -1.0;
+  round_ = light.shape != Shape::polygon;
+  infinite_ = light.shape == Shape::sun;
+
+  const glm::dvec3 up = receiver.geometric;
+  between_[0] = {up, glm::dot(up, frame_.apex())};
+  const glm::dvec3 back = orientation_ * glm::normalize(face);
+  const double distance = -glm::dot(back, middle);
+  between_[1] = {back, glm::dot(back, frame_.apex()) - distance * (1.0 - before_light)};
+
+  if (!round_ && !light.rectangle) add_outlines(light);
+  add_horizon(receiver.normal);
+  if (receiver.geometric != receiver.normal) add_horizon(receiver.geometric);
+}
+
+std::optional<LightWindow> LightWindow::of(const PreparedLight& light, const Receiver& receiver) {
+  const auto around = rectangle_around(light, receiver.position);
+  if (!around) return std::nullopt;
+  const glm::dvec3 face = glm::cross(around->half_u, around->half_v);
+  const double height = glm::dot(face, around->middle);
+  const double size = glm::length(face) * glm::length(around->middle);
+  if (!(std::abs(height) > 1e-12 * size)) return std::nullopt;
+  return LightWindow(
+      light, receiver,
+      Frame::pyramid(receiver.position, around->middle - around->half_u - around->half_v,
+                     2.0 * around->half_u, 2.0 * around->half_v));
+}
+
+// The horizon is a straight line of the square, if it meets it.
+void LightWindow::add_horizon(glm::dvec3 normal) {
+  const glm::dvec3 line(glm::dot(normal, frame_.base_u()), glm::dot(normal, frame_.base_v()),
+                        glm::dot(normal, frame_.base_corner()));
+  const auto height = [&](glm::dvec2 p) { return line.x * p.x + line.y * p.y + line.z; };
+  static constexpr glm::dvec2 corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  glm::dvec2 ends[2];
+  int found = 0;
+  bool below = false;
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec2 p = corners[i], q = corners[(i + 1) % 4];
+    const double hp = height(p), hq = height(q);
+    below |= hp < 0.0;
+    if ((hp < 0.0) != (hq < 0.0) && found < 2) ends[found++] = p + hp / (hp - hq) * (q - p);
+  }
+  if (!below) return;
+  horizons_[static_cast<std::size_t>(horizon_count_++)] = line;
+  if (found == 2) boundaries_.push_back({glm::vec2(ends[0]), glm::vec2(ends[1])});
+}
+
+void LightWindow::add_outlines(const PreparedLight& light) {
+  const glm::dvec3 corner = light.position - light.half_u - light.half_v;
+  const double u2 = 2.0 * glm::dot(light.half_u, light.half_u);
+  const double v2 = 2.0 * glm::dot(light.half_v, light.half_v);
+  const auto placed = [&](glm::dvec3 p) {
+    return glm::vec2(glm::dot(p - corner, light.half_u) / u2,
+                     glm::dot(p - corner, light.half_v) / v2);
+  };
+  for (const auto& outline : light.outlines) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      boundaries_.push_back({placed(outline[i]), placed(outline[(i + 1) % outline.size()])});
+  }
+  outline_sides_ = boundaries_.size();
+}
+
+bool LightWindow::holds(glm::vec2 p) const {
+  for (int i = 0; i < horizon_count_; ++i) {
+    const glm::dvec3 line = horizons_[static_cast<std::size_t>(i)];
+    if (line.x * p.x + line.y * p.y + line.z < 0.0) return false;
+  }
+  if (outline_sides_ == 0) return true;
+  return winds_around(std::span(boundaries_).first(outline_sides_), p);
+}
+
+double LightWindow::form(const LeafRegion& region) const {
+  double sum = 0.0;
+  if (round_) {
+    sum = round_form(region);
+  } else {
+    region.for_each_side([&](const Side& side) {
+      sum += contour_side(towards(side.from), towards(side.to), normal_);
+    });
+  }
+  // What lies below the horizon would count as negative light.
+  return std::max(0.0, orientation_ * sum);
+}
+
+// The contour sum along the disk's rim between two angles, counter-clockwise: half of the integral
+// of n . (dr x r) / r^2, by Gauss and Legendre's eight points on each sixth of the circle.
+double LightWindow::arc(double from, double to) const {
+  static constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                     0.9602898564975363};
+  static constexpr double weight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                       0.1012285362903763};
+  const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / (pi / 3.0))));
+  const double half = 0.5 * (to - from) / pieces;
+  const auto value = [&](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const glm::dvec3 r = towards({0.5 + 0.5 * c, 0.5 + 0.5 * s});
+    const glm::dvec3 along = 0.5 * (c * frame_.base_v() - s * frame_.base_u());
+    return glm::dot(normal_, glm::cross(along, r)) / glm::dot(r, r);
+  };
+  double sum = 0.0;
+  for (int i = 0; i < pieces; ++i) {
+    const double middle = from + (2 * i + 1) * half;
+    for (int k = 0; k < 4; ++k)
+      sum += weight[k] * (value(middle - half * node[k]) + value(middle + half * node[k]));
+  }
+  return 0.5 * half * sum;
+}
+
+// The region's sides as far as they lie in the disk, and the rim as far as it lies in the region.
+double LightWindow::round_form(const LeafRegion& region) const {
+  constexpr std::size_t most_crossings = 64;
+  std::array<double, most_crossings> angles;
+  std::size_t count = 0;
+  double sum = 0.0;
+  region.for_each_side([&](const Side& side) {
+    const glm::dvec2 p = glm::dvec2(side.from) - 0.5;
+    const glm::dvec2 d = glm::dvec2(side.to) - glm::dvec2(side.from);
+    const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - 0.25;
+    const double under = b * b - a * c;
+    // A side that just touches the rim, as those of the whole square do, cuts nothing off.
+    if (!(under > 1e-12 * a)) return;
+    const double root = std::sqrt(under);
+    const double enter = (-b - root) / a, leave = (-b + root) / a;
+    const double t0 = std::max(0.0, enter), t1 = std::min(1.0, leave);
+    if (!(t0 < t1)) return;
+    sum += contour_side(towards(p + t0 * d + 0.5), towards(p + t1 * d + 0.5), normal_);
+    for (const double t : {enter, leave}) {
+      if (t < 0.0 || t > 1.0 || count == most_crossings) continue;
+      const glm::dvec2 at = p + t * d;
+      angles[count++] = std::atan2(at.y, at.x);
+    }
+  });
+  std::sort(angles.begin(), angles.begin() + count);
+  if (count == 0) angles[count++] = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double from = angles[i];
+    const double to = i + 1 < count ? angles[i + 1] : angles[0] + 2.0 * pi;
+    const double middle = 0.5 * (from + to);
+    if (to - from > 1e-12 &&
+        region.holds(glm::vec2(0.5 + 0.5 * std::cos(middle), 0.5 + 0.5 * std::sin(middle))))
+      sum += arc(from, to);
+  }
+  return sum;
+}
+
+}  // namespace asos

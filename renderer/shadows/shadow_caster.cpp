@@ -1,0 +1,70 @@
+#include "renderer/shadows/shadow_caster.h"
+
+namespace asos {
+
+void ShadowCaster::start(const Frame& frame, std::int32_t ignored_part) {
+  frame_ = &frame;
+  ignored_part_ = ignored_part;
+  samples_.clear();
+  cast_ = 0;
+  lit_ = all_ = 0.0;
+}
+
+Caster::SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
+  const std::size_t first = samples_.size();
+  rays_.clear();
+  asked_.clear();
+  for (const glm::vec2& p : points) {
+    Sample& sample = samples_.emplace_back();
+    if (const auto ray = ray_at(p)) {
+      sample.ray = *ray;
+      sample.counts = true;
+      asked_.push_back(static_cast<std::uint32_t>(samples_.size() - 1));
+      rays_.push_back(*ray);
+    }
+  }
+  blockers_.resize(rays_.size());
+  scene_.rays.blockers(rays_, blockers_, ignored_part_);
+  for (std::size_t i = 0; i < asked_.size(); ++i) samples_[asked_[i]].blocker = blockers_[i];
+  cast_ += rays_.size();
+  return static_cast<SampleId>(first);
+}
+
+Cover ShadowCaster::cover(SampleId sample) const {
+  const Hit& hit = samples_[sample].blocker.hit;
+  if (!hit.valid()) return Cover::none();
+  const World& world = scene_.world;
+  const glm::uvec3 t = world.triangles[hit.triangle];
+  const glm::dvec3 p0(world.positions[t.x]);
+  const glm::dvec3 e1 = glm::dvec3(world.positions[t.y]) - p0;
+  const glm::dvec3 e2 = glm::dvec3(world.positions[t.z]) - p0;
+  const glm::dvec3 p = p0 + static_cast<double>(hit.b1) * e1 + static_cast<double>(hit.b2) * e2;
+  return Cover::plane(*frame_, p, glm::cross(e1, e2), scene_.features.departure(hit.triangle));
+}
+
+std::uint32_t ShadowCaster::surface(SampleId sample) const {
+  constexpr std::uint32_t lit = FeatureEdge::none, beside = FeatureEdge::none - 2;
+  const Sample& s = samples_[sample];
+  if (!s.counts) return beside;
+  return s.blocker.hit.valid() ? scene_.features.sheet(s.blocker.hit.triangle) : lit;
+}
+
+Unevenness ShadowCaster::uneven(SampleId sample, double /*share*/) const {
+  return samples_[sample].blocker.see_through ? Unevenness::shadow : Unevenness::none;
+}
+
+void ShadowCaster::leaf(std::uint32_t /*root*/, SampleId sample, double weight,
+                        const LeafRegion& region) {
+  const Sample& s = samples_[sample];
+  if (!s.counts) return;
+  const double worth = measure(weight, region);
+  all_ += worth;
+  lit_ += worth * static_cast<double>(s.blocker.transmittance);
+}
+
+std::optional<double> ShadowCaster::lit_share() const {
+  if (!(all_ > 0.0)) return std::nullopt;
+  return lit_ / all_;
+}
+
+}  // namespace asos

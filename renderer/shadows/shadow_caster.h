@@ -1,0 +1,70 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/film/statistics.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/rays/ray_scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// What shadow pyrays look at.
+struct ShadowScene {
+  const World& world;
+  const FeatureSet& features;
+  const RayScene& rays;
+};
+
+/// The engine's Caster for shadow pyrays: finds what share of a square is lit, by a measure that
+/// derived classes choose. One object serves one pyray after another and keeps its memory.
+class ShadowCaster : public Caster {
+ public:
+  explicit ShadowCaster(const ShadowScene& scene) : scene_(scene) {}
+
+  [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
+  [[nodiscard]] Cover cover(SampleId sample) const override;
+  [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
+  /// Cut-outs and what shines through have outlines that are no boundaries.
+  [[nodiscard]] Unevenness uneven(SampleId sample, double share) const override;
+  void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
+
+  /// What the light is multiplied by, 0 to 1, once all leaves are in. Nothing where no sample met
+  /// what was asked for.
+  [[nodiscard]] std::optional<double> lit_share() const;
+  [[nodiscard]] std::uint64_t rays_cast() const { return cast_; }
+
+ protected:
+  void start(const Frame& frame, std::int32_t ignored_part);
+
+  /// The ray whose blockers shade a point of the square; nothing for points that do not count.
+  [[nodiscard]] virtual std::optional<Ray> ray_at(glm::vec2 p) const = 0;
+  /// How much a leaf that counts is worth.
+  [[nodiscard]] virtual double measure(double weight, const LeafRegion& region) const = 0;
+
+  const ShadowScene& scene_;
+
+ private:
+  struct Sample {
+    Blocker blocker;
+    Ray ray;
+    bool counts = false;
+  };
+
+  const Frame* frame_ = nullptr;
+  std::int32_t ignored_part_ = -1;
+  std::vector<Sample> samples_;
+  std::vector<Ray> rays_;
+  std::vector<std::uint32_t> asked_;
+  std::vector<Blocker> blockers_;
+  std::uint64_t cast_ = 0;
+  double lit_ = 0.0;
+  double all_ = 0.0;
+};
+
+}  // namespace asos

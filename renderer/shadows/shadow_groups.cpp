@@ -1,0 +1,156 @@
+#include "renderer/shadows/shadow_groups.h"
+
+#include "renderer/shading/light_transport.h"
+#include "renderer/shading/shadow_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+// Nodes that a cut may hold. More cost every pyray of the block more than walking there from the
+// root does.
+constexpr std::size_t most_nodes = 24;
+
+}  // namespace
+
+double world_reach(const World& world) {
+  if (world.bounds.empty()) return 1.0;
+  return 2.0 * glm::length(glm::dvec3(world.bounds.hi) - glm::dvec3(world.bounds.lo)) +
+         std::numeric_limits<float>::min();
+}
+
+SearchBounds own_part_ignored(const World& world, const PreparedLight& light) {
+  SearchBounds bounds;
+  if (light.own_part < 0) return bounds;
+  const Part& part = world.parts[static_cast<std::size_t>(light.own_part)];
+  bounds.first_ignored_vertex = part.first_vertex;
+  bounds.ignored_vertices = part.vertex_count;
+  return bounds;
+}
+
+ShadowGroups::ShadowGroups(const ShadowScene& scene)
+    : scene_(scene), reach_(world_reach(scene.world)) {}
+
+void ShadowGroups::reset(std::size_t lights) {
+  lights_ = lights;
+  used_ = 0;
+}
+
+void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch) {
+  const std::uint32_t sheet = scene_.features.sheet(hit.triangle);
+  std::size_t i = 0;
+  while (i < used_ && groups_[i].sheet != sheet) ++i;
+  if (i == used_) {
+    if (groups_.size() == used_) groups_.emplace_back();
+    Group& group = groups_[used_++];
+    group.sheet = sheet;
+    group.box = Box();
+    group.plane = {glm::dvec3(normal), glm::dot(glm::dvec3(normal), glm::dvec3(position))};
+    group.planar = glm::length(normal) > 0.5f;
+    const glm::vec3 size = glm::abs(position);
+    group.tolerance = 64.0 * std::numeric_limits<float>::epsilon() *
+                      static_cast<double>(std::max({size.x, size.y, size.z}) +
+                                          glm::length(patch.right) + glm::length(patch.down));
+    group.answers.resize(lights_);
+    for (Answer& answer : group.answers) answer.known = false;
+  }
+  Group& group = groups_[i];
+  const glm::vec3 around = 0.5f * (glm::abs(patch.right) + glm::abs(patch.down));
+  if (!std::isfinite(around.x + around.y + around.z)) return;
+  group.box.grow(position - around);
+  group.box.grow(position + around);
+  group.planar = group.planar &&
+                 std::abs(group.plane.height(glm::dvec3(position))) <= group.tolerance &&
+                 glm::dot(glm::dvec3(normal), group.plane.normal) > 1.0 - 1e-9;
+}
+
+ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box& patch) {
+  if (point.triangle == Hit::none) return nullptr;
+  const std::uint32_t sheet = scene_.features.sheet(point.triangle);
+  for (std::size_t i = 0; i < used_; ++i) {
+    Group& group = groups_[i];
+    if (group.sheet != sheet) continue;
+    const Box& b = group.box;
+    const bool inside = glm::all(glm::lessThanEqual(b.lo, patch.lo)) &&
+                        glm::all(glm::lessThanEqual(patch.hi, b.hi));
+    return inside ? &group : nullptr;
+  }
+  return nullptr;
+}
+
+// A box around a light; of one that is infinitely far, around where lines from the box to it leave
+// the world.
+Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
+  using Shape = PreparedLight::Shape;
+  Box box;
+  switch (light.shape) {
+    case Shape::distant:
+    case Shape::sun: {
+      const glm::vec3 away(reach_ * light.towards);
+      const float wide = static_cast<float>(reach_ * light.radius);
+      box.grow(from.lo + away - wide);
+      box.grow(from.hi + away + wide);
+      return box;
+    }
+    case Shape::ball:
+      box.grow(glm::vec3(light.position - light.radius));
+      box.grow(glm::vec3(light.position + light.radius));
+      return box;
+    default:
+      break;
+  }
+  for (const double u : {-1.0, 1.0}) {
+    for (const double v : {-1.0, 1.0})
+      box.grow(glm::vec3(light.position + u * light.half_u + v * light.half_v));
+  }
+  return box;
+}
+
+void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, Group& group,
+                        Answer& answer, std::uint64_t& rays_cast) {
+  using Verdict = ShadowKnowledge::Verdict;
+  answer.known = true;
+  answer.verdict = Verdict::open;
+  Shaft shaft(group.box, light_box(light, group.box));
+  if (group.planar) {
+    const double above = static_cast<double>(clear_height(point)) + group.tolerance;
+    shaft.keep_within({group.plane.normal, group.plane.offset + above});
+  }
+  search_shaft(scene_.features, shaft, own_part_ignored(scene_.world, light), most_nodes,
+               answer.search);
+  if (!group.planar || !answer.search.complete || !answer.search.cut.empty()) return;
+
+  // Nothing bounds what shades these points: what one of them sees of the light, all do. Some point
+  // of the light lies above the horizon.
+  for (const double u : {0.5, 0.05, 0.95}) {
+    for (const double v : {0.5, 0.05, 0.95}) {
+      const LightSample at = sample_light(light, receiver_at(point), u, v);
+      if (at.irradiance == glm::vec3(0.0f)) continue;
+      const Ray ray = shadow_ray(point, at);
+      Blocker blocker;
+      scene_.rays.blockers(std::span(&ray, 1), std::span(&blocker, 1), light.own_part);
+      ++rays_cast;
+      if (!blocker.see_through)
+        answer.verdict = blocker.hit.valid() ? Verdict::shaded : Verdict::lit;
+      return;
+    }
+  }
+}
+
+ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t index,
+                                  const SurfacePoint& point, const Box& patch,
+                                  std::uint64_t& rays_cast) {
+  Group* group = group_of(point, patch);
+  if (!group) return {};
+  Answer& answer = group->answers[index];
+  if (!answer.known) find(light, point, *group, answer, rays_cast);
+  const bool on_plane =
+      std::abs(group->plane.height(glm::dvec3(point.position))) <= group->tolerance;
+  if (group->planar && !on_plane) return {};
+  return {answer.verdict, &answer.search.cut};
+}
+
+}  // namespace asos

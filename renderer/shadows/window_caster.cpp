@@ -1,0 +1,39 @@
+#include "renderer/shadows/window_caster.h"
+
+namespace asos {
+namespace {
+
+// How much of the way to a light a shadow ray goes: its own surface does not shade it.
+constexpr float most_of_the_way = 1.0f - 1e-5f;
+
+}  // namespace
+
+void WindowCaster::start(const PreparedLight& light, const LightWindow& window) {
+  ShadowCaster::start(window.frame(), light.own_part);
+  light_ = &light;
+  window_ = &window;
+}
+
+std::optional<Ray> WindowCaster::ray_at(glm::vec2 p) const {
+  if (!window_->holds(p)) return std::nullopt;
+  Ray ray;
+  ray.origin = glm::vec3(window_->frame().apex());
+  ray.direction = glm::vec3(window_->towards(p));
+  if (!window_->infinitely_far()) ray.t_far = most_of_the_way;
+  return ray;
+}
+
+double WindowCaster::measure(double weight, const LeafRegion& region) const {
+  if (light_->rule == LightRule::physical) return window_->form(region);
+  const glm::dvec2 middle(region.square.centre_u(), region.square.centre_v());
+  const glm::dvec3 to_light = window_->towards(middle);
+  const double distance2 = glm::dot(to_light, to_light);
+  const bool ball =
+      light_->shape == PreparedLight::Shape::ball || light_->shape == PreparedLight::Shape::sun;
+  // Per distance twice more for the direction's length in the cosine.
+  const double cosine =
+      ball ? 1.0 : std::abs(glm::dot(light_->towards, to_light)) / std::sqrt(distance2);
+  return weight * cosine / distance2;
+}
+
+}  // namespace asos

@@ -1,0 +1,88 @@
+#include "app/scene_info.h"
+#include "renderer/scene/load.h"
+#include "tests/app/run_asos.h"
+#include "tests/support/shared_dir.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace asos {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using test::contains;
+using test::Outcome;
+using test::run_asos;
+
+Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_rad = 0.0) {
+  Light light;
+  light.type = type;
+  light.radius = radius;
+  light.angular_diameter_rad = angular_diameter_rad;
+  return light;
+}
+
+ordered_json info_of(const Scene& scene) {
+  const Result<World> world = flatten(scene);
+  if (!world) throw std::runtime_error(world.error().message());
+  return scene_info_json(scene, *world);
+}
+
+TEST(InfoCommand, CountsLightsByTypeAndThoseWithASizeBeside) {
+  using Type = Light::Type;
+  Scene scene;
+  scene.lights = {light_of(Type::point),       light_of(Type::point, 0.5),
+                  light_of(Type::point, 0.1),  light_of(Type::spot, 0.2),
+                  light_of(Type::directional), light_of(Type::directional, 0.0, 0.0093),
+                  light_of(Type::linear),      light_of(Type::linear),
+                  light_of(Type::rectangle),   light_of(Type::disk, 3.0),
+                  light_of(Type::polygon)};
+  const ordered_json info = info_of(scene);
+  const ordered_json expected = {{"point", 3},   {"spot", 1},      {"directional", 2},
+                                 {"linear", 2},  {"rectangle", 1}, {"disk", 1},
+                                 {"polygon", 1}, {"ball", 3},      {"sun", 1}};
+  EXPECT_EQ(info["lights"], expected);
+  EXPECT_TRUE(contains(scene_info_text(info),
+                       "Lights:     3 point, 1 spot, 2 directional, 2 linear, 1 rectangle, 1 disk, "
+                       "1 polygon (of these with a size: 3 ball, 1 sun)\n"));
+}
+
+TEST(InfoCommand, SaysWhereThereAreNoLightsOrNoneWithASize) {
+  Scene scene;
+  EXPECT_TRUE(contains(scene_info_text(info_of(scene)), "Lights:     none"));
+  scene.lights = {light_of(Light::Type::spot)};
+  EXPECT_TRUE(contains(scene_info_text(info_of(scene)), "Lights:     1 spot\n"));
+}
+
+TEST(InfoCommand, NamesTheLightsOfTheBuiltinScenes) {
+  const auto lights = [](const char* scene) {
+    const Outcome outcome = run_asos({"info", scene, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out).at("lights");
+  };
+  EXPECT_EQ(lights("builtin:boxes").at("rectangle"), 1);
+  EXPECT_EQ(lights("builtin:house").at("sun"), 1);
+  EXPECT_EQ(lights("builtin:primitives").at("ball"), 0);
+  EXPECT_EQ(lights("builtin:primitives-ball").at("ball"), 1);
+  EXPECT_EQ(lights("builtin:primitives-linear").at("linear"), 1);
+  EXPECT_EQ(lights("builtin:primitives-rectangle").at("rectangle"), 1);
+}
+
+TEST(InfoCommand, PunctualLightsOfAFileAreCountedByTheTypesOfTheirExtension) {
+  const auto dir = test::shared_dir();
+  if (!dir) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
+  const auto file = *dir / "scenes" / "PlayCanvasLights" / "Lights.glb";
+  const Outcome outcome = run_asos({"info", file.string(), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json lights = json::parse(outcome.out).at("lights");
+  EXPECT_EQ(lights.at("point"), 1);
+  EXPECT_EQ(lights.at("spot"), 2);
+  EXPECT_EQ(lights.at("directional"), 1);
+  for (const char* kind : {"linear", "rectangle", "disk", "polygon", "ball", "sun"}) {
+    EXPECT_EQ(lights.at(kind), 0) << kind;
+  }
+}
+
+}  // namespace
+}  // namespace asos

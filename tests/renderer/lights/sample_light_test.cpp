@@ -1,0 +1,125 @@
+#include "renderer/lights/prepared_light.h"
+#include "renderer/lights/spherical_rectangle.h"
+#include "tests/support/random_space.h"
+#include "tests/support/sample_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+/// Of the red channel, over the middles of count x count cells.
+double mean(const PreparedLight& light, const Receiver& receiver, int count) {
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < count; ++k)
+      sum += sample_light(light, receiver, (i + 0.5) / count, (k + 0.5) / count).irradiance.r;
+  }
+  return sum / (count * count);
+}
+
+std::vector<PreparedLight> prepared_lights() {
+  std::vector<PreparedLight> lights;
+  for (const Light& light : test::all_lights()) lights.push_back(prepare_light(light));
+  Light inside = test::ball_light(8.0);
+  lights.push_back(prepare_light(inside));
+  Light small = test::scaled(test::rectangle_light(), 1e-4);
+  small.position = {0, 2, 0};
+  lights.push_back(prepare_light(small));
+  return lights;
+}
+
+/// Both horizons the same: the integrand has kinks at most, which cost a share of the brightest
+/// cells (of a receiver that faces the light). A polygon's map has steps at the height of a notch,
+/// which the grid may miss by one row of cells.
+TEST(SampleLight, HasTheIrradianceAsItsMean) {
+  test::RandomSpace random(21);
+  for (const PreparedLight& light : prepared_lights()) {
+    const bool steps = light.shape == PreparedLight::Shape::polygon && !light.rectangle;
+    int lit = 0;
+    for (int i = 0; i < 12; ++i) {
+      const Receiver receiver = random.receiver(1.2 * random.direction(), {0, 2, 0}, i % 3);
+      const glm::dvec3 facing = glm::normalize(glm::dvec3(0, 2, 0) - receiver.position);
+      const double most = unshadowed_irradiance(light, {receiver.position, facing, facing}).r;
+      const double expected = unshadowed_irradiance(light, receiver).r;
+      EXPECT_NEAR(mean(light, receiver, 300), expected,
+                  (steps ? 2e-3 : 2e-4) * expected + 2e-5 * most)
+          << "shape " << static_cast<int>(light.shape) << ", round " << i;
+      if (expected > 0.0) ++lit;
+    }
+    EXPECT_GT(lit, 4);
+  }
+}
+
+/// The second horizon cuts with a step, which a grid finds to about a cell in a row.
+TEST(SampleLight, GivesNothingBelowTheSecondHorizon) {
+  test::RandomSpace random(22);
+  for (const PreparedLight& light : prepared_lights()) {
+    for (int i = 0; i < 6; ++i) {
+      const glm::dvec3 position = 1.2 * random.direction();
+      Receiver receiver = random.receiver(position, {0, 2, 0}, 0);
+      receiver.geometric = random.perpendicular(glm::normalize(glm::dvec3(0, 2, 0) - position));
+      const double whole =
+          unshadowed_irradiance(light, {position, receiver.normal, receiver.normal}).r;
+      EXPECT_NEAR(mean(light, receiver, 300), unshadowed_irradiance(light, receiver).r,
+                  0.02 * whole)
+          << "shape " << static_cast<int>(light.shape) << ", round " << i;
+    }
+  }
+}
+
+TEST(SampleLight, LandsOnTheLight) {
+  const Receiver receiver{{0.3, 0, -0.2}, {0, 1, 0}, {0, 1, 0}};
+  for (const PreparedLight& light : prepared_lights()) {
+    for (int i = 0; i <= 10; ++i) {
+      for (int k = 0; k <= 10; ++k) {
+        const LightSample sample = sample_light(light, receiver, 0.1 * i, 0.1 * k);
+        if (std::isinf(sample.distance)) {
+          const double angle = std::atan(light.radius);
+          EXPECT_GT(glm::dot(sample.direction, light.towards), std::cos(angle) - 1e-12);
+          continue;
+        }
+        const glm::dvec3 off =
+            receiver.position + sample.distance * sample.direction - light.position;
+        if (light.shape == PreparedLight::Shape::ball) {
+          EXPECT_NEAR(glm::length(off), light.radius, 2e-7 * light.radius);
+        } else if (light.shape == PreparedLight::Shape::segment) {
+          EXPECT_LT(glm::length(glm::cross(off, light.half_u)), 1e-12);
+          EXPECT_LE(glm::length(off), glm::length(light.half_u) * (1.0 + 1e-12));
+        } else if (light.extended()) {
+          const glm::dvec2 at(glm::dot(off, light.half_u) / glm::dot(light.half_u, light.half_u),
+                              glm::dot(off, light.half_v) / glm::dot(light.half_v, light.half_v));
+          EXPECT_NEAR(glm::dot(off, light.towards), 0.0, 1e-12);
+          EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), 1.0 + 1e-9);
+        } else {
+          EXPECT_LT(glm::length(off), 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(SampleLight, BySolidAngleIsEvenUnderALargeRectangle) {
+  // All samples of equal solid angle differ by the receiver's cosine alone.
+  const PreparedLight light = prepare_light(test::rectangle_light());
+  const Receiver receiver{{0, 1.9, 0}, {0, 1, 0}, {0, 1, 0}};
+  const double first = sample_light(light, receiver, 0.1, 0.2).irradiance.r /
+                       sample_light(light, receiver, 0.1, 0.2).direction.y;
+  for (const glm::dvec2& uv : {glm::dvec2(0.5, 0.5), glm::dvec2(0.99, 0.3), glm::dvec2(0, 1)}) {
+    const LightSample sample = sample_light(light, receiver, uv.x, uv.y);
+    EXPECT_NEAR(sample.irradiance.r / sample.direction.y / first, 1.0, 1e-5);
+  }
+}
+
+TEST(SphericalRectangle, HasTheSolidAngleOfACubesFace) {
+  const SphericalRectangle face({0, 0, -1}, {1, 0, 0}, {0, 1, 0});
+  EXPECT_NEAR(face.solid_angle(), 4.0 * std::numbers::pi / 6.0, 1e-14);
+  const glm::dvec3 middle = face.point(0.5, 0.5);
+  EXPECT_LT(glm::length(middle - glm::dvec3(0, 0, -1)), 1e-12);
+}
+
+}  // namespace
+}  // namespace asos

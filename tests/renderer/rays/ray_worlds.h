@@ -1,0 +1,99 @@
+#pragma once
+
+#include "renderer/rays/ray_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+// Worlds and rays of the ray tracing tests.
+
+namespace asos::test {
+
+/// Opacity by the material's factors alone.
+inline float factor_alpha(const World& world, std::uint32_t triangle, float, float) {
+  const Material& m = world.material_of(triangle);
+  return m.base_color.a * (1.0f - m.transmission);
+}
+
+inline RayScene build(const World& world, AlphaAt alpha = factor_alpha) {
+  auto built = RayScene::build(world, alpha);
+  EXPECT_TRUE(built.has_value());
+  return std::move(*built);
+}
+
+inline glm::vec3 random_point(std::mt19937& rng, float scale) {
+  std::uniform_real_distribution<float> d(-scale, scale);
+  const float x = d(rng);
+  const float y = d(rng);
+  return {x, y, d(rng)};
+}
+
+inline World random_triangles(std::uint32_t seed, int count, float size) {
+  std::mt19937 rng(seed);
+  World world;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 c = random_point(rng, 1.0f);
+    const glm::vec3 a = c + random_point(rng, size);
+    const glm::vec3 b = c + random_point(rng, size);
+    add_triangle(world, a, b, c + random_point(rng, size), matte(glm::vec3(0.5f)));
+  }
+  return world;
+}
+
+inline Ray random_ray(std::mt19937& rng) {
+  Ray ray;
+  ray.origin = random_point(rng, 2.0f);
+  ray.direction = random_point(rng, 1.0f);
+  return ray;
+}
+
+/// A ray from above z = 0 straight down at (x, y).
+inline Ray down(float x, float y, float z = 1.0f) {
+  Ray ray;
+  ray.origin = {x, y, z};
+  return ray;
+}
+
+/// A square of side 2 around (0, 0, z) whose front looks up (+z), or down.
+inline void add_square(World& world, float z, const Material& material, bool faces_up = true) {
+  if (faces_up) {
+    add_quad(world, {-1, -1, z}, {2, 0, 0}, {0, 2, 0}, material);
+  } else {
+    add_quad(world, {-1, -1, z}, {0, 2, 0}, {2, 0, 0}, material);
+  }
+}
+
+inline Material double_sided(Material material) {
+  material.double_sided = true;
+  return material;
+}
+
+inline Material blended(float alpha) {
+  Material material = matte(glm::vec3(1));
+  material.alpha_mode = AlphaMode::blend;
+  material.base_color.a = alpha;
+  return material;
+}
+
+inline Material masked(float cutoff) {
+  Material material = matte(glm::vec3(1));
+  material.alpha_mode = AlphaMode::mask;
+  material.alpha_cutoff = cutoff;
+  return material;
+}
+
+/// Makes the world's part a new light's own.
+inline void make_own(World& world, std::int32_t part) {
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.name = "lamp";
+  light.own_part = part;
+  world.lights.push_back(light);
+}
+
+}  // namespace asos::test

@@ -1,0 +1,181 @@
+#include "tests/support/polygon.h"
+#include "tests/support/random_space.h"
+#include "tests/support/shadow_fixture.h"
+#include "tests/support/shadow_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Hard shadows of point, spot and directional lights across a pixel, or the part of one that a leaf
+// covers: the share of its area that is lit, as the viewer sees it.
+
+namespace asos::test {
+namespace {
+
+constexpr double floor_half = 20.0;
+
+/// A pixel that shows the floor z = 0.
+struct Pixel {
+  Frame frame;
+  Polygon3 patch;  ///< the leaf's region on the floor
+  Polygon region;  ///< and in the frame
+  Square square;
+};
+
+glm::dvec2 projected(const Frame& frame, glm::dvec3 p) {
+  const FramePoint at = frame.project(frame.homogeneous(p));
+  return {at.u, at.v};
+}
+
+/// A leaf of a random pixel: whole, or a quarter of a quarter, or cut by an outline. Nothing where
+/// some of it shows no floor.
+std::optional<Pixel> random_pixel(RandomSpace& random, int kind) {
+  const glm::dvec3 target(random.between(-2, 2), random.between(-2, 2), 0);
+  // From overhead down to less than a degree.
+  const double elevation = kind % 3 ? random.between(0.2, 1.5) : random.between(0.01, 0.1);
+  const double azimuth = random.between(0, 2 * std::numbers::pi);
+  const glm::dvec3 back(std::cos(azimuth) * std::cos(elevation),
+                        std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
+  const double distance = random.between(1.0, 6.0);
+  const double size = std::pow(10.0, random.between(-4.0, -1.5));
+  const glm::dvec3 right = size * random.perpendicular(back), down = glm::cross(right, back);
+  const glm::dvec3 eye = target + distance * back;
+  const Frame frame = kind % 5 == 0
+                          ? Frame::prism(eye - 0.5 * (right + down), -back, right, down)
+                          : Frame::pyramid(eye, -back - 0.5 * (right + down), right, down);
+  Square square{0, 0, 1};
+  if (kind % 4 == 1) square = {0.25f, 0.5f, 0.25f};
+  const double u = square.u, v = square.v, s = square.side;
+  Polygon region{{u, v}, {u + s, v}, {u + s, v + s}, {u, v + s}};
+  if (kind % 4 > 1) {
+    const double angle = random.between(0, 2 * std::numbers::pi);
+    const glm::dvec2 normal(std::cos(angle), std::sin(angle));
+    const double offset = random.between(-0.3, 0.3);
+    region = clip(region, [&](glm::dvec2 p) { return glm::dot(normal, p - 0.5) - offset; });
+    for (glm::dvec2& p : region) p = glm::dvec2(glm::vec2(p));
+  }
+  Polygon3 patch;
+  for (const glm::dvec2& p : region) {
+    const auto at = frame.on_plane(p, {{0, 0, 1}, 0});
+    if (!at || glm::length(*at) > 0.5 * floor_half) return std::nullopt;
+    patch.push_back(*at);
+  }
+  return Pixel{frame, patch, region, square};
+}
+
+/// The part of a convex polygon that a convex flat occluder hides from parallel light.
+Polygon3 hidden_along(Polygon3 polygon, const Polygon3& occluder, glm::dvec3 towards) {
+  const glm::dvec3 face = glm::cross(occluder[1] - occluder[0], occluder[2] - occluder[0]);
+  const double side = glm::dot(face, towards) > 0.0 ? 1.0 : -1.0;
+  polygon = clip(polygon, -side * face, occluder[0]);
+  for (std::size_t i = 0; i < occluder.size(); ++i) {
+    const glm::dvec3 edge = occluder[(i + 1) % occluder.size()] - occluder[i];
+    polygon = clip(polygon, side * glm::cross(towards, edge), occluder[i]);
+  }
+  return polygon;
+}
+
+double area_in(const Frame& frame, const Polygon3& patch) {
+  Polygon flat;
+  for (const glm::dvec3& p : patch) flat.push_back(projected(frame, p));
+  return flat.size() < 3 ? 0.0 : area(flat);
+}
+
+double lit_share(ShadowFixture& fixture, const Pixel& pixel, int kind) {
+  SurfacePoint point;
+  glm::dvec3 middle(0.0);
+  for (const glm::dvec3& p : pixel.patch) middle += p / static_cast<double>(pixel.patch.size());
+  point.position = glm::vec3(middle);
+  point.error = glm::vec3(1e-6f, 1e-6f, 0.0f);
+  point.geometric_normal = point.shading_normal = {0, 0, 1};
+  point.extent = 2.0f * static_cast<float>(floor_half);
+  point.triangle = 0;
+  std::vector<Side> sides;
+  if (kind % 4 > 1) {
+    for (std::size_t i = 0; i < pixel.region.size(); ++i)
+      sides.push_back(
+          {glm::vec2(pixel.region[i]), glm::vec2(pixel.region[(i + 1) % pixel.region.size()])});
+  }
+  return fixture.lit_share(point, pixel.frame, {{pixel.square, sides}, 1.0f, 1.0, 7});
+}
+
+/// For random pixels: a large screen whose edge's shadow runs through the pixel.
+void expect_edges(std::uint64_t seed, const std::function<Light(RandomSpace&)>& make) {
+  RandomSpace random(seed);
+  double worst = 0.0;
+  int partly = 0;
+  ShadowSettings settings;
+  settings.max_level = 4;
+  for (int i = 0; i < 600; ++i) {
+    const Light light = make(random);
+    const auto pixel = random_pixel(random, i);
+    if (!pixel || pixel->region.size() < 3) continue;
+    const bool distant = light.type == Light::Type::directional;
+    glm::dvec3 inside(0.0);
+    double sum = 0.0;
+    for (const glm::dvec3& p : pixel->patch) {
+      const double weight = random.between(0, 1);
+      inside += weight * p;
+      sum += weight;
+    }
+    inside /= sum;
+    const glm::dvec3 way = distant ? -5.0 * light.direction : light.position - inside;
+    const glm::dvec3 through = inside + random.between(0.05, 0.7) * way;
+    const glm::dvec3 edge = random.direction();
+    World world;
+    const auto f = static_cast<float>(floor_half);
+    add_quad(world, {-f, -f, 0}, {2 * f, 0, 0}, {0, 2 * f, 0}, matte({0.5f, 0.5f, 0.5f}));
+    const double wide = i % 2 ? 8.0 : 0.05;
+    const Polygon3 screen = add_occluder(world, through - 0.5 * wide * edge, wide * edge,
+                                         wide * random.perpendicular(edge));
+    ShadowFixture fixture(std::move(world), light, settings);
+    const Polygon3 hidden = distant ? hidden_along(pixel->patch, screen, -light.direction)
+                                    : hidden_part(pixel->patch, screen, light.position);
+    const double exact = 1.0 - area_in(pixel->frame, hidden) / area_in(pixel->frame, pixel->patch);
+    const double found = lit_share(fixture, *pixel, i);
+    EXPECT_NEAR(found, exact, 1e-4) << i;
+    worst = std::max(worst, std::abs(found - exact));
+    partly += exact > 0.01 && exact < 0.99;
+  }
+  testing::Test::RecordProperty("worst_error", std::to_string(worst));
+  EXPECT_GT(partly, 200);
+}
+
+TEST(HardShadow, OfAPointLightCoversItsExactShareOfALeaf) {
+  expect_edges(1, [](RandomSpace& random) {
+    Light light;
+    light.position = {random.between(-3, 3), random.between(-3, 3), random.between(1, 5)};
+    return light;
+  });
+}
+
+TEST(HardShadow, OfASpotCoversItsExactShareOfALeaf) {
+  expect_edges(2, [](RandomSpace& random) {
+    Light light;
+    light.type = Light::Type::spot;
+    light.position = {random.between(-3, 3), random.between(-3, 3), random.between(1, 5)};
+    light.direction = glm::normalize(-light.position);
+    light.outer_cone_rad = 1.5;
+    return light;
+  });
+}
+
+TEST(HardShadow, OfADirectionalLightCoversItsExactShareOfALeaf) {
+  expect_edges(3, [](RandomSpace& random) {
+    Light light;
+    light.type = Light::Type::directional;
+    do light.direction = random.direction();
+    while (light.direction.z > -0.1);
+    return light;
+  });
+}
+
+}  // namespace
+}  // namespace asos::test

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "renderer/lights/prepared_light.h"
+
+#include <glm/glm.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace asos::test {
+
+/// A light of each type about 2 above the origin that shines down, about 1 in size.
+[[nodiscard]] inline Light point_light() {
+  Light light;
+  light.name = "point";
+  light.position = {0, 2, 0};
+  light.direction = {0, -1, 0};
+  light.intensity = 5.0f;
+  light.color = {1.0f, 0.5f, 0.25f};
+  return light;
+}
+
+[[nodiscard]] inline Light spot_light() {
+  Light light = point_light();
+  light.name = "spot";
+  light.type = Light::Type::spot;
+  light.range = 9.0;
+  light.inner_cone_rad = 0.3;
+  light.outer_cone_rad = 1.2;
+  return light;
+}
+
+[[nodiscard]] inline Light ball_light(double radius = 0.6) {
+  Light light = point_light();
+  light.name = "ball";
+  light.radius = radius;
+  return light;
+}
+
+[[nodiscard]] inline Light distant_light() {
+  Light light = point_light();
+  light.name = "distant";
+  light.type = Light::Type::directional;
+  return light;
+}
+
+[[nodiscard]] inline Light sun_light(double angular_diameter_rad = 0.5) {
+  Light light = distant_light();
+  light.name = "sun";
+  light.angular_diameter_rad = angular_diameter_rad;
+  return light;
+}
+
+[[nodiscard]] inline Light linear_light() {
+  Light light = point_light();
+  light.name = "linear";
+  light.type = Light::Type::linear;
+  light.half_u = {0.9, 0.2, 0};
+  return light;
+}
+
+[[nodiscard]] inline Light rectangle_light() {
+  Light light = point_light();
+  light.name = "rectangle";
+  light.type = Light::Type::rectangle;
+  light.half_u = {0.8, 0, 0};
+  light.half_v = {0, 0, -0.5};
+  return light;
+}
+
+[[nodiscard]] inline Light disk_light() {
+  Light light = point_light();
+  light.name = "disk";
+  light.type = Light::Type::disk;
+  light.radius = 0.7;
+  return light;
+}
+
+/// An L with a hole in its corner, from x = z = -0.6 on.
+[[nodiscard]] inline Light polygon_light() {
+  Light light = point_light();
+  light.name = "polygon";
+  light.type = Light::Type::polygon;
+  light.outlines = {
+      {{-0.6, 2, -0.6}, {0.8, 2, -0.6}, {0.8, 2, 0}, {0, 2, 0.1}, {0, 2, 1}, {-0.6, 2, 1}},
+      {{-0.4, 2, -0.4}, {-0.4, 2, -0.1}, {-0.1, 2, -0.3}}};
+  return light;
+}
+
+[[nodiscard]] inline std::vector<Light> all_lights() {
+  return {point_light(),  spot_light(),      ball_light(), distant_light(), sun_light(),
+          linear_light(), rectangle_light(), disk_light(), polygon_light()};
+}
+
+/// The light in a world `scale` times as large, with the same irradiance in it everywhere.
+[[nodiscard]] inline Light scaled(Light light, double scale) {
+  const bool candela = light.type == Light::Type::point || light.type == Light::Type::spot ||
+                       light.type == Light::Type::linear;
+  if (candela) light.intensity = static_cast<float>(light.intensity * scale * scale);
+  light.position *= scale;
+  light.range *= scale;
+  light.radius *= scale;
+  light.half_u *= scale;
+  light.half_v *= scale;
+  for (auto& outline : light.outlines) {
+    for (glm::dvec3& corner : outline) corner *= scale;
+  }
+  return light;
+}
+
+}  // namespace asos::test
