@@ -94,6 +94,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   report.triangles = ready.world.triangles.size();
   report.feature_edges = ready.features.counts();
   report.left_out = ready.needs.left_out();
+  for (const Light& light : ready.world.lights) report.lights.push_back({light.name, light.type});
 
   // Render
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;

@@ -8,6 +8,28 @@
 #include <sys/resource.h>
 
 namespace asos {
+namespace {
+
+nlohmann::ordered_json causes_json(const RenderStatistics& counts) {
+  nlohmann::ordered_json causes = nlohmann::ordered_json::object();
+  for (std::size_t i = 1; i < split_cause_count; ++i)
+    causes[split_cause_names[i]] = counts.pixels_by_cause[i];
+  return causes;
+}
+
+nlohmann::ordered_json lights_json(const RenderReport& report) {
+  nlohmann::ordered_json lights = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < report.lights.size(); ++i) {
+    const LightStatistics counts = report.statistics.of_light(i);
+    lights.push_back({{"name", report.lights[i].name},
+                      {"type", name_in(light_type_names, report.lights[i].type)},
+                      {"shadow_rays", counts.shadow_rays},
+                      {"shadow_pyrays", counts.shadow_pyrays}});
+  }
+  return lights;
+}
+
+}  // namespace
 
 nlohmann::ordered_json statistics_json(const RenderReport& report) {
   const RenderSettings& settings = report.settings;
@@ -51,8 +73,11 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
        {{"eye", counts.eye_rays},
         {"shadow", counts.shadow_rays},
         {"reflection", counts.reflection_rays}}},
+      {"shadow_pyrays", counts.shadow_pyrays},
+      {"lights", lights_json(report)},
       {"pyrays_by_level", counts.pyrays_by_level},
       {"split_pixels", counts.split_pixels},
+      {"pixels_by_cause", causes_json(counts)},
       {"uneven_pixels", counts.uneven_pixels},
       {"saturated_pixels", counts.saturated_pixels},
       {"missed_splits", counts.missed_splits},

@@ -4,6 +4,7 @@
 #include "renderer/features/feature_set.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/statistics.h"
+#include "renderer/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,13 +14,20 @@
 
 namespace asos {
 
+/// A light as the scene names it.
+struct ReportedLight {
+  std::string name;
+  Light::Type type = Light::Type::point;
+};
+
 /// What a finished render was asked for, met and cost: told in --stats and inside the picture.
 struct RenderReport {
   std::string scene;  ///< as named on the command line
   std::uint64_t triangles = 0;
   FeatureCounts feature_edges;
   RenderSettings settings;
-  int threads = 0;  ///< that worked
+  std::vector<ReportedLight> lights;  ///< in the order of World::lights
+  int threads = 0;                    ///< that worked
   std::string camera;
   float exposure_ev = 0.0f;
   RenderStatistics statistics;

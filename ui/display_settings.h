@@ -2,13 +2,17 @@
 
 namespace asos {
 
+/// What the split map's colours tell of a pixel.
+enum class SplitMapColours { level, cause };
+
 /// How a finished picture is shown. Nothing here restarts a render.
 struct DisplaySettings {
   static constexpr float exposure_limit_ev = 10.0f;
 
   float exposure_ev = 0.0f;     ///< stops
-  bool show_split_map = false;  ///< over the picture: each split pixel's deepest level
+  bool show_split_map = false;  ///< over the picture: the split pixels in colours
   float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
+  SplitMapColours split_colours = SplitMapColours::level;
 
   bool operator==(const DisplaySettings&) const = default;
 };

@@ -41,12 +41,13 @@ void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
   const PixelRect whole{0, 0, film.width, film.height};
   if (whole.empty()) return;
 
-  // What depends on the size, the exposure or the scale of levels is renewed as a whole.
+  // What depends on the size, the exposure or the split map's scale is renewed as a whole.
   const bool resized = film.width != width_ || film.height != height_;
   const bool exposed = display.exposure_ev != tone_.exposure_ev();
-  const bool rescaled = max_level != max_level_;
+  const bool rescaled = max_level != max_level_ || display.split_colours != split_colours_;
   if (exposed) tone_ = ToneTable(display.exposure_ev);
   max_level_ = max_level;
+  split_colours_ = display.split_colours;
   if (resized) {
     width_ = film.width;
     height_ = film.height;
@@ -65,26 +66,37 @@ void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
 }
 
 void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, bool overlay) {
+  if (overlay) convert_overlay(film, rect);
+  if (!picture) return;
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    const std::size_t row = film.index(rect.x, y);
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
+      picture_.at(i) = glm::u8vec4(tone_.bytes(film.radiance[i]), 255);
+  }
+  picture_.mark(rect);
+}
+
+void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
+  // By level or cause. What has a colour hides the picture; the others only dim it, so that colours
+  // match the legend.
+  const bool by_cause = split_colours_ == SplitMapColours::cause;
+  const std::size_t last = by_cause ? split_cause_count - 1 : static_cast<std::size_t>(max_level_);
   std::array<glm::u8vec4, 256> colours;
-  if (overlay) {
-    for (int level = 0; level <= max_level_; ++level) {
-      // Split pixels hide the picture; the others only dim it, so that colours match the legend.
-      colours[static_cast<std::size_t>(level)] =
-          glm::u8vec4(split_colour(level, max_level_), level > 0 ? 255 : 0);
-    }
+  for (std::size_t i = 0; i <= last; ++i) {
+    const glm::u8vec3 colour = by_cause ? split_cause_colour(static_cast<SplitCause>(i))
+                                        : split_colour(static_cast<int>(i), max_level_);
+    colours[i] = glm::u8vec4(colour, i > 0 ? 255 : 0);
   }
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
-      if (picture) picture_.at(i) = glm::u8vec4(tone_.bytes(film.radiance[i]), 255);
+      const std::size_t value =
+          by_cause ? static_cast<std::size_t>(film.cause[i]) : film.split_level[i];
       // Levels above MAX are left over from the snapshot before; they show as MAX until replaced.
-      if (overlay)
-        overlay_.at(i) = colours[std::min<std::size_t>(film.split_level[i],
-                                                       static_cast<std::size_t>(max_level_))];
+      overlay_.at(i) = colours[std::min(value, last)];
     }
   }
-  if (picture) picture_.mark(rect);
-  if (overlay) overlay_.mark(rect);
+  overlay_.mark(rect);
 }
 
 void GlDisplay::draw(const PictureView& view, const Target& target,

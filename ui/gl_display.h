@@ -24,7 +24,8 @@ class GlDisplay {
   [[nodiscard]] static Result<GlDisplay> make();
 
   /// Brings the textures up to date with `film`, of which `changed` is what differs from the last
-  /// call. Another size, exposure or `max_level` renews everything that depends on it.
+  /// call. Another size, exposure, `max_level` or choice of the split map's colours renews
+  /// everything that depends on it.
   void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
               int max_level);
 
@@ -64,6 +65,7 @@ class GlDisplay {
 
   GlDisplay(gl::Program picture, gl::Program overlay);
   void convert(const Film& film, const PixelRect& rect, bool picture, bool overlay);
+  void convert_overlay(const Film& film, const PixelRect& rect);
   void draw_layer(const gl::Program& program, const Layer& layer, const glm::vec4& clip_rect,
                   bool magnified) const;
 
@@ -73,6 +75,7 @@ class GlDisplay {
   int width_ = 0;
   int height_ = 0;
   int max_level_ = -1;
+  SplitMapColours split_colours_ = SplitMapColours::level;
   ToneTable tone_;
   Layer picture_;
   Layer overlay_;

@@ -85,8 +85,8 @@ ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& dis
   const RenderSettings& settings = previewer.rendered_settings();
   const RenderStatistics statistics = previewer.statistics();
   const Progress progress = previewer.progress();
-  const auto add = [&text](const char* key, std::string value) {
-    text.emplace_back(key, std::move(value));
+  const auto add = [&text](std::string key, std::string value) {
+    text.emplace_back(std::move(key), std::move(value));
   };
   add("asos.scene", scene->source);
   add("asos.triangles", std::to_string(scene->world.triangles.size()));
@@ -95,12 +95,20 @@ ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& dis
   add("asos.height", std::to_string(settings.height));
   add("asos.exposure", fmt::format("{}", display.exposure_ev));
   add("asos.split_map", display.show_split_map ? "true" : "false");
+  if (display.show_split_map)
+    add("asos.split_map_colours",
+        display.split_colours == SplitMapColours::cause ? "cause" : "level");
   add_method(text, settings);
   add("asos.render_seconds", fmt::format("{:.3f}", progress.seconds));
   add("asos.finished_percent", fmt::format("{:.1f}", 100.0 * progress.fraction));
   add("asos.rays", fmt::format("eye {}, shadow {}, reflection {}", statistics.eye_rays,
                                statistics.shadow_rays, statistics.reflection_rays));
   add("asos.split_pixels", std::to_string(statistics.split_pixels));
+  for (std::size_t i = 1; i < split_cause_count; ++i) {
+    const std::uint64_t pixels = statistics.pixels_by_cause[i];
+    if (pixels > 0)
+      add("asos.pixels_by_cause." + std::string(split_cause_names[i]), std::to_string(pixels));
+  }
   add("asos.missed_splits", std::to_string(statistics.missed_splits));
   add("asos.unresolved_area", fmt::format("{:.3f}", statistics.unresolved_area));
   return text;

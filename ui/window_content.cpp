@@ -168,6 +168,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
   }
   if (scene) warnings_panel(controls_, scene->notes);
   antialiasing_panel(controls_, previewer_.settings(), scene);
+  shadows_panel(controls_, previewer_.settings(), scene);
   display_panel(controls_, state_.display, previewer_.settings().max_level);
   camera_panel(controls_, previewer_);
   if (scene) {

@@ -79,7 +79,7 @@ EmitterNeighbours::EmitterNeighbours(std::span<const EmitterTriangle> triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = triangles[i].vertex[k];
       const std::uint32_t b = triangles[i].vertex[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), i});
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), i});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
@@ -89,11 +89,13 @@ EmitterNeighbours::EmitterNeighbours(std::span<const EmitterTriangle> triangles)
   // All pairs around an edge, but around one with a great many only those next to each other.
   constexpr std::size_t most_around_edge = 8;
   std::vector<std::array<std::uint32_t, 2>> pairs;
+  open_.assign(triangles.size(), false);
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin + 1;
     while (end < edges.size() && edges[end].low == edges[begin].low &&
            edges[end].high == edges[begin].high)
       ++end;
+    if (end - begin == 1) open_[edges[begin].triangle] = true;
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t last = end - begin <= most_around_edge ? end : std::min(end, i + 2);
       for (std::size_t k = i + 1; k < last; ++k) {

@@ -26,7 +26,9 @@ struct EmitterTriangle {
 /// Indices of a part's emitting triangles that belong together.
 using Piece = std::vector<std::uint32_t>;
 
-/// The triangles of a part that emit more than a thousandth of what its brightest does.
+/// The triangles of a part that emit. Where an emissive texture leaves less than 1/250 of the
+/// material's emission it counts as black, as does a triangle with less than 1/1000 on the whole.
+/// The dimmest others by texture, with half a percent of the power, give it to the rest.
 [[nodiscard]] std::vector<EmitterTriangle> emitting_triangles(const World& world,
                                                               std::uint32_t part,
                                                               EmissionAt emission);
@@ -36,6 +38,9 @@ class EmitterNeighbours {
  public:
   explicit EmitterNeighbours(std::span<const EmitterTriangle> triangles);
 
+  /// Whether each of the triangle's edges is another one's too.
+  [[nodiscard]] bool surrounded(std::uint32_t triangle) const { return !open_[triangle]; }
+
   [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t triangle) const {
     return std::span(others_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
   }
@@ -43,6 +48,7 @@ class EmitterNeighbours {
  private:
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> others_;
+  std::vector<bool> open_;
 };
 
 /// The triangles that lie in one plane, face the same way and are joined by edges: region by

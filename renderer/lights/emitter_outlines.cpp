@@ -1,4 +1,5 @@
 #include "renderer/lights/emitter_shapes.h"
+#include "renderer/lights/prepared_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,8 @@ std::vector<DirectedEdge> border_of(std::span<const EmitterTriangle> triangles,
     const EmitterTriangle& t = triangles[i];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      edges.push_back({t.vertex[k], t.vertex[next], t.corner[k], t.corner[next]});
+      if (t.vertex[k] != t.vertex[next])
+        edges.push_back({t.vertex[k], t.vertex[next], t.corner[k], t.corner[next]});
     }
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> surplus;
@@ -160,7 +162,10 @@ std::optional<Light> polygon_light(std::span<const EmitterTriangle> triangles, c
   if (!(std::abs(area - moments.area) <= area_tolerance * moments.area)) return std::nullopt;
   if (corners > most_corners && !round_off(light, area)) return std::nullopt;
   simplify(light);
-  const glm::dvec3 radiance = moments.power / area;
+  // Outlines that cross or cover each other enclose less than the sum of what each does.
+  const double shining = prepare_light(light).area;
+  if (!(std::abs(shining - moments.area) <= area_tolerance * moments.area)) return std::nullopt;
+  const glm::dvec3 radiance = moments.power / shining;
   light.intensity = static_cast<float>(std::max({radiance.x, radiance.y, radiance.z}));
   if (!(light.intensity > 0.0f) || !std::isfinite(light.intensity)) return std::nullopt;
   light.color = glm::vec3(radiance / static_cast<double>(light.intensity));

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -11,8 +13,12 @@ namespace {
 constexpr double texels_a_step = 2.0;
 constexpr int most_steps = 64;
 constexpr double most_samples_a_part = 4e6;
-// An sRGB byte of 3 beside a white one: what lossy compression makes of black.
-constexpr double dark_share = 1e-3;
+// An sRGB byte of 13 beside a white one: what lossy compression may make of black.
+constexpr double dark_share = 4e-3;
+// What texels seen through seams, or noise above that, give a triangle on the whole.
+constexpr double dark_triangle_share = 1e-3;
+// The dimmest triangles that together give this share of a part's power give way to the others.
+constexpr double negligible_share = 5e-3;
 
 bool finite(glm::dvec3 v) {
   return std::isfinite(v.x + v.y + v.z);
@@ -50,13 +56,25 @@ int steps_of(const World& world, std::uint32_t triangle) {
       std::clamp(std::ceil(texels / texels_a_step), least, static_cast<double>(most_steps)));
 }
 
+double brightest_channel(glm::dvec3 c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+/// What the material's emissive texture is a share of; 0 without one.
+double full_emission(const Material& material) {
+  if (!material.emissive_texture.used()) return 0.0;
+  return brightest_channel(material.emissive) * material.emissive_strength;
+}
+
 /// The mean over the centroids of the steps^2 equal triangles that a triangle falls into.
 glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
                          EmissionAt emission) {
+  const double least = dark_share * full_emission(world.material_of(triangle));
   glm::dvec3 sum(0.0);
   const auto add = [&](double i, double j) {
-    sum += glm::dvec3(
+    const glm::dvec3 at(
         emission(world, triangle, static_cast<float>(i / steps), static_cast<float>(j / steps)));
+    if (!(brightest_channel(at) < least)) sum += at;
   };
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; i + j < steps; ++j) {
@@ -67,25 +85,80 @@ glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
   return sum / (static_cast<double>(steps) * steps);
 }
 
-double brightest_channel(glm::dvec3 c) {
-  return std::max({c.x, c.y, c.z});
+/// Leaves out the dimmest triangles by texture, which would be many small lights of next to
+/// nothing, and gives their power to the others.
+void leave_out_dimmest(std::vector<EmitterTriangle>& triangles) {
+  std::vector<double> radiance;
+  double power = 0.0;
+  for (const EmitterTriangle& t : triangles) {
+    radiance.push_back(brightest_channel(t.radiance));
+    power += radiance.back() * t.area;
+  }
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return radiance[a] < radiance[b]; });
+  double left_out = 0.0;
+  double least = 0.0;
+  for (const std::uint32_t i : order) {
+    if (left_out + radiance[i] * triangles[i].area > negligible_share * power) {
+      least = radiance[i];
+      break;
+    }
+    left_out += radiance[i] * triangles[i].area;
+  }
+  std::erase_if(triangles,
+                [&](const EmitterTriangle& t) { return brightest_channel(t.radiance) < least; });
+  double kept = 0.0;
+  for (const EmitterTriangle& t : triangles) kept += brightest_channel(t.radiance) * t.area;
+  for (EmitterTriangle& t : triangles) t.radiance *= power / kept;
 }
 
-/// Gives vertices at the same position the same number.
-void weld(std::vector<EmitterTriangle>& triangles) {
-  std::vector<std::uint32_t> order(3 * triangles.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto position = [&](std::uint32_t i) { return triangles[i / 3].corner[i % 3]; };
-  const auto key = [&](std::uint32_t i) {
-    const glm::dvec3 p = position(i);
-    return std::array{p.x, p.y, p.z};
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+/// Numbers along one axis: values closer to each other than `gap` have the same, as long as these
+/// do not stretch over more than four times that.
+std::vector<std::uint32_t> numbers_along(const std::vector<EmitterTriangle>& triangles, int axis,
+                                         double gap) {
+  std::vector<std::pair<double, std::uint32_t>> values;
+  values.reserve(3 * triangles.size());
+  for (const EmitterTriangle& t : triangles) {
+    for (const glm::dvec3& p : t.corner)
+      values.emplace_back(p[axis], static_cast<std::uint32_t>(values.size()));
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<std::uint32_t> numbers(values.size());
   std::uint32_t number = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && position(order[i]) != position(order[i - 1])) ++number;
-    triangles[order[i] / 3].vertex[order[i] % 3] = number;
+  double first = values.empty() ? 0.0 : values[0].first;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double at = values[i].first;
+    if (at - values[i - 1].first > gap || at - first > 4.0 * gap) {
+      ++number;
+      first = at;
+    }
+    numbers[values[i].second] = number;
+  }
+  return numbers;
+}
+
+/// Gives vertices at the same position, up to rounding in single precision, the same number.
+void weld(std::vector<EmitterTriangle>& triangles) {
+  double size = 0.0;
+  for (const EmitterTriangle& t : triangles) {
+    for (const glm::dvec3& p : t.corner)
+      size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  const double gap = 2.0 * std::numeric_limits<float>::epsilon() * size;
+  const std::array along{numbers_along(triangles, 0, gap), numbers_along(triangles, 1, gap),
+                         numbers_along(triangles, 2, gap)};
+  std::vector<std::array<std::uint32_t, 4>> corners;
+  corners.reserve(3 * triangles.size());
+  for (std::uint32_t i = 0; i < 3 * triangles.size(); ++i)
+    corners.push_back({along[0][i], along[1][i], along[2][i], i});
+  std::sort(corners.begin(), corners.end());
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i > 0 && !std::equal(corners[i].begin(), corners[i].begin() + 3, corners[i - 1].begin()))
+      ++number;
+    triangles[corners[i][3] / 3].vertex[corners[i][3] % 3] = number;
   }
 }
 
@@ -102,8 +175,8 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
   }
   const double fewer = std::min(1.0, std::sqrt(most_samples_a_part / samples));
 
+  const double least = dark_triangle_share * full_emission(world.materials[of.material]);
   std::vector<EmitterTriangle> triangles;
-  double brightest = 0.0;
   for (std::uint32_t i = 0; i < of.triangle_count; ++i) {
     EmitterTriangle t;
     const glm::uvec3 v = world.triangles[of.first_triangle + i];
@@ -115,13 +188,9 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
     t.normal = across / length;
     const int n = std::max(1, static_cast<int>(fewer * steps[i]));
     t.radiance = mean_emission(world, of.first_triangle + i, n, emission);
-    if (!finite(t.radiance)) continue;
-    brightest = std::max(brightest, brightest_channel(t.radiance));
-    triangles.push_back(t);
+    if (finite(t.radiance) && brightest_channel(t.radiance) > least) triangles.push_back(t);
   }
-  std::erase_if(triangles, [&](const EmitterTriangle& t) {
-    return !(brightest_channel(t.radiance) > dark_share * brightest);
-  });
+  if (world.materials[of.material].emissive_texture.used()) leave_out_dimmest(triangles);
   weld(triangles);
   return triangles;
 }

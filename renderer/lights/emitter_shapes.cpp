@@ -93,7 +93,7 @@ std::optional<Light> tube_light(std::span<const EmitterTriangle> triangles, cons
   return shining(light, moments.power / pi);
 }
 
-std::optional<Light> one_light(const Moments& moments, bool two_sided) {
+std::optional<Light> one_light(const Moments& moments, bool two_sided, Extent extent) {
   const double facing = glm::length(moments.area_vector);
   if (facing < 0.5 * moments.area) return ball(moments, two_sided ? 2.0 : 1.0);
   Light light;
@@ -110,10 +110,12 @@ std::optional<Light> one_light(const Moments& moments, bool two_sided) {
   const glm::dvec3 u = axes.value.x > 0.0 ? axes.axis[0] : any_perpendicular(light.direction);
   if (!(half_u > 0.0)) half_u = std::sqrt(moments.area / 4.0);
   if (!(half_v > 0.0)) half_v = moments.area / (4.0 * half_u);
-  const double grow = std::sqrt(std::max(1.0, moments.area / (4.0 * half_u * half_v)));
+  const double spread_area = 4.0 * half_u * half_v;
+  const double area = extent == Extent::spread ? std::max(moments.area, spread_area) : moments.area;
+  const double grow = std::sqrt(area / spread_area);
   light.half_u = grow * half_u * u;
   light.half_v = grow * half_v * glm::cross(light.direction, u);
-  return shining(light, moments.power / (4.0 * grow * grow * half_u * half_v));
+  return shining(light, moments.power / area);
 }
 
 }  // namespace asos

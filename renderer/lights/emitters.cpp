@@ -26,9 +26,14 @@ constexpr double curved_tolerance = 0.5;
 // A surface faces one way if at least this share of it is seen from there.
 constexpr double facing_share = 0.5;
 
+// A curved piece with a half length of this share of the bounding sphere's radius, or more, is
+// worth all the lights that one may have.
+constexpr double large_piece = 0.1;
+
 struct EmissiveSurface {
   std::vector<EmitterTriangle> triangles;
   bool double_sided = false;
+  double scene_radius = 0.0;
 };
 
 /// What edges join.
@@ -36,6 +41,10 @@ struct ConnectedPiece {
   std::vector<Piece> regions;
   Piece triangles;
   Moments moments;
+  bool closed = false;  ///< no edge is open
+
+  /// Whether one of its sides faces a space that it surrounds, or nearly so.
+  [[nodiscard]] bool encloses() const { return closed || moments.encloses(); }
 };
 
 double brightest_channel(glm::dvec3 c) {
@@ -60,8 +69,10 @@ std::vector<ConnectedPiece> pieces_of(EmissiveSurface& surface) {
       piece.triangles.insert(piece.triangles.end(), region.begin(), region.end());
     piece.regions = std::move(regions);
     piece.moments = Moments::of(surface.triangles, piece.triangles);
+    piece.closed = std::all_of(piece.triangles.begin(), piece.triangles.end(),
+                               [&](std::uint32_t t) { return neighbours.surrounded(t); });
     // Both sides of what encloses a space count as its outside.
-    if (surface.double_sided && piece.moments.encloses() && piece.moments.outward < 0.0) {
+    if (surface.double_sided && piece.encloses() && piece.moments.outward < 0.0) {
       turn_inside_out(surface, piece.triangles);
       piece.moments = Moments::of(surface.triangles, piece.triangles);
     }
@@ -70,7 +81,7 @@ std::vector<ConnectedPiece> pieces_of(EmissiveSurface& surface) {
 }
 
 bool two_sided(const EmissiveSurface& surface, const ConnectedPiece& piece) {
-  return surface.double_sided && !piece.moments.encloses();
+  return surface.double_sided && !piece.encloses();
 }
 
 /// Rectangles for what is curved, at most `most`.
@@ -79,6 +90,11 @@ std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece
   const Moments whole = Moments::of(surface.triangles, piece);
   // The half length of a straight line with this spread.
   const double size = std::sqrt(3.0 * principal_axes(whole.spread).value.x);
+  if (size < large_piece * surface.scene_radius) {
+    const double share = size / (large_piece * surface.scene_radius);
+    const double fewer = std::ceil(share * static_cast<double>(max_lights_of_curved_piece));
+    most = std::min(most, static_cast<std::size_t>(std::max(1.0, fewer)));
+  }
   std::vector<ClusterPoint> points;
   for (const std::uint32_t i : piece) {
     const EmitterTriangle& t = surface.triangles[i];
@@ -89,7 +105,7 @@ std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece
   for (const std::vector<std::uint32_t>& group : cluster(points, most, curved_tolerance)) {
     Piece members;
     for (const std::uint32_t i : group) members.push_back(piece[i]);
-    if (auto light = one_light(Moments::of(surface.triangles, members), both_sides))
+    if (auto light = one_light(Moments::of(surface.triangles, members), both_sides, Extent::area))
       lights.push_back(std::move(*light));
   }
   return lights;
@@ -136,7 +152,7 @@ std::vector<Light> lights_of_few(const EmissiveSurface& surface,
     std::vector<Light> own = lights_of(surface, pieces[i]);
     if (lights.size() + own.size() + (pieces.size() - i - 1) > max_lights_of_part) {
       own.clear();
-      if (auto one = one_light(pieces[i].moments, two_sided(surface, pieces[i])))
+      if (auto one = one_light(pieces[i].moments, two_sided(surface, pieces[i]), Extent::spread))
         own.push_back(std::move(*one));
     }
     for (Light& light : own) lights.push_back(std::move(light));
@@ -171,7 +187,7 @@ std::vector<Light> lights_of_many(const EmissiveSurface& surface,
     if (group.size() == 1) own = lights_of(surface, pieces[group.front()]);
     if (own.size() != 1) {
       own.clear();
-      if (auto one = one_light(Moments::of(surface.triangles, members), both_sides))
+      if (auto one = one_light(Moments::of(surface.triangles, members), both_sides, Extent::spread))
         own.push_back(std::move(*one));
     }
     for (Light& light : own) lights.push_back(std::move(light));
@@ -206,12 +222,16 @@ bool emits(const Material& material) {
 }
 
 std::vector<Light> emissive_lights(const World& world, EmissionAt emission) {
+  const double radius = world.bounds.empty() ? 0.0
+                                             : 0.5 * glm::distance(glm::dvec3(world.bounds.lo),
+                                                                   glm::dvec3(world.bounds.hi));
   std::vector<Light> lights;
   for (std::uint32_t part = 0; part < world.parts.size(); ++part) {
     const Part& of = world.parts[part];
     const Material& material = world.materials[of.material];
     if (of.shows_light || of.triangle_count == 0 || !emits(material)) continue;
-    EmissiveSurface surface{emitting_triangles(world, part, emission), material.double_sided};
+    EmissiveSurface surface{emitting_triangles(world, part, emission), material.double_sided,
+                            radius};
     std::vector<ConnectedPiece> pieces = pieces_of(surface);
     for (Light& light : pieces.size() > max_lights_of_part ? lights_of_many(surface, pieces)
                                                            : lights_of_few(surface, pieces)) {

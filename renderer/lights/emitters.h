@@ -31,13 +31,13 @@ inline constexpr std::size_t max_lights_of_curved_piece = 16;
 ///  - a long straight tube becomes a linear light, I = L A / pi candela: a line that shines with
 ///    the sine of the angle to it gives off pi^2 I in all;
 ///  - what is curved otherwise becomes rectangles, one for a stretch of similar normals, with the
-///    mean normal and the same area.
+///    mean normal and the same area: the fewer the smaller the piece is in the scene.
 /// Where a part has more lights than `max_lights_of_part`, its dimmer pieces become one light each,
-/// and those near to each other one together. Emission is averaged over each piece; triangles a
-/// thousand times darker than the brightest of their part (by texture) give no light, for they are
-/// what image compression leaves of black. Double-sided surfaces shine both ways, but those that
-/// enclose a space only outwards. Surfaces without area, or of emission that is not finite, give
-/// nothing.
+/// and those near to each other one together. Emission is averaged over each piece; texels that
+/// leave less than 1/250 of the material's emission, and triangles with less than 1/1000, are what
+/// image compression makes of black and give no light. Double-sided surfaces shine both ways, but
+/// those that enclose a space only outwards. Surfaces without area, or of emission that is not
+/// finite, give nothing.
 [[nodiscard]] std::vector<Light> emissive_lights(const World& world, EmissionAt emission);
 
 /// The mean irradiance that flat, linear and point lights like these give to a sphere of `radius`

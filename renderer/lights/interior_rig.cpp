@@ -22,6 +22,7 @@ struct Stretch {
   glm::dvec3 end;        ///< just before the point
   glm::dvec3 to_viewer;  ///< unit
   double length = 0.0;
+  bool to_eye = true;  ///< it begins at the eye
 
   Stretch(const SeenPoint& point, const FreeDistance& free_distance) {
     const glm::dvec3 back = point.eye - point.position;
@@ -29,6 +30,7 @@ struct Stretch {
     to_viewer = distance > 0.0 ? back / distance : point.normal;
     end = point.position + 1e-4 * distance * point.normal;
     length = std::min(distance, free_distance(end, to_viewer));
+    to_eye = length > 0.99 * distance;
   }
   [[nodiscard]] glm::dvec3 at(double share) const { return end + share * length * to_viewer; }
 };
@@ -43,7 +45,20 @@ Light fitted(const char* name, glm::dvec3 middle, glm::dvec3 direction, glm::dve
   };
   fit(light.half_u);
   fit(light.half_v);
+  double scale = 1.0;
+  for (const glm::dvec3& corner : {light.half_u + light.half_v, light.half_u - light.half_v,
+                                   light.half_v - light.half_u, -light.half_u - light.half_v}) {
+    const double length = glm::length(corner);
+    scale = std::min(scale, way_to_wall * free_distance(middle, corner / length) / length);
+  }
+  light.half_u *= std::max(scale, 1e-3);
+  light.half_v *= std::max(scale, 1e-3);
   return light;
+}
+
+/// Where nothing is below, a floor is taken to be there.
+double farthest(const Stretch& stretch) {
+  return 2.0 * stretch.length;
 }
 
 Light ceiling_light(const Stretch& stretch, const glm::dmat3& axes,
@@ -52,7 +67,7 @@ Light ceiling_light(const Stretch& stretch, const glm::dmat3& axes,
   const glm::dvec3 below = stretch.at(0.5);
   const double height = std::min(stretch.length, free_distance(below, axes[1]));
   const glm::dvec3 middle = below + way_to_ceiling * height * axes[1];
-  const double distance = std::min(free_distance(middle, down), height + stretch.length);
+  const double distance = std::min(free_distance(middle, down), farthest(stretch));
   return fitted("key", middle, down, axes[0], half_width_to_distance * distance, free_distance);
 }
 
@@ -68,25 +83,31 @@ Light viewer_light(const Stretch& stretch, const glm::dmat3& axes,
                 half_width_to_distance * stretch.length, free_distance);
 }
 
-/// Gives the brighter ones of the seen points `radiance`; those on the stretch if it shines on
-/// none.
-void set_intensity(Light& light, double radiance, std::span<const SeenPoint> seen,
-                   const Stretch& stretch) {
+/// Gives the brighter ones of the seen points that it reaches, and what it faces `ahead` of it,
+/// `radiance` at most.
+void set_intensity(Light& light, double ahead, double radiance, std::span<const SeenPoint> seen,
+                   const FreeDistance& free_distance) {
   std::vector<double> irradiance;
-  for (const SeenPoint& point : seen)
-    irradiance.push_back(irradiance_of_unit(light, point.position, point.normal));
+  for (const SeenPoint& point : seen) {
+    if (reached(light, point, free_distance))
+      irradiance.push_back(irradiance_of_unit(light, point.position, point.normal));
+  }
   std::sort(irradiance.begin(), irradiance.end());
-  const auto bright =
-      static_cast<std::size_t>(bright_quantile * static_cast<double>(irradiance.size() - 1));
-  double reference = irradiance[bright] > 0.0 ? irradiance[bright] : irradiance.back();
-  if (!(reference > 0.0)) reference = irradiance_of_unit(light, stretch.end, -light.direction);
-  const double nits = std::numbers::pi * radiance / reference;
-  light.intensity = std::isfinite(static_cast<float>(nits)) ? static_cast<float>(nits) : 0.0f;
+  double most =
+      irradiance_of_unit(light, light.position + ahead * light.direction, -light.direction);
+  if (!irradiance.empty()) {
+    const double index = bright_quantile * static_cast<double>(irradiance.size() - 1);
+    most = std::max(most, irradiance[static_cast<std::size_t>(index)]);
+  }
+  // A light without room for any size stays dark.
+  const auto nits = static_cast<float>(std::numbers::pi * radiance / most);
+  light.intensity = std::isfinite(nits) ? nits : 0.0f;
 }
 
 }  // namespace
 
-std::vector<Light> interior_rig(const Camera& camera, std::span<const SeenPoint> seen,
+std::vector<Light> interior_rig(const Camera& camera, const Box& bounds,
+                                std::span<const SeenPoint> seen,
                                 const FreeDistance& free_distance) {
   const glm::dmat3 axes = rig_axes(camera);
   double best_share = -1.0;
@@ -98,9 +119,16 @@ std::vector<Light> interior_rig(const Camera& camera, std::span<const SeenPoint>
     const double share = reached_share({&key, 1}, seen, free_distance);
     if (share <= best_share) continue;
     best_share = share;
-    Light fill = viewer_light(stretch, axes, free_distance);
-    set_intensity(key, key_radiance, seen, stretch);
-    set_intensity(fill, fill_radiance, seen, stretch);
+    const double to_floor = std::min(free_distance(key.position, key.direction), farthest(stretch));
+    set_intensity(key, to_floor, key_radiance, seen, free_distance);
+    Light fill;
+    if (stretch.to_eye) {
+      fill = viewer_light(stretch, axes, free_distance);
+      set_intensity(fill, stretch.length, fill_radiance, seen, free_distance);
+    } else {
+      fill = studio_rig(camera, bounds)[1];
+      fill.casts_shadows = false;
+    }
     best = {std::move(key), std::move(fill)};
   }
   return best;

@@ -51,21 +51,23 @@ std::vector<Light> studio_rig(const Camera& camera, const Box& bounds) {
   };
 }
 
+bool reached(const Light& light, const SeenPoint& point, const FreeDistance& free_distance) {
+  // Clear of the surface by what single precision leaves of its place.
+  const glm::dvec3 from =
+      point.position + 1e-4 * glm::distance(point.eye, point.position) * point.normal;
+  const glm::dvec3 to_light = light.position - from;
+  const double distance = glm::length(to_light);
+  return glm::dot(to_light, point.normal) > 0.0 && glm::dot(to_light, light.direction) < 0.0 &&
+         free_distance(from, to_light / distance) >= distance;
+}
+
 double reached_share(std::span<const Light> lights, std::span<const SeenPoint> seen,
                      const FreeDistance& free_distance) {
   if (seen.empty()) return 0.0;
-  const auto reached = [&](const SeenPoint& point) {
-    return std::any_of(lights.begin(), lights.end(), [&](const Light& light) {
-      // Clear of the surface by what single precision leaves of its place.
-      const glm::dvec3 from =
-          point.position + 1e-4 * glm::distance(point.eye, point.position) * point.normal;
-      const glm::dvec3 to_light = light.position - from;
-      const double distance = glm::length(to_light);
-      return glm::dot(to_light, point.normal) > 0.0 && glm::dot(to_light, light.direction) < 0.0 &&
-             free_distance(from, to_light / distance) >= distance;
-    });
-  };
-  const auto count = std::count_if(seen.begin(), seen.end(), reached);
+  const auto count = std::count_if(seen.begin(), seen.end(), [&](const SeenPoint& point) {
+    return std::any_of(lights.begin(), lights.end(),
+                       [&](const Light& light) { return reached(light, point, free_distance); });
+  });
   return static_cast<double>(count) / static_cast<double>(seen.size());
 }
 

@@ -35,7 +35,11 @@ struct SeenPoint {
 /// How far light goes from a point in a unit direction before a surface blocks it; or infinity.
 using FreeDistance = std::function<double(glm::dvec3 from, glm::dvec3 direction)>;
 
-/// The share of the points, 0 to 1, that face the middle of one of the lights with nothing between.
+/// Whether the point faces the middle of a light with nothing between.
+[[nodiscard]] bool reached(const Light& light, const SeenPoint& point,
+                           const FreeDistance& free_distance);
+
+/// The share of the points, 0 to 1, that one of the lights reaches.
 [[nodiscard]] double reached_share(std::span<const Light> lights, std::span<const SeenPoint> seen,
                                    const FreeDistance& free_distance);
 
@@ -43,9 +47,13 @@ using FreeDistance = std::function<double(glm::dvec3 from, glm::dvec3 direction)
 /// faces down from below the ceiling and a fill light near the viewer that faces what is seen. Both
 /// stay clear of walls, hang over, or on, the free stretch of the eye ray to one of nine seen
 /// points (that whose key light reaches most of the others), and are up to half as wide as the
-/// floor, or that point, is far. A tenth of the seen points would get more than the radiances
-/// above if nothing shaded them. `seen` must not be empty.
-[[nodiscard]] std::vector<Light> interior_rig(const Camera& camera, std::span<const SeenPoint> seen,
+/// floor, or that point, is far. A light gives the radiances above to what lies straight
+/// ahead of it, or less, so that of the seen points that it reaches a tenth may get more. A viewer
+/// who looks in from outside, through walls that are not seen from behind, has the studio's fill
+/// light instead, which casts no shadows then: it reaches all rooms as the eye does. `seen` must
+/// not be empty.
+[[nodiscard]] std::vector<Light> interior_rig(const Camera& camera, const Box& bounds,
+                                              std::span<const SeenPoint> seen,
                                               const FreeDistance& free_distance);
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #include "renderer/methods/eye_caster.h"
 
-#include "renderer/methods/random.h"
+#include "renderer/rays/surface_kind.h"
+#include "renderer/sampling/random.h"
 #include "renderer/shading/unevenness.h"
 
 #include <algorithm>
@@ -22,8 +23,13 @@ float let_pass(const RenderSettings& settings) {
       std::max({settings.eps, std::ldexp(1.0, -2 * (settings.max_level + 1)), invisible}));
 }
 
-ShadowSettings shadow_settings(const RenderSettings& settings, float most_uneven) {
+ShadowSettings shadow_settings(const RenderScene& scene, const RenderSettings& settings,
+                               float most_uneven) {
   ShadowSettings shadows;
+  const auto materials = std::span(scene.world.materials);
+  shadows.see_through = std::any_of(materials.begin(), materials.end(), [](const Material& m) {
+    return surface_kind(m) != SurfaceKind::opaque;
+  });
   shadows.quality = settings.shadow_quality;
   shadows.divisions = settings.shadow_divisions;
   shadows.max_level = settings.max_level;
@@ -66,7 +72,8 @@ EyeCaster::EyeCaster(const RenderScene& scene, const View& view, const RenderSet
       faces_(seen_faces(settings)),
       most_uneven_(let_pass(settings)),
       groups_(shadow_scene_),
-      shadows_(shadow_scene_, shadow_settings(settings, most_uneven_), frame, groups_, shadows),
+      shadows_(shadow_scene_, shadow_settings(scene, settings, most_uneven_), frame, groups_,
+               shadows),
       sums_(roots) {
   for (const PreparedLight& light : shader_.lights()) {
     const bool casts = settings.shadows && light.casts_shadows;
@@ -165,17 +172,27 @@ void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight, const L
   sums_[root].weight += weight;
 }
 
-Unevenness EyeCaster::uneven(SampleId sample, double share) const {
+Unevenness EyeCaster::uneven(SampleId sample, double share, const LeafRegion& region) const {
   const Hit& hit = hits_[sample];
   if (!hit.valid() || !std::isfinite(most_uneven_)) return Unevenness::none;
   const Patch patch = patch_of(sample, share);
   const Ray& ray = rays_[sample];
   if (midpoint_error(scene_.world, hit, ray.at(hit.t), -ray.direction, patch) > most_uneven_)
     return Unevenness::shading;
-  return extended_lights_ && shadow_uneven(sample, patch) ? Unevenness::shadow : Unevenness::none;
+  return extended_lights_ && shadow_uneven(sample, region) ? Unevenness::shadow : Unevenness::none;
 }
 
-bool EyeCaster::shadow_uneven(SampleId sample, const Patch& patch) const {
+// The patch around the sample that holds all of the leaf: what is long and thin, or away from its
+// sample, may have a shadow's edge at its far end.
+bool EyeCaster::shadow_uneven(SampleId sample, const LeafRegion& region) const {
+  glm::vec2 farthest(0.0f);
+  region.for_each_side([&](const Side& side) {
+    farthest = glm::max(farthest, glm::abs(side.from - points_[sample]));
+  });
+  const float per_pixel = 2.0f * static_cast<float>(block_.width);
+  Patch patch = patch_of(sample, 1.0);
+  patch.right *= farthest.x * per_pixel;
+  patch.down *= farthest.y * per_pixel;
   const Hit& hit = hits_[sample];
   const Material& material = scene_.world.material_of(hit.triangle);
   if (material.unlit) return false;

@@ -31,7 +31,8 @@ class EyeCaster final : public Caster {
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
-  [[nodiscard]] Unevenness uneven(SampleId sample, double share) const override;
+  [[nodiscard]] Unevenness uneven(SampleId sample, double share,
+                                  const LeafRegion& region) const override;
   [[nodiscard]] bool cancelled() const override { return stop_.stop_requested(); }
   void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
 
@@ -69,7 +70,7 @@ class EyeCaster final : public Caster {
   [[nodiscard]] glm::vec3 shade(SampleId sample, double weight, const LeafRegion& region,
                                 RenderStatistics& counts);
   [[nodiscard]] Patch patch_of(SampleId sample, double share) const;
-  [[nodiscard]] bool shadow_uneven(SampleId sample, const Patch& patch) const;
+  [[nodiscard]] bool shadow_uneven(SampleId sample, const LeafRegion& region) const;
 
   const RenderScene& scene_;
   ShadowScene shadow_scene_;

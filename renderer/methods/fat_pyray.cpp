@@ -195,7 +195,8 @@ void FatPyray::render_pixels() {
         work_.split_roots.push_back(root);
       } else if (by_samples_[i]) {
         outcomes_[i] = split_by_samples(root, settings_.max_level, caster_);
-      } else if (settings_.max_level > 0 && caster_.uneven(i, 1.0) != Unevenness::none) {
+      } else if (settings_.max_level > 0 &&
+                 caster_.uneven(i, 1.0, {root.square, {}}) != Unevenness::none) {
         work_.split_roots.push_back(root);
       } else {
         caster_.leaf(i, i, 1.0, {root.square, {}});

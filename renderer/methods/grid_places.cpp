@@ -1,5 +1,5 @@
-#include "renderer/methods/random.h"
 #include "renderer/methods/sample_block.h"
+#include "renderer/sampling/random.h"
 
 namespace asos {
 namespace {

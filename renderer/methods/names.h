@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/methods/settings.h"
+#include "renderer/scene/scene.h"
 
 #include <array>
 
@@ -50,6 +51,16 @@ inline constexpr std::array shadow_quality_names{
 inline constexpr std::array light_rule_names{
     Named<LightRule>{"physical", LightRule::physical},
     Named<LightRule>{"published", LightRule::published},
+};
+
+inline constexpr std::array light_type_names{
+    Named<Light::Type>{"point", Light::Type::point},
+    Named<Light::Type>{"spot", Light::Type::spot},
+    Named<Light::Type>{"directional", Light::Type::directional},
+    Named<Light::Type>{"linear", Light::Type::linear},
+    Named<Light::Type>{"rectangle", Light::Type::rectangle},
+    Named<Light::Type>{"disk", Light::Type::disk},
+    Named<Light::Type>{"polygon", Light::Type::polygon},
 };
 
 /// The name of `value` among `names`.

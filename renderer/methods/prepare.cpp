@@ -37,7 +37,7 @@ std::size_t bytes_of(const World& world) {
 
 // Emissive meshes that give a scene less than this share of the sky's irradiance are decoration (a
 // bicycle's reflectors) and do not light it.
-constexpr double least_share_of_sky = 0.02;
+constexpr double least_share_of_sky = 0.05;
 // A studio's lights that reach a smaller share of what is seen are shut out by walls.
 constexpr double least_reached_share = 0.25;
 
@@ -78,8 +78,8 @@ bool needs_rig(const World& world, std::size_t lights_of_file, const std::vector
 
 /// What a grid of eye rays meets.
 std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, const Camera& camera) {
-  constexpr int width = 16;
-  constexpr int height = 9;
+  constexpr int width = 32;
+  constexpr int height = 18;
   const View view(camera, width, height);
   std::vector<SeenPoint> seen;
   for (int y = 0; y < height; ++y) {
@@ -113,7 +113,7 @@ std::vector<Light> rig_for(const World& world, const RayScene& rays) {
     return free_distance(rays, from, direction);
   };
   if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share) return studio;
-  return interior_rig(camera, seen, way);
+  return interior_rig(camera, world.bounds, seen, way);
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene) {

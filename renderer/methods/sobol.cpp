@@ -1,5 +1,5 @@
 #include "renderer/methods/sample_block.h"
-#include "renderer/methods/sobol_points.h"
+#include "renderer/sampling/sobol_points.h"
 
 #include <optional>
 

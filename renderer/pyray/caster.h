@@ -36,7 +36,8 @@ class Caster {
   /// Whether one sample cannot stand for what a patch of the surface around it looks like, because
   /// its shading or a shadow on it varies by more than is let pass. `share` is the patch's share of
   /// its root's area. The engine then splits the patch further, down to MAX.
-  [[nodiscard]] virtual Unevenness uneven(SampleId /*sample*/, double /*share*/) const {
+  [[nodiscard]] virtual Unevenness uneven(SampleId /*sample*/, double /*share*/,
+                                          const LeafRegion& /*region*/) const {
     return Unevenness::none;
   }
 

@@ -90,7 +90,8 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   std::iota(root_.begin(), root_.end(), 0u);
 }
 
-void HitLists::add_boundary(glm::vec2 p, glm::vec2 q, float nearness) {
+void HitLists::add_boundary(glm::vec2 p, glm::vec2 q) {
+  constexpr float nearness = std::numeric_limits<float>::max();
   root_.push_back(static_cast<std::uint32_t>(entries_.size()));
   keep_segment({p.x, p.y, nearness, q.x, q.y, nearness, FeatureEdge::none});
 }

@@ -53,8 +53,9 @@ class HitLists {
   void reset(const FeatureSet& features, const Frame& frame, float finest_side,
              const SearchBounds& bounds = {});
 
-  /// A boundary that is no feature of the scene: straight, from p to q, at one nearness.
-  void add_boundary(glm::vec2 p, glm::vec2 q, float nearness);
+  /// A boundary that is no feature of the scene, straight from p to q. Nothing hides it: boundaries
+  /// of the scene may be cut off where it runs, and would end in the open without it.
+  void add_boundary(glm::vec2 p, glm::vec2 q);
 
   /// The list of the whole square: the hierarchy's root or the cut, not opened, and what was added.
   [[nodiscard]] const List& root() const { return root_; }

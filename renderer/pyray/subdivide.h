@@ -19,6 +19,18 @@ namespace asos {
 
 inline constexpr int max_level_limit = 8;
 
+/// How far the engine goes to cut a cell instead of splitting it. The defaults suit pixels, of
+/// which there are many and whose children are cheap; a light is looked at once, from afar, and its
+/// parts cost a ray each.
+struct LeafLimits {
+  int least_faces = 2;       ///< parts that are allowed at any level
+  int most_groups = 8;       ///< groups of boundaries that are told apart at all
+  int most_boundaries = 12;  ///< edges, or chains of edges
+  int most_pieces = 32;      ///< straight pieces of a few chains
+  float tolerance =
+      0.0f;  ///< of chains, in roots; 0: a 64th of a finest cell, and less in larger ones
+};
+
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).
 struct SubdivisionRules {
   int max_level = 3;  ///< MAX, 0 to max_level_limit
@@ -27,7 +39,7 @@ struct SubdivisionRules {
   Detection detection = Detection::square;
   bool exact_leaves = true;  ///< cut cells along their boundaries; false: point leaves
   bool jitter = false;       ///< jitter the samples of cells that stay marginal at MAX
-  int least_faces = 2;       ///< an exact leaf may have at least as many parts, at any level
+  LeafLimits limits;
 };
 
 /// A pyray to subdivide: a square of the frame, and the boundaries that pass through it.
@@ -94,6 +106,7 @@ class Subdivider {
     SampleId centre = Caster::no_sample;
     bool fresh = false;  // its centre was sampled in this level's first round
     bool done = false;
+    bool nothing_hides = false;            // what a sample hid is seen elsewhere in the cell
     Unevenness uneven = Unevenness::none;  // but for which it would be resolved
 
     [[nodiscard]] bool is_uneven() const { return uneven != Unevenness::none; }

@@ -6,10 +6,6 @@
 namespace asos {
 namespace {
 
-// Arrangements of more lines than this cost more than four children do.
-constexpr std::size_t most_segments = 12;
-constexpr std::size_t most_pieces = 32;  // of a few chains
-constexpr std::ptrdiff_t most_groups = 8;
 // Outlines of more pieces than this for each of its finest cells, and more than `most` in all, are
 // not looked at one by one.
 constexpr std::size_t told_apart_a_finest_cell = 16;
@@ -51,6 +47,10 @@ void Subdivider::plan(const Level& level, std::uint32_t cell_index, bool with_ow
   const std::span list = level.list(cell);
   const glm::vec2 centre(cell.square.centre_u(), cell.square.centre_v());
   const bool has_centre = cell.centre != Caster::no_sample;
+  if (with_own_sample && cell.nothing_hides) {
+    find_visible(list, detector_->reach(cell.square), {});
+    if (plan_faces(level, cell_index, {})) return;
+  }
   if (with_own_sample && !has_centre) {
     // A cut failed: parts were not uniform. The cell is marginal.
     add_plan(Plan::Kind::centre, cell_index, std::span(&centre, 1));
@@ -127,6 +127,8 @@ std::span<const Face> Subdivider::cut(const Cell& cell, const HidingPlane& hidin
   cut_along_ = clusters ? told_apart_ : visible_;
   for (const std::uint32_t i : cut_along_) segments_.push_back(hits_->segment(i));
   std::span<const Segment> boundaries = segments_;
+  const auto most_segments = static_cast<std::size_t>(rules_.limits.most_boundaries);
+  const auto most_pieces = static_cast<std::size_t>(rules_.limits.most_pieces);
   if (boundaries.size() > most_segments) {
     // What is not too long stays as it is: something thin between two chains would be lost.
     const bool long_chains = segments_.size() > most_pieces;
@@ -138,7 +140,9 @@ std::span<const Face> Subdivider::cut(const Cell& cell, const HidingPlane& hidin
 }
 
 float Subdivider::tolerance(const Cell& cell) const {
-  const float finest = roots_[cell.root].square.side * std::ldexp(1.0f, -rules_.max_level);
+  const float root = roots_[cell.root].square.side;
+  if (rules_.limits.tolerance > 0.0f) return rules_.limits.tolerance * root;
+  const float finest = root * std::ldexp(1.0f, -rules_.max_level);
   return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
 }
 
@@ -151,7 +155,7 @@ bool Subdivider::tell_apart(const Cell& cell, const HidingPlane& hiding) {
   const auto groups = std::count_if(visible_.begin(), visible_.end(), [&](std::uint32_t i) {
     return !hits_->entry(i).is_segment() && !hits_->entry(i).is_chain();
   });
-  if (groups > most_groups) return false;
+  if (groups > rules_.limits.most_groups) return false;
   list_.clear();
   for (const std::uint32_t i : visible_)
     if (!hits_->tell_apart(i, cell.square, tolerance(cell), most, list_)) return false;
@@ -166,7 +170,9 @@ bool Subdivider::tell_apart(const Cell& cell, const HidingPlane& hiding) {
 bool Subdivider::plan_saturated(const Cell& cell, std::uint32_t cell_index) {
   const int below = rules_.max_level - level_;
   const std::uint32_t n = 1u << below;
-  if (below < 1 || boundary_count_ <= most_segments || 4 * boundary_count_ < n * n) return false;
+  if (below < 1 || boundary_count_ <= static_cast<std::size_t>(rules_.limits.most_boundaries) ||
+      4 * boundary_count_ < n * n)
+    return false;
   add_plan(Plan::Kind::saturated, cell_index, {});
   plans_.back().count = n * n;
   plans_.back().boundaries = kinds_of(visible_);
@@ -208,7 +214,10 @@ void Subdivider::carry_out(Level& level) {
         cell.done = true;
         break;
       case Plan::Kind::faces: {
-        if (!excluded_stay_hidden(cell, plan, sample)) break;
+        if (!excluded_stay_hidden(cell, plan, sample)) {
+          cell.nothing_hides = true;
+          break;
+        }
         cell.uneven = uneven(cell, plan, sample);
         if (cell.is_uneven()) {
           // Its children need a sample in the closure of each of them.
@@ -257,9 +266,12 @@ Unevenness Subdivider::uneven(const Cell& cell, const Plan& plan, SampleId first
   if (level_ >= rules_.max_level) return Unevenness::none;
   const double whole = weight(cell);
   if (plan.kind == Plan::Kind::uniform)
-    return caster_->uneven(plan.count ? first : cell.centre, whole);
+    return caster_->uneven(plan.count ? first : cell.centre, whole, {cell.square, {}});
   for (std::uint32_t i = 0; i < plan.count; ++i) {
-    const Unevenness found = caster_->uneven(first + i, whole * faces_[plan.first_face + i].area);
+    const Face& face = faces_[plan.first_face + i];
+    const LeafRegion region{cell.square,
+                            std::span(sides_).subspan(face.first_side, face.side_count)};
+    const Unevenness found = caster_->uneven(first + i, whole * face.area, region);
     if (found != Unevenness::none) return found;
   }
   return Unevenness::none;
@@ -311,7 +323,7 @@ bool Subdivider::excluded_stay_hidden(const Cell& cell, const Plan& plan, Sample
 std::size_t Subdivider::most_faces() const {
   const int below = rules_.max_level - level_;
   return static_cast<std::size_t>(std::max(
-      {rules_.least_faces, 2 + 2 * std::min(3, below), std::min(64, (1 << 2 * below) / 2)}));
+      {rules_.limits.least_faces, 2 + 2 * std::min(3, below), std::min(64, (1 << 2 * below) / 2)}));
 }
 
 // A point of a cell that depends on the root's seed and the cell only.

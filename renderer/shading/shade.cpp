@@ -34,6 +34,8 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
                           const Highlight& highlight) {
   const glm::vec3 n = view.point.shading_normal;
   const glm::vec3 l = highlight.direction;
+  // What would be mirrored from below the horizon is not.
+  if (!(glm::dot(n, l) > 0.0f)) return brdf(seen, {}, 0.0f);
   const glm::vec3 half = glm::normalize(l + view.to_viewer);
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
                           std::max(0.0f, glm::dot(n, half)),

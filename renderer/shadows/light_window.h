@@ -28,8 +28,6 @@ class LightWindow {
   /// Lines of the square where the light, or the receiver's sky, ends. A disk's rim is not among
   /// them: it is taken account of exactly in `form`.
   [[nodiscard]] std::span<const Side> boundaries() const { return boundaries_; }
-  /// Their nearness: that of the light.
-  [[nodiscard]] float nearness() const { return infinite_ ? 0.0f : 1.0f; }
   /// Whether a point of the square is on the light, but for a disk's rim, and above the horizon.
   [[nodiscard]] bool holds(glm::vec2 p) const;
 
@@ -43,6 +41,8 @@ class LightWindow {
     return p.x * frame_.base_u() + p.y * frame_.base_v() + frame_.base_corner();
   }
   [[nodiscard]] bool infinitely_far() const { return infinite_; }
+  /// The light is the disk that touches the square's sides.
+  [[nodiscard]] bool round() const { return round_; }
 
   /// What lies between the receiver's horizon and the light.
   [[nodiscard]] std::span<const HalfSpace> between() const {

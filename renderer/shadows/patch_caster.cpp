@@ -4,13 +4,6 @@
 #include <cmath>
 
 namespace asos {
-namespace {
-
-// How much of the way to a light a shadow ray goes: its own glass does not shade it.
-constexpr float most_of_the_way = 1.0f - 1e-5f;
-
-}  // namespace
-
 std::optional<Frame> PatchCaster::frame_from(glm::dvec3 light, const ShadowPatch& patch) {
   // Base vectors through four given directions d: c = s0 d0, c + a = s1 d1, c + b = s2 d2 and
   // c + a + b = d3, so that s1 d1 + s2 d2 - s0 d0 = d3.
@@ -35,11 +28,22 @@ std::optional<Frame> PatchCaster::frame_along(glm::dvec3 towards, double reach,
   const double det = glm::dot(a, glm::cross(b, towards));
   if (!(std::abs(det) > 1e-12 * glm::length(a) * glm::length(b))) return std::nullopt;
   const glm::dvec3 middle = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-  return Frame::prism(middle - 0.5 * (a + b) + reach * towards, -towards, a, b);
+  // How far the corners reach out beside the light's way, in the parallelogram's edges.
+  double u = 0.0, v = 0.0;
+  for (const glm::dvec3& corner : p) {
+    const glm::dvec3 d = corner - middle;
+    u = std::max(u, std::abs(glm::dot(d, glm::cross(b, towards)) / det));
+    v = std::max(v, std::abs(glm::dot(d, glm::cross(towards, a)) / det));
+  }
+  constexpr double around = 2.0 * (1.0 + 1e-6);
+  const glm::dvec3 wide = around * u * a, high = around * v * b;
+  return Frame::prism(middle - 0.5 * (wide + high) + reach * towards, -towards, wide, high);
 }
 
-void PatchCaster::start(const Frame& frame, const ShadowPatch& patch, std::int32_t ignored_part) {
+void PatchCaster::start(const Frame& frame, const ShadowPatch& patch, const Frame* viewer,
+                        std::int32_t ignored_part) {
   ShadowCaster::start(frame, ignored_part);
+  viewer_ = viewer;
   frame_ = &frame;
   patch_ = &patch;
 }
@@ -48,8 +52,13 @@ std::optional<Ray> PatchCaster::ray_at(glm::vec2 p) const {
   if (!patch_->sides.empty() && !winds_around(patch_->sides, p)) return std::nullopt;
   const auto target = frame_->on_plane(glm::dvec2(p), patch_->plane);
   if (!target) return std::nullopt;
+  // Clear of the surface along the way to the light, so that the ray stays in its place of the
+  // square; at most 64 times as far for light that grazes.
+  const glm::dvec3 towards =
+      frame_->parallel() ? -frame_->direction() : glm::normalize(frame_->apex() - *target);
+  const double rise = std::max(glm::dot(towards, patch_->plane.normal), 1.0 / 64.0);
   Ray ray;
-  ray.origin = glm::vec3(*target + patch_->lift * patch_->plane.normal);
+  ray.origin = glm::vec3(*target + patch_->lift / rise * towards);
   if (frame_->parallel()) {
     ray.direction = glm::vec3(-frame_->direction());
   } else {
@@ -59,8 +68,20 @@ std::optional<Ray> PatchCaster::ray_at(glm::vec2 p) const {
   return ray;
 }
 
-double PatchCaster::measure(double weight, const LeafRegion& /*region*/) const {
-  return weight;
+double PatchCaster::measure(double weight, const LeafRegion& region) const {
+  if (!viewer_) return weight;
+  // The region as the viewer sees it.
+  const auto seen = [&](glm::vec2 p) {
+    const auto at = frame_->on_plane(glm::dvec2(p), patch_->plane);
+    const FramePoint q = viewer_->project(viewer_->homogeneous(at.value_or(patch_->corners[0])));
+    return glm::dvec2(q.u, q.v);
+  };
+  double twice = 0.0;
+  region.for_each_side([&](const Side& side) {
+    const glm::dvec2 a = seen(side.from), b = seen(side.to);
+    twice += a.x * b.y - a.y * b.x;
+  });
+  return 0.5 * std::abs(twice);
 }
 
 }  // namespace asos

@@ -30,13 +30,15 @@ class PatchCaster final : public ShadowCaster {
   /// The frame from a point light; nothing where the light lies in the patch's plane or the corners
   /// do not go around it.
   [[nodiscard]] static std::optional<Frame> frame_from(glm::dvec3 light, const ShadowPatch& patch);
-  /// The frame of parallel light that comes from `towards`, unit, and starts `reach` away: over the
-  /// parallelogram nearest to the patch.
+  /// The frame of parallel light that comes from `towards`, unit, and starts `reach` away: over a
+  /// parallelogram around the patch.
   [[nodiscard]] static std::optional<Frame> frame_along(glm::dvec3 towards, double reach,
                                                         const ShadowPatch& patch);
 
-  /// Both have to outlive the pyray.
-  void start(const Frame& frame, const ShadowPatch& patch, std::int32_t ignored_part);
+  /// All have to outlive the pyray. `viewer`: the frame by whose areas leaves are weighed, if its
+  /// coordinates are not this frame's own.
+  void start(const Frame& frame, const ShadowPatch& patch, const Frame* viewer,
+             std::int32_t ignored_part);
 
  protected:
   [[nodiscard]] std::optional<Ray> ray_at(glm::vec2 p) const override;
@@ -45,6 +47,7 @@ class PatchCaster final : public ShadowCaster {
  private:
   const Frame* frame_ = nullptr;
   const ShadowPatch* patch_ = nullptr;
+  const Frame* viewer_ = nullptr;
 };
 
 }  // namespace asos

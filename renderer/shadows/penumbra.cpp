@@ -7,6 +7,10 @@
 namespace asos {
 namespace {
 
+glm::dvec3 middle_of(const Frame& window) {
+  return window.base_corner() + 0.5 * (window.base_u() + window.base_v());
+}
+
 /// A patch around a receiver in units of a window's edges, along the way to the light's middle.
 struct PatchInWindow {
   double u = 0.0, v = 0.0;  ///< full widths
@@ -14,9 +18,9 @@ struct PatchInWindow {
 
 // How large the patch is beside the light's projection onto it (CGF'98 section 4.3.4): the edges of
 // both, seen along the line that joins their middles, in the basis of the light's.
-PatchInWindow patch_in_window(const LightWindow& window, const Patch& patch) {
-  const glm::dvec3 m = window.towards({0.5, 0.5});
-  const glm::dvec3 a = window.frame().base_u(), b = window.frame().base_v();
+PatchInWindow patch_in_window(const Frame& window, const Patch& patch) {
+  const glm::dvec3 a = window.base_u(), b = window.base_v();
+  const glm::dvec3 m = middle_of(window);
   const double det = glm::dot(m, glm::cross(a, b));
   const auto along_u = [&](glm::vec3 p) { return glm::dot(glm::dvec3(p), glm::cross(b, m)) / det; };
   const auto along_v = [&](glm::vec3 p) { return glm::dot(glm::dvec3(p), glm::cross(m, a)) / det; };
@@ -24,16 +28,30 @@ PatchInWindow patch_in_window(const LightWindow& window, const Patch& patch) {
           std::abs(along_v(patch.right)) + std::abs(along_v(patch.down))};
 }
 
+// What is infinitely far is looked at where it is farther than all that could shade the patch.
+std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& receiver,
+                                  double reach) {
+  const auto window = LightWindow::of(light, receiver);
+  if (!window) return std::nullopt;
+  const double scale = window->infinitely_far() ? reach : 1.0;
+  const Frame& frame = window->frame();
+  return Frame::pyramid(receiver.position, scale * frame.base_corner(), scale * frame.base_u(),
+                        scale * frame.base_v());
+}
+
 /// How the share of the light that is seen bends within the patch, summed over boundaries.
 class Bends {
  public:
-  Bends(const LightWindow& window, PatchInWindow patch) : frame_(window.frame()), patch_(patch) {}
+  /// `line`: the light is the window's middle line, along u.
+  Bends(const Frame& window, PatchInWindow patch, bool line)
+      : frame_(window), patch_(patch), line_(line) {}
 
   // Adds a straight piece of a boundary, in the world.
   void add(glm::dvec3 p, glm::dvec3 q) {
     // Nearness changes along it: a few steps.
     constexpr int steps = 4;
     const glm::dvec3 hp = frame_.homogeneous(p), hq = frame_.homogeneous(q);
+    if (line_) return add_to_line(hp, hq);
     for (int i = 0; i < steps; ++i)
       add_step(hp + (hq - hp) * (i / static_cast<double>(steps)),
                hp + (hq - hp) * ((i + 1) / static_cast<double>(steps)));
@@ -43,6 +61,29 @@ class Bends {
   [[nodiscard]] double sum() const { return sum_; }
 
  private:
+  // A boundary that crosses the whole band that the line sweeps over moves along the line as the
+  // receiver moves, evenly; one that ends in the band, or runs along it, hides or shows at once the
+  // length that it has.
+  void add_to_line(glm::dvec3 hp, glm::dvec3 hq) {
+    if (!(hp.z > 0.0) || !(hq.z > 0.0)) {
+      sum_ += 0.5;
+      return;
+    }
+    const glm::dvec2 p(hp.x / hp.z, hp.y / hp.z), q(hq.x / hq.z, hq.y / hq.z);
+    const auto sweep = [&](double w) { return 0.5 * patch_.v * std::max(0.0, 1.0 / w - 1.0); };
+    const double below = std::min(p.y, q.y), above = std::max(p.y, q.y);
+    const double band = std::max(sweep(hp.z), sweep(hq.z));
+    const double u0 = std::min(p.x, q.x), u1 = std::max(p.x, q.x);
+    const double length = std::max(0.0, std::min(u1, 1.0) - std::max(u0, 0.0));
+    const bool across = below < 0.5 - band && above > 0.5 + band;
+    if (below > 0.5 + band || above < 0.5 - band) return;
+    if (!across) {
+      sum_ += 0.5 * length;
+    } else if (u0 < 0.0 || u1 > 1.0) {
+      sum_ += 0.25 * length;
+    }
+  }
+
   void add_step(glm::dvec3 hp, glm::dvec3 hq) {
     const double w = 0.5 * (hp.z + hq.z);
     if (!(w > 0.0) || w >= 1.0 || !(hp.z > 0.0) || !(hq.z > 0.0)) return;
@@ -66,6 +107,7 @@ class Bends {
 
   const Frame& frame_;
   PatchInWindow patch_;
+  bool line_;
   double sum_ = 0.0;
 };
 
@@ -90,9 +132,12 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
 
   Receiver receiver = receiver_at(point);
   receiver.position += static_cast<double>(clear_height(point)) * receiver.geometric;
-  const auto window = LightWindow::of(light, receiver);
-  if (!window) return 0.0f;
-  const PatchInWindow size = patch_in_window(*window, patch);
+  const bool line = light.shape == PreparedLight::Shape::segment;
+  const auto looked_at = line ? strip_around(light, receiver)
+                              : window_frame(light, receiver, world_reach(scene_.world));
+  if (!looked_at) return 0.0f;
+  const Frame& light_frame = *looked_at;
+  const PatchInWindow size = patch_in_window(light_frame, patch);
   const double widest = std::max(size.u, size.v);
   if (!(widest > 0.0) || !std::isfinite(widest)) return 0.0f;
 
@@ -101,17 +146,18 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
   const double let_pass = static_cast<double>(settings_.most_uneven / display_intensity);
   const double highest = 1.0 / (1.0 + 8.0 * let_pass / widest);
   // The extended shadow pyray that holds the patch: its apex lies `back` ways to the light behind
-  // the surface. Where the patch is larger than half the light, it is aimed at a larger square.
-  const double larger = std::max(1.0, 2.0 * widest);
-  const double covered = widest / larger;
+  // the surface. Where the patch is larger than half the light, it is aimed at a larger rectangle.
+  const double larger_u = std::max(1.0, 2.0 * size.u), larger_v = std::max(1.0, 2.0 * size.v);
+  const double covered = std::max(size.u / larger_u, size.v / larger_v);
   const double back = covered / (1.0 - covered);
-  const glm::dvec3 m = window->towards({0.5, 0.5});
+  const glm::dvec3 m = middle_of(light_frame);
   const glm::dvec3 apex = receiver.position - back * m;
-  const glm::dvec3 a = larger * window->frame().base_u(), b = larger * window->frame().base_v();
+  const glm::dvec3 a = larger_u * light_frame.base_u(), b = larger_v * light_frame.base_v();
   const Frame extended = Frame::pyramid(apex, (1.0 + back) * m - 0.5 * (a + b), a, b);
 
-  const auto between = window->between();
-  HalfSpace near[2] = {between[0], {-m, glm::dot(-m, receiver.position + highest * m)}};
+  const glm::dvec3 up = receiver.geometric;
+  HalfSpace near[2] = {{up, glm::dot(up, receiver.position)},
+                       {-m, glm::dot(-m, receiver.position + highest * m)}};
   near[0].offset += scene_.features.departure(point.triangle);
   SearchBounds bounds = own_part_ignored(scene_.world, light);
   bounds.cut = known.cut;
@@ -123,9 +169,14 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
   constexpr std::size_t most = 64;
   HitLists::List& list = work_.list;
   list.clear();
-  for (const std::uint32_t i : lists.root())
-    if (!lists.tell_apart(i, whole, 0.0f, most, list)) return 1.0f;  // a thicket
-  Bends bends(*window, size);
+  for (const std::uint32_t i : lists.root()) {
+    if (lists.tell_apart(i, whole, 0.0f, most, list)) continue;
+    // A thicket. A flat patch is sampled all over for it; a bent one can only be split.
+    if (line || !flat(point)) return 1.0f;
+    thickets_.push_back({point.position, index});
+    return 0.0f;
+  }
+  Bends bends(light_frame, size, line);
   for (const std::uint32_t i : list) {
     const Segment& s = lists.segment(i);
     const Clip c = clip(s, whole);

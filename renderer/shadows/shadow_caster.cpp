@@ -49,7 +49,8 @@ std::uint32_t ShadowCaster::surface(SampleId sample) const {
   return s.blocker.hit.valid() ? scene_.features.sheet(s.blocker.hit.triangle) : lit;
 }
 
-Unevenness ShadowCaster::uneven(SampleId sample, double /*share*/) const {
+Unevenness ShadowCaster::uneven(SampleId sample, double /*share*/,
+                                const LeafRegion& /*region*/) const {
   return samples_[sample].blocker.see_through ? Unevenness::shadow : Unevenness::none;
 }
 

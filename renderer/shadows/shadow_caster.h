@@ -14,6 +14,9 @@
 
 namespace asos {
 
+/// How much of the way to a light a shadow ray goes: its own surface does not shade it.
+inline constexpr float most_of_the_way = 1.0f - 1e-5f;
+
 /// What shadow pyrays look at.
 struct ShadowScene {
   const World& world;
@@ -31,7 +34,8 @@ class ShadowCaster : public Caster {
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
   /// Cut-outs and what shines through have outlines that are no boundaries.
-  [[nodiscard]] Unevenness uneven(SampleId sample, double share) const override;
+  [[nodiscard]] Unevenness uneven(SampleId sample, double share,
+                                  const LeafRegion& region) const override;
   void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
 
   /// What the light is multiplied by, 0 to 1, once all leaves are in. Nothing where no sample met

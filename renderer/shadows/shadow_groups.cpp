@@ -58,7 +58,8 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
     for (Answer& answer : group.answers) answer.known = false;
   }
   Group& group = groups_[i];
-  const glm::vec3 around = 0.5f * (glm::abs(patch.right) + glm::abs(patch.down));
+  // Half as far again as the patch goes to first order.
+  const glm::vec3 around = 0.75f * (glm::abs(patch.right) + glm::abs(patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return;
   group.box.grow(position - around);
   group.box.grow(position + around);

@@ -1,5 +1,6 @@
 #include "renderer/shadows/shadow_pyrays.h"
 
+#include "renderer/sampling/random.h"
 #include "renderer/shading/shadow_ray.h"
 
 #include <algorithm>
@@ -8,9 +9,17 @@
 namespace asos {
 namespace {
 
-// Into how many parts boundaries may cut a light, or a patch, where levels are used up: a part
-// costs a ray, and leaves no error.
+// Into how many parts boundaries may cut a light, or a patch, at any level: a part costs a ray, and
+// leaves no error.
 constexpr int most_parts = 16;
+constexpr int most_boundaries = 24;
+constexpr int most_pieces = 64;
+// A light whose square holds more groups than this is a thicket: no part of it is free of
+// boundaries.
+constexpr std::size_t most_entries = 400;
+// A light that cannot be cut along its boundaries, nor its quarters, is sampled: more levels of
+// pyrays cost more than rays that look from all over the patch.
+constexpr int window_levels = 1;
 
 Box box_of(const ShadowPatch& patch) {
   Box box;
@@ -22,15 +31,24 @@ float largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
 }
 
-// Two numbers in [0, 1) of 64 bits that are well mixed once (Steele, Lea and Flood 2014).
-glm::dvec2 unit_pair_of(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  z ^= z >> 31;
-  return {static_cast<double>(z >> 32) * 0x1p-32, static_cast<double>(z & 0xffffffffu) * 0x1p-32};
+}  // namespace
+
+float finest_side(const SubdivisionRules& rules) {
+  // Outlines are drawn at least as finely as in a pixel at MAX 3, so that they can be cut along.
+  return std::ldexp(1.0f, -std::max(rules.max_level, 3));
 }
 
-}  // namespace
+// Well mixed bits (Steele, Lea and Flood 2014).
+glm::dvec2 unit_pair_of(std::uint64_t bits) {
+  const RandomPair pair = unit_pair(mix_bits(bits));
+  return {pair.u, pair.v};
+}
+
+Receiver receiver_above(const SurfacePoint& point) {
+  Receiver receiver = receiver_at(point);
+  receiver.position += static_cast<double>(clear_height(point)) * receiver.geometric;
+  return receiver;
+}
 
 ShadowPyrays::ShadowPyrays(const ShadowScene& scene, const ShadowSettings& settings,
                            const Frame& frame, ShadowGroups& groups, ShadowWorkspace& work)
@@ -40,7 +58,8 @@ ShadowPyrays::ShadowPyrays(const ShadowScene& scene, const ShadowSettings& setti
       groups_(groups),
       work_(work),
       window_caster_(scene),
-      patch_caster_(scene) {}
+      patch_caster_(scene),
+      extended_caster_(scene) {}
 
 void ShadowPyrays::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
   const glm::vec3 all = lit.reflected * lit.unshadowed;
@@ -53,7 +72,7 @@ void ShadowPyrays::add(const Illumination& lit, glm::vec3& radiance, RenderStati
 
 double ShadowPyrays::lit_share(const Illumination& lit, RenderStatistics& counts) {
   if (leaf_.region.marginal) return ray_share(lit, counts);
-  const auto patch = lit.layer == 0 ? patch_of(lit.point) : std::nullopt;
+  const auto patch = lit.layer == 0 ? patch_of(lit.point, leaf_.region.square) : std::nullopt;
   Box around;
   if (patch) {
     around = box_of(*patch);
@@ -67,7 +86,7 @@ double ShadowPyrays::lit_share(const Illumination& lit, RenderStatistics& counts
   SearchBounds found = own_part_ignored(scene_.world, lit.light);
   found.cut = known.cut;
   if (lit.light.shape == PreparedLight::Shape::segment) return segment_share(lit, found, counts);
-  if (lit.light.extended()) return window_share(lit, found, counts);
+  if (lit.light.extended()) return soft_share(lit, found, counts);
   return patch ? patch_share(lit, *patch, found, counts) : ray_share(lit, counts);
 }
 
@@ -81,70 +100,96 @@ double ShadowPyrays::ray_share(const Illumination& lit, RenderStatistics& counts
       scene_.rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part));
 }
 
-int ShadowPyrays::levels_left() const {
-  const int used =
-      static_cast<int>(std::lround(std::log2(leaf_.root_side / leaf_.region.square.side)));
-  return std::clamp(settings_.max_level - used, 1, max_level_limit);
+int ShadowPyrays::levels_used() const {
+  return static_cast<int>(std::lround(std::log2(leaf_.root_side / leaf_.region.square.side)));
 }
 
-// One budget for nested pyrays: the levels that the parent left, and an error that counts as little
-// as the leaf does (CGF'98 section 4.1; design section 5).
+int ShadowPyrays::levels_left() const {
+  return std::clamp(settings_.max_level - levels_used(), 1, max_level_limit);
+}
+
+// One budget for nested pyrays: the levels that the parent left (CGF'98 section 4.1; design section
+// 5), and EPS of what the leaf shows, so that all leaves together stay within EPS of their root.
 SubdivisionRules ShadowPyrays::rules(const Illumination& lit) const {
   SubdivisionRules rules;
   rules.max_level = levels_left();
-  const double weight =
-      leaf_.share * static_cast<double>(std::min(1.0f, largest(lit.reflected * lit.unshadowed)));
-  rules.eps = settings_.eps >= weight ? 1.0 : settings_.eps / weight;
+  const double intensity =
+      std::min(1.0, static_cast<double>(largest(lit.reflected * lit.unshadowed)));
+  rules.eps = settings_.eps >= intensity ? 1.0 : settings_.eps / intensity;
   rules.exact_leaves = settings_.exact_leaves;
-  rules.least_faces = most_parts;
   rules.jitter = true;
+  rules.limits.least_faces = most_parts;
+  rules.limits.most_groups = static_cast<int>(most_entries);
+  rules.limits.most_boundaries = most_boundaries;
+  rules.limits.most_pieces = most_pieces;
+  rules.limits.tolerance = std::ldexp(finest_side(rules), -6);
   return rules;
 }
 
-void ShadowPyrays::subdivide(const SubdivisionRules& rules, ShadowCaster& caster) {
+// The root of a shadow pyray, whose hit list has been refined by what its middle shows.
+Root ShadowPyrays::look_at_middle(ShadowCaster& caster) {
   HitLists& lists = work_.lists;
   const Square whole{0.0f, 0.0f, 1.0f};
-  lists.refine(whole, {}, lists.root(), work_.list);
+  // What shades the middle may hide all else; if it does not, nothing is lost but a ray.
+  const glm::vec2 middle(0.5f);
   Root root;
+  root.centre = caster.probe(std::span(&middle, 1));
+  const HidingPlane hiding = HidingPlane::of(caster.cover(root.centre), lists.frame(), whole.side);
+  lists.refine(whole, hiding, lists.root(), work_.list, true);
   root.square = whole;
   root.list = work_.list;
   root.seed = leaf_.seed;
-  (void)work_.subdivider.run(lists, std::span(&root, 1), rules, caster);
+  return root;
 }
 
-double ShadowPyrays::window_share(const Illumination& lit, const SearchBounds& found,
-                                  RenderStatistics& counts) {
-  Receiver receiver = receiver_at(lit.point);
-  receiver.position += static_cast<double>(clear_height(lit.point)) * receiver.geometric;
+double ShadowPyrays::window_share(const Illumination& lit, const Receiver& receiver,
+                                  const SearchBounds& found, RenderStatistics& counts) {
   const auto window = LightWindow::of(lit.light, receiver);
   if (!window) return ray_share(lit, counts);
-  const SubdivisionRules subdivision = rules(lit);
+  SubdivisionRules subdivision = rules(lit);
+  // Outlines in textures are found by splitting only.
+  if (!settings_.see_through)
+    subdivision.max_level = std::min(subdivision.max_level, window_levels);
   SearchBounds bounds = found;
   bounds.within = window->between();
-  work_.lists.reset(scene_.features, window->frame(), std::ldexp(1.0f, -subdivision.max_level),
-                    bounds);
-  for (const Side& side : window->boundaries())
-    work_.lists.add_boundary(side.from, side.to, window->nearness());
+  work_.lists.reset(scene_.features, window->frame(), finest_side(subdivision), bounds);
+  for (const Side& side : window->boundaries()) work_.lists.add_boundary(side.from, side.to);
   window_caster_.start(lit.light, *window);
-  subdivide(subdivision, window_caster_);
+  const Root root = look_at_middle(window_caster_);
+  if (root.list.size() > most_entries) {
+    counts.shadow_rays += window_caster_.rays_cast();
+    counts.count_shadow_pyray(lit.index);
+    return thicket_share(lit, *window, receiver, counts);
+  }
+  const SubdivisionOutcome outcome =
+      work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, window_caster_).front();
   counts.shadow_rays += window_caster_.rays_cast();
+  if (outcome.unresolved_area > subdivision.eps)
+    return thicket_share(lit, *window, receiver, counts);
   return window_caster_.lit_share().value_or(0.0);
+}
+
+std::optional<Frame> strip_around(const PreparedLight& light, const Receiver& receiver) {
+  const glm::dvec3 middle = light.position - receiver.position;
+  const glm::dvec3 across = glm::cross(middle, light.half_u);
+  const double length = glm::length(light.half_u);
+  if (!(glm::length(across) > 1e-9 * glm::length(middle) * length)) return std::nullopt;
+  constexpr double width = 1e-4;
+  const glm::dvec3 half_v = glm::normalize(across) * (width * length);
+  return Frame::pyramid(receiver.position, middle - light.half_u - half_v, 2.0 * light.half_u,
+                        2.0 * half_v);
 }
 
 // The parts of a linear light that are seen: between the places where boundaries cross it, one ray
 // each. Only its middle line counts of the thin strip that is searched.
 double ShadowPyrays::segment_share(const Illumination& lit, const SearchBounds& found,
                                    RenderStatistics& counts) {
-  Receiver receiver = receiver_at(lit.point);
-  receiver.position += static_cast<double>(clear_height(lit.point)) * receiver.geometric;
+  const Receiver receiver = receiver_above(lit.point);
   const glm::dvec3 middle = lit.light.position - receiver.position;
-  const glm::dvec3 across = glm::cross(middle, lit.light.half_u);
-  const double length = glm::length(lit.light.half_u);
-  if (!(glm::length(across) > 1e-9 * glm::length(middle) * length)) return ray_share(lit, counts);
-  constexpr double strip = 1e-4;
-  const glm::dvec3 half_v = glm::normalize(across) * (strip * length);
-  const Frame frame = Frame::pyramid(receiver.position, middle - lit.light.half_u - half_v,
-                                     2.0 * lit.light.half_u, 2.0 * half_v);
+  const auto strip = strip_around(lit.light, receiver);
+  if (!strip) return ray_share(lit, counts);
+  const Frame& frame = *strip;
+  const glm::dvec3 across = frame.base_v();
   const glm::dvec3 back = -glm::normalize(glm::cross(across, lit.light.half_u));
   const double side = glm::dot(back, middle) > 0.0 ? -1.0 : 1.0;
   const HalfSpace between[2] = {
@@ -176,6 +221,10 @@ double ShadowPyrays::segment_share(const Illumination& lit, const SearchBounds& 
     for (std::size_t i = 1; i < most; ++i)
       ends.push_back(2.0 * static_cast<double>(i) / static_cast<double>(most) - 1.0);
   }
+  for (const glm::dvec3& up : {receiver.normal, receiver.geometric}) {
+    const double horizon = -glm::dot(up, middle) / glm::dot(up, lit.light.half_u);
+    if (std::abs(horizon) < 1.0) ends.push_back(horizon);
+  }
   std::sort(ends.begin(), ends.end());
   double lit_parts = 0.0, all = 0.0;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -195,8 +244,9 @@ double ShadowPyrays::segment_share(const Illumination& lit, const SearchBounds& 
   return all > 0.0 ? lit_parts / all : 0.0;
 }
 
-std::optional<ShadowPatch> ShadowPyrays::patch_of(const SurfacePoint& point) {
-  const Square& s = leaf_.region.square;
+// The patch on the point's plane that a square of the eye's frame shows, with the leaf's sides if
+// that is the leaf's own.
+std::optional<ShadowPatch> ShadowPyrays::patch_of(const SurfacePoint& point, const Square& s) {
   ShadowPatch patch;
   const glm::dvec3 normal(point.geometric_normal);
   patch.plane = {normal, glm::dot(normal, glm::dvec3(point.position))};
@@ -216,7 +266,7 @@ std::optional<ShadowPatch> ShadowPyrays::patch_of(const SurfacePoint& point) {
   return patch;
 }
 
-double ShadowPyrays::patch_share(const Illumination& lit, const ShadowPatch& patch,
+double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
                                  const SearchBounds& found, RenderStatistics& counts) {
   const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
   const auto frame =
@@ -228,16 +278,27 @@ double ShadowPyrays::patch_share(const Illumination& lit, const ShadowPatch& pat
   const SubdivisionRules subdivision = rules(lit);
   SearchBounds bounds = found;
   bounds.within = std::span(&above, 1);
-  work_.lists.reset(scene_.features, *frame, std::ldexp(1.0f, -subdivision.max_level), bounds);
-  // Behind everything: what shades the patch hides where the leaf ends, too.
-  double farthest = 0.0;
-  for (const glm::dvec3& corner : patch.corners)
-    farthest = std::min(farthest, frame->parallel() ? -frame->homogeneous(corner).z : 0.0);
-  for (const Side& side : patch.sides)
-    work_.lists.add_boundary(side.from, side.to, static_cast<float>(farthest));
-  patch_caster_.start(*frame, patch, lit.light.own_part);
-  subdivide(subdivision, patch_caster_);
+  work_.lists.reset(scene_.features, *frame, finest_side(subdivision), bounds);
+  // Nothing bounds the shadow: what its sample sees, all of the leaf does.
+  work_.lists.refine({0.0f, 0.0f, 1.0f}, {}, work_.lists.root(), work_.list);
+  if (work_.list.empty()) return ray_share(lit, counts);
+  if (parallel) {
+    // The parallel frame's square is not the leaf's: the leaf is a region of it.
+    work_.sides.clear();
+    const auto placed = [&](glm::vec2 at) {
+      return glm::vec2(frame->homogeneous(*frame_.on_plane(glm::dvec2(at), patch.plane)));
+    };
+    leaf_.region.for_each_side([&](const Side& side) {
+      work_.sides.push_back({placed(side.from), placed(side.to)});
+    });
+    patch.sides = work_.sides;
+  }
+  for (const Side& side : patch.sides) work_.lists.add_boundary(side.from, side.to);
+  patch_caster_.start(*frame, patch, parallel ? &frame_ : nullptr, lit.light.own_part);
+  const Root root = look_at_middle(patch_caster_);
+  (void)work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, patch_caster_);
   counts.shadow_rays += patch_caster_.rays_cast();
+  counts.count_shadow_pyray(lit.index);
   const auto share = patch_caster_.lit_share();
   return share ? *share : ray_share(lit, counts);
 }

@@ -4,6 +4,7 @@
 #include "renderer/pyray/hit_list.h"
 #include "renderer/pyray/subdivide.h"
 #include "renderer/shading/light_transport.h"
+#include "renderer/shadows/extended_pyray.h"
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/shadow_groups.h"
 #include "renderer/shadows/shadow_settings.h"
@@ -23,6 +24,17 @@ struct ShadedLeaf {
   std::uint64_t seed = 0;  ///< of the leaf
 };
 
+/// Where shadow pyrays to lights of some size start: clear of the surface.
+[[nodiscard]] Receiver receiver_above(const SurfacePoint& point);
+/// A thin strip around a linear light, which is the middle line of its square along u. Nothing for
+/// a receiver on the light's own line.
+[[nodiscard]] std::optional<Frame> strip_around(const PreparedLight& light,
+                                                const Receiver& receiver);
+/// How small boundaries are told apart in a shadow pyray.
+[[nodiscard]] float finest_side(const SubdivisionRules& rules);
+/// Two numbers in [0, 1).
+[[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);
+
 /// Memory of shadow pyrays that is worth keeping. Holds no result.
 struct ShadowWorkspace {
   HitLists lists;
@@ -30,6 +42,9 @@ struct ShadowWorkspace {
   Subdivider subdivider;
   std::vector<Side> sides;
   std::vector<double> ends;
+  std::vector<Ray> rays;
+  std::vector<double> weights;
+  std::vector<float> shares;
 };
 
 /// How ASOS finds what reaches a point of a light: by pyrays between the light and the patch that a
@@ -57,16 +72,44 @@ class ShadowPyrays final : public LightTransport {
  private:
   [[nodiscard]] double lit_share(const Illumination& lit, RenderStatistics& counts);
   [[nodiscard]] double ray_share(const Illumination& lit, RenderStatistics& counts);
-  [[nodiscard]] double window_share(const Illumination& lit, const SearchBounds& found,
-                                    RenderStatistics& counts);
+  [[nodiscard]] double soft_share(const Illumination& lit, const SearchBounds& found,
+                                  RenderStatistics& counts);
+  // From one point (4.2).
+  [[nodiscard]] double window_share(const Illumination& lit, const Receiver& receiver,
+                                    const SearchBounds& found, RenderStatistics& counts);
+  // Over the patch (shadow_qualities.cpp).
+  [[nodiscard]] double divided_share(const Illumination& lit, const SearchBounds& found,
+                                     RenderStatistics& counts);
+  [[nodiscard]] double extended_share(const Illumination& lit, const Square& part,
+                                      const SearchBounds& found, RenderStatistics& counts);
+  [[nodiscard]] double adaptive_share(const Illumination& lit, const Square& part, int levels,
+                                      const SearchBounds& found, RenderStatistics& counts);
+  [[nodiscard]] std::optional<double> trace_extended(const Illumination& lit, const Square& part,
+                                                     bool around, const SearchBounds& found,
+                                                     RenderStatistics& counts);
   [[nodiscard]] double segment_share(const Illumination& lit, const SearchBounds& found,
                                      RenderStatistics& counts);
-  [[nodiscard]] double patch_share(const Illumination& lit, const ShadowPatch& patch,
+  [[nodiscard]] double patch_share(const Illumination& lit, ShadowPatch patch,
                                    const SearchBounds& found, RenderStatistics& counts);
-  [[nodiscard]] std::optional<ShadowPatch> patch_of(const SurfacePoint& point);
+  [[nodiscard]] std::optional<ShadowPatch> patch_of(const SurfacePoint& point, const Square& s);
   [[nodiscard]] SubdivisionRules rules(const Illumination& lit) const;
+  [[nodiscard]] int levels_used() const;
   [[nodiscard]] int levels_left() const;
-  void subdivide(const SubdivisionRules& rules, ShadowCaster& caster);
+  [[nodiscard]] bool uneven_at_last(const Illumination& lit, RenderStatistics& counts);
+  [[nodiscard]] double thicket_share(const Illumination& lit, const LightWindow& window,
+                                     const Receiver& receiver, RenderStatistics& counts);
+  [[nodiscard]] Root look_at_middle(ShadowCaster& caster);
+
+  /// Whether the plane of a point's triangle is its surface for as far as a leaf goes.
+  [[nodiscard]] bool flat(const SurfacePoint& point) const {
+    return scene_.features.departure(point.triangle) <= 0.0f;
+  }
+  [[nodiscard]] bool found_thicket(const Illumination& lit) const;
+
+  struct Thicket {
+    glm::vec3 at{0.0f};
+    std::uint32_t light = 0;
+  };
 
   const ShadowScene& scene_;
   ShadowSettings settings_;
@@ -75,7 +118,9 @@ class ShadowPyrays final : public LightTransport {
   ShadowWorkspace& work_;
   WindowCaster window_caster_;
   PatchCaster patch_caster_;
+  ExtendedCaster extended_caster_;
   ShadedLeaf leaf_;
+  std::vector<Thicket> thickets_;  // patches around points of this block, found by midpoint_error
 };
 
 }  // namespace asos

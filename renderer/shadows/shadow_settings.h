@@ -23,6 +23,7 @@ struct ShadowSettings {
   int max_level = 3;  ///< MAX of the parent pyray; shadow pyrays get what its levels leave
   double eps = 0.0;   ///< of the parent's root
   bool exact_leaves = true;
+  bool see_through = true;  ///< some surfaces of the scene have holes, or let light through
   /// By how much a leaf may be off the mean of its patch before it is split: refined only.
   float most_uneven = 0.0f;
 };

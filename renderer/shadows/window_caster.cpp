@@ -1,13 +1,6 @@
 #include "renderer/shadows/window_caster.h"
 
 namespace asos {
-namespace {
-
-// How much of the way to a light a shadow ray goes: its own surface does not shade it.
-constexpr float most_of_the_way = 1.0f - 1e-5f;
-
-}  // namespace
-
 void WindowCaster::start(const PreparedLight& light, const LightWindow& window) {
   ShadowCaster::start(window.frame(), light.own_part);
   light_ = &light;

@@ -87,8 +87,11 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"render_seconds", {Type::number_float}},
       {"memory_mb", {Type::number_float}},
       {"rays", {Type::object}},
+      {"shadow_pyrays", {Type::number_unsigned}},
+      {"lights", {Type::array}},
       {"pyrays_by_level", {Type::array}},
       {"split_pixels", {Type::number_unsigned}},
+      {"pixels_by_cause", {Type::object}},
       {"uneven_pixels", {Type::number_unsigned}},
       {"saturated_pixels", {Type::number_unsigned}},
       {"missed_splits", {Type::number_unsigned}},
@@ -118,6 +121,20 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
   EXPECT_GT(s["split_pixels"], 0);
   EXPECT_GT(s["memory_mb"], 1.0);
   EXPECT_EQ(s["rejected_samples"], 0);
+  std::uint64_t with_cause = 0, rays = 0;
+  for (const auto& [cause, pixels] : s["pixels_by_cause"].items())
+    with_cause += pixels.get<std::uint64_t>();
+  EXPECT_EQ(s["pixels_by_cause"].size(), 8u);
+  EXPECT_GE(with_cause, s["split_pixels"].get<std::uint64_t>());
+  EXPECT_GT(s["pixels_by_cause"]["outline"], 0);
+  ASSERT_FALSE(s["lights"].empty());
+  for (const json& light : s["lights"]) {
+    EXPECT_TRUE(light.at("name").is_string());
+    EXPECT_TRUE(light.at("type").is_string());
+    EXPECT_TRUE(light.at("shadow_pyrays").is_number_unsigned());
+    rays += light.at("shadow_rays").get<std::uint64_t>();
+  }
+  EXPECT_EQ(rays, s["rays"]["shadow"].get<std::uint64_t>());
 }
 
 TEST_F(RenderCommand, PicturesCarryTheirSettings) {

@@ -1,17 +1,21 @@
-// Time at equal error: a ladder of ASOS settings and one of stochastic sampling, each with its
-// error against many stochastic samples, and for each ASOS setting how much longer stochastic
-// sampling takes to the same error (interpolated between its settings, both axes logarithmic).
-// Errors are RMSE of linear radiance clipped to 0..1; times are processor time, medians of runs
-// that take turns. The reference's own noise is what the ladder's last steps let expect of it;
-// errors below twice that are marked with *, for they are hardly known.
+// Time at equal error: a ladder of ASOS settings, one of stochastic and one of Sobol sampling, each
+// with its error against many Sobol samples of another seed, and for each ASOS setting how much
+// longer its rivals take to the same error (interpolated between their settings, both axes
+// logarithmic). Errors are RMSE of linear radiance clipped to 0..1; times are processor time,
+// medians of runs that take turns. The reference's own noise is what the Sobol ladder's last steps
+// let expect of it; errors below twice that are marked with *, for they are hardly known.
 //
 //   bench_equal_error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
-//                     [--reference N] [--runs N] [--causes MAX] [--matte] SCENE
+//                     [--reference N] [--runs N] [--causes MAX] [--matte] [--key-light]
+//                     [--qualities] SCENE
 //
-// --matte takes textures and highlights away: what is left is visibility and smooth shading.
+// --matte takes textures, highlights and emission away: what is left is visibility and smooth
+// shading. --key-light keeps the first rectangular light only, of the scene's or of the rig that it
+// gets. --qualities has a row for each shadow quality at MAX 2, 3 and 4 instead of the ladder.
 // --causes tells where time and error are at one MAX: by what became of the pixels, and by what
 // they show.
 
+#include "renderer/methods/names.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/error_causes.h"
 
@@ -37,6 +41,8 @@ struct Settings {
   int runs = 3;
   int causes = -1;
   bool matte = false;
+  bool key_light = false;
+  bool qualities = false;
   std::string scene;
 };
 
@@ -66,13 +72,28 @@ std::vector<Rung> asos_ladder(const RenderSettings& base) {
   return ladder;
 }
 
-std::vector<Rung> stochastic_ladder(const RenderSettings& base) {
+std::vector<Rung> quality_rows(const RenderSettings& base) {
+  std::vector<Rung> rows;
+  for (const auto& quality : shadow_quality_names) {
+    for (int level = 2; level <= 4; ++level) {
+      Rung& rung = rows.emplace_back();
+      rung.name = fmt::format("{} {}", quality.name, level);
+      rung.settings = base;
+      rung.settings.method = Method::asos;
+      rung.settings.max_level = level;
+      rung.settings.shadow_quality = quality.value;
+    }
+  }
+  return rows;
+}
+
+std::vector<Rung> sampling_ladder(const RenderSettings& base, Method method) {
   std::vector<Rung> ladder;
-  for (const int spp : {1, 4, 9, 16, 36, 64, 144, 256}) {
+  for (const int spp : {1, 4, 16, 64, 256}) {
     Rung& rung = ladder.emplace_back();
-    rung.name = fmt::format("stochastic {}", spp);
+    rung.name = fmt::format("{} {}", name_in(method_names, method), spp);
     rung.settings = base;
-    rung.settings.method = Method::stochastic;
+    rung.settings.method = method;
     rung.settings.spp = spp;
   }
   return ladder;
@@ -93,9 +114,9 @@ double between(double x, double x0, double x1, double y0, double y1) {
                   std::log(x / x0) / std::log(x1 / x0) * (std::log(y1) - std::log(y0)));
 }
 
-/// Seconds that stochastic sampling takes to an error; beyond its ladder's ends as its first or
-/// last step goes on.
-double stochastic_seconds(const std::vector<Rung>& ladder, double error) {
+/// Seconds that a sampling method takes to an error; beyond its ladder's ends as its first or last
+/// step goes on.
+double rival_seconds(const std::vector<Rung>& ladder, double error) {
   std::size_t i = 1;
   while (i + 1 < ladder.size() && ladder[i].error.shown > error) ++i;
   const Rung& a = ladder[i - 1];
@@ -122,6 +143,7 @@ void make_matte(Scene& scene) {
     material.metallic_roughness_texture = {};
     material.normal_texture = {};
     material.emissive_texture = {};
+    material.emissive = glm::vec3(0.0f);
     material.metallic = 0.0f;
     material.roughness = 1.0f;
   }
@@ -131,7 +153,26 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   auto scene = load_scene(settings.scene);
   if (!scene) return unexpected(scene.error());
   if (settings.matte) make_matte(*scene);
-  return prepare(*scene);
+  if (!settings.key_light) return prepare(*scene);
+  // The rig is made for the camera that looks.
+  const auto world = flatten(*scene);
+  if (!world) return unexpected(world.error());
+  const auto camera = choose_camera(
+      *world, settings.camera, static_cast<double>(settings.size.width) / settings.size.height);
+  if (!camera) return unexpected(camera.error());
+  Camera placed = *camera;
+  placed.world_from_camera[3] += glm::dvec4(world->origin, 0.0);
+  scene->cameras = {placed};
+  const auto lit = prepare(*scene);
+  if (!lit) return unexpected(lit.error());
+  for (Light light : (*lit)->world.lights) {
+    if (light.type != Light::Type::rectangle) continue;
+    light.position += (*lit)->world.origin;
+    light.own_part = -1;
+    scene->lights = {light};
+    return prepare(*scene);
+  }
+  return unexpected(Error{settings.scene, "gets no rectangular light"});
 }
 
 Result<void> measure(const Settings& settings) {
@@ -146,34 +187,40 @@ Result<void> measure(const Settings& settings) {
   snapshot.settings.shadows = settings.shadows;
 
   RenderSettings base = snapshot.settings;
-  snapshot.settings.method = Method::stochastic;
+  snapshot.settings.method = Method::sobol;
+  snapshot.settings.seed = 12345;
   snapshot.settings.spp = settings.reference;
   const Film reference = render_to_end(snapshot).film;
 
-  std::vector<Rung> asos = asos_ladder(base);
-  std::vector<Rung> stochastic = stochastic_ladder(base);
+  std::vector<Rung> asos = settings.qualities ? quality_rows(base) : asos_ladder(base);
+  std::vector<Rung> stochastic = sampling_ladder(base, Method::stochastic);
+  std::vector<Rung> sobol = sampling_ladder(base, Method::sobol);
   for (int run = 0; run < settings.runs; ++run) {
     for (Rung& rung : stochastic) render(snapshot, reference, rung);
+    for (Rung& rung : sobol) render(snapshot, reference, rung);
     for (Rung& rung : asos) render(snapshot, reference, rung);
   }
 
-  const double floor = extrapolated_error(stochastic, settings.reference);
+  const double floor = extrapolated_error(sobol, settings.reference);
   fmt::print(
       "\n{}{}, {}x{}, shadows {}, {} triangles; reference {} samples, its noise about {:.1e}\n",
       settings.scene, settings.matte ? " made matte" : "", settings.size.width,
       settings.size.height, settings.shadows ? "on" : "off", (*scene)->world.triangles.size(),
       settings.reference, floor);
-  fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>9}\n", "", "RMSE", "raw RMSE", "cpu s",
-             "eye/pix", "shad/pix", "unres. %", "speed-up");
-  for (const Rung& rung : stochastic) {
-    print_rung(rung, floor);
-    fmt::print("\n");
+  fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>12}{:>9}\n", "", "RMSE", "raw RMSE",
+             "cpu s", "eye/pix", "shad/pix", "unres. %", "stochastic x", "sobol x");
+  for (const auto* ladder : {&stochastic, &sobol}) {
+    for (const Rung& rung : *ladder) {
+      print_rung(rung, floor);
+      fmt::print("\n");
+    }
   }
   for (const Rung& rung : asos) {
     print_rung(rung, floor);
-    const double speed_up =
-        stochastic_seconds(stochastic, rung.error.shown) / rung.times.medians().cpu;
-    fmt::print("{:>10.4f}{:>9.2f}\n", 100.0 * rung.unresolved, speed_up);
+    const double seconds = rung.times.medians().cpu;
+    fmt::print("{:>10.4f}{:>12.2f}{:>9.2f}\n", 100.0 * rung.unresolved,
+               rival_seconds(stochastic, rung.error.shown) / seconds,
+               rival_seconds(sobol, rung.error.shown) / seconds);
   }
   if (settings.causes >= 0) {
     snapshot.settings = base;
@@ -189,14 +236,16 @@ Result<void> measure(const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   std::string shadows = "on";
-  CLI::App app("Time at equal error, ASOS beside stochastic sampling");
+  CLI::App app("Time at equal error, ASOS beside stochastic and Sobol sampling");
   add_size(app, settings.size);
   add_camera(app, settings.camera);
   app.add_option("--shadows", shadows)->check(CLI::IsMember({"on", "off"}));
   app.add_option("--reference", settings.reference, "samples")->check(CLI::Range(256, 65536));
   app.add_option("--runs", settings.runs)->check(CLI::Range(1, 99));
   app.add_option("--causes", settings.causes, "MAX to look into")->check(CLI::Range(0, 8));
-  app.add_flag("--matte", settings.matte, "without textures and highlights");
+  app.add_flag("--matte", settings.matte, "without textures, highlights and emission");
+  app.add_flag("--key-light", settings.key_light, "the first rectangular light only");
+  app.add_flag("--qualities", settings.qualities, "a row for each shadow quality");
   app.add_option("SCENE", settings.scene)->required();
   CLI11_PARSE(app, argc, argv);
   settings.shadows = shadows == "on";

@@ -11,6 +11,8 @@ namespace asos::test {
 inline void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
   EXPECT_EQ(a.eye_rays, b.eye_rays);
   EXPECT_EQ(a.shadow_rays, b.shadow_rays);
+  EXPECT_EQ(a.shadow_pyrays, b.shadow_pyrays);
+  EXPECT_EQ(a.lights, b.lights);
   EXPECT_EQ(a.reflection_rays, b.reflection_rays);
   EXPECT_EQ(a.pyrays_by_level, b.pyrays_by_level);
   EXPECT_EQ(a.split_pixels, b.split_pixels);
@@ -19,6 +21,7 @@ inline void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
   EXPECT_EQ(a.uneven_pixels, b.uneven_pixels);
   EXPECT_EQ(a.unresolved_area, b.unresolved_area);
   EXPECT_EQ(a.rejected_samples, b.rejected_samples);
+  EXPECT_EQ(a.pixels_by_cause, b.pixels_by_cause);
 }
 
 /// To the bit.
@@ -27,6 +30,7 @@ inline void expect_same(const Film& a, const Film& b) {
   EXPECT_EQ(a.height, b.height);
   EXPECT_TRUE(a.radiance == b.radiance);
   EXPECT_TRUE(a.split_level == b.split_level);
+  EXPECT_TRUE(a.cause == b.cause);
 }
 
 }  // namespace asos::test

@@ -1,5 +1,4 @@
-#include "tests/ui/test_scenes.h"
-#include "tests/ui/ui_rig.h"
+#include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -10,44 +9,7 @@
 namespace asos {
 namespace {
 
-using test::UiRig;
-
-class PanelsTest : public testing::Test {
- protected:
-  PanelsTest() {
-    rig.previewer().open("scene");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
-    EXPECT_TRUE(rig.settle());
-    restarts_ = rig.previewer().restarts();
-  }
-
-  /// Drags a slider to a share of its width.
-  void slide(const std::string& name, float from, float to) {
-    const Controls::Placed at = rig.control(name);
-    const float y = at.centre().y;
-    rig.drag({glm::mix(at.lo.x, at.hi.x, from), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
-  }
-  /// Changes may wait for the picture of the render before them.
-  bool restarted() {
-    EXPECT_TRUE(rig.settle());
-    const bool yes = rig.previewer().restarts() > restarts_;
-    restarts_ = rig.previewer().restarts();
-    return yes;
-  }
-  RenderSettings& settings() { return rig.previewer().settings(); }
-  DisplaySettings& display() { return rig.content().state().display; }
-
-  UiRig rig{[](const std::string& source) -> Result<Scene> {
-              if (source.starts_with("missing")) {
-                return unexpected(Error{source, "there is no such file"});
-              }
-              return test::two_triangles({1, 0, 0}, source);
-            },
-            {660, 1000}};
-
- private:
-  std::uint64_t restarts_ = 0;
-};
+using test::PanelsTest;
 
 TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
   slide("EPS", 0.6f, 0.9f);
@@ -274,10 +236,32 @@ TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
 TEST_F(PanelsTest, EveryWidgetThatChangesSomethingHasATooltip) {
   rig.click("Split map");
   rig.frame();
-  for (const char* name :
-       {"EPS", "MAX", "Leaf/Exact", "Leaf/Point", "Jitter", "Method/ASOS", "Method/Uniform",
-        "Method/Stochastic", "Exposure", "Split map", "Dimming", "Legend", "View", "Frame all",
-        "Reset view", "Open...", "Save picture"}) {
+  for (const char* name : {"EPS",
+                           "MAX",
+                           "Leaf/Exact",
+                           "Leaf/Point",
+                           "Jitter",
+                           "Method/ASOS",
+                           "Method/Uniform",
+                           "Method/Stochastic",
+                           "Method/Sobol",
+                           "Textures/Points",
+                           "Culling",
+                           "Shadows",
+                           "Quality",
+                           "Light rule/Physical",
+                           "Light rule/Published",
+                           "Colours/Level",
+                           "Colours/Cause",
+                           "Exposure",
+                           "Split map",
+                           "Dimming",
+                           "Legend",
+                           "View",
+                           "Frame all",
+                           "Reset view",
+                           "Open...",
+                           "Save picture"}) {
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;
   }
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -81,6 +82,25 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
     ASSERT_EQ(got, split_colour(film.split_level[i], rig.previewer().settings().max_level))
         << "pixel " << i;
   }
+
+  rig.content().state().display.split_colours = SplitMapColours::cause;
+  rig.key(Key::f12);
+  const Result<RgbImage> by_cause = read_png((folder / "seen-003.png").string());
+  ASSERT_TRUE(by_cause) << by_cause.error().message();
+  for (std::size_t i = 0; i < film.cause.size(); ++i) {
+    const glm::u8vec3 got(by_cause->rgb[3 * i], by_cause->rgb[3 * i + 1], by_cause->rgb[3 * i + 2]);
+    ASSERT_EQ(got, split_cause_colour(film.cause[i])) << "pixel " << i;
+  }
+  const auto told = [&](const RgbImage& image, const std::string& key) {
+    const auto found = std::find_if(image.text.begin(), image.text.end(),
+                                    [&](const auto& entry) { return entry.first == key; });
+    return found == image.text.end() ? std::string("missing") : found->second;
+  };
+  EXPECT_EQ(told(*plain, "asos.split_map_colours"), "missing");
+  EXPECT_EQ(told(*overlaid, "asos.split_map_colours"), "level");
+  EXPECT_EQ(told(*by_cause, "asos.split_map_colours"), "cause");
+  EXPECT_EQ(told(*by_cause, "asos.pixels_by_cause.outline"),
+            std::to_string(std::count(film.cause.begin(), film.cause.end(), SplitCause::outline)));
 }
 
 }  // namespace

@@ -20,6 +20,9 @@ constexpr std::array methods{
                      "leaves are point samples, and splitting stops by the published rule."},
     Controls::Option{"Uniform", "A regular grid of n x n samples in every pixel."},
     Controls::Option{"Stochastic", "n x n jittered samples in every pixel."},
+    Controls::Option{"Sobol",
+                     "Any number of samples in every pixel, at the points of an Owen-scrambled "
+                     "Sobol sequence: the reference to compare with."},
     Controls::Option{"Beam",
                      "Beam tracing: the exact area of every visible polygon in a pixel. For small "
                      "scenes, where it is offered at all."},
@@ -68,6 +71,8 @@ std::string level_words(int max_level) {
   return fmt::format("{}: up to {} x {} cells", max_level, cells, cells);
 }
 
+static_assert(methods.size() == static_cast<std::size_t>(Method::beam) + 1);
+
 // Options in the order of the values of an enumeration.
 template <typename T>
 void choose(Controls& controls, const char* label, std::span<const Controls::Option> options,
@@ -112,6 +117,21 @@ void sample_controls(Controls& controls, RenderSettings& settings) {
   }
 }
 
+// Sobol takes any number of samples; twice as many a step of the slider.
+void sobol_controls(Controls& controls, RenderSettings& settings) {
+  constexpr int most_doublings = 12;
+  int doublings = static_cast<int>(std::lround(std::log2(static_cast<double>(settings.spp))));
+  doublings = std::clamp(doublings, 0, most_doublings);
+  if (controls.slider("Samples", "Samples in each pixel, a power of two.", doublings, 0,
+                      most_doublings, [](int n) { return fmt::format("{}", 1 << n); })) {
+    settings.spp = 1 << doublings;
+  }
+  controls.slider("Seed",
+                  "Number of the scrambling: another seed gives another picture of the same noise. "
+                  "Ctrl+click to type a value.",
+                  settings.seed, 0, 99, [](int seed) { return fmt::format("{}", seed); });
+}
+
 // Beam tracing comes last and is left out where the scene is too large for it.
 std::span<const Controls::Option> offered(const RenderScene* scene, RenderSettings settings) {
   settings.method = Method::beam;
@@ -132,7 +152,12 @@ void antialiasing_panel(Controls& controls, RenderSettings& settings, const Rend
   if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);
   }
+  if (settings.method == Method::sobol) sobol_controls(controls, settings);
   choose(controls, "Textures", texture_filters, settings.texture_filter);
+  controls.checkbox("Culling",
+                    "Leave out the backs of surfaces whose material is not double-sided, as glTF "
+                    "says. Without it they are seen from both sides.",
+                    settings.cull);
 }
 
 }  // namespace asos

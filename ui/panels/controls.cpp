@@ -68,6 +68,17 @@ void show_tooltip(const char* text) {
   ImGui::PopStyleVar();
 }
 
+float option_gap() {
+  return ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
+}
+
+// What a row of options leaves of the width beside their names.
+float room_beside(std::span<const Controls::Option> options) {
+  float taken = option_gap() * static_cast<float>(options.size() - 1);
+  for (const Controls::Option& option : options) taken += ImGui::CalcTextSize(option.name).x;
+  return ImGui::GetContentRegionAvail().x - taken;
+}
+
 }  // namespace
 
 void Controls::begin_frame(double now_seconds) {
@@ -154,17 +165,24 @@ bool Controls::button(const char* name, const char* tooltip, float width) {
 bool Controls::options(const char* name, std::span<const Option> options, int& chosen,
                        bool labelled) {
   if (labelled) label(name);
-  // The buttons share the width by the lengths of their names.
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
-  float text_width = 0.0f;
-  for (const Option& option : options) text_width += ImGui::CalcTextSize(option.name).x;
+  // In two rows where their names would touch.
+  const float touching = 0.5f * ImGui::GetFontSize() * static_cast<float>(options.size());
+  if (room_beside(options) >= touching) return option_row(name, options, 0, chosen);
+  const std::size_t half = (options.size() + 1) / 2;
+  const bool upper = option_row(name, options.first(half), 0, chosen);
+  return option_row(name, options.subspan(half), static_cast<int>(half), chosen) || upper;
+}
+
+// The buttons share the width by the lengths of their names.
+bool Controls::option_row(const char* name, std::span<const Option> options, int first,
+                          int& chosen) {
   const float count = static_cast<float>(options.size());
-  const float room = ImGui::GetContentRegionAvail().x - gap * (count - 1.0f) - text_width;
+  const float room = room_beside(options);
   bool changed = false;
   for (int i = 0; i < static_cast<int>(options.size()); ++i) {
     const Option& option = options[static_cast<std::size_t>(i)];
-    if (i > 0) ImGui::SameLine(0.0f, gap);
-    const bool active = i == chosen;
+    if (i > 0) ImGui::SameLine(0.0f, option_gap());
+    const bool active = first + i == chosen;
     const ImVec4* colours = ImGui::GetStyle().Colors;
     ImGui::PushStyleColor(ImGuiCol_Button, colours[active ? ImGuiCol_SliderGrab : ImGuiCol_Button]);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
@@ -173,7 +191,7 @@ bool Controls::options(const char* name, std::span<const Option> options, int& c
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     const float width = ImGui::CalcTextSize(option.name).x + room / count;
     if (ImGui::Button(option.name, {width, 0.0f}) && !active) {
-      chosen = i;
+      chosen = first + i;
       changed = true;
     }
     ImGui::PopStyleVar();

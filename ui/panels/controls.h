@@ -40,7 +40,7 @@ class Controls {
     const char* name;
     const char* tooltip;
   };
-  /// Without a label they have the whole width.
+  /// Without a label they have the whole width, in two rows where one is too short for them.
   bool options(const char* name, std::span<const Option> options, int& chosen,
                bool labelled = true);
   /// One of many, as a list that drops down.
@@ -60,6 +60,7 @@ class Controls {
 
  private:
   void label(const char* name);
+  bool option_row(const char* name, std::span<const Option> options, int first, int& chosen);
 
   std::map<std::string, Placed> placed_;
   double now_seconds_ = 0.0;

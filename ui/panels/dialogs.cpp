@@ -28,6 +28,7 @@ constexpr std::array help_lines{
     HelpLine{"Right drag", "move the zoomed picture"},
     HelpLine{"1", "back to one to one"},
     HelpLine{"M", "split map"},
+    HelpLine{"C", "split map by level or by cause"},
     HelpLine{"Tab", "hide or show the panel"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + O, drop a file", "open a scene"},
@@ -120,6 +121,10 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
   if (shortcut_pressed(Key::home) || shortcut_pressed(Key::f)) previewer.frame_all();
   if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
+  if (shortcut_pressed(Key::c)) {
+    SplitMapColours& colours = state.display.split_colours;
+    colours = colours == SplitMapColours::level ? SplitMapColours::cause : SplitMapColours::level;
+  }
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
   if (shortcut_pressed(Key::one)) state.view.reset();
   const glm::vec2 middle = state.view.area_middle();

@@ -5,11 +5,34 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <array>
 #include <string>
 
 namespace asos {
 
 namespace {
+
+constexpr std::array colour_options{
+    Controls::Option{"Level",
+                     "Colour each split pixel by the deepest level that it was split to. Key: C."},
+    Controls::Option{"Cause", "Colour each split pixel by why it was split. Key: C."},
+};
+
+struct CauseWords {
+  const char* name;
+  const char* tooltip;
+};
+constexpr std::array<CauseWords, split_cause_count> cause_words{{
+    {"not split", "Pixels that one sample, or one leaf, stands for."},
+    {"outline", "Where a surface ends: an open edge, or where it turns away from the eye."},
+    {"crease, seam", "A kink of a surface, or where its material or its texture changes."},
+    {"crossing", "A line in which surfaces pass through each other."},
+    {"shadow", "The edge of a shadow. A hard one may cut a pixel that is not split otherwise."},
+    {"shading", "No boundary: shaded too unevenly for one sample."},
+    {"cut-out", "No boundary was found; split by what its samples show."},
+    {"saturated", "So many boundaries that the finest samples were taken at once."},
+    {"depth limit", "Boundaries still passed through its cells at level MAX: not resolved."},
+}};
 
 // The split map's colours on their absolute scale: a level keeps its colour whatever the picture
 // holds.
@@ -38,6 +61,24 @@ void split_legend(Controls& controls, int max_level) {
                   "colour whatever the picture shows.");
 }
 
+// One swatch a cause, in two columns.
+void cause_legend(Controls& controls) {
+  const float em = ImGui::GetFontSize();
+  const float column = 0.5f * ImGui::GetContentRegionAvail().x;
+  for (std::size_t i = 1; i < split_cause_count; ++i) {
+    if (i % 2 == 0) ImGui::SameLine(column + ImGui::GetStyle().WindowPadding.x);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(i));
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em},
+                        IM_COL32(c.x, c.y, c.z, 255));
+    draw->AddText({corner.x + 2.0f * em, corner.y - 0.05f * em}, theme::packed(theme::dim_text),
+                  cause_words[i].name);
+    ImGui::Dummy({column - em, 1.1f * em});
+    controls.placed(std::string("Legend/") + cause_words[i].name, cause_words[i].tooltip);
+  }
+}
+
 }  // namespace
 
 void display_panel(Controls& controls, DisplaySettings& display, int max_level) {
@@ -48,15 +89,21 @@ void display_panel(Controls& controls, DisplaySettings& display, int max_level) 
                   display.exposure_ev, -DisplaySettings::exposure_limit_ev,
                   DisplaySettings::exposure_limit_ev,
                   [](float ev) { return fmt::format("{:+.2f} EV", ev); });
-  controls.checkbox("Split map",
-                    "Colour each split pixel by the deepest level that it was split to. Key: M.",
+  controls.checkbox("Split map", "Show in colours which pixels were split. Key: M.",
                     display.show_split_map);
   if (!display.show_split_map) return;
   controls.slider("Dimming",
                   "How dark the pixels that are not split become under the split map, 0 to 100 %.",
                   display.split_dimming, 0.0f, 1.0f,
                   [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
-  split_legend(controls, max_level);
+  int colours = static_cast<int>(display.split_colours);
+  if (controls.options("Colours", colour_options, colours))
+    display.split_colours = static_cast<SplitMapColours>(colours);
+  if (display.split_colours == SplitMapColours::cause) {
+    cause_legend(controls);
+  } else {
+    split_legend(controls, max_level);
+  }
 }
 
 }  // namespace asos

@@ -1,7 +1,9 @@
+#include "renderer/methods/names.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -26,9 +28,24 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
-std::string lights_of(const RenderScene& scene) {
-  if (scene.default_rig) return "none: default lights";
-  return std::to_string(scene.world.lights.size());
+void light_rows(Controls& controls, const RenderScene& scene) {
+  const std::vector<Light>& lights = scene.world.lights;
+  controls.row("Lights", scene.default_rig ? std::string("studio rig") : grouped(lights.size()),
+               "Lights of the file, and surfaces that shine. Where all of them together give next "
+               "to nothing, a rig of two soft lights is added, so that the picture is not black.");
+  for (const auto& [name, type] : light_type_names) {
+    const auto count = std::count_if(lights.begin(), lights.end(), [type = type](const Light& l) {
+      return l.type == type && l.own_part < 0;
+    });
+    if (count > 0) {
+      controls.row((std::string("   ") + name).c_str(), grouped(static_cast<std::uint64_t>(count)),
+                   "Lights of this type, those of the studio rig included.");
+    }
+  }
+  if (scene.emissive_lights > 0) {
+    controls.row("   emissive", grouped(scene.emissive_lights),
+                 "Lights that stand for surfaces of emissive materials.");
+  }
 }
 
 void edge_rows(Controls& controls, const FeatureCounts& edges) {
@@ -55,9 +72,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, double load_secon
   controls.row("Triangles", grouped(world.triangles.size()),
                "All of them, those of repeated objects counted each time.");
   controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
-  controls.row("Lights", lights_of(scene),
-               "Point, spot and directional lights of the file. A scene without lights gets "
-               "default ones, so that it is not black.");
+  light_rows(controls, scene);
   edge_rows(controls, scene.features.counts());
   const std::vector<std::string> left_out = scene.needs.left_out();
   if (!left_out.empty()) {

@@ -1,3 +1,4 @@
+#include "renderer/methods/names.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,24 @@ struct Finished {
   }
 };
 
+constexpr std::size_t most_light_rows = 8;
+
+void light_rows(Controls& controls, const RenderStatistics& statistics,
+                const std::vector<Light>& lights, const Finished& finished) {
+  const std::size_t shown = std::min(lights.size(), most_light_rows);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::string rays = finished.per_pixel(statistics.of_light(i).shadow_rays);
+    controls.row(fmt::format("   {} {}", i + 1, name_in(light_type_names, lights[i].type)).c_str(),
+                 lights[i].name.empty() ? rays : rays + ", " + lights[i].name,
+                 "Rays to this light, on average for each finished pixel, and its name.");
+  }
+  if (shown < lights.size()) {
+    controls.row("   ...", fmt::format("and {} more", lights.size() - shown),
+                 "Lights that are not listed here. The statistics that the command line writes "
+                 "have them all.");
+  }
+}
+
 // Rows stand or fall with the scene, not with the first ray: a panel that jumps is hard to use.
 void ray_rows(Controls& controls, const RenderStatistics& statistics, const RenderScene& scene,
               const Finished& finished) {
@@ -31,6 +50,7 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
   if (std::any_of(lights.begin(), lights.end(), [](const Light& l) { return l.casts_shadows; })) {
     controls.row("Shadow rays", finished.per_pixel(statistics.shadow_rays),
                  "Rays to the lights, on average for each finished pixel.");
+    light_rows(controls, statistics, lights, finished);
   }
   if (statistics.reflection_rays > 0) {
     controls.row("Reflection rays", finished.per_pixel(statistics.reflection_rays),
@@ -38,9 +58,22 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
   }
 }
 
+void cause_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
+  for (std::size_t i = 1; i < split_cause_count; ++i) {
+    if (statistics.pixels_by_cause[i] == 0) continue;
+    std::string name = split_cause_names[i];
+    std::replace(name.begin(), name.end(), '_', ' ');
+    controls.row(("   " + name).c_str(),
+                 finished.share(static_cast<double>(statistics.pixels_by_cause[i])),
+                 "Pixels that are split for this above all, as a share of the finished ones. Hard "
+                 "shadows also count where they cut a pixel that is not split otherwise.");
+  }
+}
+
 void split_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
   controls.row("Split pixels", finished.share(static_cast<double>(statistics.split_pixels)),
                "Pixels that a boundary passes through, as a share of the finished ones.");
+  cause_rows(controls, statistics, finished);
   controls.row("Missed splits", fmt::format("{}", statistics.missed_splits),
                "Number of pixels whose neighbours show another surface although no boundary was "
                "found between them. Zero on sound meshes.");

@@ -104,6 +104,7 @@ TEST(Statistics, AddUp) {
   a.saturated_pixels = 7;
   a.unresolved_area = 0.5;
   a.rejected_samples = 8;
+  a.pixels_by_cause[static_cast<std::size_t>(SplitCause::shadow)] = 9;
   RenderStatistics b = a;
   b += a;
   EXPECT_EQ(b.eye_rays, 2u);
@@ -115,6 +116,28 @@ TEST(Statistics, AddUp) {
   EXPECT_EQ(b.saturated_pixels, 14u);
   EXPECT_EQ(b.unresolved_area, 1.0);
   EXPECT_EQ(b.rejected_samples, 16u);
+  EXPECT_EQ(b.pixels_by_cause[static_cast<std::size_t>(SplitCause::shadow)], 18u);
+}
+
+TEST(Statistics, LightsAddUpInAnyOrder) {
+  RenderStatistics few, many;
+  few.count_shadow_ray(0, 5);
+  few.count_shadow_pyray(0);
+  many.count_shadow_ray(3, 7);
+  many.count_shadow_ray(0);
+  many.count_shadow_pyray(2, 4);
+  RenderStatistics one = few, other = many;
+  one += many;
+  other += few;
+  EXPECT_EQ(one.lights, other.lights);
+  ASSERT_EQ(one.lights.size(), 4u);
+  EXPECT_EQ(one.lights[0], (LightStatistics{6, 1}));
+  EXPECT_EQ(one.lights[1], LightStatistics{});
+  EXPECT_EQ(one.lights[2], (LightStatistics{0, 4}));
+  EXPECT_EQ(one.of_light(3), (LightStatistics{7, 0}));
+  EXPECT_EQ(one.of_light(9), LightStatistics{});
+  EXPECT_EQ(one.shadow_rays, 13u);
+  EXPECT_EQ(one.shadow_pyrays, 5u);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "renderer/methods/method.h"
-#include "renderer/methods/random.h"
 #include "renderer/methods/sample_block.h"
+#include "renderer/sampling/random.h"
 #include "renderer/shading/environment.h"
 #include "tests/support/tiny_scene.h"
 

@@ -16,7 +16,7 @@ class PickyCaster final : public BruteForceCaster {
   PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
       : BruteForceCaster(world, features, frame), most_(most) {}
 
-  [[nodiscard]] Unevenness uneven(SampleId, double share) const override {
+  [[nodiscard]] Unevenness uneven(SampleId, double share, const LeafRegion&) const override {
     return share > most_ ? Unevenness::shading : Unevenness::none;
   }
   void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override {

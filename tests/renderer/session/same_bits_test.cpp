@@ -130,6 +130,7 @@ TEST_F(SameBits, ForACropAsThatPartOfTheWhole) {
           const std::size_t from = whole.film.index(crop.x + x, crop.y + y);
           expected.radiance[expected.index(x, y)] = whole.film.radiance[from];
           expected.split_level[expected.index(x, y)] = whole.film.split_level[from];
+          expected.cause[expected.index(x, y)] = whole.film.cause[from];
         }
       }
       expect_same(part.film, expected);

@@ -327,14 +327,11 @@ TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
   EXPECT_LT(spawn_origin(p, {0, -1, 0}).y, p.position.y);
 }
 
-TEST(DefaultRig, WhiteComesNearWhiteAndStaysBelow) {
+TEST(StudioRig, WhiteComesNearWhiteAndStaysBelow) {
   const Camera camera = test::look_at({2, 1.5, 4}, {0, 0, 0}, 0.7);
   World world;
   test::add_sphere(world, {0, 0, 0}, 1.0f, 48, matte(glm::vec3(1)));
-  world.lights = default_rig(camera);
-  ASSERT_GE(world.lights.size(), 2u);
-  EXPECT_TRUE(world.lights[0].casts_shadows);
-  EXPECT_LT(world.lights[0].direction.y, -0.3);  // from above
+  world.lights = studio_rig(camera, world.bounds);
   Lit lit{std::move(world)};
   float brightest = 0.0f;
   float darkest = 1.0f;
@@ -351,18 +348,6 @@ TEST(DefaultRig, WhiteComesNearWhiteAndStaysBelow) {
   EXPECT_GT(brightest, 0.8f);
   EXPECT_LT(brightest, 1.0f);
   EXPECT_GT(darkest, 0.15f);
-}
-
-TEST(DefaultRig, AnyCameraHasUnitLightsFromAbove) {
-  Camera down;
-  down.world_from_camera = glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0),
-                                      glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 9, 0, 1));
-  for (const Camera& camera : {Camera{}, down}) {
-    for (const Light& light : default_rig(camera)) {
-      EXPECT_NEAR(glm::length(light.direction), 1.0, 1e-12);
-      EXPECT_LT(light.direction.y, 0.0);
-    }
-  }
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ void expect_screens(std::uint64_t seed, Light (*make)(RandomSpace&), double reac
     worst = std::max(worst, std::abs(found - exact));
     partly += exact > 0.01 && exact < 0.99;
   }
-  testing::Test::RecordProperty("worst_error", std::to_string(worst));
+  testing::Test::RecordProperty("worst_error", testing::PrintToString(worst));
   EXPECT_GT(partly, 100);
 }
 

@@ -1,6 +1,6 @@
-#include "renderer/methods/sobol_points.h"
+#include "renderer/sampling/sobol_points.h"
 
-#include "renderer/methods/random.h"
+#include "renderer/sampling/random.h"
 
 #include <array>
 #include <cstddef>

@@ -1,0 +1,164 @@
+#include "tests/support/shadow_fixture.h"
+#include "tests/support/shadow_oracle.h"
+#include "tests/support/tiny_image.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// Shadows of what is cut out or shone through, whose texels bound nothing that is searched for.
+
+namespace asos::test {
+namespace {
+
+Light panel() {
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = {0.1, 0.05, 2};
+  light.half_u = {0.5, 0, 0};
+  light.half_v = {0, 0.4, 0};
+  light.direction = {0, 0, -1};
+  return light;
+}
+
+Receiver facing_up(float x, float y) {
+  Receiver receiver;
+  receiver.position = {x, y, 0};
+  receiver.normal = receiver.geometric = {0, 0, 1};
+  return receiver;
+}
+
+constexpr int texels = 4;
+
+/// A quad at half height whose every second texel is opaque; returns the opaque ones.
+std::vector<Polygon3> add_checker(World& world) {
+  Material material = matte({1, 1, 1});
+  material.alpha_mode = AlphaMode::mask;
+  material.base_color_texture.texture = add_texture(
+      world,
+      make_image(texels, texels,
+                 [](int x, int y) -> Texel {
+                   return {255, 255, 255, static_cast<std::uint8_t>((x + y) % 2 ? 255 : 0)};
+                 }),
+      Wrap::clamp_to_edge, Filter::nearest);
+  add_quad(world, {-0.5f, -0.5f, 1}, {1, 0, 0}, {0, 1, 0}, material);
+  std::vector<Polygon3> opaque;
+  const double s = 1.0 / texels;
+  for (int y = 0; y < texels; ++y) {
+    for (int x = 0; x < texels; ++x) {
+      if ((x + y) % 2 == 0) continue;
+      const glm::dvec3 c(-0.5 + x * s, -0.5 + y * s, 1);
+      opaque.push_back(
+          {c, c + glm::dvec3(s, 0, 0), c + glm::dvec3(s, s, 0), c + glm::dvec3(0, s, 0)});
+    }
+  }
+  return opaque;
+}
+
+/// The mean error over a row of receivers.
+double mean_checker_error(int max_level) {
+  ShadowSettings settings;
+  settings.max_level = max_level;
+  World world;
+  const std::vector<Polygon3> opaque = add_checker(world);
+  ShadowFixture fixture(std::move(world), panel(), settings);
+  double sum = 0.0;
+  constexpr int count = 60;
+  for (int i = 0; i < count; ++i) {
+    const Receiver receiver = facing_up(-0.9f + 0.03f * static_cast<float>(i), 0.013f);
+    const double all = form_of(corners_of(panel()), receiver);
+    // The texels do not overlap.
+    double seen = all;
+    for (const Polygon3& texel : opaque)
+      seen -= form_of(hidden_part(corners_of(panel()), texel, receiver.position), receiver);
+    sum += std::abs(fixture.lit_share(receiver) - seen / all);
+  }
+  return sum / count;
+}
+
+// The outline of a texel crosses some 4 * 2^MAX finest cells, each wrong by half its area at most
+// and either way: the mean of many is far below the bound, which shrinks with the cells' side.
+TEST(AlphaShadow, OfACutOutGetsExacterWithEveryLevel) {
+  double last = 1.0, before_last = 1.0;
+  for (int max_level = 1; max_level <= 6; ++max_level) {
+    const double error = mean_checker_error(max_level);
+    const double side = std::ldexp(1.0, -max_level);
+    // Up to five columns and rows of texels' edges across the light.
+    EXPECT_LT(error, 0.5 * 2.0 * (texels + 1) * side) << max_level;
+    RecordProperty("error_at_" + std::to_string(max_level), testing::PrintToString(error));
+    if (max_level > 2) {
+      EXPECT_LT(error, 0.8 * before_last) << max_level;
+    }
+    before_last = last;
+    last = error;
+  }
+  EXPECT_LT(last, 0.005);
+}
+
+Material see_through(float alpha) {
+  Material material = matte({1, 1, 1});
+  material.alpha_mode = AlphaMode::blend;
+  material.base_color.a = alpha;
+  return material;
+}
+
+Light bulb() {
+  Light light;
+  light.position = {0.1, 0.05, 2};
+  return light;
+}
+
+// Half of the light is seen through one layer, a quarter through two.
+TEST(AlphaShadow, OfBlendedLayersIsTheProductOfWhatTheyLetThrough) {
+  for (const Light& light : {panel(), bulb()}) {
+    for (const float second : {0.0f, 0.625f}) {
+      World world;
+      add_quad(world, {-5, -5, 1}, {10, 0, 0}, {0, 10, 0}, see_through(0.25f));
+      if (second > 0.0f)
+        add_quad(world, {-5, -5, 0.5f}, {10, 0, 0}, {0, 10, 0}, see_through(second));
+      ShadowFixture fixture(std::move(world), light);
+      EXPECT_NEAR(fixture.lit_share(facing_up(0.2f, 0.1f)), 0.75 * (1.0 - second), 1e-6);
+    }
+  }
+}
+
+// A blended pane with an edge across the light: exact in its middle part, for its edges are
+// searched.
+TEST(AlphaShadow, OfABlendedPanesEdgeIsExact) {
+  World world;
+  add_quad(world, {0.1f, -5, 1}, {10, 0, 0}, {0, 10, 0}, see_through(0.25f));
+  ShadowFixture fixture(std::move(world), panel());
+  const Polygon3 pane = {{0.1f, -5, 1}, {10.1f, -5, 1}, {10.1f, 5, 1}, {0.1f, 5, 1}};
+  for (int i = 0; i < 50; ++i) {
+    const Receiver receiver = facing_up(-0.5f + 0.02f * static_cast<float>(i), 0.0f);
+    const double all = form_of(corners_of(panel()), receiver);
+    const double hidden =
+        form_of(hidden_part(corners_of(panel()), pane, receiver.position), receiver);
+    EXPECT_NEAR(fixture.lit_share(receiver), 1.0 - 0.25 * hidden / all, 1e-4) << i;
+  }
+}
+
+// The lamp's own quad lies across the way to its light.
+TEST(AlphaShadow, OfALightsOwnPartIsNone) {
+  for (Light light : {panel(), bulb()}) {
+    for (const std::int32_t own : {-1, 0, 1}) {
+      World world;
+      add_quad(world, {-5, -5, 1.9f}, {5.1f, 0, 0}, {0, 10, 0}, matte({1, 1, 1}));
+      add_quad(world, {3, 3, 0.5f}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
+      light.own_part = own;
+      ShadowFixture fixture(std::move(world), light);
+      const double share = fixture.lit_share(facing_up(0.0f, 0.0f));
+      if (own == 0) {
+        EXPECT_EQ(share, 1.0);
+      } else {
+        EXPECT_LT(share, 0.8);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos::test

@@ -1,0 +1,133 @@
+#include "renderer/methods/names.h"
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <string>
+
+// The panel's controls for light, shadows and samples, and what it tells of lights.
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class LightControlsTest : public PanelsTest {};
+
+TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
+  rig.click("Method/Sobol");
+  EXPECT_EQ(settings().method, Method::sobol);
+  EXPECT_TRUE(restarted());
+  slide("Samples", 0.3f, 0.0f);
+  EXPECT_EQ(settings().spp, 1);
+  slide("Samples", 0.0f, 0.25f);
+  EXPECT_EQ(settings().spp, 8);
+  EXPECT_TRUE(restarted());
+  slide("Seed", 0.01f, 0.5f);
+  EXPECT_GT(settings().seed, 0);
+  EXPECT_TRUE(restarted());
+  rig.click("Method/Beam");
+  EXPECT_EQ(settings().method, Method::beam);
+  rig.frame();
+  for (const char* name : {"Samples", "Seed"})
+    EXPECT_FALSE(rig.content().controls().all().contains(name)) << name;
+}
+
+TEST_F(LightControlsTest, ShadowControlsRestart) {
+  // The studio rig's lights have a size.
+  ASSERT_TRUE(rig.previewer().scene()->default_rig);
+  rig.click("Quality");
+  rig.frame();
+  rig.click("Quality/extended-divided");
+  EXPECT_EQ(settings().shadow_quality, ShadowQuality::extended_divided);
+  EXPECT_TRUE(restarted());
+  slide("Divisions", 0.1f, 2.0f);
+  EXPECT_EQ(settings().shadow_divisions, 16);
+  slide("Divisions", 0.95f, -1.0f);
+  EXPECT_EQ(settings().shadow_divisions, 1);
+  EXPECT_TRUE(restarted());
+  rig.click("Light rule/Published");
+  EXPECT_EQ(settings().light_rule, LightRule::published);
+  EXPECT_TRUE(restarted());
+  rig.click("Shadows");
+  EXPECT_FALSE(settings().shadows);
+  EXPECT_TRUE(restarted());
+  rig.click("Culling");
+  EXPECT_FALSE(settings().cull);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
+  const auto shown = [&](const char* name) {
+    rig.frame();
+    return rig.content().controls().all().contains(name);
+  };
+  for (const auto& [name, quality] : shadow_quality_names) {
+    settings().shadow_quality = quality;
+    const bool divided = quality == ShadowQuality::supersampling ||
+                         quality == ShadowQuality::forced ||
+                         quality == ShadowQuality::extended_divided;
+    EXPECT_EQ(shown("Divisions"), divided) << name;
+  }
+  EXPECT_TRUE(shown("Quality"));
+  settings().shadows = false;
+  EXPECT_FALSE(shown("Quality"));
+  settings().shadows = true;
+  settings().method = Method::asos_published;  // which brings its own
+  EXPECT_FALSE(shown("Quality"));
+  EXPECT_FALSE(shown("Light rule/Physical"));
+  settings().method = Method::sobol;
+  EXPECT_FALSE(shown("Quality"));
+  EXPECT_TRUE(shown("Light rule/Physical"));
+  settings().method = Method::asos;
+  rig.previewer().open("point light");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  EXPECT_FALSE(shown("Quality"));
+  EXPECT_TRUE(shown("Light rule/Physical"));
+}
+
+TEST_F(LightControlsTest, TheScenePanelCountsLightsByKind) {
+  const auto shown = [&](const char* name) {
+    return rig.content().controls().all().contains(name);
+  };
+  EXPECT_TRUE(shown("   rectangle")) << "the studio rig";
+  EXPECT_FALSE(shown("   point"));
+  rig.previewer().open("point light");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  rig.frame();
+  EXPECT_TRUE(shown("   point"));
+  EXPECT_FALSE(shown("   rectangle"));
+  EXPECT_FALSE(shown("   emissive"));
+  rig.previewer().open("shining");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "shining"; }));
+  rig.frame();
+  EXPECT_TRUE(shown("   emissive"));
+}
+
+TEST_F(LightControlsTest, TheStatisticsListEightLightsAndCountTheOthers) {
+  rig.previewer().open("nine lights");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "nine lights"; }));
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("   8 point"));
+  EXPECT_FALSE(rig.content().controls().all().contains("   9 point"));
+  EXPECT_TRUE(rig.content().controls().all().contains("   ..."));
+}
+
+TEST_F(LightControlsTest, EveryOptionsTextFitsItsButton) {
+  rig.click("Split map");
+  rig.frame();
+  int looked_at = 0;
+  for (const auto& [name, at] : rig.content().controls().all()) {
+    const std::size_t slash = name.find('/');
+    if (slash == std::string::npos || name.starts_with("section/")) continue;
+    ++looked_at;
+    const std::string option = name.substr(slash + 1);
+    EXPECT_GT(at.hi.x - at.lo.x, ImGui::CalcTextSize(option.c_str()).x + 1.0f) << name;
+    EXPECT_LE(at.hi.x, static_cast<float>(rig.size().x)) << name;
+  }
+  EXPECT_GE(looked_at, 18) << "six methods and twice six others";
+}
+
+}  // namespace
+}  // namespace asos

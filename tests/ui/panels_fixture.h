@@ -1,0 +1,66 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+#include "tests/ui/test_scenes.h"
+#include "tests/ui/ui_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+namespace asos::test {
+
+/// A window beside whose picture there is room for the whole panel, with a scene open.
+class PanelsTest : public testing::Test {
+ protected:
+  PanelsTest() {
+    rig.previewer().open("scene");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+    EXPECT_TRUE(rig.settle());
+    restarts_ = rig.previewer().restarts();
+  }
+
+  /// Drags a slider to a share of its width.
+  void slide(const std::string& name, float from, float to) {
+    const Controls::Placed at = rig.control(name);
+    const float y = at.centre().y;
+    rig.drag({glm::mix(at.lo.x, at.hi.x, from), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
+  }
+  /// Changes may wait for the picture of the render before them.
+  bool restarted() {
+    EXPECT_TRUE(rig.settle());
+    const bool yes = rig.previewer().restarts() > restarts_;
+    restarts_ = rig.previewer().restarts();
+    return yes;
+  }
+  RenderSettings& settings() { return rig.previewer().settings(); }
+  DisplaySettings& display() { return rig.content().state().display; }
+
+  UiRig rig{[](const std::string& source) -> Result<Scene> {
+              if (source.starts_with("missing")) {
+                return unexpected(Error{source, "there is no such file"});
+              }
+              return scene_named(source);
+            },
+            {660, 1000}};
+
+ private:
+  /// Two triangles, with what the name says.
+  static Scene scene_named(const std::string& source) {
+    Scene scene = test::two_triangles({1, 0, 0}, source);
+    Light light;
+    light.position = {0, 1, 2};
+    if (source == "point light") scene.lights.assign(1, light);
+    if (source == "nine lights") scene.lights.assign(9, light);
+    if (source == "shining") {
+      scene.materials[0].unlit = false;
+      scene.materials[0].emissive = glm::vec3(2.0f);
+    }
+    return scene;
+  }
+
+  std::uint64_t restarts_ = 0;
+};
+
+}  // namespace asos::test

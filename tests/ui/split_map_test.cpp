@@ -1,0 +1,161 @@
+#include "renderer/film/split_cause.h"
+#include "tests/ui/ui_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The split map by cause: a wall with a kink, and a card before it that casts a hard shadow.
+
+namespace asos {
+namespace {
+
+using test::UiRig;
+
+constexpr double view_height = 8.0;  // of the world, around the origin
+constexpr float kink_x = -1.53125f, card_left = 1.029f, card_right = 2.029f;
+
+void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 a, glm::vec3 b) {
+  Mesh mesh;
+  mesh.positions = {corner, corner + a, corner + a + b, corner + b};
+  mesh.normals.assign(4, glm::normalize(glm::cross(a, b)));
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.material = 0;
+  Instance instance;
+  instance.mesh = static_cast<int>(scene.meshes.size());
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back(instance);
+}
+
+Result<Scene> kinked_wall(const std::string& source) {
+  Scene scene;
+  scene.source = source;
+  Material matte;
+  matte.base_color = {0.6f, 0.6f, 0.6f, 1.0f};
+  matte.metallic = 0.0f;
+  scene.materials.push_back(matte);
+  add_quad(scene, {kink_x - 20.0f, -20, -4}, {20, 0, 4}, {0, 40, 0});
+  add_quad(scene, {kink_x, -20, 0}, {20, 0, 0}, {0, 40, 0});
+  add_quad(scene, {card_left, -1, 1}, {card_right - card_left, 0, 0}, {0, 2, 0});
+  Light light;
+  light.name = "sun";
+  light.type = Light::Type::directional;
+  light.direction = glm::normalize(glm::dvec3(-1, 0, -1));
+  light.intensity = 3.0f;
+  scene.lights.push_back(light);
+  Camera camera;
+  camera.type = Camera::Type::orthographic;
+  camera.height = view_height;
+  camera.world_from_camera[3] = glm::dvec4(0, 0, 10, 1);
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+class SplitMapTest : public testing::Test {
+ protected:
+  SplitMapTest() {
+    rig.previewer().open("wall");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+    EXPECT_TRUE(rig.settle());
+  }
+
+  DisplaySettings& display() { return rig.content().state().display; }
+
+  void show(SplitMapColours colours) {
+    display().show_split_map = true;
+    display().split_dimming = 1.0f;
+    display().split_colours = colours;
+    rig.frame();
+  }
+  /// The picture's pixel that shows a point of the world.
+  [[nodiscard]] glm::ivec2 pixel_of(double x, double y) {
+    const Film& film = rig.previewer().film();
+    const double scale = film.height / view_height;
+    return {static_cast<int>(std::floor(0.5 * film.width + x * scale)),
+            static_cast<int>(std::floor(0.5 * film.height - y * scale))};
+  }
+  [[nodiscard]] glm::u8vec3 shown(glm::ivec2 at) const {
+    return rig.pixels()[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
+  }
+
+  UiRig rig{kinked_wall, {900, 900}};
+};
+
+TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
+  show(SplitMapColours::cause);
+  // The card's shadow falls one unit to its left.
+  for (const auto& [x, cause] : {std::pair<double, SplitCause>{kink_x, SplitCause::crease},
+                                 {card_right, SplitCause::outline},
+                                 {card_left - 1.0, SplitCause::shadow},
+                                 {card_left - 0.5, SplitCause::none}}) {
+    const glm::ivec2 at = pixel_of(x, 0.13);
+    const Film& film = rig.previewer().film();
+    EXPECT_EQ(film.cause[film.index(at.x, at.y)], cause) << x;
+    EXPECT_EQ(shown(at), split_cause_colour(cause)) << x;
+  }
+  // The hard shadow's edge cuts pixels that by their level are not split.
+  const glm::ivec2 shadow = pixel_of(card_left - 1.0, 0.13);
+  show(SplitMapColours::level);
+  EXPECT_EQ(shown(shadow), split_colour(0, rig.previewer().settings().max_level));
+  EXPECT_NE(shown(pixel_of(card_right, 0.13)), glm::u8vec3(0));
+}
+
+TEST_F(SplitMapTest, EveryPixelHasItsCausesColour) {
+  show(SplitMapColours::cause);
+  const Film& film = rig.previewer().film();
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      ASSERT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
+                split_cause_colour(film.cause[film.index(x, y)]))
+          << x << ' ' << y;
+    }
+  }
+}
+
+TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
+  const std::uint64_t restarts = rig.previewer().restarts();
+  const glm::ivec2 kink = pixel_of(kink_x, 0.13);
+  display().split_dimming = 1.0f;
+  rig.key(Key::m);
+  const glm::u8vec3 by_level = shown(kink);
+  rig.key(Key::c);
+  EXPECT_EQ(shown(kink), split_cause_colour(SplitCause::crease));
+  rig.key(Key::c);
+  EXPECT_EQ(shown(kink), by_level);
+  EXPECT_NE(by_level, split_cause_colour(SplitCause::crease));
+  rig.click("Colours/Cause");
+  EXPECT_EQ(shown(kink), split_cause_colour(SplitCause::crease));
+  rig.click("Colours/Level");
+  EXPECT_EQ(shown(kink), by_level);
+  EXPECT_EQ(rig.previewer().restarts(), restarts);
+}
+
+TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
+  show(SplitMapColours::cause);
+  rig.frame();
+  const std::vector<std::string> names{"outline", "crease, seam", "crossing",  "shadow",
+                                       "shading", "cut-out",      "saturated", "depth limit"};
+  ASSERT_EQ(names.size() + 1, split_cause_count);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Controls::Placed entry = rig.control("Legend/" + names[i]);
+    EXPECT_TRUE(entry.has_tooltip) << names[i];
+    EXPECT_LT(entry.hi.x, static_cast<float>(rig.size().x)) << names[i];
+    EXPECT_EQ(shown(glm::ivec2(entry.lo) + 4), split_cause_colour(static_cast<SplitCause>(i + 1)))
+        << names[i];
+  }
+}
+
+TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
+  const auto& controls = rig.content().controls().all();
+  for (const char* name : {"   outline", "   crease", "   shadow", "   1 directional"})
+    EXPECT_TRUE(controls.contains(name)) << name;
+  for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
+    EXPECT_FALSE(controls.contains(name)) << name;
+}
+
+}  // namespace
+}  // namespace asos

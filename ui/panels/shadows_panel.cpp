@@ -1,0 +1,82 @@
+#include "renderer/methods/names.h"
+#include "ui/panels/panels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr std::array light_rules{
+    Controls::Option{"Physical",
+                     "Light falls off with the squared distance and is integrated over "
+                     "the light's whole visible part."},
+    Controls::Option{"Published",
+                     "As in the papers: a light of some size counts by its visible share, each "
+                     "part by its distance and the cosine at the light."},
+};
+
+bool casts_soft_shadows(const Light& light) {
+  if (!light.casts_shadows) return false;
+  switch (light.type) {
+    case Light::Type::point:
+    case Light::Type::spot:
+      return light.radius > 0.0;
+    case Light::Type::directional:
+      return light.angular_diameter_rad > 0.0;
+    case Light::Type::linear:
+    case Light::Type::rectangle:
+    case Light::Type::disk:
+    case Light::Type::polygon:
+      break;
+  }
+  return true;
+}
+
+bool divides(ShadowQuality quality) {
+  return quality == ShadowQuality::supersampling || quality == ShadowQuality::forced ||
+         quality == ShadowQuality::extended_divided;
+}
+
+void quality_controls(Controls& controls, RenderSettings& settings) {
+  std::vector<std::string> names;
+  for (const auto& named : shadow_quality_names) names.emplace_back(named.name);
+  static_assert(shadow_quality_names.back().value == ShadowQuality::extended_adaptive);
+  int chosen = static_cast<int>(settings.shadow_quality);
+  if (controls.list("Quality",
+                    "How soft shadows are found over the patch that a leaf shows. refined: one "
+                    "pyray, and leaves are split where its shadow would be off the patch's mean. "
+                    "centre: one pyray. supersampling, forced: from n x n jittered or regular "
+                    "points. extended: one from behind the patch, whole, divided into n x n or "
+                    "into as many parts as the light asks for.",
+                    names, chosen)) {
+    settings.shadow_quality = static_cast<ShadowQuality>(chosen);
+  }
+  if (!divides(settings.shadow_quality)) return;
+  controls.slider(
+      "Divisions", "Into n x n parts the patch is divided, 1 to 16. Ctrl+click to type a value.",
+      settings.shadow_divisions, 1, 16, [](int n) { return fmt::format("{} x {}", n, n); });
+}
+
+}  // namespace
+
+void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
+  if (!controls.section("Shadows")) return;
+  controls.checkbox("Shadows", "Lights cast shadows.", settings.shadows);
+  // What the papers published chooses its own quality and rule.
+  const bool soft = scene && std::any_of(scene->world.lights.begin(), scene->world.lights.end(),
+                                         casts_soft_shadows);
+  if (settings.method == Method::asos && settings.shadows && soft)
+    quality_controls(controls, settings);
+  if (settings.method == Method::asos_published) return;
+  int rule = static_cast<int>(settings.light_rule);
+  if (controls.options("Light rule", light_rules, rule))
+    settings.light_rule = static_cast<LightRule>(rule);
+}
+
+}  // namespace asos
