@@ -204,6 +204,7 @@ bool EyeCaster::shadow_uneven(SampleId sample, const LeafRegion& region) const {
   const auto lights = shader_.lights();
   for (std::uint32_t i = 0; i < lights.size() && !(error > most_uneven_); ++i) {
     if (!lights[i].casts_shadows || !lights[i].extended()) continue;
+    error += falloff_error(lights[i], receiver_at(point), patch);
     const CountForLight count(counts_, i);
     error += shadows_.midpoint_error(lights[i], i, point, patch, reflected, counts_);
   }

@@ -90,4 +90,27 @@ float midpoint_error(const World& world, const Hit& hit, glm::vec3 position, glm
   return error < 1.0f ? error : 1.0f;
 }
 
+float falloff_error(const PreparedLight& light, const Receiver& receiver, const Patch& patch) {
+  if (light.shape == PreparedLight::Shape::sun) return 0.0f;
+  // Farther away than this, in patches, a light's irradiance bends by less than a thousandth.
+  constexpr double near = 16.0;
+  const double reach = glm::length(light.half_u) + glm::length(light.half_v) + light.radius;
+  const double size = static_cast<double>(glm::length(patch.right) + glm::length(patch.down));
+  if (glm::distance(light.position, receiver.position) - reach > near * size) return 0.0f;
+  const auto shown = [&](glm::dvec3 offset) {
+    Receiver beside = receiver;
+    beside.position += offset;
+    const glm::vec3 e = unshadowed_irradiance(light, beside);
+    return std::min(1.0f, std::max({e.x, e.y, e.z}) * std::numbers::inv_pi_v<float>);
+  };
+  // Simpson's rule beside the midpoint's.
+  const float middle = shown(glm::dvec3(0.0));
+  float error = 0.0f;
+  for (const glm::vec3& edge : {patch.right, patch.down}) {
+    const glm::dvec3 half = 0.5 * glm::dvec3(edge);
+    error += std::abs(shown(half) + shown(-half) - 2.0f * middle) / 6.0f;
+  }
+  return error;
+}
+
 }  // namespace asos

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/ray.h"
+#include "renderer/lights/prepared_light.h"
 #include "renderer/scene/world.h"
 #include "renderer/shading/footprint.h"
 
@@ -16,5 +17,11 @@ namespace asos {
 /// unlit materials, and for patches that are not finite, which splitting would not make so.
 [[nodiscard]] float midpoint_error(const World& world, const Hit& hit, glm::vec3 position,
                                    glm::vec3 to_viewer, const Patch& patch);
+
+/// The same for the irradiance that a light of some size gives unshadowed, which falls off steeply
+/// beside it: relative to what white would show of it. 0 for lights that are not near, compared
+/// with the patch's size.
+[[nodiscard]] float falloff_error(const PreparedLight& light, const Receiver& receiver,
+                                  const Patch& patch);
 
 }  // namespace asos

@@ -83,6 +83,7 @@ void add_window(Stage& stage) {
   add_frustum(trunk, {-10.4f, -0.4f, -4.6f}, {-10.4f, 1.3f, -4.6f}, 0.1f, 0.08f, 24);
   add_frustum(trunk, {-11.2f, -0.4f, -8.4f}, {-11.2f, 1.4f, -8.4f}, 0.1f, 0.08f, 24);
   stage.add("sky", std::move(sky), stage.glow("sky", 0xbcd8f5, 1.0f));
+  stage.show_light();  // the light "sky over the garden" is what it gives
   stage.add("lawn", std::move(lawn), stage.paint("lawn", 0x7fa650, 1.0f));
   stage.add("hedge", std::move(hedge), stage.paint("hedge", 0x4f7a3c, 1.0f));
   stage.add("tree", std::move(leaves), stage.paint("leaves", 0x6c9a45, 1.0f));

@@ -57,6 +57,7 @@ void add_screen(Stage& stage, const glm::dmat4& placement) {
       stage.keep("picture", std::move(picture), stage.glow("picture", 0x4f86b8, 0.8f));
   stage.place("screen", body_mesh, placement);
   stage.place("picture", picture_mesh, placement);
+  stage.show_light();  // too dim beside the panel to be a light of its own
 }
 
 /// A mug at the origin, with a wall and a handle.
