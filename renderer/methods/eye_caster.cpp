@@ -151,7 +151,7 @@ void EyeCaster::gather_surfaces(std::size_t count) {
 glm::vec3 EyeCaster::shade(SampleId sample, double weight, const LeafRegion& region,
                            RenderStatistics& counts) {
   const float pixel = 1.0f / static_cast<float>(block_.width);
-  shadows_.set_leaf({region, pixel, weight, seed_of(points_[sample], block_)});
+  shadows_.set_leaf({region, pixel, seed_of(points_[sample], block_)});
   return shader_.radiance(rays_[sample], hits_[sample], side_of(weight), counted_shadows_, counts);
 }
 

@@ -27,8 +27,8 @@ struct LeafLimits {
   int most_groups = 8;       ///< groups of boundaries that are told apart at all
   int most_boundaries = 12;  ///< edges, or chains of edges
   int most_pieces = 32;      ///< straight pieces of a few chains
-  float tolerance =
-      0.0f;  ///< of chains, in roots; 0: a 64th of a finest cell, and less in larger ones
+  /// Of chains, in roots; 0: a 64th of a finest cell, and less in larger ones.
+  float tolerance = 0.0f;
 };
 
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).

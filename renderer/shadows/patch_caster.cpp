@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace asos {
+
 std::optional<Frame> PatchCaster::frame_from(glm::dvec3 light, const ShadowPatch& patch) {
   // Base vectors through four given directions d: c = s0 d0, c + a = s1 d1, c + b = s2 d2 and
   // c + a + b = d3, so that s1 d1 + s2 d2 - s0 d0 = d3.

@@ -20,7 +20,6 @@ namespace asos {
 struct ShadedLeaf {
   LeafRegion region;       ///< of the eye frame's square
   float root_side = 1.0f;  ///< of the leaf's root: a pixel
-  double share = 1.0;      ///< of the root's area
   std::uint64_t seed = 0;  ///< of the leaf
 };
 

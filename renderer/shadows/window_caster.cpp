@@ -1,6 +1,7 @@
 #include "renderer/shadows/window_caster.h"
 
 namespace asos {
+
 void WindowCaster::start(const PreparedLight& light, const LightWindow& window) {
   ShadowCaster::start(window.frame(), light.own_part);
   light_ = &light;
@@ -23,7 +24,6 @@ double WindowCaster::measure(double weight, const LeafRegion& region) const {
   const double distance2 = glm::dot(to_light, to_light);
   const bool ball =
       light_->shape == PreparedLight::Shape::ball || light_->shape == PreparedLight::Shape::sun;
-  // Per distance twice more for the direction's length in the cosine.
   const double cosine =
       ball ? 1.0 : std::abs(glm::dot(light_->towards, to_light)) / std::sqrt(distance2);
   return weight * cosine / distance2;

@@ -35,7 +35,7 @@ class ShadowFixture {
     point.shading_normal = glm::vec3(receiver.normal);
     point.geometric_normal = glm::vec3(receiver.geometric);
     const Frame facing = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
-    return lit_share(point, facing, {{{0.0f, 0.0f, 1.0f}, {}}, 1.0f, 1.0, 1}, 1);
+    return lit_share(point, facing, {{{0.0f, 0.0f, 1.0f}, {}}, 1.0f, 1}, 1);
   }
 
   /// The share of a leaf of the pyray through `eye` that is lit; the leaf shows `point`.

@@ -116,7 +116,7 @@ double lit_share(ShadowFixture& fixture, const Pixel& pixel, int kind, float tri
       sides.push_back(
           {glm::vec2(pixel.region[i]), glm::vec2(pixel.region[(i + 1) % pixel.region.size()])});
   }
-  return fixture.lit_share(point, pixel.frame, {{pixel.square, sides}, 1.0f, 1.0, 7});
+  return fixture.lit_share(point, pixel.frame, {{pixel.square, sides}, 1.0f, 7});
 }
 
 /// How the floor is seen, and how large its triangles are: the larger, the farther above it shadow

@@ -60,7 +60,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
                         pixel};
     if (point.triangle == Hit::none) continue;
     if (!(unshadowed_irradiance(fixture.light(), receiver_at(point)).x > 0.0f)) continue;
-    pyrays.set_leaf({{square, {}}, pixel, 1.0, 3});
+    pyrays.set_leaf({{square, {}}, pixel, 3});
     glm::vec3 radiance(0.0f);
     pyrays.add({fixture.light(), 0, point, glm::vec3(1.0f), glm::vec3(1.0f), 0}, radiance, counts);
     shares.push_back(static_cast<double>(radiance.x));
