@@ -29,6 +29,7 @@ std::vector<Choice> choices() {
   base.width = 90;  // the last blocks are clipped, of all sizes
   base.height = 54;
   base.spp = 4;
+  base.max_level = 2;
   std::vector<Choice> all;
   const auto add = [&](const std::string& name, auto change) {
     change(all.emplace_back(Choice{name, base}).settings);
@@ -36,6 +37,8 @@ std::vector<Choice> choices() {
   add("asos_published", [](RenderSettings& s) { s.method = Method::asos_published; });
   add("uniform", [](RenderSettings& s) { s.method = Method::uniform; });
   add("stochastic", [](RenderSettings& s) { s.method = Method::stochastic; });
+  add("sobol", [](RenderSettings& s) { s.method = Method::sobol; });
+  add("forced shadows", [](RenderSettings& s) { s.shadow_quality = ShadowQuality::forced; });
   add("beam", [](RenderSettings& s) { s.method = Method::beam; });
   for (const int fat : {2, 4, 8, 16})
     add("fat " + std::to_string(fat), [fat](RenderSettings& s) { s.fat = fat; });
@@ -55,7 +58,7 @@ std::vector<Choice> choices() {
 class SameBits : public testing::Test {
  protected:
   void SetUp() override {
-    const auto loaded = load_scene("builtin:office");
+    const auto loaded = load_scene("builtin:boxes");
     ASSERT_TRUE(loaded) << loaded.error().message();
     const auto scene = prepare(*loaded);
     ASSERT_TRUE(scene) << scene.error().message();
