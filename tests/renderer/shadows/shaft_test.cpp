@@ -110,7 +110,7 @@ TEST(ShaftSearch, HoldsAllEdgesThatMeetTheShaftWhateverTheLimit) {
   const FeatureSet features(world);
   ShaftSearch found;
   int empty = 0, whole = 0, cut_short = 0;
-  for (int i = 0; i < (sanitized ? 40 : 400); ++i) {
+  for (int i = 0; i < (sanitized ? 200 : 400); ++i) {
     const double size = std::pow(10.0, random.between(-3, 0));
     const Box from = random_box(random, glm::vec3(3.0 * random.direction()), size);
     const Box to = random_box(random, glm::vec3(3.0 * random.direction()), size);
