@@ -1,5 +1,6 @@
 #include "renderer/pyray/hit_list.h"
 
+#include "renderer/geometry/edge_range.h"
 #include "renderer/pyray/node_test.h"
 
 #include <algorithm>
@@ -22,26 +23,10 @@ constexpr double margin = 1.0 / 16.0;
 
 // Which part of an edge between homogeneous end points lies in the pyray, drawn out by the margin:
 // parameters along the edge in world space. No division, so no case for edges behind the apex.
-struct Range {
-  double t0 = 0.0;
-  double t1 = 1.0;
-
-  // Keeps f >= 0, where f runs from f0 to f1.
-  void keep(double f0, double f1) {
-    if (f0 < 0.0 && f1 < 0.0) {
-      t1 = -1.0;
-    } else if (f0 < 0.0) {
-      t0 = std::max(t0, f0 / (f0 - f1));
-    } else if (f1 < 0.0) {
-      t1 = std::min(t1, f0 / (f0 - f1));
-    }
-  }
-};
-
-std::optional<Range> inside(const Frame& frame, glm::dvec3 h0, glm::dvec3 h1) {
+std::optional<EdgeRange> inside(const Frame& frame, glm::dvec3 h0, glm::dvec3 h1) {
   const double w0 = frame.parallel() ? 1.0 : h0.z;
   const double w1 = frame.parallel() ? 1.0 : h1.z;
-  Range range;
+  EdgeRange range;
   range.keep(h0.x + margin * w0, h1.x + margin * w1);
   range.keep(h0.y + margin * w0, h1.y + margin * w1);
   range.keep((1.0 + margin) * w0 - h0.x, (1.0 + margin) * w1 - h1.x);
@@ -285,7 +270,7 @@ void HitLists::open_leaf(std::uint32_t i) {
 void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 h0 = frame_.homogeneous(a);
   const glm::dvec3 h1 = frame_.homogeneous(b);
-  std::optional<Range> range = inside(frame_, h0, h1);
+  std::optional<EdgeRange> range = inside(frame_, h0, h1);
   if (!range) return;
   for (const HalfSpace& half : bounds_.within) range->keep(half.height(a), half.height(b));
   if (!(range->t0 < range->t1)) return;

@@ -1,5 +1,7 @@
 #include "renderer/shadows/shaft.h"
 
+#include "renderer/geometry/edge_range.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,20 +87,12 @@ unsigned Shaft::met_children(const FeatureNode& node) const {
 }
 
 bool Shaft::meets(glm::vec3 a, glm::vec3 b) const {
-  double t0 = 0.0, t1 = 1.0;
-  // Keeps f >= 0, where f runs from f0 to f1.
-  const auto keep = [&](double f0, double f1) {
-    if (f0 < 0.0 && f1 < 0.0) {
-      t1 = -1.0;
-    } else if (f0 < 0.0) {
-      t0 = std::max(t0, f0 / (f0 - f1));
-    } else if (f1 < 0.0) {
-      t1 = std::min(t1, f0 / (f0 - f1));
-    }
-  };
+  EdgeRange range;
   for (int k = 0; k < 3; ++k) {
-    keep(static_cast<double>(a[k]) - bounds_.lo[k], static_cast<double>(b[k]) - bounds_.lo[k]);
-    keep(static_cast<double>(bounds_.hi[k]) - a[k], static_cast<double>(bounds_.hi[k]) - b[k]);
+    range.keep(static_cast<double>(a[k]) - bounds_.lo[k],
+               static_cast<double>(b[k]) - bounds_.lo[k]);
+    range.keep(static_cast<double>(bounds_.hi[k]) - a[k],
+               static_cast<double>(bounds_.hi[k]) - b[k]);
   }
   for (std::size_t i = 0; i < count_; ++i) {
     const Bevel& bevel = bevels_[i];
@@ -106,10 +100,10 @@ bool Shaft::meets(glm::vec3 a, glm::vec3 b) const {
       return static_cast<double>(bevel.first) * p[bevel.i] +
              static_cast<double>(bevel.second) * p[bevel.j] - bevel.offset;
     };
-    keep(height(a), height(b));
+    range.keep(height(a), height(b));
   }
-  if (half_) keep(half_->height(glm::dvec3(a)), half_->height(glm::dvec3(b)));
-  return t0 <= t1;
+  if (half_) range.keep(half_->height(glm::dvec3(a)), half_->height(glm::dvec3(b)));
+  return range.t0 <= range.t1;
 }
 
 void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBounds& ignored,
