@@ -4,7 +4,7 @@
 
 namespace asos {
 
-View::View(const Camera& camera, int width, int height)
+View::View(const Camera& camera, int width, int height, double scene_radius)
     : perspective_(camera.type == Camera::Type::perspective), width_(width), height_(height) {
   const glm::dmat4& m = camera.world_from_camera;
   const glm::dvec3 right(m[0]), up(m[1]);
@@ -15,16 +15,20 @@ View::View(const Camera& camera, int width, int height)
   pixel_right_ = right * pixel;
   pixel_down_ = -up * pixel;
   corner_ = forward_ - (0.5 * width) * pixel_right_ - (0.5 * height) * pixel_down_;
+  constexpr double far = 1024.0;
+  const double distance = perspective_ ? glm::length(eye_) : -glm::dot(eye_, forward_);
+  if (distance > far * scene_radius) start_ = distance - 2.0 * scene_radius;
 }
 
 Ray View::ray(double x, double y) const {
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
   Ray ray;
   if (perspective_) {
-    ray.origin = glm::vec3(eye_);
-    ray.direction = glm::vec3(glm::normalize(target));
+    const glm::dvec3 direction = glm::normalize(target);
+    ray.origin = glm::vec3(eye_ + start_ * direction);
+    ray.direction = glm::vec3(direction);
   } else {
-    ray.origin = glm::vec3(eye_ + target - forward_);
+    ray.origin = glm::vec3(eye_ + target - forward_ + start_ * forward_);
     ray.direction = glm::vec3(forward_);
   }
   return ray;

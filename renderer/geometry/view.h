@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
+
 namespace asos {
 
 /// Pixels, x to the right and y down, from (x, y) inclusive to (x + width, y + height) exclusive.
@@ -22,12 +24,19 @@ struct PixelRect {
 /// A camera and the picture that it fills: makes eye rays and eye frames. The vertical extent is
 /// the camera's; the horizontal one follows the picture's proportions. Pixel (0, 0) is at the top
 /// left and its centre is (0.5, 0.5). `camera` is relative to World::origin. Thread-safe.
+///
+/// All that is to be seen lies within `scene_radius` of the origin. From a camera a thousand times
+/// as far away rays start just before that: floats of the camera's size would lose the scene.
 class View {
  public:
-  View(const Camera& camera, int width, int height);
+  View(const Camera& camera, int width, int height,
+       double scene_radius = std::numeric_limits<double>::infinity());
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+
+  /// How far from the eye, or from the image plane, rays start: 0 but for far cameras.
+  [[nodiscard]] double start() const { return start_; }
 
   /// The eye ray through a point of the picture, in pixels; unit direction.
   [[nodiscard]] Ray ray(double x, double y) const;
@@ -45,6 +54,7 @@ class View {
   glm::dvec3 forward_;  // unit
   int width_;
   int height_;
+  double start_ = 0.0;
 };
 
 }  // namespace asos

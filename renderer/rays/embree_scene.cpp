@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace asos::tracing {
@@ -96,10 +97,15 @@ void EmbreeScene::sort_triangles(const World& world, AlphaAt alpha) {
 }
 
 void EmbreeScene::copy_vertices(const World& world) {
+  const glm::vec3 size = world.bounds.hi - world.bounds.lo;
+  const float extent = world.bounds.empty() ? 1.0f : std::max({size.x, size.y, size.z});
+  constexpr float smallest = 1.0f / 1024.0f;
+  if (extent > 0.0f && extent < smallest)
+    scale_ = std::ldexp(1.0f, std::min(100, -std::ilogb(extent)));
   vertices_.resize(3 * world.positions.size() + 4);
   for (std::size_t i = 0; i < world.positions.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      vertices_[3 * i + static_cast<std::size_t>(k)] = world.positions[i][k];
+      vertices_[3 * i + static_cast<std::size_t>(k)] = world.positions[i][k] * scale_;
     }
   }
 }

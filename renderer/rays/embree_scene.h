@@ -30,6 +30,10 @@ class EmbreeScene {
   /// By Embree's geometry id.
   [[nodiscard]] const Group* groups() const { return groups_.data(); }
   [[nodiscard]] const Sides& sides() const { return sides_; }
+  /// Embree's lengths over the world's, a power of two, so that no digit is lost: 1 but for tiny
+  /// worlds. Embree takes triangles whose sides are below 1e-9 for edge-on and tells a corner of
+  /// theirs as the place of every hit.
+  [[nodiscard]] float scale() const { return scale_; }
   /// Whether any surface may let light through.
   [[nodiscard]] bool see_through() const { return see_through_; }
   /// The widest packets that the processor has: 16, 8, 4 or 1.
@@ -50,6 +54,7 @@ class EmbreeScene {
   std::array<Group, 6> groups_;  // three kinds, then the three of lights' own parts
   Sides sides_;
   bool see_through_ = false;
+  float scale_ = 1.0f;
   // Embree reads 16 bytes for the last vertex, so it cannot share World's array of 12-byte ones.
   std::vector<float> vertices_;
   Errors errors_;

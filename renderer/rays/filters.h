@@ -63,11 +63,15 @@ struct Context {
   const Group* groups;
   const Sides* sides;
   std::int32_t ignored_part;
+  float scale;             ///< Embree's lengths over the world's: EmbreeScene::scale
   Lanes* lanes = nullptr;  ///< collects what lets light through; closest hits do without
 
   Context(RTCIntersectContextFlags flags, const Group* groups_by_id, const Sides* sides_of_parts,
-          std::int32_t part_to_ignore)
-      : groups(groups_by_id), sides(sides_of_parts), ignored_part(part_to_ignore) {
+          std::int32_t part_to_ignore, float scale_of_scene)
+      : groups(groups_by_id),
+        sides(sides_of_parts),
+        ignored_part(part_to_ignore),
+        scale(scale_of_scene) {
     rtcInitIntersectContext(&base);
     base.flags = flags;
   }

@@ -73,15 +73,15 @@ template <typename T>
 }
 
 template <typename Rays>
-void load(Rays& rays, std::size_t lane, const Ray& ray) {
-  lane_of(rays.org_x, lane) = ray.origin.x;
-  lane_of(rays.org_y, lane) = ray.origin.y;
-  lane_of(rays.org_z, lane) = ray.origin.z;
-  lane_of(rays.tnear, lane) = ray.t_near;
+void load(Rays& rays, std::size_t lane, const Ray& ray, float scale) {
+  lane_of(rays.org_x, lane) = ray.origin.x * scale;
+  lane_of(rays.org_y, lane) = ray.origin.y * scale;
+  lane_of(rays.org_z, lane) = ray.origin.z * scale;
+  lane_of(rays.tnear, lane) = ray.t_near * scale;
   lane_of(rays.dir_x, lane) = ray.direction.x;
   lane_of(rays.dir_y, lane) = ray.direction.y;
   lane_of(rays.dir_z, lane) = ray.direction.z;
-  lane_of(rays.tfar, lane) = ray.t_far;
+  lane_of(rays.tfar, lane) = ray.t_far * scale;
   lane_of(rays.mask, lane) = ~0u;
   lane_of(rays.id, lane) = static_cast<unsigned>(lane);
 }
@@ -97,7 +97,7 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
     alignas(64) typename Packet<width>::RayHits query{};
     for (std::size_t i = 0; i < count; ++i) {
       valid[i] = traceable(rays[first + i]) ? -1 : 0;
-      load(query.ray, i, rays[first + i]);
+      load(query.ray, i, rays[first + i], context.scale);
       lane_of(query.hit.geomID, i) = RTC_INVALID_GEOMETRY_ID;
     }
     if (context.lanes) context.lanes->reset();
@@ -112,7 +112,8 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
       }
       store(first + i, i,
             Hit{context.groups[geometry].triangle(lane_of(query.hit.primID, i)),
-                lane_of(query.ray.tfar, i), lane_of(query.hit.u, i), lane_of(query.hit.v, i)});
+                lane_of(query.ray.tfar, i) / context.scale, lane_of(query.hit.u, i),
+                lane_of(query.hit.v, i)});
     }
   }
 }
@@ -129,7 +130,7 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
       valid[i] = traceable(ray) && ray.t_far != far_end_of_blocked ? -1 : 0;
-      load(query, i, ray);
+      load(query, i, ray, context.scale);
     }
     if (context.lanes) context.lanes->reset();
     if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);

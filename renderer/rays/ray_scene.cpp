@@ -29,7 +29,7 @@ struct RayScene::Impl {
         ignored_part);
   }
   [[nodiscard]] Context context(RTCIntersectContextFlags flags, std::int32_t ignored_part) const {
-    return Context(flags, embree.groups(), &embree.sides(), ignored_part);
+    return Context(flags, embree.groups(), &embree.sides(), ignored_part, embree.scale());
   }
 
   template <typename Store>
@@ -148,7 +148,7 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
     // A ray that nothing blocks has met all blended surfaces on its way, in whatever order.
     const float left = met.transmittance[lane];
     const bool blocked = hit.valid() || left <= tracing::opaque_enough;
-    const float touched = met.touched[lane];
+    const float touched = met.touched[lane] / context.scale;
     blockers[i] = {hit, blocked ? 0.0f : left,
                    touched < hit.t || (hit.valid() && touched == hit.t)};
   });

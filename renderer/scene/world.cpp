@@ -1,5 +1,7 @@
 #include "renderer/scene/world.h"
 
+#include "renderer/scene/origin.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -162,7 +164,7 @@ glm::vec3 any_perpendicular(glm::vec3 n) {
 /// A unit vector along `v`, or `fallback` where it has no direction.
 glm::vec3 unit_or(glm::dvec3 v, glm::vec3 fallback) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(largest > 0.0) || !std::isfinite(largest)) return fallback;
+  if (!(largest > 0.0) || !finite(v)) return fallback;
   return glm::vec3(glm::normalize(v / largest));
 }
 
@@ -217,27 +219,31 @@ class Flattener {
     keep_ = find_attributes(scene_, shown);
   }
 
-  /// The centre of all placed positions in double precision.
+  /// The origin, of which all positions are as near as their floats need: see choose_origin.
   std::string find_origin() {
-    glm::dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+    std::vector<PlacedBox> boxes;
+    PlacedBox all;
     for (const Instance& instance : scene_.instances) {
       const PlacedMesh& placed = mesh_of(instance);
       if (!placed.mesh) continue;
+      PlacedBox box;
       for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
         const glm::dvec3 p = glm::dvec3(instance.world_from_mesh *
                                         glm::dvec4(placed.mesh->positions[placed.vertex(i)], 1.0));
         if (!finite(p)) {
           return fmt::format("instance '{}' has positions that are not finite", instance.name);
         }
-        lo = glm::min(lo, p), hi = glm::max(hi, p);
+        box.grow(p);
       }
+      all.grow(box.lo);
+      all.grow(box.hi);
+      boxes.push_back(box);
     }
-    if (lo.x > hi.x) return {};
-    world_.origin = 0.5 * lo + 0.5 * hi;
-    const glm::dvec3 extent = hi - lo;
-    if (!(std::max({extent.x, extent.y, extent.z}) <= largest_extent)) {
-      return fmt::format("is {:g} units across, too large for single precision",
-                         std::max({extent.x, extent.y, extent.z}));
+    if (boxes.empty()) return {};
+    world_.origin = choose_origin(boxes, all.middle());
+    const double extent = all.extent();
+    if (!(extent <= largest_extent)) {
+      return fmt::format("is {:g} units across, too large for single precision", extent);
     }
     return {};
   }
@@ -282,7 +288,7 @@ class Flattener {
     if (placed.flat) {
       add_flat_normals(part);
     } else {
-      add_normals(placed, linear, mirrored);
+      add_normals(placed, linear, mirrored, part);
     }
     add_attributes(placed, linear, mirrored, part);
     world_.parts.push_back(std::move(part));
@@ -297,16 +303,38 @@ class Flattener {
     }
   }
 
-  void add_normals(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored) {
+  void add_normals(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored,
+                   const Part& part) {
     // The cofactors are the inverse transpose times the determinant; they exist for singular
     // matrices too, where a mesh is squeezed into a plane.
     const double sign = mirrored ? -1.0 : 1.0;
     const glm::dmat3 cofactors(sign * glm::cross(linear[1], linear[2]),
                                sign * glm::cross(linear[2], linear[0]),
                                sign * glm::cross(linear[0], linear[1]));
+    bool all_known = true;
     for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
       const glm::vec3 n = placed.mesh->normals[placed.vertex(i)];
-      world_.normals.push_back(unit_or(cofactors * glm::dvec3(n), n));
+      // A singular matrix leaves a normal no direction; the author's own is the best guess.
+      const glm::vec3 unit =
+          unit_or(cofactors * glm::dvec3(n), unit_or(glm::dvec3(n), glm::vec3(0.0f)));
+      all_known &= unit != glm::vec3(0.0f);
+      world_.normals.push_back(unit);
+    }
+    if (!all_known) replace_unknown_normals(part);
+  }
+
+  /// Gives vertices whose normal is zero or not finite that of their triangles, weighted by area.
+  void replace_unknown_normals(const Part& part) {
+    std::vector<glm::dvec3> sums(part.vertex_count, glm::dvec3(0.0));
+    for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+      const glm::uvec3 v = world_.triangles[part.first_triangle + t];
+      const glm::dvec3 a(world_.positions[v.x]), b(world_.positions[v.y]), c(world_.positions[v.z]);
+      const glm::dvec3 cross = glm::cross(b - a, c - a);
+      for (int k = 0; k < 3; ++k) sums[v[k] - part.first_vertex] += cross;
+    }
+    for (std::uint32_t i = 0; i < part.vertex_count; ++i) {
+      glm::vec3& n = world_.normals[part.first_vertex + i];
+      if (n == glm::vec3(0.0f)) n = unit_or(sums[i], glm::vec3(0, 0, 1));
     }
   }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -20,11 +21,18 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
+/// Of the ball around the origin that holds a box.
+double radius_around_origin(const Box& box) {
+  if (box.empty()) return std::numeric_limits<double>::infinity();
+  return glm::length(glm::max(glm::abs(glm::dvec3(box.lo)), glm::abs(glm::dvec3(box.hi))));
+}
+
 }  // namespace
 
 RenderRun::RenderRun(Snapshot snapshot, const std::function<void()>& on_tiles)
     : snapshot_(std::move(snapshot)),
-      view_(snapshot_.camera, snapshot_.settings.width, snapshot_.settings.height),
+      view_(snapshot_.camera, snapshot_.settings.width, snapshot_.settings.height,
+            radius_around_origin(snapshot_.scene->world.bounds)),
       plan_(snapshot_.settings),
       on_tiles_(on_tiles),
       groups_(plan_.groups.size()) {}

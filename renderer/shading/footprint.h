@@ -21,6 +21,7 @@ struct PixelSpacing {
   glm::vec3 forward{0, 0, -1};  ///< unit
   glm::vec3 right{0.0f};        ///< world units a pixel
   glm::vec3 down{0.0f};
+  float start = 0.0f;  ///< of the rays from the eye: View::start
 
   [[nodiscard]] static PixelSpacing of(const View& view);
 };
@@ -36,13 +37,15 @@ struct Patch {
 inline constexpr float steepest_patch = 1.0f / 64.0f;
 
 /// The patch of the plane with unit `normal` that a square of `side` pixels shows around a ray of
-/// unit `direction` that hits it at `distance`. Not finite where the input is not.
+/// unit `direction` that hits it at `distance` from where the ray starts. Not finite where the
+/// input is not.
 [[nodiscard]] inline Patch patch_on_plane(const PixelSpacing& spacing, glm::vec3 direction,
                                           float distance, glm::vec3 normal, float side) {
   // A target T + x R gives the point O + s(x) (T + x R) of the plane, so that, at x = 0, the point
   // moves by s (R - T (n.R) / (n.T)) a pixel. Parallel rays: the same with s = 1.
-  const float scale =
-      side * (spacing.perspective ? distance * glm::dot(direction, spacing.forward) : 1.0f);
+  const float scale = side * (spacing.perspective ? (spacing.start + distance) *
+                                                        glm::dot(direction, spacing.forward)
+                                                  : 1.0f);
   const float cosine = glm::dot(normal, direction);
   const float per_cosine = 1.0f / std::copysign(std::max(std::abs(cosine), steepest_patch), cosine);
   const auto moved = [&](glm::vec3 step) {
