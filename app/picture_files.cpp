@@ -1,6 +1,7 @@
 #include "app/picture_files.h"
 
 #include "renderer/film/image_io.h"
+#include "renderer/methods/names.h"
 
 #include <cerrno>
 #include <cstring>
@@ -22,6 +23,13 @@ Result<void> write_text(const std::string& path, const std::string& text) {
   return {};
 }
 
+Result<void> write_split_map(const std::string& path, const Film& film, const RenderReport& report,
+                             SplitMapColours colours) {
+  ImageText text = picture_metadata(report);
+  text.emplace_back("asos.split_map_colours", name_in(split_map_names, colours));
+  return write_split_map_png(path, film, {colours, report.settings.max_level}, text);
+}
+
 }  // namespace
 
 bool is_picture_path(const std::string& path) {
@@ -35,7 +43,7 @@ Result<OutputPlan> plan_outputs(const RenderArguments& arguments) {
   if (!split_map) return tl::unexpected(split_map.error());
   const auto stats = plan_optional(arguments.stats_file);
   if (!stats) return tl::unexpected(stats.error());
-  return OutputPlan{*picture, *split_map, *stats};
+  return OutputPlan{*picture, *split_map, arguments.split_map_by, *stats};
 }
 
 Result<void> write_outputs(const OutputPlan& plan, const Film& film, const RenderReport& report) {
@@ -46,7 +54,7 @@ Result<void> write_outputs(const OutputPlan& plan, const Film& film, const Rende
   });
   if (written && plan.split_map)
     written = plan.split_map->commit([&](const std::string& path) {
-      return write_split_map_png(path, film, report.settings.max_level, text);
+      return write_split_map(path, film, report, plan.split_map_by);
     });
   if (written && plan.stats)
     written = plan.stats->commit(

@@ -4,6 +4,7 @@
 #include "app/render_arguments.h"
 #include "app/render_report.h"
 #include "renderer/film/film.h"
+#include "renderer/film/split_map.h"
 #include "renderer/result.h"
 
 #include <optional>
@@ -15,6 +16,7 @@ namespace asos {
 struct OutputPlan {
   OutputFile picture;
   std::optional<OutputFile> split_map;
+  SplitMapColours split_map_by = SplitMapColours::level;
   std::optional<OutputFile> stats;
 };
 

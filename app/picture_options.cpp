@@ -6,33 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <limits>
 
 namespace asos {
 namespace {
-
-// A parser of the names in a table such as method_names.
-template <typename T, std::size_t N>
-auto parse_name(const std::array<Named<T>, N>& known) {
-  return [&known](const std::string& text) -> Result<T> {
-    std::string names;
-    for (const auto& [name, value] : known) {
-      if (text == name) return value;
-      names += (names.empty() ? "" : ", ") + std::string(name);
-    }
-    return tl::unexpected(Error{fmt::format("\"{}\"", text), "not one of " + names});
-  };
-}
-
-// An option that takes one of the names in a table; its default is what `value` is.
-template <typename T, std::size_t N>
-void add_choice(CLI::App& app, const char* option, const char* kind, const char* help,
-                const std::array<Named<T>, N>& known, T& value) {
-  add_parsed_option(app, option, kind, help, parse_name(known), [&value](T chosen) {
-    value = chosen;
-  })->default_str(name_in(known, value));
-}
 
 auto whole(int lo, int hi) {
   return [lo, hi](const std::string& text) { return parse_whole(text, lo, hi); };
@@ -42,10 +19,35 @@ auto number(double lo, double hi, bool open = false) {
   return [=](const std::string& text) { return parse_number(text, lo, hi, open); };
 }
 
+// What only the methods that ASOS is compared with have.
+void add_rival_options(CLI::App& app, RenderSettings& settings) {
+  add_parsed_option(app, "--contrast", "C",
+                    "whitted: by how much the display intensities of a square's corners may differ "
+                    "without its being split: 0 to 1",
+                    number(0, 1), [&](double c) { settings.contrast = c; })
+      ->default_str(fmt::format("{}", settings.contrast));
+  add_parsed_option(app, "--depth", "K",
+                    "whitted: the deepest level that squares are split to, 0 to 8",
+                    whole(0, RenderSettings::max_level_limit), [&](int k) { settings.depth = k; })
+      ->default_str(std::to_string(settings.depth));
+  app.add_flag("--spheres", settings.spheres,
+               "whitted: split, too, where a ray misses a small object but not the enlarged sphere "
+               "around it");
+  add_parsed_option(app, "--contrast-scale", "S",
+                    "mitchell: scale of the contrasts 0.4, 0.3, 0.6 of red, green, blue that ask "
+                    "for the high density: 0 (it is taken everywhere) to 4 (nowhere)",
+                    number(0, RenderSettings::max_contrast_scale),
+                    [&](double s) { settings.contrast_scale = s; })
+      ->default_str(fmt::format("{}", settings.contrast_scale));
+}
+
 void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--method", "NAME",
              "asos, asos-published (cone, point leaves, published rule), uniform (n x n grid), "
-             "stochastic (jittered), sobol (Owen-scrambled) or beam (exact, for small scenes)",
+             "stochastic (jittered), sobol (Owen-scrambled), whitted (adaptive between pixels' "
+             "corners), mitchell (two densities, by contrast), ray-bound (all samples where a "
+             "boundary is, else one), average (of 3 x 3 pixels' centres) or beam (exact, for small "
+             "scenes)",
              method_names, settings.method);
   add_parsed_option(app, "--max", "K",
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
@@ -74,9 +76,11 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
                "Jitter the samples of cells that stay unresolved at MAX");
   add_parsed_option(
       app, "--spp", "N",
-      "Samples a pixel of sobol, and of uniform and stochastic, rounded up to a square",
+      "Samples a pixel of sobol, of mitchell where the contrast is high, and, rounded up to a "
+      "square, of uniform, stochastic and ray-bound (there at boundaries)",
       whole(1, 65536), [&](int n) { settings.spp = n; })
       ->default_str(std::to_string(settings.spp));
+  add_rival_options(app, settings);
   add_choice(app, "--texture-filter", "KIND",
              "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
              "for (footprint) or looked up at its ray's hit (point)",
@@ -100,9 +104,10 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              "Irradiance of lights of some size: physical (closed forms) or published (I A cos "
              "theta with inverse square at each leaf)",
              light_rule_names, settings.light_rule);
-  add_parsed_option(app, "--seed", "N", "Of sobol's scrambling: other seeds, other noise",
-                    whole(0, std::numeric_limits<int>::max()),
-                    [&](int seed) { settings.seed = seed; })
+  add_parsed_option(
+      app, "--seed", "N",
+      "Of the scrambling of sobol, mitchell, whitted and average: other seeds, other noise",
+      whole(0, std::numeric_limits<int>::max()), [&](int seed) { settings.seed = seed; })
       ->default_str("0");
   add_parsed_option(app, "--threads", "N",
                     "Worker threads, 1 to 1024; 0: one for each core but one", whole(0, 1024),

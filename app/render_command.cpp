@@ -2,6 +2,7 @@
 #include "app/command.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
+#include "app/option.h"
 #include "app/picture_files.h"
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
@@ -149,10 +150,15 @@ Command add_render_command(CLI::App& program) {
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
-  parser
-      ->add_option("--split-map", arguments->split_map,
-                   "Also write the split map: colour by a pixel's deepest level, 0 to MAX")
-      ->type_name("FILE.png");
+  CLI::Option* split_map = parser
+                               ->add_option("--split-map", arguments->split_map,
+                                            "Also write the split map, in the window's colours")
+                               ->type_name("FILE.png");
+  add_choice(*parser, "--split-map-by", "WHAT",
+             "What the split map's colours tell of a pixel: level (the deepest, 0 to MAX) or cause "
+             "(why it was split)",
+             split_map_names, arguments->split_map_by)
+      ->needs(split_map);
   parser->add_option("--stats", arguments->stats_file, "Also write the statistics as JSON")
       ->type_name("FILE.json");
   parser->add_flag("--quiet", arguments->quiet, "No progress bar and no closing line");

@@ -1,9 +1,8 @@
 #pragma once
 
-namespace asos {
+#include "renderer/film/split_map.h"
 
-/// What the split map's colours tell of a pixel.
-enum class SplitMapColours { level, cause };
+namespace asos {
 
 /// How a finished picture is shown. Nothing here restarts a render.
 struct DisplaySettings {

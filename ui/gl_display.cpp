@@ -79,21 +79,18 @@ void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, b
 void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
   // By level or cause. What has a colour hides the picture; the others only dim it, so that colours
   // match the legend.
-  const bool by_cause = split_colours_ == SplitMapColours::cause;
-  const std::size_t last = by_cause ? split_cause_count - 1 : static_cast<std::size_t>(max_level_);
+  const SplitMapKey key{split_colours_, max_level_};
+  const std::size_t last = split_colours_ == SplitMapColours::cause
+                               ? split_cause_count - 1
+                               : static_cast<std::size_t>(max_level_);
   std::array<glm::u8vec4, 256> colours;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const glm::u8vec3 colour = by_cause ? split_cause_colour(static_cast<SplitCause>(i))
-                                        : split_colour(static_cast<int>(i), max_level_);
-    colours[i] = glm::u8vec4(colour, i > 0 ? 255 : 0);
-  }
+  for (std::size_t i = 0; i <= last; ++i)
+    colours[i] = glm::u8vec4(key.colour(static_cast<std::uint8_t>(i)), i > 0 ? 255 : 0);
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
-      const std::size_t value =
-          by_cause ? static_cast<std::size_t>(film.cause[i]) : film.split_level[i];
       // Levels above MAX are left over from the snapshot before; they show as MAX until replaced.
-      overlay_.at(i) = colours[std::min(value, last)];
+      overlay_.at(i) = colours[std::min<std::size_t>(key.value(film, i), last)];
     }
   }
   overlay_.mark(rect);

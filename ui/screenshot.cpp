@@ -63,13 +63,28 @@ void add_method(ImageText& text, const RenderSettings& settings) {
       text.emplace_back("asos.light_rule", name_in(light_rule_names, used.light_rule));
       break;
     }
+    case Method::whitted:
+      text.emplace_back("asos.contrast", fmt::format("{}", settings.contrast));
+      text.emplace_back("asos.depth", std::to_string(settings.depth));
+      text.emplace_back("asos.spheres", settings.spheres ? "true" : "false");
+      text.emplace_back("asos.seed", std::to_string(settings.seed));
+      break;
+    case Method::mitchell:
+      text.emplace_back("asos.contrast_scale", fmt::format("{}", settings.contrast_scale));
+      text.emplace_back("asos.seed", std::to_string(settings.seed));
+      text.emplace_back("asos.spp", std::to_string(settings.spp));
+      break;
     case Method::sobol:
       text.emplace_back("asos.seed", std::to_string(settings.seed));
       text.emplace_back("asos.spp", std::to_string(settings.spp));
       break;
     case Method::uniform:
     case Method::stochastic:
+    case Method::ray_bound:
       text.emplace_back("asos.spp", std::to_string(settings.spp));
+      break;
+    case Method::average:
+      text.emplace_back("asos.seed", std::to_string(settings.seed));
       break;
     case Method::beam:
       break;
@@ -96,8 +111,7 @@ ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& dis
   add("asos.exposure", fmt::format("{}", display.exposure_ev));
   add("asos.split_map", display.show_split_map ? "true" : "false");
   if (display.show_split_map)
-    add("asos.split_map_colours",
-        display.split_colours == SplitMapColours::cause ? "cause" : "level");
+    add("asos.split_map_colours", name_in(split_map_names, display.split_colours));
   add_method(text, settings);
   add("asos.render_seconds", fmt::format("{:.3f}", progress.seconds));
   add("asos.finished_percent", fmt::format("{:.1f}", 100.0 * progress.fraction));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/film.h"
+#include "renderer/film/split_map.h"
 #include "renderer/result.h"
 
 #include <cstdint>
@@ -32,9 +33,9 @@ struct RgbImage {
 [[nodiscard]] Result<void> write_png(const std::string& path, const Film& film, float exposure_ev,
                                      const ImageText& text);
 
-/// The split map in the colours of `split_colour`.
+/// The split map in the colours of `key`.
 [[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,
-                                               int max_level, const ImageText& text = {});
+                                               SplitMapKey key, const ImageText& text = {});
 
 /// Linear radiance as 32-bit floats, ZIP-compressed, with `attributes` as string attributes (at
 /// most 128; keys of 1 to 255 bytes).

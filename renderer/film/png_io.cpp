@@ -145,12 +145,13 @@ Result<void> write_png(const std::string& path, const Film& film, float exposure
   return write_png(path, image);
 }
 
-Result<void> write_split_map_png(const std::string& path, const Film& film, int max_level,
+Result<void> write_split_map_png(const std::string& path, const Film& film, SplitMapKey key,
                                  const ImageText& text) {
   RgbImage image{film.width, film.height, {}, text};
-  image.rgb.reserve(3 * film.split_level.size());
-  for (const std::uint8_t level : film.split_level) {
-    const glm::u8vec3 c = split_colour(level, max_level);
+  const std::size_t pixels = film.split_level.size();
+  image.rgb.reserve(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const glm::u8vec3 c = key.colour(key.value(film, i));
     image.rgb.insert(image.rgb.end(), {c.x, c.y, c.z});
   }
   return write_png(path, image);

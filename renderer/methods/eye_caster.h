@@ -2,7 +2,9 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/view.h"
+#include "renderer/methods/bumps.h"
 #include "renderer/methods/counted_lights.h"
+#include "renderer/methods/region_sampler.h"
 #include "renderer/methods/render_scene.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/subdivision_trace.h"
@@ -22,7 +24,7 @@ namespace asos {
 /// Looks along eye rays through one square block of the picture, whose frame's (u, v) runs from 0
 /// to 1 across it: the engine's Caster for eye pyrays. Leaves are shaded and added up, root by
 /// root; a root is a pixel.
-class EyeCaster final : public Caster {
+class EyeCaster final : public Caster, private PatchView {
  public:
   EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
             const Frame& frame, PixelRect block, std::size_t roots, ShadowWorkspace& shadows,
@@ -36,8 +38,13 @@ class EyeCaster final : public Caster {
   [[nodiscard]] bool cancelled() const override { return stop_.stop_requested(); }
   void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
 
-  /// Tells the shadow pyrays which surfaces the block shows: those of the first `count` samples.
-  void gather_surfaces(std::size_t count);
+  [[nodiscard]] TakenOver sample_tangle(std::uint32_t root, const Square& square,
+                                        double weight) override;
+
+  /// Learns what surfaces the block shows from the first samples, which are those of the middles of
+  /// `side` x `side` pixels in rows: shadow pyrays share what lies between each and the lights, and
+  /// neighbours tell how bumpy it is.
+  void gather_surfaces(int side);
 
   /// Whether a sample met the background or a surface without holes and nothing shining through.
   [[nodiscard]] bool opaque(SampleId sample) const;
@@ -70,7 +77,19 @@ class EyeCaster final : public Caster {
   [[nodiscard]] glm::vec3 shade(SampleId sample, double weight, const LeafRegion& region,
                                 RenderStatistics& counts);
   [[nodiscard]] Patch patch_of(SampleId sample, double share) const;
+  [[nodiscard]] float bump_error(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
+  [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
+  std::uint32_t add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
+                            double weight);
+  void log_leaf(SampleId sample, double weight, glm::vec3 radiance);
+  [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool shadow_uneven(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] Ray ray_through(glm::vec2 p) const;
+  void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
+            RenderStatistics& counts) const override;
 
   const RenderScene& scene_;
   ShadowScene shadow_scene_;
@@ -92,6 +111,13 @@ class EyeCaster final : public Caster {
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<Sum> sums_;
+  const RenderSettings& settings_;
+  std::optional<RegionSampler> sampler_;  // made when first needed
+  mutable std::vector<EvenPatch> even_;
+  Bumps bumps_;
+  int border_ = 0;  // pixels of the frame around the block
+  mutable std::vector<Ray> looked_rays_;
+  mutable std::vector<Hit> looked_hits_;
   std::uint32_t logged_root_ = no_sample;
   std::vector<TracedLeaf> logged_leaves_;
   std::map<SampleId, glm::vec3> logged_radiance_;

@@ -108,7 +108,7 @@ void FatPyray::look_through_centres() {
     }
   }
   (void)caster_.probe(work_.centres);
-  caster_.gather_surfaces(work_.centres.size());
+  caster_.gather_surfaces(settings_.fat);
 }
 
 // Hands the hit list of a fat pyray down to its pixels. `parent` may be the list of any square that

@@ -14,6 +14,9 @@ namespace asos {
 /// Side of the aligned blocks of pixels that the methods work in; larger where ASOS has larger fat
 /// pyrays: see block_side.
 inline constexpr int block_size = 8;
+/// The side for methods whose pixels share samples with their neighbours: each block takes those
+/// along its border for itself, the fewer a pixel the larger it is.
+inline constexpr int shared_block_size = 32;
 
 struct BlockResult {
   FinishedTile tile;
@@ -47,6 +50,36 @@ struct BlockResult {
 [[nodiscard]] BlockResult render_block_sobol(const RenderScene& scene, const View& view,
                                              const RenderSettings& settings, PixelRect block,
                                              const std::stop_token& stop = {});
+/// Adaptive supersampling in image space (Whitted 1980; CGF'98 section 2.3). Samples lie at the
+/// pixels' corners; a square of which they differ by more than `settings.contrast` in display
+/// intensity, in any channel, is split into four, down to `settings.depth`. A pixel is the mean of
+/// its squares' corners, by area. A corner is shared by all squares around it, and looks at one
+/// point of each light, which its place and the seed tell. With `settings.spheres` squares are also
+/// split where a corner's ray goes through the EnlargedSpheres of an object that it misses.
+[[nodiscard]] BlockResult render_block_whitted(const RenderScene& scene, const View& view,
+                                               const RenderSettings& settings, PixelRect block,
+                                               const std::stop_token& stop = {});
+/// Two-level sampling (Mitchell 1987): the first four of `settings.spp` Sobol points; and the rest,
+/// too, where (max - min) / (max + min) of those four reaches `settings.contrast_scale` times 0.4,
+/// 0.3 or 0.6 in linear red, green or blue. Each pixel decides by its own samples and not by its
+/// neighbours', all its samples weigh the same, and the filter is the pixel's box; Mitchell's cells
+/// hold eight or nine samples and his filter is wider. With up to four samples it is `sobol`.
+[[nodiscard]] BlockResult render_block_mitchell(const RenderScene& scene, const View& view,
+                                                const RenderSettings& settings, PixelRect block,
+                                                const std::stop_token& stop = {});
+/// Ray bound tracing (Ohta and Maekawa 1990; CGF'98 section 2.9): n x n jittered samples, as many
+/// as `uniform` would take, in pixels with an object's boundary (pixels_with_boundaries), and one
+/// through the centre in the others. The centre's sample is one of the n x n: it stands in for that
+/// of a middle stratum. Eye rays only: boundaries of shadows and cut-outs are not looked for.
+[[nodiscard]] BlockResult render_block_ray_bound(const RenderScene& scene, const View& view,
+                                                 const RenderSettings& settings, PixelRect block,
+                                                 const std::stop_token& stop = {});
+/// One sample through each pixel's centre, then the mean of 3 x 3 neighbours with the weights 1 2 1
+/// each way (CGF'98 section 2.1), beyond the picture's border, too. The section's other way, rays
+/// through pixels' corners and their mean, is `whitted` at depth 0.
+[[nodiscard]] BlockResult render_block_average(const RenderScene& scene, const View& view,
+                                               const RenderSettings& settings, PixelRect block,
+                                               const std::stop_token& stop = {});
 /// Beam tracing (CGF'98 section 2.6): a pixel is the sum over its exactly visible polygons of area
 /// times radiance at the centroid, whatever MAX, EPS and the samples asked for. The areas are exact
 /// for opaque surfaces only: a cut-out or see-through surface hides with its whole triangles what

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/split_map.h"
 #include "renderer/methods/settings.h"
 #include "renderer/scene/scene.h"
 
@@ -20,6 +21,10 @@ inline constexpr std::array method_names{
     Named<Method>{"uniform", Method::uniform},
     Named<Method>{"stochastic", Method::stochastic},
     Named<Method>{"sobol", Method::sobol},
+    Named<Method>{"whitted", Method::whitted},
+    Named<Method>{"mitchell", Method::mitchell},
+    Named<Method>{"ray-bound", Method::ray_bound},
+    Named<Method>{"average", Method::average},
     Named<Method>{"beam", Method::beam},
 };
 inline constexpr std::array leaf_names{
@@ -51,6 +56,11 @@ inline constexpr std::array shadow_quality_names{
 inline constexpr std::array light_rule_names{
     Named<LightRule>{"physical", LightRule::physical},
     Named<LightRule>{"published", LightRule::published},
+};
+
+inline constexpr std::array split_map_names{
+    Named<SplitMapColours>{"level", SplitMapColours::level},
+    Named<SplitMapColours>{"cause", SplitMapColours::cause},
 };
 
 inline constexpr std::array light_type_names{

@@ -145,6 +145,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   });
   auto mips =
       std::async(std::launch::async, [&] { return MipChains(prepared->world, prepared->needs); });
+  prepared->object_spheres = object_spheres(prepared->world);
   auto rays = RayScene::build(prepared->world, alpha_at);
   prepared->features = features.get();
   prepared->mips = mips.get();
@@ -162,7 +163,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   }
 
   const std::size_t bytes = bytes_of(prepared->world) + prepared->mips.memory_bytes() +
-                            prepared->rays.memory_bytes() + prepared->features.memory_bytes();
+                            prepared->rays.memory_bytes() + prepared->features.memory_bytes() +
+                            bytes_of(prepared->object_spheres);
   prepared->memory_mb = static_cast<double>(bytes) / (1024.0 * 1024.0);
   prepared->build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -13,6 +13,14 @@ BlockResult render_by_method(const RenderScene& scene, const View& view,
       return render_block_stochastic(scene, view, settings, block, stop);
     case Method::sobol:
       return render_block_sobol(scene, view, settings, block, stop);
+    case Method::whitted:
+      return render_block_whitted(scene, view, settings, block, stop);
+    case Method::mitchell:
+      return render_block_mitchell(scene, view, settings, block, stop);
+    case Method::ray_bound:
+      return render_block_ray_bound(scene, view, settings, block, stop);
+    case Method::average:
+      return render_block_average(scene, view, settings, block, stop);
     case Method::beam:
       return render_block_beam(scene, view, settings, block, stop);
     case Method::asos:

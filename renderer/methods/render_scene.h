@@ -2,6 +2,7 @@
 
 #include "renderer/features/feature_set.h"
 #include "renderer/methods/settings.h"
+#include "renderer/methods/whitted_spheres.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/needs.h"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace asos {
 
@@ -24,6 +26,7 @@ struct RenderScene {
   RayScene rays;
   FeatureSet features;
   MipChains mips;
+  std::vector<ObjectSphere> object_spheres;
   SceneNotes notes;
   std::string name;
   std::string source;

@@ -22,6 +22,13 @@ struct Range {
   int hi;
 };
 
+/// From 0 on.
+struct RealRange {
+  const char* name;
+  double value;
+  double hi;
+};
+
 }  // namespace
 
 RenderSettings as_published(RenderSettings settings) {
@@ -37,9 +44,16 @@ RenderSettings as_published(RenderSettings settings) {
 }
 
 int block_side(const RenderSettings& settings) {
-  return settings.method == Method::asos || settings.method == Method::asos_published
-             ? std::max(block_size, settings.fat)
-             : block_size;
+  switch (settings.method) {
+    case Method::asos:
+    case Method::asos_published:
+      return std::max(block_size, settings.fat);
+    case Method::whitted:
+    case Method::average:
+      return shared_block_size;
+    default:
+      return block_size;
+  }
 }
 
 Result<RenderSettings> validated(const RenderSettings& s) {
@@ -47,6 +61,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
                          {"height", s.height, 1, max_side},
                          {"max", s.max_level, 0, RenderSettings::max_level_limit},
                          {"spp", s.spp, 1, max_spp},
+                         {"depth", s.depth, 0, RenderSettings::max_level_limit},
                          {"threads", s.threads, 0, max_threads},
                          {"fat", s.fat, 2, 16},
                          {"shadow-divisions", s.shadow_divisions, 1, 16},
@@ -55,9 +70,13 @@ Result<RenderSettings> validated(const RenderSettings& s) {
       return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
     }
   }
-  // The comparison is written so that NaN fails it.
-  if (!(s.eps >= 0.0 && s.eps <= 1.0)) {
-    return unexpected(Error{"eps", fmt::format("{} is not from 0 to 1", s.eps)});
+  for (const RealRange& r :
+       {RealRange{"eps", s.eps, 1.0},
+        {"contrast", s.contrast, 1.0},
+        {"contrast-scale", s.contrast_scale, RenderSettings::max_contrast_scale}}) {
+    // The comparison is written so that NaN fails it.
+    if (!(r.value >= 0.0 && r.value <= r.hi))
+      return unexpected(Error{r.name, fmt::format("{} is not from 0 to {}", r.value, r.hi)});
   }
   if (!std::has_single_bit(static_cast<unsigned>(s.fat)))
     return unexpected(Error{"fat", fmt::format("{} is not 2, 4, 8 or 16", s.fat)});

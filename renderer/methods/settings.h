@@ -13,7 +13,18 @@ namespace asos {
 
 /// asos_published: asos with cone detection, point leaves and the published rule, whatever the
 /// settings below say.
-enum class Method { asos, asos_published, uniform, stochastic, sobol, beam };
+enum class Method {
+  asos,
+  asos_published,
+  uniform,
+  stochastic,
+  sobol,
+  whitted,
+  mitchell,
+  ray_bound,
+  average,
+  beam
+};
 enum class Leaf { exact, point };
 /// footprint: textures, and highlights where the normal turns, are averaged over what a sample
 /// stands for; point: they are looked up where its ray hits.
@@ -23,6 +34,7 @@ enum class TextureFilter { footprint, point };
 /// `validated` says what is out of range; nothing is clamped silently.
 struct RenderSettings {
   static constexpr int max_level_limit = 8;
+  static constexpr double max_contrast_scale = 4.0;  // beyond 10/3 nothing reaches a threshold
 
   int width = 1280;  ///< pixels, 1 to 32768
   int height = 720;
@@ -36,14 +48,20 @@ struct RenderSettings {
   int fat = 8;                 ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
   bool refine_shading = true;  ///< split what is shaded unevenly, too
   bool jitter = false;         ///< jitter the samples of leaves that stay marginal at MAX
-  int spp = 16;  ///< sobol: samples a pixel; uniform and stochastic: rounded up to n * n
+  /// sobol: samples a pixel; uniform and stochastic: rounded up to n * n. mitchell: samples where
+  /// the contrast is high. ray_bound: where a boundary is, rounded up to n * n.
+  int spp = 16;
+  double contrast = 0.05;  ///< whitted: by how much corners may differ, 0 to 1 of display intensity
+  int depth = 3;           ///< whitted: the deepest level that squares are split to, 0 to 8
+  bool spheres = false;    ///< whitted: with enlarged bounding spheres around small objects
+  double contrast_scale = 1.0;  ///< mitchell: of the thresholds 0.4, 0.3, 0.6; 0 to 4, 0: always
   TextureFilter texture_filter = TextureFilter::footprint;
   bool shadows = true;  ///< lights cast shadows
   ShadowQuality shadow_quality = ShadowQuality::refined;
   int shadow_divisions = 2;  ///< n of the qualities that divide a patch into n x n, 1 to 16
   LightRule light_rule = LightRule::physical;
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
-  int seed = 0;      ///< sobol: of the scrambling, from 0; other seeds, other noise
+  int seed = 0;      ///< of the scrambling of what samples by Sobol, from 0: other noise
   int threads = 0;   ///< workers; 0: all cores but one
 
   bool operator==(const RenderSettings&) const = default;

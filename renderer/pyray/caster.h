@@ -41,6 +41,19 @@ class Caster {
     return Unevenness::none;
   }
 
+  /// What was made of a square that a caster took over.
+  struct TakenOver {
+    std::uint32_t samples = 0;    ///< 0: it was not
+    SampleId sample = no_sample;  ///< that stands for all of them
+  };
+  /// Asks to take over a square of the root `root` whose boundaries are a tangle; `weight` is its
+  /// share of the root's area. Otherwise the engine takes jittered leaves of the finest size
+  /// (design section 5, "Saturation").
+  [[nodiscard]] virtual TakenOver sample_tangle(std::uint32_t /*root*/, const Square& /*square*/,
+                                                double /*weight*/) {
+    return {};
+  }
+
   /// True once nobody wants the result any more. The engine then returns early, with whatever it
   /// has; samples and leaves need not be meant from then on.
   [[nodiscard]] virtual bool cancelled() const { return false; }

@@ -89,7 +89,7 @@ void HitLists::refine(const Square& cell, const HidingPlane& hiding,
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
   // Few entries left: what hides in the nodes decides.
-  while (list.size() <= few_entries) {
+  while (list.size() <= few_entries && !exhausted()) {
     const auto node = std::find_if(list.begin(), list.end(), [&](std::uint32_t i) {
       return !entries_[i].is_segment() && !hidden(i, cell, hiding);
     });
@@ -116,7 +116,7 @@ void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hid
                    std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side), e.q);
   const float size = e.extent();
   if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ ||
-      nodes_in_view_ >= most_nodes_in_view_) {
+      nodes_in_view_ >= most_nodes_in_view_ || exhausted()) {
     nodes_in_view_ += !is_hidden;
     list.push_back(i);
     return;
@@ -135,6 +135,7 @@ bool HitLists::tell_apart(std::uint32_t i, const Square& cell, float tolerance, 
     if (!clip(segments_[entries_[i].ref], cell).empty()) list.push_back(i);
     return list.size() <= limit;
   }
+  if (exhausted() && !entries_[i].opened) return false;
   open(i);
   const std::uint32_t first = entries_[i].first_child;
   const std::uint32_t count = entries_[i].child_count;

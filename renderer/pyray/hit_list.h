@@ -87,6 +87,8 @@ class HitLists {
   /// same side of it is a silhouette. Nothing for a boundary that is no feature of the scene.
   [[nodiscard]] std::optional<FeatureKind> kind(std::uint32_t i) const;
   [[nodiscard]] const Frame& frame() const { return frame_; }
+  /// Whether nodes stayed closed because the search had cost all that its bounds allow.
+  [[nodiscard]] bool exhausted() const { return entries_.size() > bounds_.most_entries; }
 
   /// Whether an entry of a cell's list lies behind `hiding` wherever it crosses the cell.
   [[nodiscard]] bool hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const;

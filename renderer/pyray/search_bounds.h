@@ -2,7 +2,9 @@
 
 #include "renderer/geometry/half_space.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,6 +29,8 @@ struct SearchBounds {
   /// Edges that start at one of these vertices do not count.
   std::uint32_t first_ignored_vertex = 0;
   std::uint32_t ignored_vertices = 0;
+  /// Once so many entries were looked at, no more nodes are opened.
+  std::size_t most_entries = std::numeric_limits<std::size_t>::max();
 
   [[nodiscard]] bool ignores(std::uint32_t vertex) const {
     return vertex - first_ignored_vertex < ignored_vertices;

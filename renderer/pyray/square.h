@@ -72,6 +72,24 @@ struct LeafRegion {
   }
 };
 
+/// An upright rectangle of a root frame.
+struct Bounds2 {
+  glm::vec2 lo{0.0f};
+  glm::vec2 hi{0.0f};
+};
+
+/// Around what a leaf covers.
+[[nodiscard]] inline Bounds2 bounds_of(const LeafRegion& region) {
+  const Square& s = region.square;
+  if (region.sides.empty()) return {{s.u, s.v}, {s.u + s.side, s.v + s.side}};
+  Bounds2 bounds{region.sides[0].from, region.sides[0].from};
+  for (const Side& side : region.sides) {
+    bounds.lo = glm::min(bounds.lo, glm::min(side.from, side.to));
+    bounds.hi = glm::max(bounds.hi, glm::max(side.from, side.to));
+  }
+  return bounds;
+}
+
 /// The part of a segment inside a square, as parameters along it: empty unless t0 < t1.
 struct Clip {
   float t0 = 1.0f;

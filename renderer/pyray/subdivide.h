@@ -126,6 +126,7 @@ class Subdivider {
     std::uint32_t first_point = 0;
     std::uint32_t first_face = 0;
     std::uint32_t count = 0;
+    Caster::TakenOver taken_over;
     std::uint32_t first_excluded = 0;  // entries taken for hidden
     std::uint32_t excluded_count = 0;
     BoundaryKinds boundaries;

@@ -174,8 +174,11 @@ bool Subdivider::plan_saturated(const Cell& cell, std::uint32_t cell_index) {
       4 * boundary_count_ < n * n)
     return false;
   add_plan(Plan::Kind::saturated, cell_index, {});
-  plans_.back().count = n * n;
   plans_.back().boundaries = kinds_of(visible_);
+  plans_.back().taken_over =
+      caster_->sample_tangle(roots_[cell.root].id, cell.square, weight(cell));
+  if (plans_.back().taken_over.samples > 0) return true;
+  plans_.back().count = n * n;
   for (std::uint32_t i = 0; i < n * n; ++i)
     points_.push_back(jittered(cell.root, part_of(cell.square, n, i)));
   return true;
@@ -249,11 +252,15 @@ void Subdivider::carry_out(Level& level) {
         for (std::uint32_t i = 0; i < plan.count; ++i)
           take_leaf(cell, sample + i, points_[plan.first_point + i], whole / plan.count,
                     {part_of(cell.square, n, i), {}, true}, seen);
+        if (seen && plan.taken_over.samples > 0)
+          seen->leaves.push_back(
+              {plan.taken_over.sample, {cell.square.centre_u(), cell.square.centre_v()}, whole});
         o.saturated = true;
         o.boundaries.add(plan.boundaries);
         o.deepest = rules_.max_level;
         o.unresolved_area += whole;
-        o.pyrays_by_level[static_cast<std::size_t>(rules_.max_level)] += plan.count;
+        o.pyrays_by_level[static_cast<std::size_t>(rules_.max_level)] +=
+            plan.count + plan.taken_over.samples;
         cell.done = true;
         break;
       }

@@ -162,6 +162,7 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
   SearchBounds bounds = own_part_ignored(scene_.world, light);
   bounds.cut = known.cut;
   bounds.within = near;
+  bounds.most_entries = most_entries_for_samples();
   HitLists& lists = work_.lists;
   lists.reset(scene_.features, extended, 1.0f / 64.0f, bounds);
   if (lists.root().empty()) return 0.0f;
@@ -171,8 +172,8 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
   list.clear();
   for (const std::uint32_t i : lists.root()) {
     if (lists.tell_apart(i, whole, 0.0f, most, list)) continue;
-    // A thicket. A flat patch is sampled all over for it; a bent one can only be split.
-    if (line || !flat(point)) return 1.0f;
+    // A thicket: the patch is sampled all over for it.
+    if (line) return 1.0f;
     thickets_.push_back({point.position, index});
     return 0.0f;
   }

@@ -1,5 +1,7 @@
 #include "renderer/shadows/shadow_caster.h"
 
+#include <algorithm>
+
 namespace asos {
 
 void ShadowCaster::start(const Frame& frame, std::int32_t ignored_part) {
@@ -51,7 +53,8 @@ std::uint32_t ShadowCaster::surface(SampleId sample) const {
 
 Unevenness ShadowCaster::uneven(SampleId sample, double /*share*/,
                                 const LeafRegion& /*region*/) const {
-  return samples_[sample].blocker.see_through ? Unevenness::shadow : Unevenness::none;
+  const bool varies = see_through_ && samples_[sample].blocker.see_through;
+  return varies ? Unevenness::shadow : Unevenness::none;
 }
 
 void ShadowCaster::leaf(std::uint32_t /*root*/, SampleId sample, double weight,
@@ -61,6 +64,11 @@ void ShadowCaster::leaf(std::uint32_t /*root*/, SampleId sample, double weight,
   const double worth = measure(weight, region);
   all_ += worth;
   lit_ += worth * static_cast<double>(s.blocker.transmittance);
+}
+
+bool ShadowCaster::met_see_through() const {
+  return see_through_ && std::any_of(samples_.begin(), samples_.end(),
+                                     [](const Sample& s) { return s.blocker.see_through; });
 }
 
 std::optional<double> ShadowCaster::lit_share() const {

@@ -28,7 +28,9 @@ struct ShadowScene {
 /// derived classes choose. One object serves one pyray after another and keeps its memory.
 class ShadowCaster : public Caster {
  public:
-  explicit ShadowCaster(const ShadowScene& scene) : scene_(scene) {}
+  /// `see_through`: see ShadowSettings.
+  ShadowCaster(const ShadowScene& scene, bool see_through)
+      : scene_(scene), see_through_(see_through) {}
 
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
@@ -42,6 +44,8 @@ class ShadowCaster : public Caster {
   /// what was asked for.
   [[nodiscard]] std::optional<double> lit_share() const;
   [[nodiscard]] std::uint64_t rays_cast() const { return cast_; }
+  /// Whether some sample met what lets more or less light through from place to place.
+  [[nodiscard]] bool met_see_through() const;
 
  protected:
   void start(const Frame& frame, std::int32_t ignored_part);
@@ -54,6 +58,7 @@ class ShadowCaster : public Caster {
   const ShadowScene& scene_;
 
  private:
+  bool see_through_;
   struct Sample {
     Blocker blocker;
     Ray ray;

@@ -51,23 +51,44 @@ Receiver receiver_above(const SurfacePoint& point) {
 }
 
 ShadowPyrays::ShadowPyrays(const ShadowScene& scene, const ShadowSettings& settings,
-                           const Frame& frame, ShadowGroups& groups, ShadowWorkspace& work)
+                           const Frame& frame, const PatchView& view, ShadowGroups& groups,
+                           ShadowWorkspace& work)
     : scene_(scene),
       settings_(settings),
       frame_(frame),
+      view_(view),
       groups_(groups),
       work_(work),
-      window_caster_(scene),
-      patch_caster_(scene),
-      extended_caster_(scene) {}
+      window_caster_(scene, settings.see_through),
+      patch_caster_(scene, settings.see_through),
+      extended_caster_(scene, settings.see_through) {}
 
 void ShadowPyrays::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   if (all == glm::vec3(0.0f)) return;
   // Whether a light this weak is shaded does not matter: all of them together stay below EPS.
   const double weakest = settings_.eps / static_cast<double>(scene_.world.lights.size());
-  const double share = static_cast<double>(largest(all)) <= weakest ? 1.0 : lit_share(lit, counts);
+  double share = 1.0;
+  if (static_cast<double>(largest(all)) > weakest)
+    share = leaf_.even && lit.layer == 0 && lit.light.extended() ? even_share(lit, counts)
+                                                                 : lit_share(lit, counts);
   if (share > 0.0) radiance += static_cast<float>(share) * all;
+}
+
+// What the middle of an even patch sees of a light, all of it does.
+double ShadowPyrays::even_share(const Illumination& lit, RenderStatistics& counts) {
+  EvenPatch& even = *leaf_.even;
+  double& share = even.shares[lit.index];
+  if (share >= 0.0) return share;
+  const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.middle));
+  // The light has set for the patch's middle, but not for this leaf.
+  if (there == glm::vec3(0.0f)) return lit_share(lit, counts);
+  const ShadedLeaf own = leaf_;
+  leaf_.region = {even.square, {}};
+  leaf_.weight = std::pow(even.square.side / leaf_.root_side, 2.0f);
+  share = lit_share({lit.light, lit.index, even.middle, there, lit.reflected, 0}, counts);
+  leaf_ = own;
+  return share;
 }
 
 double ShadowPyrays::lit_share(const Illumination& lit, RenderStatistics& counts) {
@@ -126,6 +147,12 @@ SubdivisionRules ShadowPyrays::rules(const Illumination& lit) const {
   return rules;
 }
 
+// A search that costs more than the samples that would take its place gives up.
+std::size_t ShadowPyrays::most_entries_for_samples() const {
+  constexpr std::size_t least = 48;
+  return std::max(least, (std::size_t{1} << 2 * levels_left()) / 2);
+}
+
 // The root of a shadow pyray, whose hit list has been refined by what its middle shows.
 Root ShadowPyrays::look_at_middle(ShadowCaster& caster) {
   HitLists& lists = work_.lists;
@@ -147,26 +174,29 @@ double ShadowPyrays::window_share(const Illumination& lit, const Receiver& recei
   const auto window = LightWindow::of(lit.light, receiver);
   if (!window) return ray_share(lit, counts);
   SubdivisionRules subdivision = rules(lit);
-  // Outlines in textures are found by splitting only.
-  if (!settings_.see_through)
+  // What varies between outlines is sampled; the paper's qualities split the light for it.
+  const bool refined = settings_.quality == ShadowQuality::refined;
+  const auto varies = [&] { return refined && window_caster_.met_see_through(); };
+  if (refined || !settings_.see_through)
     subdivision.max_level = std::min(subdivision.max_level, window_levels);
   SearchBounds bounds = found;
   bounds.within = window->between();
+  bounds.most_entries = most_entries_for_samples();
   work_.lists.reset(scene_.features, window->frame(), finest_side(subdivision), bounds);
   for (const Side& side : window->boundaries()) work_.lists.add_boundary(side.from, side.to);
   window_caster_.start(lit.light, *window);
   const Root root = look_at_middle(window_caster_);
-  if (root.list.size() > most_entries) {
-    counts.shadow_rays += window_caster_.rays_cast();
-    counts.count_shadow_pyray(lit.index);
-    return thicket_share(lit, *window, receiver, counts);
+  bool thicket = root.list.size() > most_entries || work_.lists.exhausted() || varies();
+  if (!thicket) {
+    const SubdivisionOutcome outcome =
+        work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, window_caster_).front();
+    thicket =
+        outcome.unresolved_area > subdivision.eps || (refined && window_caster_.met_see_through());
   }
-  const SubdivisionOutcome outcome =
-      work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, window_caster_).front();
   counts.shadow_rays += window_caster_.rays_cast();
-  if (outcome.unresolved_area > subdivision.eps)
-    return thicket_share(lit, *window, receiver, counts);
-  return window_caster_.lit_share().value_or(0.0);
+  counts.count_shadow_pyray(lit.index);
+  return thicket ? thicket_share(lit, *window, receiver, counts)
+                 : window_caster_.lit_share().value_or(0.0);
 }
 
 // The patch on the point's plane that a square of the eye's frame shows, with the leaf's sides if
@@ -206,7 +236,7 @@ double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
   work_.lists.reset(scene_.features, *frame, finest_side(subdivision), bounds);
   // Nothing bounds the shadow: what its sample sees, all of the leaf does.
   work_.lists.refine({0.0f, 0.0f, 1.0f}, {}, work_.lists.root(), work_.list);
-  if (work_.list.empty()) return ray_share(lit, counts);
+  if (work_.list.empty() && !settings_.see_through) return ray_share(lit, counts);
   if (parallel) {
     // The parallel frame's square is not the leaf's: the leaf is a region of it.
     work_.sides.clear();

@@ -3,9 +3,11 @@
 #include "renderer/geometry/view.h"
 #include "renderer/pyray/hit_list.h"
 #include "renderer/pyray/subdivide.h"
+#include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/extended_pyray.h"
 #include "renderer/shadows/patch_caster.h"
+#include "renderer/shadows/patch_view.h"
 #include "renderer/shadows/shadow_groups.h"
 #include "renderer/shadows/shadow_settings.h"
 #include "renderer/shadows/window_caster.h"
@@ -16,11 +18,21 @@
 
 namespace asos {
 
+/// A part of a smooth surface over which no shadow of a light of some size varies by more than is
+/// let pass: what is seen of each from its middle, found when first asked for, holds for all of it.
+struct EvenPatch {
+  SurfacePoint middle;
+  Square square;               ///< of the eye frame
+  std::vector<double> shares;  ///< of each light, 0 to 1; negative: not known yet
+};
+
 /// The leaf of an eye pyray that is being shaded.
 struct ShadedLeaf {
-  LeafRegion region;       ///< of the eye frame's square
-  float root_side = 1.0f;  ///< of the leaf's root: a pixel
-  std::uint64_t seed = 0;  ///< of the leaf
+  LeafRegion region;          ///< of the eye frame's square
+  float root_side = 1.0f;     ///< of the leaf's root: a pixel
+  std::uint64_t seed = 0;     ///< of the leaf
+  double weight = 1.0;        ///< the leaf's share of the root's area
+  EvenPatch* even = nullptr;  ///< that it is a part of, if any
 };
 
 /// Where shadow pyrays to lights of some size start: clear of the surface.
@@ -42,6 +54,10 @@ struct ShadowWorkspace {
   std::vector<Side> sides;
   std::vector<double> ends;
   std::vector<Ray> rays;
+  std::vector<glm::vec2> places;
+  std::vector<std::uint32_t> place_of;
+  std::vector<SurfacePoint> seen;
+  std::vector<std::optional<Receiver>> receivers;
   std::vector<double> weights;
   std::vector<float> shares;
 };
@@ -51,9 +67,9 @@ struct ShadowWorkspace {
 /// coplanar points and a light, one ray tells for all of them.
 class ShadowPyrays final : public LightTransport {
  public:
-  /// `frame` is that of the block; all have to outlive this.
+  /// `frame` is that of the block, whose viewer `view` is; all have to outlive this.
   ShadowPyrays(const ShadowScene& scene, const ShadowSettings& settings, const Frame& frame,
-               ShadowGroups& groups, ShadowWorkspace& work);
+               const PatchView& view, ShadowGroups& groups, ShadowWorkspace& work);
 
   /// What is shaded from now on.
   void set_leaf(const ShadedLeaf& leaf) { leaf_ = leaf; }
@@ -70,6 +86,7 @@ class ShadowPyrays final : public LightTransport {
 
  private:
   [[nodiscard]] double lit_share(const Illumination& lit, RenderStatistics& counts);
+  [[nodiscard]] double even_share(const Illumination& lit, RenderStatistics& counts);
   [[nodiscard]] double ray_share(const Illumination& lit, RenderStatistics& counts);
   [[nodiscard]] double soft_share(const Illumination& lit, const SearchBounds& found,
                                   RenderStatistics& counts);
@@ -97,6 +114,11 @@ class ShadowPyrays final : public LightTransport {
   [[nodiscard]] bool uneven_at_last(const Illumination& lit, RenderStatistics& counts);
   [[nodiscard]] double thicket_share(const Illumination& lit, const LightWindow& window,
                                      const Receiver& receiver, RenderStatistics& counts);
+  // By samples (thicket.cpp).
+  void look_at_patch(const Illumination& lit, const SobolPixel& points, std::uint32_t first,
+                     std::uint32_t end, RenderStatistics& counts);
+  [[nodiscard]] double sampling_error_let_pass(const Illumination& lit) const;
+  [[nodiscard]] std::size_t most_entries_for_samples() const;
   [[nodiscard]] Root look_at_middle(ShadowCaster& caster);
 
   /// Whether the plane of a point's triangle is its surface for as far as a leaf goes.
@@ -113,6 +135,7 @@ class ShadowPyrays final : public LightTransport {
   const ShadowScene& scene_;
   ShadowSettings settings_;
   const Frame& frame_;
+  const PatchView& view_;
   ShadowGroups& groups_;
   ShadowWorkspace& work_;
   WindowCaster window_caster_;

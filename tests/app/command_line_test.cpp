@@ -35,9 +35,10 @@ TEST(CommandLine, RenderHelpNamesEveryOption) {
   const Outcome help = run_asos({"render", "--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const char* option :
-       {"SCENE", "-o", "--size", "--method", "--max", "--eps", "--spp", "--leaf", "--jitter",
-        "--camera", "--look-at", "--fov", "--threads", "--crop", "--exposure", "--split-map",
-        "--stats", "--quiet", "Examples:"})
+       {"SCENE",      "-o",      "--size",     "--method",         "--max",          "--eps",
+        "--spp",      "--leaf",  "--jitter",   "--camera",         "--look-at",      "--fov",
+        "--threads",  "--crop",  "--exposure", "--split-map",      "--split-map-by", "--stats",
+        "--contrast", "--depth", "--spheres",  "--contrast-scale", "--quiet",        "Examples:"})
     EXPECT_TRUE(contains(help.out, option));
 }
 
@@ -53,6 +54,8 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
       {"render", "builtin:boxes", "-o"},
       {"render", "builtin:boxes", "-o", "x.png", "--split-map", "y.exr"},
       {"render", "builtin:boxes", "-o", "x.png", "--split-map", "./x.png"},
+      {"render", "builtin:boxes", "-o", "x.png", "--split-map", "y.png", "--split-map-by", "depth"},
+      {"render", "builtin:boxes", "-o", "x.png", "--split-map-by", "cause"},
       {"render", "builtin:boxes", "-o", "x.png", "--size", "0x0"},
       {"render", "builtin:boxes", "-o", "x.png", "--size", "1000000000x1000000000"},
       {"render", "builtin:boxes", "-o", "x.png", "--size", "-5x5"},
@@ -64,6 +67,12 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
       {"render", "builtin:boxes", "-o", "x.png", "--eps", "-0.1"},
       {"render", "builtin:boxes", "-o", "x.png", "--eps", "0,1"},
       {"render", "builtin:boxes", "-o", "x.png", "--spp", "0"},
+      {"render", "builtin:boxes", "-o", "x.png", "--contrast", "1.1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--contrast", "nan"},
+      {"render", "builtin:boxes", "-o", "x.png", "--depth", "9"},
+      {"render", "builtin:boxes", "-o", "x.png", "--depth", "-1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--contrast-scale", "-1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--contrast-scale", "4.5"},
       {"render", "builtin:boxes", "-o", "x.png", "--leaf", "maple"},
       {"render", "builtin:boxes", "-o", "x.png", "--threads", "-2"},
       {"render", "builtin:boxes", "-o", "x.png", "--threads", "1000000"},

@@ -176,7 +176,8 @@ TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
 }
 
 TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
-  for (const char* method : {"asos", "uniform", "stochastic", "beam"}) {
+  for (const char* method :
+       {"asos", "uniform", "stochastic", "whitted", "mitchell", "ray-bound", "average", "beam"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4"};
     render("whole.exr", words);
     // Not aligned to blocks, and reaching the picture's lower right corner.
@@ -194,7 +195,8 @@ TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
 }
 
 TEST_F(RenderCommand, TheNumberOfThreadsDoesNotShow) {
-  for (const char* method : {"asos", "uniform", "stochastic", "beam"}) {
+  for (const char* method :
+       {"asos", "uniform", "stochastic", "whitted", "mitchell", "ray-bound", "average", "beam"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4", "--jitter"};
     render("one.exr",
            words + std::vector<std::string>{"--threads", "1", "--stats", path("1.json")});
@@ -224,6 +226,33 @@ TEST_F(RenderCommand, TheSplitMapShowsTheSplitPixels) {
   }
   EXPECT_GT(split, 0);
   EXPECT_LT(split, 96 * 54);
+  const std::map<std::string, std::string> text(map->text.begin(), map->text.end());
+  EXPECT_EQ(text.at("asos.split_map_colours"), "level");
+}
+
+// The statistics count the pixels of each cause, and each cause has a colour of its own.
+TEST_F(RenderCommand, TheSplitMapByCauseShowsWhatTheStatisticsCount) {
+  render("a.png", {"--split-map", path("map.png"), "--split-map-by", "cause", "--stats",
+                   path("a.json"), "--max", "2"});
+  const Result<RgbImage> map = read_png(path("map.png"));
+  ASSERT_TRUE(map);
+  std::map<std::array<std::uint8_t, 3>, std::uint64_t> pixels;
+  for (std::size_t i = 0; i < map->rgb.size(); i += 3)
+    ++pixels[{map->rgb[i], map->rgb[i + 1], map->rgb[i + 2]}];
+  const json by_cause = stats("a.json")["pixels_by_cause"];
+  std::uint64_t with_cause = 0;
+  int causes = 0;
+  for (std::size_t i = 1; i < split_cause_count; ++i) {
+    const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(i));
+    const std::uint64_t shown = pixels[{c.r, c.g, c.b}];
+    EXPECT_EQ(shown, by_cause[split_cause_names[i]]) << split_cause_names[i];
+    with_cause += shown;
+    causes += shown > 0;
+  }
+  EXPECT_GT(causes, 2);
+  EXPECT_EQ((pixels[{0, 0, 0}]), 96u * 54u - with_cause);
+  const std::map<std::string, std::string> text(map->text.begin(), map->text.end());
+  EXPECT_EQ(text.at("asos.split_map_colours"), "cause");
 }
 
 TEST_F(RenderCommand, TheCameraMoves) {

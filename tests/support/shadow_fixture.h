@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/rays/surface_kind.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shadows/shadow_pyrays.h"
 #include "tests/support/tiny_world.h"
@@ -7,9 +8,20 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace asos::test {
+
+/// Sees nothing: for receivers that lie on flat surfaces, or on none.
+class NoView final : public PatchView {
+ public:
+  void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
+            RenderStatistics& /*counts*/) const override {
+    seen.assign(at.size(), {});
+  }
+};
 
 /// A world whose first light shines on single receivers that are no part of it: what shadow pyrays
 /// say of each, one pyray a receiver.
@@ -20,7 +32,9 @@ class ShadowFixture {
         features_(world_),
         rays_(std::move(RayScene::build(world_, alpha_at).value())),
         settings_(settings),
-        light_(prepare_light(world_.lights.front())) {}
+        light_(prepare_light(world_.lights.front())) {
+    settings_.see_through = opacity_varies(world_);
+  }
 
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] const FeatureSet& features() const { return features_; }
@@ -45,7 +59,7 @@ class ShadowFixture {
     const ShadowScene scene{world_, features_, rays_};
     ShadowGroups groups(scene);
     groups.reset(world_.lights.size());
-    ShadowPyrays pyrays(scene, settings_, eye, groups, work_);
+    ShadowPyrays pyrays(scene, settings_, eye, view_, groups, work_);
     pyrays.set_leaf(leaf);
     glm::vec3 radiance(0.0f);
     pyrays.add({light_, 0, point, glm::vec3(1.0f), glm::vec3(1.0f), layer}, radiance, counts_);
@@ -63,6 +77,7 @@ class ShadowFixture {
   RayScene rays_;
   ShadowSettings settings_;
   PreparedLight light_;
+  NoView view_;
   ShadowWorkspace work_;
   RenderStatistics counts_;
 };

@@ -19,6 +19,7 @@ inline std::shared_ptr<const RenderScene> make_render_scene(World world) {
   scene->needs = find_needs(scene->world);
   scene->rays = std::move(RayScene::build(scene->world, alpha_at).value());
   scene->features = FeatureSet(scene->world);
+  scene->object_spheres = object_spheres(scene->world);
   scene->name = "tiny";
   return scene;
 }

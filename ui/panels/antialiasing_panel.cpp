@@ -23,6 +23,16 @@ constexpr std::array methods{
     Controls::Option{"Sobol",
                      "Any number of samples in every pixel, at the points of an Owen-scrambled "
                      "Sobol sequence: the reference to compare with."},
+    Controls::Option{"Whitted",
+                     "Adaptive supersampling in image space: samples at the corners of pixels, and "
+                     "of their quarters where the corners differ."},
+    Controls::Option{"Mitchell",
+                     "Four samples in every pixel, and more where their contrast is high."},
+    Controls::Option{
+        "Ray bound",
+        "n x n jittered samples in every pixel that a boundary passes through, and one "
+        "in the others."},
+    Controls::Option{"Average", "One sample in every pixel, then the mean of 3 x 3 neighbours."},
     Controls::Option{"Beam",
                      "Beam tracing: the exact area of every visible polygon in a pixel. For small "
                      "scenes, where it is offered at all."},

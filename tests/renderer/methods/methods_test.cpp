@@ -186,7 +186,7 @@ TEST(Settings, EachMistakeIsNamed) {
   refused([](RenderSettings& s) { s.crop = {-1, 0, 5, 5}; }, "crop");
   refused([](RenderSettings& s) { s.crop = {1275, 0, 6, 5}; }, "crop");
   refused([](RenderSettings& s) { s.crop = {most, most, most, most}; }, "crop");
-  refused([](RenderSettings& s) { s.method = static_cast<Method>(9); }, "method");
+  refused([](RenderSettings& s) { s.method = static_cast<Method>(99); }, "method");
 }
 
 TEST(Prepare, LightsASceneWithoutLights) {

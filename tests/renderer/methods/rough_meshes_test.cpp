@@ -110,6 +110,17 @@ struct Picture {
   std::vector<BlockResult> blocks;
   RenderStatistics statistics;
 
+  [[nodiscard]] double rms(const Picture& other) const {
+    double sum = 0.0;
+    std::size_t pixels = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      for (std::size_t i = 0; i < blocks[b].tile.radiance.size(); ++i, ++pixels) {
+        const glm::dvec3 d = blocks[b].tile.radiance[i] - other.blocks[b].tile.radiance[i];
+        sum += glm::dot(d, d) / 3.0;
+      }
+    }
+    return std::sqrt(sum / static_cast<double>(pixels));
+  }
   [[nodiscard]] bool same(const Picture& other, float bound) const {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       for (std::size_t i = 0; i < blocks[b].tile.radiance.size(); ++i) {
@@ -249,8 +260,10 @@ TEST(RoughMeshes, FlippedFacesLookTheSame) {
   EXPECT_EQ(a.statistics.split_pixels, b.statistics.split_pixels);
   EXPECT_EQ(a.statistics.missed_splits, 0u);
   EXPECT_EQ(b.statistics.missed_splits, 0u);
-  // Barycentric coordinates are rounded differently.
-  EXPECT_TRUE(a.same(b, 1e-4f));
+  // Barycentric coordinates are rounded differently, and of the rays that sample a penumbra one may
+  // fall to the other side of an edge: within what is let pass of a pixel at MAX 4.
+  EXPECT_TRUE(a.same(b, std::ldexp(1.0f, -10)));
+  EXPECT_LT(a.rms(b), 1e-5);
 }
 
 // A wall of two halves with vertices of their own, whose texture goes on as if it were one.

@@ -39,6 +39,18 @@ std::vector<Choice> choices() {
   add("stochastic", [](RenderSettings& s) { s.method = Method::stochastic; });
   add("sobol", [](RenderSettings& s) { s.method = Method::sobol; });
   add("forced shadows", [](RenderSettings& s) { s.shadow_quality = ShadowQuality::forced; });
+  add("whitted", [](RenderSettings& s) { s.method = Method::whitted; });
+  add("whitted with spheres", [](RenderSettings& s) {
+    s.method = Method::whitted;
+    s.spheres = true;
+    s.depth = 5;  // in parts of a block
+  });
+  add("mitchell", [](RenderSettings& s) {
+    s.method = Method::mitchell;
+    s.spp = 9;
+  });
+  add("ray_bound", [](RenderSettings& s) { s.method = Method::ray_bound; });
+  add("average", [](RenderSettings& s) { s.method = Method::average; });
   add("beam", [](RenderSettings& s) { s.method = Method::beam; });
   for (const int fat : {2, 4, 8, 16})
     add("fat " + std::to_string(fat), [fat](RenderSettings& s) { s.fat = fat; });

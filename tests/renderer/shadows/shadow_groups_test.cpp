@@ -37,7 +37,8 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
   ShadowSettings settings;
   settings.max_level = 5;
   ShadowWorkspace work;
-  ShadowPyrays pyrays(scene, settings, frame, groups, work);
+  const NoView view;
+  ShadowPyrays pyrays(scene, settings, frame, view, groups, work);
   groups.reset(1);
   std::vector<SurfacePoint> points;
   for (int i = 0; i < side * side; ++i) {

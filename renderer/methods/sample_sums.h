@@ -1,0 +1,83 @@
+#pragma once
+
+#include "renderer/methods/method.h"
+#include "renderer/methods/sample_block.h"
+#include "renderer/methods/sampled_lights.h"
+#include "renderer/shading/shade.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// A point sample of the picture, and which sum it belongs to.
+struct PointSample {
+  glm::dvec2 at{0.0};  ///< in pixels of the picture
+  float side = 1.0f;   ///< in pixels, of the square that it stands for
+  // Its place on the lights is that of sample `index` of the pixel (x, y).
+  int x = 0;
+  int y = 0;
+  int index = 0;
+  std::size_t target = 0;  ///< index of its sum
+};
+
+/// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
+/// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
+/// a sum may depend on which samples were added before, never on anything else.
+class SampleSums {
+ public:
+  struct Sum {
+    glm::dvec3 radiance{0.0};  ///< linear, of all samples together
+    std::uint32_t count = 0;
+
+    [[nodiscard]] glm::dvec3 mean() const {
+      return count > 0 ? radiance / static_cast<double>(count) : glm::dvec3(0.0);
+    }
+  };
+
+  SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
+             SamplePlaces& places);
+
+  /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
+  /// of their samples may wait for `trace`.
+  void resize(std::size_t count);
+  [[nodiscard]] std::size_t size() const { return radiance_.size(); }
+
+  /// True once a batch was full and was traced, which moved the places to other samples.
+  bool add(const PointSample& sample);
+  /// Traces what waits. Sums are up to date only after it.
+  void trace();
+
+  [[nodiscard]] Sum sum(std::size_t target) const { return {radiance_[target], count_[target]}; }
+  /// What the ray of a sum's latest sample met first.
+  [[nodiscard]] const Hit& hit(std::size_t target) const { return hit_[target]; }
+  [[nodiscard]] RenderStatistics& statistics() { return statistics_; }
+
+  /// The block whose pixels' means are those of the first sums, row by row, and all that was
+  /// counted.
+  [[nodiscard]] BlockResult block(PixelRect rect) const;
+
+ private:
+  static constexpr std::size_t batch = 256;
+
+  const View& view_;
+  const RayScene& scene_rays_;
+  Shader shader_;
+  SamplePlaces& places_;
+  SampledLights lights_;
+  Faces faces_;
+  std::vector<glm::dvec3> radiance_;
+  std::vector<std::uint32_t> count_;
+  std::vector<Hit> hit_;
+  RenderStatistics statistics_;
+  std::array<PointSample, batch> samples_{};
+  std::array<Ray, batch> rays_;
+  std::array<Hit, batch> hits_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace asos
