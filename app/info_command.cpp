@@ -2,7 +2,7 @@
 #include "app/exit_code.h"
 #include "app/scene_argument.h"
 #include "app/scene_info.h"
-#include "renderer/scene/world.h"
+#include "renderer/methods/render_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -20,12 +20,13 @@ struct InfoArguments {
 
 int run_info(const InfoArguments& arguments, const Streams& streams) {
   Result<Scene> scene = open_scene_argument(arguments.scene);
-  const Result<World> world = scene.and_then([](const Scene& opened) { return flatten(opened); });
-  if (!world) {
-    streams.err << "asos: " << world.error().message() << "\n";
+  // All of what a render would do first, for what a scene does not need is known only then.
+  const auto ready = scene.and_then([](const Scene& opened) { return prepare(opened); });
+  if (!ready) {
+    streams.err << "asos: " << ready.error().message() << "\n";
     return exit_bad_input;
   }
-  const nlohmann::ordered_json info = scene_info_json(*scene, *world);
+  const nlohmann::ordered_json info = scene_info_json(*scene, **ready);
   if (arguments.json)
     streams.out << info.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
                 << "\n";

@@ -126,6 +126,10 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
       [&](PictureSize s) { settings.width = s.width, settings.height = s.height; })
       ->default_str(fmt::format("{}x{}", settings.width, settings.height));
   add_method_options(app, settings);
+  add_choice(app, "--needs", "WHAT",
+             "What is kept and done: scene (what the scene needs) or all (everything, which takes "
+             "longer for the same picture)",
+             needs_names, arguments.needs);
 }
 
 void add_camera_options(CLI::App& app, PictureArguments& arguments) {

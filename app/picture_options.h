@@ -2,6 +2,7 @@
 
 #include "app/camera_choice.h"
 #include "renderer/methods/settings.h"
+#include "renderer/scene/needs.h"
 
 #include <string>
 
@@ -17,6 +18,7 @@ struct PictureArguments {
   RenderSettings settings;
   CameraChoice camera;
   float exposure_ev = 0.0f;
+  NeedsChoice needs = NeedsChoice::scene;
 };
 
 // Each adds options that fill `arguments`, which has to outlive the parser.

@@ -85,7 +85,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   // Make it ready to render; what the author wrote is not needed any more
   bar.say("Building ...");
   const auto loaded = std::chrono::steady_clock::now();
-  const auto prepared = prepare(*scene);
+  const auto prepared = prepare(*scene, forced_by(wanted.needs));
   if (!prepared) return tl::unexpected(prepared.error());
   *scene = Scene{};
   const RenderScene& ready = **prepared;
@@ -94,7 +94,8 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   report.build_seconds = seconds_since(loaded);
   report.triangles = ready.world.triangles.size();
   report.feature_edges = ready.features.counts();
-  report.left_out = ready.needs.left_out();
+  report.needs = ready.needs;
+  report.needs_choice = wanted.needs;
   for (const Light& light : ready.world.lights) report.lights.push_back({light.name, light.type});
 
   // Render

@@ -1,5 +1,6 @@
 #include "app/render_report.h"
 
+#include "app/scene_info.h"
 #include "renderer/methods/names.h"
 
 #include <fmt/format.h>
@@ -61,9 +62,18 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
       {"fat", settings.fat},
       {"texture_filter", name_in(texture_filter_names, settings.texture_filter)},
       {"refine_shading", settings.refine_shading},
+      {"cull", settings.cull},
       {"shadows", settings.shadows},
+      {"shadow_quality", name_in(shadow_quality_names, settings.shadow_quality)},
+      {"shadow_divisions", settings.shadow_divisions},
+      {"light_rule", name_in(light_rule_names, settings.light_rule)},
       {"jitter", settings.jitter},
       {"spp", settings.spp},
+      {"contrast", settings.contrast},
+      {"depth", settings.depth},
+      {"spheres", settings.spheres},
+      {"contrast_scale", settings.contrast_scale},
+      {"seed", settings.seed},
       {"threads", report.threads},
       {"load_seconds", report.load_seconds},
       {"build_seconds", report.build_seconds},
@@ -83,7 +93,8 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
       {"missed_splits", counts.missed_splits},
       {"unresolved_area", counts.unresolved_area},
       {"rejected_samples", counts.rejected_samples},
-      {"left_out", report.left_out},
+      {"needs", name_in(needs_names, report.needs_choice)},
+      {"left_out", left_out_json(report.needs)},
   };
 }
 

@@ -4,6 +4,7 @@
 #include "renderer/features/feature_set.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/statistics.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -35,7 +36,8 @@ struct RenderReport {
   double build_seconds = 0.0;  ///< flattening, and the hierarchies of rays and boundaries
   double render_seconds = 0.0;
   double memory_mb = 0.0;  ///< the process's peak, in 10^6 bytes
-  std::vector<std::string> left_out;
+  SceneNeeds needs;        ///< of the scene, and those that were forced
+  NeedsChoice needs_choice = NeedsChoice::scene;
 };
 
 /// The statistics as the --stats file has them.

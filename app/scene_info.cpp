@@ -1,7 +1,5 @@
 #include "app/scene_info.h"
 
-#include "renderer/scene/needs.h"
-
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <nlohmann/json.hpp>
@@ -105,9 +103,35 @@ std::string lights_line(const Json& lights) {
   return fmt::format("Lights:     {}\n", text);
 }
 
+std::string left_out_line(const Json& left_out) {
+  std::string text = fmt::format("  {}: {}", left_out["feature"].get<std::string>(),
+                                 left_out["reason"].get<std::string>());
+  for (const char* kind : {"stages", "memory", "controls", "rows"}) {
+    if (left_out.contains(kind))
+      text += fmt::format("; {}: {}", kind, left_out[kind].get<std::string>());
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
-Json scene_info_json(const Scene& scene, const World& world) {
+Json left_out_json(const SceneNeeds& needs) {
+  Json list = Json::array();
+  for (const SceneFeature& f : features_left_out(needs)) {
+    Json entry{{"feature", f.name}, {"reason", f.reason}};
+    const auto add = [&](const char* kind, const char* words) {
+      if (*words != '\0') entry[kind] = words;
+    };
+    add("stages", f.stages);
+    add("memory", f.memory);
+    add("controls", f.controls);
+    add("rows", f.rows);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json scene_info_json(const Scene& scene, const RenderScene& ready) {
   const SceneNotes& notes = scene.notes;
   return {{"scene", scene.source},
           {"name", scene.name},
@@ -119,12 +143,12 @@ Json scene_info_json(const Scene& scene, const World& world) {
           {"images", scene.images.size()},
           {"lights", lights_json(scene)},
           {"cameras", cameras_json(scene)},
-          {"bounds", bounds_json(world)},
+          {"bounds", bounds_json(ready.world)},
           {"points_not_drawn", notes.points_not_drawn},
           {"lines_not_drawn", notes.lines_not_drawn},
           {"unsupported_extensions", notes.unsupported_extensions},
           {"warnings", notes.warnings},
-          {"left_out", find_needs(world).left_out()}};
+          {"left_out", left_out_json(ready.needs)}};
 }
 
 std::string scene_info_text(const Json& info) {
@@ -148,8 +172,8 @@ std::string scene_info_text(const Json& info) {
     text += fmt::format("Not drawn:  {} line segments\n", number("lines_not_drawn"));
   if (!info["unsupported_extensions"].empty())
     text += fmt::format("Unsupported extensions: {}\n", list(info["unsupported_extensions"]));
-  if (!info["left_out"].empty())
-    text += fmt::format("Left out, not needed: {}\n", list(info["left_out"]));
+  if (!info["left_out"].empty()) text += "Left out, because it is not needed:\n";
+  for (const Json& left_out : info["left_out"]) text += left_out_line(left_out);
   for (const Json& warning : info["warnings"])
     text += fmt::format("Warning: {}\n", warning.get<std::string>());
   return text;

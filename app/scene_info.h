@@ -1,7 +1,8 @@
 #pragma once
 
+#include "renderer/methods/render_scene.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
-#include "renderer/scene/world.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,12 +11,16 @@
 namespace asos {
 
 /// What is in a scene, what of it is not supported, and what is left out because nothing needs it.
-/// `world` is the flattened `scene`. Bounds and positions are the author's coordinates. Lights are
+/// `ready` is the prepared `scene`. Bounds and positions are the author's coordinates. Lights are
 /// counted by type; "ball" counts those of the points and spots that have a radius, "sun" those of
 /// the directional ones that have an angular diameter.
-[[nodiscard]] nlohmann::ordered_json scene_info_json(const Scene& scene, const World& world);
+[[nodiscard]] nlohmann::ordered_json scene_info_json(const Scene& scene, const RenderScene& ready);
 
-/// The same for a person: lines of text, without what is empty.
+/// What was left out: an array of objects with `feature`, `reason` and, where there is something of
+/// that sort, `stages`, `memory`, `controls` and `rows`.
+[[nodiscard]] nlohmann::ordered_json left_out_json(const SceneNeeds& needs);
+
+/// A scene's information for a person: lines of text, without what is empty.
 [[nodiscard]] std::string scene_info_text(const nlohmann::ordered_json& info);
 
 }  // namespace asos

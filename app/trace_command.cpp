@@ -54,14 +54,15 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const Result<Scene> scene = open_scene_argument(wanted.scene);
   if (!scene) return tl::unexpected(scene.error());
   bar.say("Building ...");
-  const auto prepared = prepare(*scene);
+  const auto prepared = prepare(*scene, forced_by(wanted.needs));
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   const RenderSettings settings = as_published(wanted.settings);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  const View view(*camera, settings.width, settings.height);
+  const View view(*camera, settings.width, settings.height,
+                  radius_around_origin(ready.world.bounds));
   return trace_json(trace_pixel(ready, view, settings, arguments.pixel.x, arguments.pixel.y), ready,
                     {wanted.scene, camera->name, settings});
 }

@@ -39,7 +39,7 @@ Film stretched(const Film& old, int width, int height) {
 /// centre. A single ray could slip through a gap and find the horizon. 0 where nothing is seen.
 double subject_distance(const RenderScene& scene, const Camera& camera) {
   constexpr int grid = 9, margin = 2;
-  const View view(camera, grid, grid);
+  const View view(camera, grid, grid, radius_around_origin(scene.world.bounds));
   const glm::dvec3 eye(camera.world_from_camera[3]);
   const glm::dvec3 forward = -glm::dvec3(camera.world_from_camera[2]);
   std::vector<double> depths;
@@ -66,7 +66,7 @@ LoadFunction load_or_default(LoadFunction load) {
 Previewer::Previewer(Hooks hooks, RenderSettings settings)
     : settings_(settings),
       session_(hooks.wake),
-      loader_(load_or_default(std::move(hooks.load)), hooks.wake) {
+      loader_(load_or_default(std::move(hooks.load)), hooks.wake, hooks.forced) {
   settings_.crop = {};  // The window shows whole pictures.
 }
 
@@ -154,7 +154,9 @@ void Previewer::frame_all() {
 
 void Previewer::set_pivot_at(double x, double y) {
   if (!scene_ || !sized_) return;
-  const Ray ray = View(camera_.camera(), settings_.width, settings_.height).ray(x, y);
+  const View view(camera_.camera(), settings_.width, settings_.height,
+                  radius_around_origin(scene_->world.bounds));
+  const Ray ray = view.ray(x, y);
   const Hit hit = scene_->rays.closest(ray);
   if (hit.valid()) camera_.look_at(glm::dvec3(ray.at(hit.t)));
 }

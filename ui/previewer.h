@@ -21,6 +21,7 @@ class Previewer {
   struct Hooks {
     LoadFunction load;           ///< empty: load_scene
     std::function<void()> wake;  ///< from other threads: something waits for `update`
+    SceneNeeds forced = {};      ///< see prepare
   };
   Previewer(Hooks hooks, RenderSettings settings);
 
@@ -55,6 +56,7 @@ class Previewer {
   void set_pivot_at(double x, double y);
 
   [[nodiscard]] const RenderScene* scene() const { return scene_.get(); }
+  [[nodiscard]] std::shared_ptr<const RenderScene> shared_scene() const { return scene_; }
   /// The source that was opened last, whether it could be or not.
   [[nodiscard]] const std::string& asked_for() const { return asked_for_; }
   [[nodiscard]] double load_seconds() const { return load_seconds_; }

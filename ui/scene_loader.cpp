@@ -13,9 +13,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-SceneLoader::SceneLoader(LoadFunction load, std::function<void()> wake)
+SceneLoader::SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced)
     : load_(std::move(load)),
       wake_(std::move(wake)),
+      forced_(forced),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void SceneLoader::open(std::string source) {
@@ -67,7 +68,7 @@ LoadOutcome SceneLoader::load_and_prepare(const std::string& source) const {
     const Result<Scene> scene = load_(source);
     outcome.load_seconds = seconds_since(start);
     if (scene) {
-      outcome.scene = prepare(*scene);
+      outcome.scene = prepare(*scene, forced_);
     } else {
       outcome.scene = unexpected(scene.error());
     }

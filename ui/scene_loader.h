@@ -29,8 +29,8 @@ struct LoadOutcome {
 /// that runs.
 class SceneLoader {
  public:
-  /// `wake` is called from the loader's thread when an outcome waits.
-  SceneLoader(LoadFunction load, std::function<void()> wake);
+  /// `wake` is called from the loader's thread when an outcome waits. `forced`: see prepare.
+  SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced = {});
 
   void open(std::string source);
   /// The outcome of the newest request, once.
@@ -49,6 +49,7 @@ class SceneLoader {
 
   LoadFunction load_;
   std::function<void()> wake_;
+  SceneNeeds forced_;
   mutable std::mutex mutex_;
   std::condition_variable_any requested_;
   std::optional<std::string> request_;  // not begun

@@ -121,7 +121,7 @@ int run_viewer(const ViewerOptions& options) {
     woken = true;
     Window::wake();
   };
-  Previewer previewer({{}, wake}, options.settings);
+  Previewer previewer({{}, wake, options.forced}, options.settings);
   const Result<std::unique_ptr<WindowContent>> content = WindowContent::make(previewer);
   if (!content) return fail(content.error());
   (*window)->connect_clipboard();

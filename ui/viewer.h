@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/methods/settings.h"
+#include "renderer/scene/needs.h"
 
 #include <string>
 
@@ -11,6 +12,7 @@ struct ViewerOptions {
   /// What to start with. width and height are the picture's size that the window tries to offer;
   /// from then on the picture follows the window.
   RenderSettings settings;
+  SceneNeeds forced;  ///< see prepare
 };
 
 /// Opens the window and runs until the user closes it. Returns the exit code: 0, or 1 where no

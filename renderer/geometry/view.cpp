@@ -4,6 +4,11 @@
 
 namespace asos {
 
+double radius_around_origin(const Box& box) {
+  if (box.empty()) return std::numeric_limits<double>::infinity();
+  return glm::length(glm::max(glm::abs(glm::dvec3(box.lo)), glm::abs(glm::dvec3(box.hi))));
+}
+
 View::View(const Camera& camera, int width, int height, double scene_radius)
     : perspective_(camera.type == Camera::Type::perspective), width_(width), height_(height) {
   const glm::dmat4& m = camera.world_from_camera;

@@ -3,6 +3,7 @@
 #include "renderer/geometry/frame.h"
 #include "renderer/geometry/ray.h"
 #include "renderer/scene/scene.h"
+#include "renderer/scene/world.h"
 
 #include <glm/glm.hpp>
 
@@ -20,6 +21,10 @@ struct PixelRect {
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
   bool operator==(const PixelRect&) const = default;
 };
+
+/// Of the ball around the origin that holds a box; infinite for an empty one. What a view of a
+/// world needs to know of it.
+[[nodiscard]] double radius_around_origin(const Box& box);
 
 /// A camera and the picture that it fills: makes eye rays and eye frames. The vertical extent is
 /// the camera's; the horizontal one follows the picture's proportions. Pixel (0, 0) is at the top

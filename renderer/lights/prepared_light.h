@@ -19,6 +19,14 @@ enum class LightRule {
               ///< Sources")
 };
 
+/// A straight line in a light's own plane where a surface passes through it.
+struct LightCut {
+  glm::dvec3 from{0.0};
+  glm::dvec3 to{0.0};
+};
+/// One list a light: see find_light_cuts.
+using LightCuts = std::vector<std::vector<LightCut>>;
+
 /// A light with what its evaluation needs computed once.
 struct PreparedLight {
   enum class Shape {
@@ -51,6 +59,7 @@ struct PreparedLight {
   double cone_scale = 0.0;  ///< spot: (scale * cos + offset)^2, clamped to 0..1
   double cone_offset = 1.0;
   std::int32_t own_part = -1;
+  std::vector<LightCut> cuts;  ///< polygon, disk: where surfaces of the world pass through it
 
   /// Whether it has a size, so that its shadows have penumbrae.
   [[nodiscard]] bool extended() const { return shape != Shape::point && shape != Shape::distant; }

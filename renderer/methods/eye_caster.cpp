@@ -1,6 +1,5 @@
 #include "renderer/methods/eye_caster.h"
 
-#include "renderer/rays/surface_kind.h"
 #include "renderer/sampling/random.h"
 #include "renderer/shading/unevenness.h"
 
@@ -26,7 +25,7 @@ float let_pass(const RenderSettings& settings) {
 ShadowSettings shadow_settings(const RenderScene& scene, const RenderSettings& settings,
                                float most_uneven) {
   ShadowSettings shadows;
-  shadows.see_through = opacity_varies(scene.world);
+  shadows.see_through = scene.needs.varying_opacity;
   shadows.quality = settings.shadow_quality;
   shadows.divisions = settings.shadow_divisions;
   shadows.max_level = settings.max_level;

@@ -2,6 +2,7 @@
 
 #include "renderer/film/split_map.h"
 #include "renderer/methods/settings.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
 
 #include <array>
@@ -71,6 +72,11 @@ inline constexpr std::array light_type_names{
     Named<Light::Type>{"rectangle", Light::Type::rectangle},
     Named<Light::Type>{"disk", Light::Type::disk},
     Named<Light::Type>{"polygon", Light::Type::polygon},
+};
+
+inline constexpr std::array needs_names{
+    Named<NeedsChoice>{"scene", NeedsChoice::scene},
+    Named<NeedsChoice>{"all", NeedsChoice::all},
 };
 
 /// The name of `value` among `names`.

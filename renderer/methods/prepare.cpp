@@ -1,5 +1,6 @@
 #include "renderer/geometry/view.h"
 #include "renderer/lights/emitters.h"
+#include "renderer/lights/light_cuts.h"
 #include "renderer/lights/studio_rig.h"
 #include "renderer/methods/render_scene.h"
 #include "renderer/rays/surface_kind.h"
@@ -116,7 +117,8 @@ std::vector<Light> rig_for(const World& world, const RayScene& rays) {
   return interior_rig(camera, world.bounds, seen, way);
 }
 
-Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene) {
+Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
+                                                             const SceneNeeds& forced) {
   const auto start = std::chrono::steady_clock::now();
   auto world = flatten(scene);
   if (!world) return unexpected(world.error());
@@ -128,13 +130,16 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   prepared->notes = scene.notes;
 
   // Emissive meshes light every scene; only those that show a light of the file do not.
+  prepared->needs = find_needs(prepared->world).with(forced);
   const std::size_t lights_of_file = prepared->world.lights.size();
-  std::vector<Light> emissive = emissive_lights(prepared->world, emission_at);
+  std::vector<Light> emissive;
+  if (prepared->needs.emission) emissive = emissive_lights(prepared->world, emission_at);
   prepared->default_rig = needs_rig(prepared->world, lights_of_file, emissive);
   prepared->emissive_lights = emissive.size();
   std::move(emissive.begin(), emissive.end(), std::back_inserter(prepared->world.lights));
-  prepared->needs = find_needs(prepared->world);
-  prepared->needs.punctual_lights |= prepared->default_rig;
+  if (!forced.unused_images) release_unused_images(prepared->world);
+  // After the emitters: how finely these are sampled depends on whether there are colours.
+  fill_forced_attributes(prepared->world, forced);
 
   // Neither of the three needs another.
   auto features = std::async(std::launch::async, [&] {
@@ -146,7 +151,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
   auto mips =
       std::async(std::launch::async, [&] { return MipChains(prepared->world, prepared->needs); });
   prepared->object_spheres = object_spheres(prepared->world);
-  auto rays = RayScene::build(prepared->world, alpha_at);
+  auto rays = RayScene::build(prepared->world, alpha_at, forced);
   prepared->features = features.get();
   prepared->mips = mips.get();
   if (!rays) return unexpected(Error{scene.source, rays.error().message()});
@@ -156,6 +161,13 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
     for (Light& light : rig_for(prepared->world, prepared->rays))
       prepared->world.lights.push_back(std::move(light));
   }
+  prepared->light_cuts = find_light_cuts(prepared->world);
+  // The lights are known only now, and so is what passes through what.
+  SceneNeeds needs = find_needs(prepared->world);
+  needs.vertex_colors = prepared->needs.vertex_colors;
+  needs.intersections =
+      prepared->features.counts().intersection > 0 || !prepared->features.intersections_complete();
+  prepared->needs = needs.with(forced);
   if (!prepared->features.intersections_complete()) {
     prepared->notes.warnings.emplace_back(
         "surfaces pass through each other or overlap too often; the lines where "
@@ -173,9 +185,9 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene)
 
 }  // namespace
 
-Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene) {
+Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const SceneNeeds& forced) {
   try {
-    return prepare_in_memory(scene);
+    return prepare_in_memory(scene, forced);
   } catch (const std::bad_alloc&) {
     return unexpected(Error{scene.source, "does not fit into this machine's memory"});
   }

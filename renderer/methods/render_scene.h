@@ -20,12 +20,13 @@ namespace asos {
 /// Immutable once built, shared by all workers; `rays` points into `world`, so it never moves.
 struct RenderScene {
   World world;
-  SceneNeeds needs;
+  SceneNeeds needs;          ///< those of the world, and what was forced
   bool default_rig = false;  ///< next to no light came from the scene: `world.lights` ends in a rig
   std::size_t emissive_lights = 0;  ///< lights in `world.lights` that stand for emissive meshes
   RayScene rays;
   FeatureSet features;
   MipChains mips;
+  LightCuts light_cuts;  ///< of `world.lights`
   std::vector<ObjectSphere> object_spheres;
   SceneNotes notes;
   std::string name;
@@ -44,11 +45,14 @@ struct RenderScene {
   const bool filtered = settings.texture_filter == TextureFilter::footprint;
   return Shader(scene.world, scene.needs, scene.rays,
                 {settings.shadows, settings.light_rule, seen_faces(settings),
-                 filtered ? &scene.mips : nullptr, PixelSpacing::of(view)});
+                 filtered ? &scene.mips : nullptr, PixelSpacing::of(view), &scene.light_cuts});
 }
 
 /// Flattens and indexes `scene` and lights it: by its own lights, its emissive meshes, and a rig
 /// where neither shines to speak of.
-[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene);
+/// `forced`: what is kept and done although the scene does not need it, to test and to measure what
+/// leaving it out does; it does not change the picture.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
+                                                                 const SceneNeeds& forced = {});
 
 }  // namespace asos

@@ -15,6 +15,10 @@ float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b) {
   return glm::distance(p, a + t * d);
 }
 
+bool is_point(const Segment& s) {
+  return s.u0 == s.u1 && s.v0 == s.v1;
+}
+
 }  // namespace
 
 std::span<const Segment> ChainSimplifier::simplify(std::span<const Segment> segments,
@@ -23,6 +27,11 @@ std::span<const Segment> ChainSimplifier::simplify(std::span<const Segment> segm
   chain_count_ = 0;
   join(segments);
   used_.assign(segments.size(), 0);
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    if (!is_point(segments[s])) continue;
+    used_[s] = 1;
+    simplified_.push_back(segments[s]);
+  }
   // Chains with loose ends first; what is left then are closed ones.
   for (const bool closed : {false, true}) {
     for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -41,6 +50,7 @@ std::span<const Segment> ChainSimplifier::simplify(std::span<const Segment> segm
 void ChainSimplifier::join(std::span<const Segment> segments) {
   ends_.clear();
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    if (is_point(segments[s])) continue;
     ends_.push_back({{segments[s].u0, segments[s].v0}, s, false});
     ends_.push_back({{segments[s].u1, segments[s].v1}, s, true});
   }
@@ -49,7 +59,7 @@ void ChainSimplifier::join(std::span<const Segment> segments) {
     if (x.at.y != y.at.y) return x.at.y < y.at.y;
     return x.segment < y.segment;
   });
-  partner_.assign(ends_.size(), none);
+  partner_.assign(2 * segments.size(), none);
   const auto number = [](const End& end) { return 2 * end.segment + (end.second ? 1u : 0u); };
   for (std::size_t i = 0; i < ends_.size();) {
     std::size_t next = i + 1;

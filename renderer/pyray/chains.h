@@ -19,7 +19,7 @@ class ChainSimplifier {
   /// The simplified boundaries, no further than `tolerance` (in the root frame) from the given ones
   /// and the other way round; chains begin and end where the given ones do, and where other than
   /// two segments meet. Does not depend on the segments' order but for closed chains, which are
-  /// held at a joint of their first segment.
+  /// held at a joint of their first segment. Segments that are points are kept, and join nothing.
   [[nodiscard]] std::span<const Segment> simplify(std::span<const Segment> segments,
                                                   float tolerance);
 

@@ -20,6 +20,9 @@ constexpr std::size_t many_entries = 16;
 constexpr std::size_t tangle_nodes = 64;
 // Segments are cut this far outside the root square, so that they are straight through its border.
 constexpr double margin = 1.0 / 16.0;
+// What is smaller than this in the square, however it is turned, may be a point in float32. It
+// is kept, so that no sample is taken there.
+constexpr double point_size = 1e-6;
 
 // Which part of an edge between homogeneous end points lies in the pyray, drawn out by the margin:
 // parameters along the edge in world space. No division, so no case for edges behind the apex.
@@ -273,7 +276,11 @@ void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 h1 = frame_.homogeneous(b);
   std::optional<EdgeRange> range = inside(frame_, h0, h1);
   if (!range) return;
-  for (const HalfSpace& half : bounds_.within) range->keep(half.height(a), half.height(b));
+  for (std::size_t k = 0; k < bounds_.within.size(); ++k) {
+    const double ha = bounds_.within[k].height(a), hb = bounds_.within[k].height(b);
+    const double beyond = k == 0 && std::max(ha, hb) > 0.0 ? bounds_.beyond_first : 0.0;
+    range->keep(ha + beyond, hb + beyond);
+  }
   if (!(range->t0 < range->t1)) return;
   const FramePoint p0 = frame_.project(range->t0 > 0.0 ? h0 + range->t0 * (h1 - h0) : h0);
   const FramePoint p1 = frame_.project(range->t1 < 1.0 ? h0 + range->t1 * (h1 - h0) : h1);
@@ -283,7 +290,10 @@ void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   s.q0 = static_cast<float>(p0.q), s.q1 = static_cast<float>(p1.q);
   s.edge = edge;
   // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
-  if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1) || (s.u0 == s.u1 && s.v0 == s.v1)) return;
+  if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1)) return;
+  const double length = glm::distance(a, b) * (frame_.parallel() ? 1.0 : std::max(p0.q, p1.q));
+  if (s.u0 == s.u1 && s.v0 == s.v1 && !(length * static_cast<double>(squares_a_unit_) < point_size))
+    return;
   keep_segment(s);
 }
 

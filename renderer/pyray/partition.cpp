@@ -8,7 +8,8 @@ namespace asos {
 namespace {
 
 // Points closer than this, in cells, are one. Segments come in single precision of the root frame,
-// so nothing finer has a meaning.
+// so nothing much finer has a meaning. What is smaller leaves a speck, which is given to what lies
+// around it: at most snap^2 of the cell each.
 constexpr double snap = 4e-6;
 // How far inside its face a sample has to be, in square roots of the face's area: chains are drawn
 // within a sixty-fourth of a cell of where they are.
@@ -50,6 +51,7 @@ std::span<const Face> CellPartition::cut(const Square& cell, std::span<const Seg
   faces_.clear();
   sides_.clear();
   pieces_.clear();
+  specks_.clear();
   for (const Segment& s : segments)
     if (!add_piece(s)) return {};
   // Each line right through the cell adds a face, whatever else there is.
@@ -57,7 +59,8 @@ std::span<const Face> CellPartition::cut(const Square& cell, std::span<const Seg
     return on_border(piece.p) && on_border(piece.q);
   });
   if (static_cast<std::size_t>(through) >= max_faces) return {};
-  if (pieces_.size() == 1 && on_border(pieces_[0].p) && on_border(pieces_[0].q)) {
+  if (specks_.empty() && pieces_.size() == 1 && on_border(pieces_[0].p) &&
+      on_border(pieces_[0].q)) {
     if (!cut_by_one()) faces_.clear();
   } else if (!cut_by_many(max_faces)) {
     faces_.clear();
@@ -86,7 +89,11 @@ bool CellPartition::add_piece(const Segment& s) {
   }
   if (!(t0 < t1)) return true;
   const Piece piece{snapped(p + t0 * d), snapped(p + t1 * d)};
-  if (same_side(piece.p, piece.q) || glm::distance(piece.p, piece.q) < snap) return true;
+  if (same_side(piece.p, piece.q)) return true;
+  if (glm::distance(piece.p, piece.q) < snap) {
+    add_speck(piece.p);
+    return true;
+  }
   // Edges that fall together in the picture (a face seen edge-on) are one line.
   const auto near = [](glm::dvec2 a, glm::dvec2 b) {
     return std::abs(a.x - b.x) < snap && std::abs(a.y - b.y) < snap;
@@ -98,6 +105,11 @@ bool CellPartition::add_piece(const Segment& s) {
   }
   pieces_.push_back(piece);
   return true;
+}
+
+void CellPartition::add_speck(glm::dvec2 p) {
+  const auto known = [&](glm::dvec2 q) { return glm::distance(p, q) < snap; };
+  if (std::none_of(specks_.begin(), specks_.end(), known)) specks_.push_back(p);
 }
 
 // One line through the cell: two convex parts.
@@ -329,7 +341,7 @@ bool CellPartition::place_sample(std::int32_t face, const Loop& outer) {
   });
   if (area < 1e-12) return true;
   centroid /= area;
-  if (simple && outer.count <= 3) {
+  if (simple && specks_.empty() && outer.count <= 3) {
     emit(area, centroid, lo, hi, first_side);
     return true;
   }
@@ -362,7 +374,7 @@ void CellPartition::find_crossings(std::int32_t face, double y) {
   std::sort(crossings_.begin(), crossings_.end());
 }
 
-// How far a point is from its face's border; the cell's own border counts as well.
+// How far a point is from its face's border and from specks; the cell's own border counts as well.
 double CellPartition::clearance(std::int32_t face, glm::dvec2 p) const {
   double nearest = 2.0;
   for (const Loop& loop : loops_) {
@@ -373,6 +385,7 @@ double CellPartition::clearance(std::int32_t face, glm::dvec2 p) const {
       nearest = std::min(nearest, glm::distance(p, a + t * d));
     });
   }
+  for (const glm::dvec2 speck : specks_) nearest = std::min(nearest, glm::distance(p, speck));
   return nearest;
 }
 

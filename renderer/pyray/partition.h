@@ -57,6 +57,7 @@ class CellPartition {
   bool cut_by_one();
   bool cut_by_many(std::size_t max_faces);
   bool add_piece(const Segment& s);
+  void add_speck(glm::dvec2 p);
   [[nodiscard]] std::uint32_t node_at(glm::dvec2 p);
   void split_pieces();
   void add_border();
@@ -79,6 +80,7 @@ class CellPartition {
 
   Square cell_;
   std::vector<Piece> pieces_;
+  std::vector<glm::dvec2> specks_;  // where pieces are too short to bound anything
   std::vector<glm::dvec2> nodes_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> component_;

@@ -26,6 +26,9 @@ struct SearchBounds {
   const FeatureCut* cut = nullptr;
   /// Boundaries are cut off outside of these.
   std::span<const HalfSpace> within;
+  /// Those that reach into the first half-space go on so far beyond its plane: what stands on a
+  /// patch bounds it down to the patch itself, although rays end above.
+  double beyond_first = 0.0;
   /// Edges that start at one of these vertices do not count.
   std::uint32_t first_ignored_vertex = 0;
   std::uint32_t ignored_vertices = 0;

@@ -40,7 +40,7 @@ EmbreeScene::~EmbreeScene() {
   if (device_) rtcReleaseDevice(device_);
 }
 
-Result<void> EmbreeScene::build(const World& world, AlphaAt alpha) {
+Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNeeds& forced) {
   if (auto checked = check_own_parts(world); !checked) return checked;
   device_ = rtcNewDevice(nullptr);
   if (!device_) {
@@ -58,6 +58,9 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha) {
       &device_bytes_);
 
   sort_triangles(world, alpha);
+  const bool all_filtered = forced.alpha_mask || forced.alpha_blend;
+  see_through_ |= all_filtered;
+  sides_.any_single_sided |= forced.culling;
   copy_vertices(world);
   scene_ = rtcNewScene(device_);
   // Measured (tests/bench/rays_bench.cpp): being able to carry a filter of the context's costs
@@ -66,7 +69,7 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha) {
                                ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
                                : RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
-  for (unsigned id = 0; id < groups_.size(); ++id) add(id, world);
+  for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, all_filtered);
   rtcCommitScene(scene_);
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
   return {};
@@ -110,7 +113,7 @@ void EmbreeScene::copy_vertices(const World& world) {
   }
 }
 
-void EmbreeScene::add(unsigned id, const World& world) {
+void EmbreeScene::add(unsigned id, const World& world, bool filtered) {
   Group& group = groups_[id];
   const bool all = group.triangles.size() == world.triangles.size();
   if (group.triangles.empty()) return;
@@ -135,7 +138,7 @@ void EmbreeScene::add(unsigned id, const World& world) {
   }
   rtcSetGeometryUserData(geometry, &group);
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-  if (group.owned || group.kind != SurfaceKind::opaque) {
+  if (filtered || group.owned || group.kind != SurfaceKind::opaque) {
     rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);
     rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
   }

@@ -2,6 +2,7 @@
 
 #include "renderer/rays/filters.h"
 #include "renderer/result.h"
+#include "renderer/scene/needs.h"
 
 #include <embree3/rtcore.h>
 
@@ -23,8 +24,9 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  /// Once. Errors: Embree's, and a light whose own part does not exist.
-  [[nodiscard]] Result<void> build(const World& world, AlphaAt alpha);
+  /// Once. Errors: Embree's, and a light whose own part does not exist. `forced`: as
+  /// RayScene::build's.
+  [[nodiscard]] Result<void> build(const World& world, AlphaAt alpha, const SceneNeeds& forced);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
   /// By Embree's geometry id.
@@ -49,7 +51,7 @@ class EmbreeScene {
 
   void sort_triangles(const World& world, AlphaAt alpha);
   void copy_vertices(const World& world);
-  void add(unsigned id, const World& world);
+  void add(unsigned id, const World& world, bool filtered);
 
   std::array<Group, 6> groups_;  // three kinds, then the three of lights' own parts
   Sides sides_;

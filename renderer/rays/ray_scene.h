@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/result.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/world.h"
 
 #include <cstddef>
@@ -56,8 +57,10 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist.
-  [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha);
+  /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist. `forced`:
+  /// tests that are made although no surface asks for them; they change no answer.
+  [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
+                                              const SceneNeeds& forced = {});
 
   /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
   void closest(std::span<const Ray> rays, std::span<Hit> hits, Faces faces = Faces::all) const;

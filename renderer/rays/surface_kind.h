@@ -1,9 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
-#include "renderer/scene/world.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace asos {
@@ -22,14 +20,6 @@ enum class SurfaceKind : std::uint8_t {
     return SurfaceKind::blended;
   }
   return material.alpha_mode == AlphaMode::mask ? SurfaceKind::masked : SurfaceKind::opaque;
-}
-
-/// Whether the opacity of some surface of a world differs from place to place.
-[[nodiscard]] inline bool opacity_varies(const World& world) {
-  return std::any_of(world.materials.begin(), world.materials.end(), [&](const Material& m) {
-    return surface_kind(m) != SurfaceKind::opaque &&
-           (m.base_color_texture.used() || !world.colors.empty());
-  });
 }
 
 }  // namespace asos

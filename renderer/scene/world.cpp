@@ -277,7 +277,9 @@ class Flattener {
                         : static_cast<std::uint32_t>(scene_.materials.size());
     part.shows_light = instance.shows_light;
 
-    add_positions(placed, instance.world_from_mesh);
+    part.bounds = add_positions(placed, instance.world_from_mesh);
+
+    world_.bounds.grow(part.bounds);
     for (glm::uvec3 t : placed.triangles()) {
       t += part.first_vertex;
       // A mirror turns triangles inside out; glTF keeps the front side in front.
@@ -294,13 +296,15 @@ class Flattener {
     world_.parts.push_back(std::move(part));
   }
 
-  void add_positions(const PlacedMesh& placed, const glm::dmat4& world_from_mesh) {
+  Box add_positions(const PlacedMesh& placed, const glm::dmat4& world_from_mesh) {
+    Box bounds;
     for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
       const glm::dvec4 p(placed.mesh->positions[placed.vertex(i)], 1.0);
       const glm::vec3 q(glm::dvec3(world_from_mesh * p) - world_.origin);
       world_.positions.push_back(q);
-      world_.bounds.grow(q);
+      bounds.grow(q);
     }
+    return bounds;
   }
 
   void add_normals(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored,

@@ -10,6 +10,15 @@
 
 namespace asos {
 
+struct Box {
+  glm::vec3 lo{std::numeric_limits<float>::infinity()};
+  glm::vec3 hi{-std::numeric_limits<float>::infinity()};
+
+  [[nodiscard]] bool empty() const { return !(lo.x <= hi.x); }
+  void grow(glm::vec3 p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
+  void grow(const Box& b) { lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi); }
+};
+
 /// The consecutive triangles of one instance: one object with one material.
 struct Part {
   std::string name;
@@ -19,15 +28,7 @@ struct Part {
   std::uint32_t vertex_count = 0;
   std::uint32_t material = 0;  ///< index into World::materials, always valid
   bool shows_light = false;    ///< as Instance's
-};
-
-struct Box {
-  glm::vec3 lo{std::numeric_limits<float>::infinity()};
-  glm::vec3 hi{-std::numeric_limits<float>::infinity()};
-
-  [[nodiscard]] bool empty() const { return !(lo.x <= hi.x); }
-  void grow(glm::vec3 p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
-  void grow(const Box& b) { lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi); }
+  Box bounds;                  ///< of the positions that its triangles use; empty: not known
 };
 
 /// A scene flattened into one indexed triangle soup, placed in the world and recentred in double

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -19,12 +18,6 @@ constexpr std::chrono::milliseconds pace_enough{250};
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
-}
-
-/// Of the ball around the origin that holds a box.
-double radius_around_origin(const Box& box) {
-  if (box.empty()) return std::numeric_limits<double>::infinity();
-  return glm::length(glm::max(glm::abs(glm::dvec3(box.lo)), glm::abs(glm::dvec3(box.hi))));
 }
 
 }  // namespace

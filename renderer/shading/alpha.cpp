@@ -1,5 +1,6 @@
 #include "renderer/rays/surface_kind.h"
 #include "renderer/shading/shade.h"
+#include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
 
 #include <algorithm>
@@ -16,11 +17,7 @@ float alpha_at(const World& world, std::uint32_t triangle, float b1, float b2) {
     alpha *=
         sample_texture(world, material.base_color_texture, triangle, b1, b2, Encoding::linear).a;
   }
-  if (!world.colors.empty()) {
-    const glm::uvec3 v = world.triangles[triangle];
-    alpha *= (1.0f - b1 - b2) * world.colors[v.x].a + b1 * world.colors[v.y].a +
-             b2 * world.colors[v.z].a;
-  }
+  if (!world.colors.empty()) alpha *= vertex_color(world, triangle, b1, b2).a;
   alpha = std::clamp(alpha, 0.0f, 1.0f);
   if (surface_kind(material) == SurfaceKind::masked) return alpha;
   if (material.alpha_mode == AlphaMode::mask) alpha = alpha >= material.alpha_cutoff ? 1.0f : 0.0f;

@@ -144,7 +144,7 @@ MipChain make_mip_chain(const Image& image, TexelKind kind) {
 }
 
 MipChains::MipChains(const World& world, const SceneNeeds& needs) {
-  if (!needs.textures) return;
+  if (!needs.mip_chains) return;
   std::set<ImageUse> uses;
   for (const Part& part : world.parts) {
     if (part.triangle_count > 0) add_uses(uses, world, needs, world.materials[part.material]);

@@ -71,6 +71,9 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
   lights_.reserve(world.lights.size());
   for (const Light& light : world.lights)
     lights_.push_back(prepare_light(light, settings.light_rule));
+  if (!settings.light_cuts) return;
+  const std::size_t count = std::min(lights_.size(), settings.light_cuts->size());
+  for (std::size_t i = 0; i < count; ++i) lights_[i].cuts = (*settings.light_cuts)[i];
 }
 
 void Shader::add_reflected(const SurfacePoint& point, const SurfaceMaterial& material,
@@ -115,7 +118,8 @@ glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float sid
   for (int layer = 0; layer < max_layers; ++layer) {
     if (!hit.valid()) return sum + share * background_radiance;
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
-    const bool blended = surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
+    const bool blended = needs_.alpha_blend &&
+                         surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
 
     if (hit.triangle != last) {
       // Add the layer by its opacity.

@@ -29,7 +29,8 @@ struct ShadingSettings {
   /// What textures, and highlights on surfaces that turn, are averaged with over what a sample
   /// stands for; null: every sample is a point.
   const MipChains* mips = nullptr;
-  PixelSpacing spacing;  ///< of the picture; only with mips
+  PixelSpacing spacing;                   ///< of the picture; only with mips
+  const LightCuts* light_cuts = nullptr;  ///< of the world; null, or a list that is missing: none
 };
 
 /// Samples the light that a scene sends along rays: every method shades through this one class.

@@ -195,7 +195,8 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
     }
     base *= texel;
   }
-  if (needs.vertex_colors && !world.colors.empty()) base *= Triangle(world, hit).mix(world.colors);
+  if (needs.vertex_colors && !world.colors.empty())
+    base *= vertex_color(world, hit.triangle, hit.b1, hit.b2);
 
   SurfaceMaterial surface;
   surface.base_color = glm::vec3(base);
@@ -217,7 +218,8 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
     surface.metallic *= texel.b;
   }
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
-  surface.f0 = glm::mix(glm::vec3(dielectric * dielectric), surface.base_color, surface.metallic);
+  surface.f0 = glm::vec3(dielectric * dielectric);
+  if (needs.metals) surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
 
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
@@ -226,6 +228,12 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
     }
   }
   return surface;
+}
+
+glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1, float b2) {
+  const glm::uvec3 v = world.triangles[triangle];
+  const glm::vec4 c = world.colors[v.x];
+  return c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c);
 }
 
 float clear_height(const SurfacePoint& point) {

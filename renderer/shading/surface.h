@@ -54,6 +54,11 @@ struct SampleExtent {
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
 
+/// Linear RGBA at (b1, b2) of a triangle of a world with vertex colours: exact where the corners
+/// have one colour, so that white changes nothing.
+[[nodiscard]] glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1,
+                                     float b2);
+
 /// How far above the surface a ray starts or ends without meeting it, along its normal.
 [[nodiscard]] float clear_height(const SurfacePoint& point);
 

@@ -47,6 +47,13 @@ std::optional<Rectangle> rectangle_around(const PreparedLight& light, glm::dvec3
   }
 }
 
+// A point of a flat light's plane in its window.
+glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
+  const glm::dvec3 from_corner = p - (light.position - light.half_u - light.half_v);
+  return {glm::dot(from_corner, light.half_u) / (2.0 * glm::dot(light.half_u, light.half_u)),
+          glm::dot(from_corner, light.half_v) / (2.0 * glm::dot(light.half_v, light.half_v))};
+}
+
 }  // namespace
 
 LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
@@ -62,9 +69,12 @@ LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, c
   between_[0] = {up, glm::dot(up, frame_.apex())};
   const glm::dvec3 back = orientation_ * glm::normalize(face);
   const double distance = -glm::dot(back, middle);
-  between_[1] = {back, glm::dot(back, frame_.apex()) - distance * (1.0 - before_light)};
+  // The outlines of what passes through the light meet the line where it does so.
+  const double way = light.cuts.empty() ? 1.0 - before_light : 1.0;
+  between_[1] = {back, glm::dot(back, frame_.apex()) - distance * way};
 
   if (!round_ && !light.rectangle) add_outlines(light);
+  add_cuts(light);
   add_horizon(receiver.normal);
   if (receiver.geometric != receiver.normal) add_horizon(receiver.geometric);
 }
@@ -103,18 +113,17 @@ void LightWindow::add_horizon(glm::dvec3 normal) {
 }
 
 void LightWindow::add_outlines(const PreparedLight& light) {
-  const glm::dvec3 corner = light.position - light.half_u - light.half_v;
-  const double u2 = 2.0 * glm::dot(light.half_u, light.half_u);
-  const double v2 = 2.0 * glm::dot(light.half_v, light.half_v);
-  const auto placed = [&](glm::dvec3 p) {
-    return glm::vec2(glm::dot(p - corner, light.half_u) / u2,
-                     glm::dot(p - corner, light.half_v) / v2);
-  };
   for (const auto& outline : light.outlines) {
     for (std::size_t i = 0; i < outline.size(); ++i)
-      boundaries_.push_back({placed(outline[i]), placed(outline[(i + 1) % outline.size()])});
+      boundaries_.push_back(
+          {in_window(light, outline[i]), in_window(light, outline[(i + 1) % outline.size()])});
   }
   outline_sides_ = boundaries_.size();
+}
+
+void LightWindow::add_cuts(const PreparedLight& light) {
+  for (const LightCut& cut : light.cuts)
+    boundaries_.push_back({in_window(light, cut.from), in_window(light, cut.to)});
 }
 
 bool LightWindow::holds(glm::vec2 p) const {

@@ -25,8 +25,8 @@ class LightWindow {
 
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
-  /// Lines of the square where the light, or the receiver's sky, ends. A disk's rim is not among
-  /// them: it is taken account of exactly in `form`.
+  /// Lines of the square where the light, or the receiver's sky, ends, and where surfaces pass
+  /// through the light. A disk's rim is not among them: it is taken account of exactly in `form`.
   [[nodiscard]] std::span<const Side> boundaries() const { return boundaries_; }
   /// Whether a point of the square is on the light, but for a disk's rim, and above the horizon.
   [[nodiscard]] bool holds(glm::vec2 p) const;
@@ -54,6 +54,7 @@ class LightWindow {
 
   void add_horizon(glm::dvec3 normal);
   void add_outlines(const PreparedLight& light);
+  void add_cuts(const PreparedLight& light);
   [[nodiscard]] double arc(double from, double to) const;
   [[nodiscard]] double round_form(const LeafRegion& region) const;
 

@@ -43,8 +43,14 @@ std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& re
 class Bends {
  public:
   /// `line`: the light is the window's middle line, along u.
-  Bends(const Frame& window, PatchInWindow patch, bool line)
-      : frame_(window), patch_(patch), line_(line) {}
+  Bends(const Frame& window, PatchInWindow patch, bool line, std::span<const LightCut> cuts)
+      : frame_(window), patch_(patch), line_(line) {
+    const auto placed = [&](glm::dvec3 p) {
+      const glm::dvec3 h = frame_.homogeneous(p);
+      return glm::dvec2(h.x / h.z, h.y / h.z);
+    };
+    for (const LightCut& cut : cuts) cuts_.push_back({placed(cut.from), placed(cut.to)});
+  }
 
   // Adds a straight piece of a boundary, in the world.
   void add(glm::dvec3 p, glm::dvec3 q) {
@@ -95,19 +101,34 @@ class Bends {
     const bool out = middle.x < -eu || middle.x > 1.0 + eu || middle.y < -ev || middle.y > 1.0 + ev;
     const bool well_in =
         middle.x > eu && middle.x < 1.0 - eu && middle.y > ev && middle.y < 1.0 - ev;
-    if (out || well_in) return;
     const double length = glm::distance(p, q);
-    if (!(length > 0.0)) return;
+    if (out || !(length > 0.0)) return;
     const glm::dvec2 across = glm::dvec2(std::abs(q.y - p.y), std::abs(q.x - p.x)) / length;
     const double e = eu * across.x + ev * across.y;
+    // What hangs from a surface in the light hides the one side of it or the other: its boundary
+    // bends the share twice as much.
+    if (std::any_of(cuts_.begin(), cuts_.end(),
+                    [&](const Cut& cut) { return distance(cut, middle) < e; }))
+      sum_ += std::min(0.5, 0.5 * e) * std::min(1.0, length);
+    if (well_in) return;
     // A boundary that passes the light's rim bends the share, linear on both sides, in the patch's
     // middle at worst: a quarter of what it moves by.
     sum_ += std::min(0.5, 0.25 * e) * std::min(1.0, length);
   }
 
+  struct Cut {
+    glm::dvec2 from, to;
+  };
+  [[nodiscard]] static double distance(const Cut& cut, glm::dvec2 p) {
+    const glm::dvec2 d = cut.to - cut.from;
+    const double t = std::clamp(glm::dot(p - cut.from, d) / glm::dot(d, d), 0.0, 1.0);
+    return glm::distance(p, cut.from + t * d);
+  }
+
   const Frame& frame_;
   PatchInWindow patch_;
   bool line_;
+  std::vector<Cut> cuts_;
   double sum_ = 0.0;
 };
 
@@ -177,7 +198,7 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
     thickets_.push_back({point.position, index});
     return 0.0f;
   }
-  Bends bends(light_frame, size, line);
+  Bends bends(light_frame, size, line, light.cuts);
   for (const std::uint32_t i : list) {
     const Segment& s = lists.segment(i);
     const Clip c = clip(s, whole);

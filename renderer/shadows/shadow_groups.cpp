@@ -13,6 +13,8 @@ namespace {
 // Nodes that a cut may hold. More cost every pyray of the block more than walking there from the
 // root does.
 constexpr std::size_t most_nodes = 24;
+// Boxes of parts that are looked at to save a ray.
+constexpr std::size_t most_boxes = 256;
 
 }  // namespace
 
@@ -123,7 +125,10 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
   search_shaft(scene_.features, shaft, own_part_ignored(scene_.world, light), most_nodes,
                answer.search);
   if (!group.planar || !answer.search.complete || !answer.search.cut.empty()) return;
-
+  if (nothing_between(light, shaft)) {
+    answer.verdict = Verdict::lit;
+    return;
+  }
   // Nothing bounds what shades these points: what one of them sees of the light, all do. Some point
   // of the light lies above the horizon.
   for (const double u : {0.5, 0.05, 0.95}) {
@@ -139,6 +144,19 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
       return;
     }
   }
+}
+
+// Whether the boxes of the scene's parts prove it. With very many parts a ray costs less.
+bool ShadowGroups::nothing_between(const PreparedLight& light, const Shaft& shaft) const {
+  const std::vector<Part>& parts = scene_.world.parts;
+  if (parts.size() > most_boxes) return false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool own = light.own_part >= 0 && i == static_cast<std::size_t>(light.own_part);
+    if (!own && parts[i].triangle_count > 0 &&
+        (parts[i].bounds.empty() || shaft.meets(parts[i].bounds)))
+      return false;
+  }
+  return true;
 }
 
 ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t index,

@@ -60,6 +60,7 @@ class ShadowGroups {
   [[nodiscard]] Group* group_of(const SurfacePoint& point, const Box& patch);
   void find(const PreparedLight& light, const SurfacePoint& point, Group& group, Answer& answer,
             std::uint64_t& rays_cast);
+  [[nodiscard]] bool nothing_between(const PreparedLight& light, const Shaft& shaft) const;
   [[nodiscard]] Box light_box(const PreparedLight& light, const Box& from) const;
 
   const ShadowScene& scene_;

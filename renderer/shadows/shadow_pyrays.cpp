@@ -102,7 +102,8 @@ double ShadowPyrays::lit_share(const Illumination& lit, RenderStatistics& counts
   }
   const ShadowKnowledge known =
       groups_.ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
-  if (known.verdict != ShadowKnowledge::Verdict::open)
+  // That nothing bounds the shadow does not rule out what stands in the light itself.
+  if (known.verdict != ShadowKnowledge::Verdict::open && lit.light.cuts.empty())
     return known.verdict == ShadowKnowledge::Verdict::lit ? 1.0 : 0.0;
   SearchBounds found = own_part_ignored(scene_.world, lit.light);
   found.cut = known.cut;
@@ -221,6 +222,14 @@ std::optional<ShadowPatch> ShadowPyrays::patch_of(const SurfacePoint& point, con
   return patch;
 }
 
+// Whether the surface leaves the patch's plane by more than the 64th of its size, by which edges of
+// shadows on it would be out of place.
+bool ShadowPyrays::bent(const Illumination& lit, const ShadowPatch& patch) const {
+  const auto& p = patch.corners;
+  const double size = std::min(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
+  return 64.0 * static_cast<double>(scene_.features.departure(lit.point.triangle)) > size;
+}
+
 double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
                                  const SearchBounds& found, RenderStatistics& counts) {
   const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
@@ -233,10 +242,13 @@ double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
   const SubdivisionRules subdivision = rules(lit);
   SearchBounds bounds = found;
   bounds.within = std::span(&above, 1);
+  bounds.beyond_first = patch.lift;
   work_.lists.reset(scene_.features, *frame, finest_side(subdivision), bounds);
   // Nothing bounds the shadow: what its sample sees, all of the leaf does.
   work_.lists.refine({0.0f, 0.0f, 1.0f}, {}, work_.lists.root(), work_.list);
   if (work_.list.empty() && !settings_.see_through) return ray_share(lit, counts);
+  if (settings_.quality == ShadowQuality::refined && bent(lit, patch))
+    return bent_patch_share(lit, counts);
   if (parallel) {
     // The parallel frame's square is not the leaf's: the leaf is a region of it.
     work_.sides.clear();

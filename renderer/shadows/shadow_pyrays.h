@@ -117,6 +117,11 @@ class ShadowPyrays final : public LightTransport {
   // By samples (thicket.cpp).
   void look_at_patch(const Illumination& lit, const SobolPixel& points, std::uint32_t first,
                      std::uint32_t end, RenderStatistics& counts);
+  template <typename Aim>
+  [[nodiscard]] double sampled_share(const Illumination& lit, RenderStatistics& counts, Aim aim);
+  [[nodiscard]] SobolPixel points_of_leaf(const Illumination& lit) const;
+  [[nodiscard]] double bent_patch_share(const Illumination& lit, RenderStatistics& counts);
+  [[nodiscard]] bool bent(const Illumination& lit, const ShadowPatch& patch) const;
   [[nodiscard]] double sampling_error_let_pass(const Illumination& lit) const;
   [[nodiscard]] std::size_t most_entries_for_samples() const;
   [[nodiscard]] Root look_at_middle(ShadowCaster& caster);

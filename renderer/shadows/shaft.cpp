@@ -86,6 +86,16 @@ unsigned Shaft::met_children(const FeatureNode& node) const {
   return kept;
 }
 
+bool Shaft::meets(const Box& box) const {
+  FeatureNode node{};
+  node.child_count = 1;
+  for (int k = 0; k < 3; ++k) {
+    node.lo[k][0] = box.lo[k];
+    node.hi[k][0] = box.hi[k];
+  }
+  return met_children(node) != 0;
+}
+
 bool Shaft::meets(glm::vec3 a, glm::vec3 b) const {
   EdgeRange range;
   for (int k = 0; k < 3; ++k) {

@@ -22,6 +22,8 @@ class Shaft {
 
   /// The children of a node whose boxes meet the shaft, bit by bit; conservative.
   [[nodiscard]] unsigned met_children(const FeatureNode& node) const;
+  /// Whether a box may meet it; conservative.
+  [[nodiscard]] bool meets(const Box& box) const;
   /// Whether a straight edge may meet it; conservative.
   [[nodiscard]] bool meets(glm::vec3 a, glm::vec3 b) const;
 

@@ -31,6 +31,11 @@ double weight_of(const PreparedLight& light, const Receiver& receiver, glm::dvec
   return here * there / (d2 * d2);
 }
 
+struct WeighedRay {
+  Ray ray;
+  double weight = 0.0;
+};
+
 /// The lit part of weighted samples, and how well it is known: by quarters of the samples, each of
 /// which is as well distributed as its size allows.
 struct LitPart {
@@ -113,16 +118,17 @@ void ShadowPyrays::look_at_patch(const Illumination& lit, const SobolPixel& poin
   }
 }
 
-double ShadowPyrays::thicket_share(const Illumination& lit, const LightWindow& window,
-                                   const Receiver& receiver, RenderStatistics& counts) {
+// Rays from all over the patch, in rounds until their mean is known as well as is let pass.
+// `aim(number, receiver)`: the ray of a sample, unless it looks past the light.
+template <typename Aim>
+double ShadowPyrays::sampled_share(const Illumination& lit, RenderStatistics& counts, Aim aim) {
   const std::uint32_t first_round = std::bit_ceil(
       std::max(least_rays, static_cast<std::uint32_t>(first_rays_a_root * leaf_.weight)));
   const double finest_cells = leaf_.weight * std::ldexp(1.0, 2 * settings_.max_level);
   const std::uint32_t most = std::max(
       first_round, std::bit_ceil(static_cast<std::uint32_t>(rays_a_finest_cell * finest_cells)));
   const double let_pass = sampling_error_let_pass(lit);
-  const SobolPixel points(static_cast<int>(leaf_.seed >> 32), static_cast<int>(leaf_.seed),
-                          lit.index);
+  const SobolPixel points = points_of_leaf(lit);
   work_.weights.clear();
   work_.shares.clear();
   LitPart part;
@@ -131,19 +137,11 @@ double ShadowPyrays::thicket_share(const Illumination& lit, const LightWindow& w
     work_.rays.clear();
     for (std::uint32_t i = first; i < end; ++i) {
       const auto& from = work_.receivers[i - first];
-      const glm::dvec2 on_light = points.light(i, lit.index);
-      if (!from || !window.holds(glm::vec2(on_light))) continue;
-      if (window.round() && glm::length(on_light - 0.5) > 0.5) continue;
-      glm::dvec3 target = window.towards(on_light);
-      if (!window.infinitely_far()) target += receiver.position - from->position;
-      const double weight = weight_of(lit.light, *from, target);
-      if (!(weight > 0.0)) continue;
-      Ray ray;
-      ray.origin = glm::vec3(from->position);
-      ray.direction = glm::vec3(target);
-      if (!window.infinitely_far()) ray.t_far = most_of_the_way;
-      work_.rays.push_back(ray);
-      work_.weights.push_back(weight);
+      if (!from) continue;
+      const std::optional<WeighedRay> ray = aim(points.light(i, lit.index), *from);
+      if (!ray || !(ray->weight > 0.0)) continue;
+      work_.rays.push_back(ray->ray);
+      work_.weights.push_back(ray->weight);
     }
     const std::size_t before = work_.shares.size();
     work_.shares.resize(before + work_.rays.size());
@@ -154,6 +152,43 @@ double ShadowPyrays::thicket_share(const Illumination& lit, const LightWindow& w
     if (part.standard_error <= let_pass) break;
   }
   return work_.weights.empty() ? ray_share(lit, counts) : part.share;
+}
+
+SobolPixel ShadowPyrays::points_of_leaf(const Illumination& lit) const {
+  return {static_cast<int>(leaf_.seed >> 32), static_cast<int>(leaf_.seed), lit.index};
+}
+
+double ShadowPyrays::thicket_share(const Illumination& lit, const LightWindow& window,
+                                   const Receiver& receiver, RenderStatistics& counts) {
+  const auto aim = [&](glm::dvec2 on_light, const Receiver& from) -> std::optional<WeighedRay> {
+    if (!window.holds(glm::vec2(on_light))) return std::nullopt;
+    if (window.round() && glm::length(on_light - 0.5) > 0.5) return std::nullopt;
+    glm::dvec3 target = window.towards(on_light);
+    if (!window.infinitely_far()) target += receiver.position - from.position;
+    WeighedRay found;
+    found.weight = weight_of(lit.light, from, target);
+    found.ray.origin = glm::vec3(from.position);
+    found.ray.direction = glm::vec3(target);
+    if (!window.infinitely_far()) found.ray.t_far = most_of_the_way;
+    return found;
+  };
+  return sampled_share(lit, counts, aim);
+}
+
+// Of a light without a size over a patch whose plane is not its surface.
+double ShadowPyrays::bent_patch_share(const Illumination& lit, RenderStatistics& counts) {
+  const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
+  const auto aim = [&](glm::dvec2, const Receiver& from) -> std::optional<WeighedRay> {
+    const glm::dvec3 target = parallel ? lit.light.towards : lit.light.position - from.position;
+    WeighedRay found;
+    found.weight = std::max(0.0, glm::dot(from.normal, target));
+    if (!parallel) found.weight /= std::pow(glm::dot(target, target), 1.5);
+    found.ray.origin = glm::vec3(from.position);
+    found.ray.direction = glm::vec3(target);
+    if (!parallel) found.ray.t_far = most_of_the_way;
+    return found;
+  };
+  return sampled_share(lit, counts, aim);
 }
 
 }  // namespace asos

@@ -1,10 +1,14 @@
 #include "app/scene_info.h"
+#include "renderer/methods/render_scene.h"
 #include "renderer/scene/load.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/shared_dir.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace asos {
 namespace {
@@ -24,9 +28,9 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
 }
 
 ordered_json info_of(const Scene& scene) {
-  const Result<World> world = flatten(scene);
-  if (!world) throw std::runtime_error(world.error().message());
-  return scene_info_json(scene, *world);
+  const auto ready = prepare(scene);
+  if (!ready) throw std::runtime_error(ready.error().message());
+  return scene_info_json(scene, **ready);
 }
 
 TEST(InfoCommand, CountsLightsByTypeAndThoseWithASizeBeside) {
@@ -67,6 +71,25 @@ TEST(InfoCommand, NamesTheLightsOfTheBuiltinScenes) {
   EXPECT_EQ(lights("builtin:primitives-ball").at("ball"), 1);
   EXPECT_EQ(lights("builtin:primitives-linear").at("linear"), 1);
   EXPECT_EQ(lights("builtin:primitives-rectangle").at("rectangle"), 1);
+}
+
+TEST(InfoCommand, SaysWhatIsLeftOutAndWhy) {
+  Scene scene = load_scene("builtin:boxes").value();
+  const ordered_json info = info_of(scene);
+  const auto entry = [&](const char* feature) {
+    const auto found = std::find_if(info["left_out"].begin(), info["left_out"].end(),
+                                    [&](const auto& f) { return f["feature"] == feature; });
+    return found == info["left_out"].end() ? ordered_json() : *found;
+  };
+  EXPECT_EQ(entry("normal maps").at("reason"), "no material that is shown has a normal map");
+  EXPECT_EQ(entry("normal maps").at("memory"), "tangents, normal maps' mip chains");
+  EXPECT_FALSE(entry("normal maps").contains("rows"));
+  EXPECT_EQ(entry("disk lights").at("rows"), "disk");
+  EXPECT_TRUE(entry("shadows").is_null());
+  EXPECT_TRUE(entry("rectangular and polygonal lights").is_null());
+  EXPECT_TRUE(contains(scene_info_text(info),
+                       "  disk lights: no light is a disk; stages: their irradiance and shadows; "
+                       "rows: disk\n"));
 }
 
 TEST(InfoCommand, PunctualLightsOfAFileAreCountedByTheTypesOfTheirExtension) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "renderer/rays/surface_kind.h"
+#include "renderer/lights/light_cuts.h"
+#include "renderer/scene/needs.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shadows/shadow_pyrays.h"
 #include "tests/support/tiny_world.h"
@@ -33,7 +34,8 @@ class ShadowFixture {
         rays_(std::move(RayScene::build(world_, alpha_at).value())),
         settings_(settings),
         light_(prepare_light(world_.lights.front())) {
-    settings_.see_through = opacity_varies(world_);
+    settings_.see_through = find_needs(world_).varying_opacity;
+    light_.cuts = find_light_cuts(world_).front();
   }
 
   [[nodiscard]] const World& world() const { return world_; }

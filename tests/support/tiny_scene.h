@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/features/feature_set.h"
+#include "renderer/lights/light_cuts.h"
 #include "renderer/methods/render_scene.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/scene/needs.h"
@@ -20,6 +21,7 @@ inline std::shared_ptr<const RenderScene> make_render_scene(World world) {
   scene->rays = std::move(RayScene::build(scene->world, alpha_at).value());
   scene->features = FeatureSet(scene->world);
   scene->object_spheres = object_spheres(scene->world);
+  scene->light_cuts = find_light_cuts(scene->world);
   scene->name = "tiny";
   return scene;
 }

@@ -38,6 +38,7 @@ inline std::uint32_t add_part(World& world, const std::vector<TinyVertex>& verti
   }
   const auto index = static_cast<std::uint32_t>(world.parts.size());
   for (const glm::uvec3& t : triangles) {
+    for (int k = 0; k < 3; ++k) part.bounds.grow(vertices[t[k]].position);
     world.triangles.push_back(t + part.first_vertex);
     world.triangle_part.push_back(index);
     for (int k = 0; k < 3; ++k) world.bounds.grow(vertices[t[k]].position);

@@ -1,3 +1,4 @@
+#include "renderer/scene/export/base64.h"
 #include "renderer/scene/export/gltf_writer.h"
 
 #include <array>
@@ -8,22 +9,6 @@ namespace asos::exporting {
 using nlohmann::json;
 
 namespace {
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const std::uint32_t group =
-        (bytes[i] << 16) | (left > 1 ? bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
-    text += digits[group >> 18];
-    text += digits[(group >> 12) & 63];
-    text += left > 1 ? digits[(group >> 6) & 63] : '=';
-    text += left > 2 ? digits[group & 63] : '=';
-  }
-  return text;
-}
 
 /// Names may hold bytes that are not UTF-8; they must not keep a scene from being saved.
 std::string dump(const json& root) {

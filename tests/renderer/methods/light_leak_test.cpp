@@ -142,9 +142,9 @@ TEST(LightLeak, APictureDoesNotDependOnTheScale) {
   expect_same_at_all_scales(all_but(Light::Type::linear));
 }
 
-/// Rounding may decide what is just uneven enough to be split, and where the rays of a last leaf
-/// start, but not more: what is let pass of a leaf's shading at the default MAX is more than that
-/// makes of the picture.
+/// Rounding may decide what is just uneven enough to be split or sampled, and which way a ray that
+/// grazes an edge goes. Each picture's pixels are known to a standard error of half of what is let
+/// pass at the default MAX, 1/256; so the difference of two has one of 0.71 of that at most.
 void expect_refined_at_all_scales(const std::vector<Light>& lights) {
   const double let_pass = std::ldexp(1.0, -8);
   for (const Light& light : lights) {
@@ -156,7 +156,7 @@ void expect_refined_at_all_scales(const std::vector<Light>& lights) {
         const double off = largest(glm::abs(one.film.radiance[i] - other.film.radiance[i]));
         sum2 += off * off / static_cast<double>(one.film.radiance.size());
       }
-      EXPECT_LT(std::sqrt(sum2), let_pass) << light.name << ' ' << scale;
+      EXPECT_LT(std::sqrt(sum2), std::sqrt(0.5) * let_pass) << light.name << ' ' << scale;
     }
   }
 }

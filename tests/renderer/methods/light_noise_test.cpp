@@ -100,6 +100,18 @@ TEST(LightNoise, BoxesUnderADirectionalLightLookAsSampled) {
   expect_boxes({distant_light()});
 }
 
+TEST(LightNoise, BoxesUnderALineAndSunsLookAsSampled) {
+  expect_boxes({linear_light(), sun_light()});
+}
+
+TEST(LightNoise, ShapesUnderALineLookAsSampled) {
+  expect_builtin("primitives-linear");
+}
+
+TEST(LightNoise, ShapesUnderADirectionalLightLookAsSampled) {
+  expect_builtin("primitives");
+}
+
 TEST(LightNoise, ShapesUnderLargeLightsLookAsSampled) {
   expect_builtin("primitives-ball");
   expect_builtin("primitives-rectangle");

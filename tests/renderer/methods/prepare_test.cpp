@@ -66,7 +66,8 @@ TEST(Prepare, EmissiveMeshesLightAScene) {
   EXPECT_EQ(scene->emissive_lights, 6u);
   EXPECT_EQ(scene->world.lights.size(), 6u);
   EXPECT_FALSE(scene->default_rig);
-  EXPECT_TRUE(scene->needs.punctual_lights);
+  EXPECT_TRUE(scene->needs.rectangle_lights);
+  EXPECT_FALSE(scene->needs.punctual_lights);
   for (const Light& light : scene->world.lights) EXPECT_EQ(light.own_part, 1);
 }
 

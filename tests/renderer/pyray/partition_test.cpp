@@ -110,6 +110,35 @@ TEST(CellPartition, LinesAlongTheBorderBoundNothing) {
   EXPECT_DOUBLE_EQ(faces[0].area, 1.0);
 }
 
+// An outline too small to be cut along must not let its sample stand for the cell.
+TEST(CellPartition, SamplesLieBesideSpecks) {
+  CellPartition partition;
+  for (const float size : {0.0f, 1e-7f, 1e-6f, 3e-6f, 1e-5f, 1e-3f}) {
+    for (const glm::vec2 at : {glm::vec2(0.5f), glm::vec2(0.25f, 0.5f), glm::vec2(0.25f, 0.625f)}) {
+      const Square cell{at.x - 0.25f, at.y - 0.25f, 0.5f};
+      const glm::vec2 c[3] = {at + size * glm::vec2(-1, -1), at + size * glm::vec2(1, -1),
+                              at + size * glm::vec2(0, 1)};
+      std::vector<Segment> lines;
+      for (int i = 0; i < 3; ++i)
+        lines.push_back(line(c[i].x, c[i].y, c[(i + 1) % 3].x, c[(i + 1) % 3].y));
+      for (const bool beside_a_line : {false, true}) {
+        // The speck lies at the centroid of what the line leaves, or of the cell.
+        if (beside_a_line) lines.push_back(line(at.x + 0.25, -1, at.x + 0.25, 2));
+        double speck = 0.0;
+        const auto faces = partition.cut(cell, lines, 8);
+        ASSERT_FALSE(faces.empty()) << size;
+        EXPECT_NEAR(total_area(faces), 1.0, 1e-9);
+        for (const Face& face : faces) {
+          const float away = std::max(std::abs(face.u - at.x), std::abs(face.v - at.y));
+          if (away <= size) speck += face.area;
+          EXPECT_TRUE(away <= size || away > 1e-3f) << size;
+        }
+        EXPECT_NEAR(speck, 8.0 * size * size, 4e-6 * size + 1e-11) << size;
+      }
+    }
+  }
+}
+
 TEST(CellPartition, RefusesMoreFacesThanAllowed) {
   CellPartition partition;
   const Segment lines[2] = {line(-1, 0.25, 2, 0.25), line(0.5, -1, 0.5, 2)};

@@ -205,23 +205,5 @@ TEST(DefaultCamera, FramesScenesOfAnySizeAndShape) {
   EXPECT_TRUE(std::isfinite(empty.world_from_camera[3].z));
 }
 
-TEST(Needs, AreThoseOfShownMaterials) {
-  Scene scene = scene_of(triangle_mesh());
-  scene.materials.resize(2);
-  scene.materials[0].metallic = 0.0f;
-  scene.materials[0].emissive = {1, 0, 0};
-  scene.materials[1].alpha_mode = AlphaMode::blend;  // shown by nothing
-  scene.meshes[0].material = 0;
-  const Result<World> world = flatten(scene);
-  ASSERT_TRUE(world);
-  const SceneNeeds needs = find_needs(*world);
-  EXPECT_TRUE(needs.emission);
-  EXPECT_FALSE(needs.metals);
-  EXPECT_FALSE(needs.alpha_blend);
-  const std::vector<std::string> left_out = needs.left_out();
-  EXPECT_NE(std::find(left_out.begin(), left_out.end(), "alpha blending"), left_out.end());
-  EXPECT_EQ(std::find(left_out.begin(), left_out.end(), "emissive materials"), left_out.end());
-}
-
 }  // namespace
 }  // namespace asos

@@ -1,0 +1,208 @@
+#include "renderer/lights/light_cuts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace asos {
+namespace {
+
+// Triangles that are next to each other in a mesh are so in space: their box saves looking at each.
+constexpr std::size_t run_length = 64;
+// Pieces are kept this far beside the rectangle around a light, in half edges, so that they are
+// straight through its border.
+constexpr double margin = 1.0 / 16.0;
+// What lies within this of the light's plane, in sizes of the light, or of its outline, in half
+// edges, lies on it. Rays end closer to the light.
+constexpr double touching = 1e-6;
+// Roundings of float32 by which the place of a vertex may be off.
+constexpr double place_error = 2.4e-7;
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+struct Piece {
+  glm::dvec2 p, q;  // in half edges from the light's middle
+
+  [[nodiscard]] glm::dvec2 at(double t) const { return p + t * (q - p); }
+};
+
+/// The part of a piece within `reach` half edges of the middle.
+std::optional<Piece> clipped(const Piece& piece, double reach) {
+  double t0 = 0.0, t1 = 1.0;
+  const glm::dvec2 d = piece.q - piece.p;
+  for (int k = 0; k < 2; ++k) {
+    if (d[k] == 0.0) {
+      if (!(std::abs(piece.p[k]) < reach)) return std::nullopt;
+      continue;
+    }
+    const double x = (-reach - piece.p[k]) / d[k], y = (reach - piece.p[k]) / d[k];
+    t0 = std::max(t0, std::min(x, y));
+    t1 = std::min(t1, std::max(x, y));
+  }
+  if (!(t0 < t1)) return std::nullopt;
+  return Piece{piece.at(t0), piece.at(t1)};
+}
+
+class CutLight {
+ public:
+  explicit CutLight(const Light& light) : light_(prepare_light(light)) {
+    using Shape = PreparedLight::Shape;
+    flat_ = (light_.shape == Shape::polygon || light_.shape == Shape::disk) && light.casts_shadows;
+    if (!flat_) return;
+    const glm::dvec3 reach = glm::abs(light_.half_u) + glm::abs(light_.half_v);
+    const glm::dvec3 farthest = glm::abs(light_.position) + reach;
+    tolerance_ = touching * std::max(glm::length(light_.half_u), glm::length(light_.half_v)) +
+                 place_error * std::max({farthest.x, farthest.y, farthest.z});
+    // Rounded to float32 as well.
+    const glm::dvec3 around = reach + 2.0 * tolerance_;
+    box_.grow(glm::vec3(light_.position - around));
+    box_.grow(glm::vec3(light_.position + around));
+    for (const auto& outline : light_.outlines) {
+      for (std::size_t i = 0; i < outline.size(); ++i)
+        sides_.push_back({placed(outline[i]), placed(outline[(i + 1) % outline.size()])});
+    }
+  }
+
+  [[nodiscard]] bool meets(const Box& box) const {
+    return flat_ && glm::all(glm::lessThanEqual(box.lo, box_.hi)) &&
+           glm::all(glm::lessThanEqual(box_.lo, box.hi));
+  }
+  [[nodiscard]] bool owns(std::uint32_t part) const {
+    return light_.own_part == static_cast<std::int32_t>(part);
+  }
+
+  [[nodiscard]] std::optional<LightCut> cut_by(const std::array<glm::vec3, 3>& corners) const {
+    const auto crossing = crossing_of(corners);
+    if (!crossing) return std::nullopt;
+    const auto piece = clipped(*crossing, 1.0 + margin);
+    if (!piece || !counts(*piece)) return std::nullopt;
+    return LightCut{in_world(piece->p), in_world(piece->q)};
+  }
+
+  /// Whether any of the cuts passes through the light itself.
+  [[nodiscard]] bool cut_by_any(const std::vector<LightCut>& cuts) const {
+    if (light_.shape != PreparedLight::Shape::disk) return !cuts.empty();
+    return std::any_of(cuts.begin(), cuts.end(), [&](const LightCut& cut) {
+      const Piece piece{placed(cut.from), placed(cut.to)};
+      const glm::dvec2 d = piece.q - piece.p;
+      const double t = std::clamp(-glm::dot(piece.p, d) / glm::dot(d, d), 0.0, 1.0);
+      return glm::length(piece.at(t)) < 1.0 - touching;
+    });
+  }
+
+ private:
+  [[nodiscard]] glm::dvec2 placed(glm::dvec3 p) const {
+    const glm::dvec3 d = p - light_.position;
+    return {glm::dot(d, light_.half_u) / glm::dot(light_.half_u, light_.half_u),
+            glm::dot(d, light_.half_v) / glm::dot(light_.half_v, light_.half_v)};
+  }
+  [[nodiscard]] glm::dvec3 in_world(glm::dvec2 p) const {
+    return light_.position + p.x * light_.half_u + p.y * light_.half_v;
+  }
+
+  // Where a triangle meets the plane, if it does so along a line and lies where the light shines.
+  [[nodiscard]] std::optional<Piece> crossing_of(const std::array<glm::vec3, 3>& corners) const {
+    std::array<double, 3> height;
+    int above = 0, below = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      height[i] = glm::dot(light_.towards, glm::dvec3(corners[i]) - light_.position);
+      if (std::abs(height[i]) <= tolerance_) height[i] = 0.0;
+      above += height[i] > 0.0;
+      below += height[i] < 0.0;
+    }
+    if (above == 3 || below == 3 || (above == 0 && (below == 0 || !light_.two_sided)))
+      return std::nullopt;
+    std::array<glm::dvec2, 3> met;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3;
+      const glm::dvec3 p(corners[i]), q(corners[k]);
+      if (height[i] == 0.0) met[count++] = placed(p);
+      if (height[i] * height[k] < 0.0)
+        met[count++] = placed(p + height[i] / (height[i] - height[k]) * (q - p));
+    }
+    if (count != 2) return std::nullopt;
+    return Piece{met[0], met[1]};
+  }
+
+  // Whether a piece bounds what the light's window shows, and does not only run along the outline.
+  [[nodiscard]] bool counts(const Piece& piece) const {
+    const auto inner = clipped(piece, 1.0 - touching);
+    if (!inner) return false;
+    // A disk's rim is no boundary of its window: what ends there would end in the open.
+    if (light_.rectangle || light_.shape == PreparedLight::Shape::disk) return true;
+    bool crosses = false, inside = false;
+    const glm::dvec2 middle = inner->at(0.5);
+    for (const Piece& side : sides_) {
+      if (along(side, *inner)) return false;
+      const auto left_of = [](const Piece& line, glm::dvec2 p) {
+        return cross(line.q - line.p, p - line.p) > 0.0;
+      };
+      crosses |= left_of(side, inner->p) != left_of(side, inner->q) &&
+                 left_of(*inner, side.p) != left_of(*inner, side.q);
+      const glm::dvec2 a = side.p, b = side.q;
+      inside ^= (a.y > middle.y) != (b.y > middle.y) &&
+                middle.x < a.x + (b.x - a.x) * (middle.y - a.y) / (b.y - a.y);
+    }
+    return crosses || inside;
+  }
+
+  [[nodiscard]] static bool along(const Piece& side, const Piece& piece) {
+    const glm::dvec2 d = side.q - side.p;
+    const double length = glm::length(d);
+    for (const glm::dvec2 p : {piece.p, piece.q}) {
+      const double t = glm::dot(p - side.p, d) / (length * length);
+      if (!(std::abs(cross(d, p - side.p)) <= 8.0 * touching * length) ||
+          std::abs(t - 0.5) > 0.5 + 8.0 * touching / length)
+        return false;
+    }
+    return true;
+  }
+
+  PreparedLight light_;
+  bool flat_ = false;
+  double tolerance_ = 0.0;
+  Box box_;
+  std::vector<Piece> sides_;
+};
+
+std::array<glm::vec3, 3> corners_of(const World& world, std::size_t triangle) {
+  const glm::uvec3 t = world.triangles[triangle];
+  return {world.positions[t.x], world.positions[t.y], world.positions[t.z]};
+}
+
+Box box_of(const World& world, std::size_t triangle) {
+  Box box;
+  for (const glm::vec3& corner : corners_of(world, triangle)) box.grow(corner);
+  return box;
+}
+
+}  // namespace
+
+LightCuts find_light_cuts(const World& world) {
+  LightCuts cuts(world.lights.size());
+  const std::vector<CutLight> lights(world.lights.begin(), world.lights.end());
+  const std::size_t count = world.triangles.size();
+  for (std::size_t first = 0; first < count && !lights.empty(); first += run_length) {
+    const std::size_t end = std::min(count, first + run_length);
+    std::array<Box, run_length> boxes;
+    Box run;
+    for (std::size_t i = first; i < end; ++i) run.grow(boxes[i - first] = box_of(world, i));
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      if (!lights[k].meets(run)) continue;
+      for (std::size_t i = first; i < end && cuts[k].size() < most_light_cuts; ++i) {
+        if (lights[k].owns(world.triangle_part[i]) || !lights[k].meets(boxes[i - first])) continue;
+        if (const auto cut = lights[k].cut_by(corners_of(world, i))) cuts[k].push_back(*cut);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    if (cuts[k].size() < most_light_cuts && !lights[k].cut_by_any(cuts[k])) cuts[k].clear();
+  }
+  return cuts;
+}
+
+}  // namespace asos

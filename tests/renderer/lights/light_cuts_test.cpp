@@ -1,0 +1,126 @@
+#include "renderer/lights/light_cuts.h"
+
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace asos::test {
+namespace {
+
+/// A light of 2 x 1 in y = 2, its middle at x = z = 0, that shines downwards.
+Light ceiling_light() {
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = {0, 2, 0};
+  light.direction = {0, -1, 0};
+  light.half_u = {1, 0, 0};
+  light.half_v = {0, 0, 0.5};
+  return light;
+}
+
+std::vector<LightCut> cuts_of(World world, const Light& light) {
+  world.lights = {light};
+  return find_light_cuts(world).at(0);
+}
+
+double length_of(const std::vector<LightCut>& cuts) {
+  double sum = 0.0;
+  for (const LightCut& cut : cuts) sum += glm::distance(cut.from, cut.to);
+  return sum;
+}
+
+World wall(double x, double bottom, double top) {
+  World world;
+  add_quad(world, glm::vec3(x, bottom, -4), glm::vec3(0, top - bottom, 0), glm::vec3(0, 0, 8),
+           matte({0.5f, 0.5f, 0.5f}));
+  return world;
+}
+
+TEST(LightCuts, LieWhereASurfaceMeetsTheLightsPlane) {
+  const std::vector<LightCut> cuts = cuts_of(wall(0.25, 0.0, 8.0), ceiling_light());
+  ASSERT_FALSE(cuts.empty());
+  for (const LightCut& cut : cuts) {
+    for (const glm::dvec3 p : {cut.from, cut.to}) {
+      EXPECT_NEAR(p.x, 0.25, 1e-7);
+      EXPECT_NEAR(p.y, 2.0, 1e-7);
+      EXPECT_LE(std::abs(p.z), 0.5 * (1.0 + 1.0 / 16.0) + 1e-7);
+    }
+  }
+  EXPECT_NEAR(length_of(cuts), 1.0 + 1.0 / 16.0, 1e-6);
+}
+
+TEST(LightCuts, AreOnlyOfWhatMeetsTheLight) {
+  EXPECT_TRUE(cuts_of(wall(1.01, 0.0, 8.0), ceiling_light()).empty());
+  EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 1.999), ceiling_light()).empty());
+  EXPECT_TRUE(cuts_of(wall(0.25, 2.001, 8.0), ceiling_light()).empty());
+}
+
+TEST(LightCuts, AreWhereSurfacesEndOnTheSideThatShines) {
+  EXPECT_FALSE(cuts_of(wall(0.25, 0.0, 2.0), ceiling_light()).empty());
+  EXPECT_TRUE(cuts_of(wall(0.25, 2.0, 8.0), ceiling_light()).empty());
+  Light both = ceiling_light();
+  both.two_sided = true;
+  EXPECT_FALSE(cuts_of(wall(0.25, 2.0, 8.0), both).empty());
+}
+
+TEST(LightCuts, AreNotAlongTheOutlineNorInThePlane) {
+  // A shade that hangs from the outline of a light in a ceiling.
+  World world = wall(1.0, 0.0, 2.0);
+  add_quad(world, {-9, 2, -9}, {18, 0, 0}, {0, 0, 18}, matte({0.5f, 0.5f, 0.5f}));
+  EXPECT_TRUE(cuts_of(world, ceiling_light()).empty());
+  Light triangle = ceiling_light();
+  triangle.type = Light::Type::polygon;
+  triangle.outlines = {{{0.25, 2, -0.75}, {0.25, 2, 0.75}, {-1, 2, 0}}};
+  EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 2.0), triangle).empty());
+  EXPECT_FALSE(cuts_of(wall(0.125, 0.0, 2.0), triangle).empty());
+  // Inside of the rectangle around it, outside of the light.
+  World beside;
+  add_quad(beside, {-1.5f, 1.0f, 0.625f}, {0.875f, 0, 0}, {0, 2, 0}, matte({0.5f, 0.5f, 0.5f}));
+  EXPECT_TRUE(cuts_of(beside, triangle).empty());
+  EXPECT_FALSE(cuts_of(beside,
+                       [&] {
+                         Light larger = triangle;
+                         larger.outlines = {{{1, 2, -2}, {1, 2, 2}, {-2, 2, 0.625}}};
+                         return larger;
+                       }())
+                   .empty());
+}
+
+TEST(LightCuts, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
+  Light light = ceiling_light();
+  light.own_part = 0;
+  EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
+  light.own_part = -1;
+  light.casts_shadows = false;
+  EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
+  light.casts_shadows = true;
+  light.type = Light::Type::linear;
+  EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
+}
+
+// Through a disk: the length of the chord.
+TEST(LightCuts, OfADiskAreChords) {
+  Light disk = ceiling_light();
+  disk.type = Light::Type::disk;
+  disk.radius = 1.0;
+  EXPECT_FALSE(cuts_of(wall(0.99, 0.0, 8.0), disk).empty());
+  World corner;  // within the square around the disk only
+  add_quad(corner, {0.75f, 0.0f, 0.875f}, {0.5f, 0, -0.125f}, {0, 8, 0}, matte({0.5f, 0.5f, 0.5f}));
+  EXPECT_TRUE(cuts_of(corner, disk).empty());
+}
+
+TEST(LightCuts, AreNotKeptBeyondWhatIsCutAlong) {
+  World world;
+  for (int i = 0; i < 1000; ++i) {
+    const float x = static_cast<float>(i) / 1000.0f;
+    add_triangle(world, {x, 1, 0}, {x, 3, 0}, {x, 3, 0.1f}, matte({0.5f, 0.5f, 0.5f}));
+  }
+  EXPECT_EQ(cuts_of(world, ceiling_light()).size(), most_light_cuts);
+}
+
+}  // namespace
+}  // namespace asos::test
