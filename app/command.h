@@ -21,8 +21,10 @@ struct Command {
 [[nodiscard]] Command add_view_command(CLI::App& program);
 [[nodiscard]] Command add_render_command(CLI::App& program);
 [[nodiscard]] Command add_trace_command(CLI::App& program);
+[[nodiscard]] Command add_report_command(CLI::App& program);
 [[nodiscard]] Command add_info_command(CLI::App& program);
 [[nodiscard]] Command add_export_command(CLI::App& program);
 [[nodiscard]] Command add_list_command(CLI::App& program);
+[[nodiscard]] Command add_stability_command(CLI::App& program);
 
 }  // namespace asos

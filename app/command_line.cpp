@@ -63,9 +63,10 @@ int run_command_line(std::vector<std::string> words, const Streams& streams) {
   program.set_help_all_flag("--help-all", "Print the help of every command and exit");
   program.require_subcommand(1);
   program.footer(footer);
-  const std::array commands{add_view_command(program),   add_render_command(program),
-                            add_trace_command(program),  add_info_command(program),
-                            add_export_command(program), add_list_command(program)};
+  const std::array commands{add_view_command(program),      add_render_command(program),
+                            add_trace_command(program),     add_report_command(program),
+                            add_stability_command(program), add_info_command(program),
+                            add_export_command(program),    add_list_command(program)};
 
   // Commands inherit the flag, and have nothing below them to explain.
   for (const Command& command : commands) command.parser->set_help_all_flag();

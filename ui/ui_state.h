@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/panels/study_panel.h"
 #include "ui/picture_view.h"
 
 #include <string>
@@ -11,6 +12,7 @@ namespace asos {
 struct UiState {
   DisplaySettings display;
   PictureView view;
+  StudyChoice study;
   bool show_panel = true;
   bool show_help = false;
   bool show_open = false;

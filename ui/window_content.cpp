@@ -1,6 +1,7 @@
 #include "ui/window_content.h"
 
 #include "ui/panels/panels.h"
+#include "ui/panels/study_panel.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
 
@@ -23,6 +24,8 @@ constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoNav;
 constexpr double message_seconds = 6.0;
 constexpr int frames_to_settle = 3;
+// Seldom: what drawing takes is counted as the study's.
+constexpr double study_redraw_seconds = 0.5;
 
 void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flags = 0) {
   ImGui::SetNextWindowPos({rect.lo.x, rect.lo.y});
@@ -64,6 +67,7 @@ void WindowContent::draw(const FrameInput& in) {
   if (!input_.empty() || state_.screenshot_requested) settling_frames_ = frames_to_settle;
   settling_frames_ = std::max(0, settling_frames_ - 1);
   previewer_.update(in.time_seconds);
+  update_study(study_, previewer_);
   if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
       in.framebuffer_size.y <= 0) {
     previewer_.set_picture_size(0, 0, in.time_seconds);
@@ -78,6 +82,7 @@ void WindowContent::draw(const FrameInput& in) {
   // What the widgets changed takes effect in this frame, before it is shown.
   previewer_.set_picture_size(picture_rect_.width, picture_rect_.height, in.time_seconds);
   previewer_.update(in.time_seconds);
+  update_study(study_, previewer_);
   display_.update(previewer_.film(), previewer_.take_changed(), state_.display,
                   previewer_.settings().max_level);
   if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
@@ -174,6 +179,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
   if (scene) {
     statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings(), *scene,
                      previewer_.progress().fraction);
+    study_panel(controls_, state_.study, study_, previewer_);
     scene_panel(controls_, *scene, previewer_.load_seconds());
   }
   ImGui::End();
@@ -221,6 +227,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
   if (previewer_.loading()) also(0.1);
   if (previewer_.progress().running) also(0.25);
+  if (study_.busy()) also(study_redraw_seconds);
   return due;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/panels/overlays.h"
 #include "ui/previewer.h"
 #include "ui/ui_state.h"
+#include "ui/view_study.h"
 
 #include <glm/glm.hpp>
 
@@ -48,6 +49,7 @@ class WindowContent {
 
   [[nodiscard]] UiState& state() { return state_; }
   [[nodiscard]] const Controls& controls() const { return controls_; }
+  [[nodiscard]] const ViewStudy& study() const { return study_; }
   /// The area of the framebuffer that shows the picture, from the top left.
   [[nodiscard]] PixelRect picture_rect() const { return picture_rect_; }
 
@@ -66,6 +68,7 @@ class WindowContent {
   InputQueue input_;
   UiState state_;
   Controls controls_;
+  ViewStudy study_;
   PixelRect picture_rect_;
   glm::vec2 scales_{0.0f};  // of text and of its raster, that the font was made for
   double time_seconds_ = 0.0;

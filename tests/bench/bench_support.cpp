@@ -15,11 +15,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 RenderResult Times::render(const Snapshot& snapshot) {
   const std::clock_t start = std::clock();
   RenderResult result = render_to_end(snapshot);
@@ -54,32 +49,8 @@ Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target, double f
       .value();
 }
 
-std::uint64_t pyrays_of(const RenderStatistics& statistics) {
-  const auto& pyrays = statistics.pyrays_by_level;
-  return std::accumulate(pyrays.begin(), pyrays.end(), std::uint64_t{0});
-}
-
-std::uint64_t rays_of(const RenderStatistics& statistics) {
-  return statistics.eye_rays + statistics.shadow_rays + statistics.reflection_rays;
-}
-
-double squared_error(glm::vec3 a, glm::vec3 b, bool clipped) {
-  if (clipped) {
-    a = glm::clamp(a, 0.0f, 1.0f);
-    b = glm::clamp(b, 0.0f, 1.0f);
-  }
-  const glm::dvec3 d = glm::dvec3(a) - glm::dvec3(b);
-  return glm::dot(d, d) / 3.0;
-}
-
 PictureError picture_error(const Film& film, const Film& reference) {
-  PictureError sum;
-  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
-    sum.shown += squared_error(film.radiance[i], reference.radiance[i], true);
-    sum.raw += squared_error(film.radiance[i], reference.radiance[i], false);
-  }
-  const auto count = static_cast<double>(film.radiance.size());
-  return {std::sqrt(sum.shown / count), std::sqrt(sum.raw / count)};
+  return {root_mean_square(film, reference, true), root_mean_square(film, reference, false)};
 }
 
 std::vector<std::size_t> worst_pixels(const Film& film, const Film& reference) {

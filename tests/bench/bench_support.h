@@ -4,6 +4,9 @@
 #include "renderer/methods/pixel_trace.h"
 #include "renderer/scene/load.h"
 #include "renderer/session/render_session.h"
+#include "renderer/study/curves.h"
+#include "renderer/study/measures.h"
+#include "renderer/study/timed_render.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,7 +24,6 @@ namespace asos::bench {
 using SharedScene = std::shared_ptr<const RenderScene>;
 
 [[nodiscard]] double seconds_since(std::chrono::steady_clock::time_point start);
-[[nodiscard]] double median(std::vector<double> values);
 
 struct Seconds {
   double wall = 0.0;
@@ -47,13 +49,6 @@ class Times {
 /// A camera at `eye` that looks at `target`, both in the author's coordinates.
 [[nodiscard]] Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target,
                                double fov_y_deg);
-
-[[nodiscard]] std::uint64_t pyrays_of(const RenderStatistics& statistics);
-[[nodiscard]] std::uint64_t rays_of(const RenderStatistics& statistics);
-
-/// The mean of the three channels' squared differences of linear radiance, `clipped` to 0..1: what
-/// a display at exposure 0 shows, before the sRGB curve.
-[[nodiscard]] double squared_error(glm::vec3 a, glm::vec3 b, bool clipped);
 
 /// Root mean square errors of a picture, over all pixels and channels.
 struct PictureError {

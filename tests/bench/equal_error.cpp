@@ -16,6 +16,7 @@
 // they show.
 
 #include "renderer/methods/names.h"
+#include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/error_causes.h"
 
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,26 +111,20 @@ void render(Snapshot& snapshot, const Film& reference, Rung& rung) {
   rung.unresolved = result.statistics.unresolved_area / pixels;
 }
 
-double between(double x, double x0, double x1, double y0, double y1) {
-  return std::exp(std::log(y0) +
-                  std::log(x / x0) / std::log(x1 / x0) * (std::log(y1) - std::log(y0)));
-}
-
 /// Seconds that a sampling method takes to an error; beyond its ladder's ends as its first or last
-/// step goes on.
+/// step goes on, NaN where that tells nothing.
 double rival_seconds(const std::vector<Rung>& ladder, double error) {
-  std::size_t i = 1;
-  while (i + 1 < ladder.size() && ladder[i].error.shown > error) ++i;
-  const Rung& a = ladder[i - 1];
-  const Rung& b = ladder[i];
-  return between(error, a.error.shown, b.error.shown, a.times.medians().cpu, b.times.medians().cpu);
+  std::vector<CurvePoint> curve;
+  for (const Rung& rung : ladder) curve.push_back({rung.times.medians().cpu, rung.error.shown});
+  const auto seconds = seconds_at_error(curve, error);
+  return seconds ? seconds->value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// What the error at `spp` samples would be, as the last two steps of the ladder go on.
 double extrapolated_error(const std::vector<Rung>& ladder, int spp) {
   const Rung& a = *(ladder.end() - 3);
   const Rung& b = ladder.back();
-  return between(spp, a.settings.spp, b.settings.spp, a.error.shown, b.error.shown);
+  return between_log_log(spp, a.settings.spp, b.settings.spp, a.error.shown, b.error.shown);
 }
 
 void print_rung(const Rung& rung, double floor) {

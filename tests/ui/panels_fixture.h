@@ -46,9 +46,11 @@ class PanelsTest : public testing::Test {
             {660, 1000}};
 
  private:
-  /// Two triangles, with what the name says.
+  /// A grating, or two triangles with what the name says.
   static Scene scene_named(const std::string& source) {
+    if (source == "grating") return test::grating(source);
     Scene scene = test::two_triangles({1, 0, 0}, source);
+    scene.materials[0].double_sided = false;  // turned to the camera: there are backs to cull
     Light light;
     light.position = {0, 1, 2};
     if (source == "point light") scene.lights.assign(1, light);

@@ -46,4 +46,16 @@ inline Scene two_triangles(glm::vec3 colour, std::string source = "test:two_tria
   return scene;
 }
 
+/// Narrow triangles side by side, several in a pixel of a small picture, seen by the same camera.
+inline Scene grating(std::string source = "test:grating") {
+  Scene scene = two_triangles({1, 0, 0}, std::move(source));
+  scene.meshes.clear();
+  scene.instances.clear();
+  for (int i = -125; i < 125; ++i) {
+    const float x = 0.004f * static_cast<float>(i);
+    add_triangle(scene, {x, -1, 0}, {x + 0.003f, -1, 0}, {x + 0.001f, 1, 0}, glm::vec3(0.8f));
+  }
+  return scene;
+}
+
 }  // namespace asos::test

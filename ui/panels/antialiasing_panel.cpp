@@ -164,6 +164,7 @@ void antialiasing_panel(Controls& controls, RenderSettings& settings, const Rend
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
   choose(controls, "Textures", texture_filters, settings.texture_filter);
+  if (scene && !scene->needs.culling) return;
   controls.checkbox("Culling",
                     "Leave out the backs of surfaces whose material is not double-sided, as glTF "
                     "says. Without it they are seen from both sides.",

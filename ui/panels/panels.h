@@ -10,7 +10,7 @@ namespace asos {
 // given; the previewer notices by itself.
 
 void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
-/// The quality of soft shadows is shown where a light of `scene` casts them.
+/// What `scene` needs no shadows for, or no soft ones, is not shown.
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
 void display_panel(Controls& controls, DisplaySettings& display, int max_level);
 void camera_panel(Controls& controls, Previewer& previewer);

@@ -11,12 +11,6 @@ namespace asos {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 // 1234567 as "1 234 567", whatever the locale.
 std::string grouped(std::uint64_t number) {
   const std::string digits = std::to_string(number);
@@ -64,6 +58,26 @@ void edge_rows(Controls& controls, const FeatureCounts& edges) {
   kind("   crossing", edges.intersection, "Lines in which surfaces pass through each other.");
 }
 
+/// What is saved, line by line.
+std::string savings(const SceneFeature& feature) {
+  std::string text = "Left out with it, at no cost:";
+  const auto add = [&](const char* kind, const char* words) {
+    if (*words != '\0') text += fmt::format("\n{}: {}", kind, words);
+  };
+  add("Stages", feature.stages);
+  add("Memory", feature.memory);
+  add("Controls", feature.controls);
+  add("Rows", feature.rows);
+  return text;
+}
+
+void left_out_rows(Controls& controls, const SceneNeeds& needs) {
+  const std::vector<SceneFeature> left_out = features_left_out(needs);
+  if (left_out.empty() || !controls.section("Left out", false)) return;
+  for (const SceneFeature& feature : left_out)
+    controls.row(feature.name, feature.reason, savings(feature).c_str());
+}
+
 }  // namespace
 
 void scene_panel(Controls& controls, const RenderScene& scene, double load_seconds) {
@@ -74,17 +88,13 @@ void scene_panel(Controls& controls, const RenderScene& scene, double load_secon
   controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
   light_rows(controls, scene);
   edge_rows(controls, scene.features.counts());
-  const std::vector<std::string> left_out = scene.needs.left_out();
-  if (!left_out.empty()) {
-    controls.row("Left out", joined(left_out),
-                 "What the program could do but this scene does not need: it costs nothing.");
-  }
   controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + scene.build_seconds),
                fmt::format("Seconds: {:.2f} to read the file, {:.2f} to build the hierarchies.",
                            load_seconds, scene.build_seconds)
                    .c_str());
   controls.row("Memory", fmt::format("{:.1f} MB", scene.memory_mb),
                "Of geometry, textures and hierarchies, in millions of bytes.");
+  left_out_rows(controls, scene.needs);
 }
 
 }  // namespace asos

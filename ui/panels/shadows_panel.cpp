@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -20,23 +19,6 @@ constexpr std::array light_rules{
                      "As in the papers: a light of some size counts by its visible share, each "
                      "part by its distance and the cosine at the light."},
 };
-
-bool casts_soft_shadows(const Light& light) {
-  if (!light.casts_shadows) return false;
-  switch (light.type) {
-    case Light::Type::point:
-    case Light::Type::spot:
-      return light.radius > 0.0;
-    case Light::Type::directional:
-      return light.angular_diameter_rad > 0.0;
-    case Light::Type::linear:
-    case Light::Type::rectangle:
-    case Light::Type::disk:
-    case Light::Type::polygon:
-      break;
-  }
-  return true;
-}
 
 bool divides(ShadowQuality quality) {
   return quality == ShadowQuality::supersampling || quality == ShadowQuality::forced ||
@@ -67,10 +49,10 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
 
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
   if (!controls.section("Shadows")) return;
-  controls.checkbox("Shadows", "Lights cast shadows.", settings.shadows);
+  if (!scene || scene->needs.shadows)
+    controls.checkbox("Shadows", "Lights cast shadows.", settings.shadows);
   // What the papers published chooses its own quality and rule.
-  const bool soft = scene && std::any_of(scene->world.lights.begin(), scene->world.lights.end(),
-                                         casts_soft_shadows);
+  const bool soft = scene && scene->needs.soft_shadows;
   if (settings.method == Method::asos && settings.shadows && soft)
     quality_controls(controls, settings);
   if (settings.method == Method::asos_published) return;

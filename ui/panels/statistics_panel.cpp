@@ -47,7 +47,7 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
   controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),
                "Rays from the eye, on average for each finished pixel.");
   const std::vector<Light>& lights = scene.world.lights;
-  if (std::any_of(lights.begin(), lights.end(), [](const Light& l) { return l.casts_shadows; })) {
+  if (scene.needs.shadows) {
     controls.row("Shadow rays", finished.per_pixel(statistics.shadow_rays),
                  "Rays to the lights, on average for each finished pixel.");
     light_rows(controls, statistics, lights, finished);

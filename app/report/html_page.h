@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/report/html_text.h"
+#include "app/report/pictures.h"
+#include "app/report/plots.h"
+#include "app/report/study_report.h"
+
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// What a scene has beside its numbers.
+struct SceneFigures {
+  std::vector<Plot> plots;
+  ScenePictures pictures;
+};
+
+/// report.html: one file that opens from disk and asks for nothing else. `figures` has an entry for
+/// each scene. Errors: a picture that cannot be read.
+[[nodiscard]] Result<std::string> html_page(const StudyReport& report,
+                                            const std::vector<SceneFigures>& figures);
+
+// Its sections, in their order.
+[[nodiscard]] std::string html_summary(const StudyReport& report);
+[[nodiscard]] std::string html_scene(const SceneReport& scene, const SceneFigures& figures,
+                                     std::size_t number, Embedder& embed);
+/// A scene's pictures, error maps and split maps, two of them under a slider.
+[[nodiscard]] std::string html_pictures(const SceneReport& scene, const ScenePictures& pictures,
+                                        std::size_t number, Embedder& embed);
+[[nodiscard]] std::string html_paper(const StudyReport& report);
+[[nodiscard]] std::string html_measurement(const StudyReport& report);
+
+}  // namespace asos

@@ -1,0 +1,101 @@
+#include "app/report/html_text.h"
+
+#include "renderer/scene/export/base64.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+namespace asos {
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds >= 90.0) {
+    const long whole = std::lround(seconds);
+    return fmt::format("{} min {} s", whole / 60, whole % 60);
+  }
+  if (seconds >= 0.1 || seconds <= 0.0) return fmt::format("{:#.3g} s", seconds);
+  return fmt::format("{:#.3g} ms", 1000.0 * seconds);
+}
+
+std::string error_text(double error) {
+  if (error == 0.0) return "0";
+  if (!std::isfinite(error)) return "not finite";
+  // Without the zero that fills an exponent to two digits
+  std::string text = fmt::format("{:.2e}", error);
+  if (text[text.size() - 2] == '0') text.erase(text.size() - 2, 1);
+  return text;
+}
+
+std::string shown_error(const StudyPoint& point) {
+  return point.under_floor ? "under the floor" : error_text(point.measures.rmse);
+}
+
+std::string factor_text(double factor) {
+  if (factor >= 100.0) return fmt::format("{:.0f}", factor);
+  if (factor >= 10.0) return fmt::format("{:.1f}", factor);
+  return fmt::format("{:.2f}", factor);
+}
+
+std::string count_text(std::uint64_t count) {
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += "\u202f";
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string list_text(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return text;
+}
+
+Outcome outcome_of(double factor) {
+  if (factor >= 1.0 + even_band) return Outcome::win;
+  return factor <= 1.0 - even_band ? Outcome::loss : Outcome::even;
+}
+
+std::string Embedder::uri(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  if ((!file.good() && !file.eof()) || bytes.empty()) {
+    if (!error_) error_ = Error{path, "cannot be read"};
+    return "";
+  }
+  const char* type = path.ends_with(".svg") ? "image/svg+xml" : "image/png";
+  return fmt::format("data:{};base64,{}", type, base64(bytes));
+}
+
+}  // namespace asos

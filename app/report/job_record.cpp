@@ -1,0 +1,212 @@
+#include "app/report/job_record.h"
+
+#include "app/output_file.h"
+#include "renderer/film/image_io.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace asos {
+namespace fs = std::filesystem;
+namespace {
+
+using json = nlohmann::ordered_json;
+
+StudyPlan plan_of(const json& j) {
+  StudyPlan plan;
+  plan.scenes = j.at("scenes").get<std::vector<std::string>>();
+  plan.methods = j.at("methods").get<std::vector<std::string>>();
+  plan.width = j.at("width").get<int>();
+  plan.height = j.at("height").get<int>();
+  plan.repetitions = j.at("repetitions").get<int>();
+  plan.budget_seconds = j.at("budget_seconds").get<double>();
+  plan.threads = j.at("threads").get<int>();
+  plan.paper = j.at("paper").get<bool>();
+  return plan;
+}
+
+Machine machine_of(const json& j) {
+  const auto text = [&j](const char* key) { return j.at(key).get<std::string>(); };
+  return {text("processor"), j.at("cores").get<int>(), j.at("memory_gb").get<double>(),
+          text("system"),    text("version"),          text("commit"),
+          text("compiler")};
+}
+
+JobRecord record_of(const json& j, const Job& job) {
+  JobRecord record;
+  record.job = job;
+  record.machine = machine_of(j.at("machine"));
+  record.when = j.at("when").get<std::string>();
+  record.finished = j.at("finished").get<bool>();
+  record.cost = {j.at("wall_seconds").get<double>(), j.at("cpu_seconds").get<double>(),
+                 j.at("memory_mb").get<double>()};
+  record.rays = j.at("rays").get<std::uint64_t>();
+  record.pyrays = j.at("pyrays").get<std::uint64_t>();
+  record.rejected_samples = j.at("rejected_samples").get<std::uint64_t>();
+  record.picture_hash = j.at("picture_hash").get<std::string>();
+  if (job.kind == JobKind::regions) {
+    const json& scene = j.at("scene");
+    record.scene = {scene.at("triangles").get<std::uint64_t>(),
+                    scene.at("lights").get<std::size_t>(),
+                    scene.at("left_out").get<std::vector<std::string>>()};
+  }
+  return record;
+}
+
+Result<json> read_json(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return tl::unexpected(Error{path, "cannot be read"});
+  json j = json::parse(file, nullptr, false);
+  if (j.is_discarded()) return tl::unexpected(Error{path, "is no JSON"});
+  return j;
+}
+
+/// The job files of a folder, by number.
+Result<std::vector<std::pair<std::size_t, std::string>>> job_files_in(const std::string& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    return tl::unexpected(Error{folder, "there is no such folder"});
+  const std::string inner = jobs_folder(folder);
+  const std::string from = fs::is_directory(inner, error) ? inner : folder;
+  std::vector<std::pair<std::size_t, std::string>> files;
+  for (const auto& entry : fs::directory_iterator(from, error)) {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() != ".json" || stem.size() > 9 || stem.empty() ||
+        !std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; }))
+      continue;
+    files.emplace_back(std::stoul(stem), entry.path().string());
+  }
+  if (error) return tl::unexpected(Error{from, error.message()});
+  if (files.empty()) return tl::unexpected(Error{folder, "holds no job files (jobs/K.json)"});
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Adds what a file tells to `all`, or says what is wrong with it.
+Result<void> add_record(JobRecords& all, std::size_t id, const std::string& path) {
+  const Result<json> j = read_json(path);
+  if (!j) return tl::unexpected(j.error());
+  // nlohmann's accessors throw for what is missing or of another type.
+  try {
+    const StudyPlan plan = plan_of(j->at("plan"));
+    if (all.jobs.empty()) {
+      auto jobs = make_jobs(plan);
+      if (!jobs) return tl::unexpected(Error{path, jobs.error().message()});
+      all.plan = plan;
+      all.jobs = *std::move(jobs);
+    }
+    if (!(plan == all.plan))
+      return tl::unexpected(Error{path, "is of another study than the files before it"});
+    if (id >= all.jobs.size() || j->at("title").get<std::string>() != all.jobs[id].title())
+      return tl::unexpected(Error{path, "is of another version of the program: no such job"});
+    JobRecord record = record_of(*j, all.jobs[id]);
+    record.folder = fs::path(path).parent_path().string();
+    all.records.push_back(std::move(record));
+  } catch (const json::exception& error) {
+    return tl::unexpected(Error{path, fmt::format("is no job file: {}", error.what())});
+  }
+  return {};
+}
+
+}  // namespace
+
+json plan_json(const StudyPlan& plan) {
+  return {{"scenes", plan.scenes},
+          {"methods", plan.methods.empty() ? default_methods() : plan.methods},
+          {"width", plan.width},
+          {"height", plan.height},
+          {"repetitions", plan.repetitions},
+          {"budget_seconds", plan.budget_seconds},
+          {"threads", plan.threads},
+          {"paper", plan.paper}};
+}
+
+json machine_json(const Machine& machine) {
+  return {{"processor", machine.processor}, {"cores", machine.cores},
+          {"memory_gb", machine.memory_gb}, {"system", machine.system},
+          {"version", machine.version},     {"commit", machine.commit},
+          {"compiler", machine.compiler}};
+}
+
+std::string jobs_folder(const std::string& report_folder) {
+  return (fs::path(report_folder) / "jobs").string();
+}
+
+std::string job_file(const std::string& folder, std::size_t id, const std::string& ending) {
+  return (fs::path(folder) / fmt::format("{}{}", id, ending)).string();
+}
+
+Result<void> write_record(const StudyPlan& plan, const JobRecord& record) {
+  json j{{"id", record.job.id},
+         {"title", record.job.title()},
+         {"plan", plan_json(plan)},
+         {"machine", machine_json(record.machine)},
+         {"when", record.when},
+         {"finished", record.finished},
+         {"wall_seconds", record.cost.wall_seconds},
+         {"cpu_seconds", record.cost.cpu_seconds},
+         {"memory_mb", record.cost.memory_mb},
+         {"rays", record.rays},
+         {"pyrays", record.pyrays},
+         {"rejected_samples", record.rejected_samples},
+         {"picture_hash", record.picture_hash}};
+  if (record.job.kind == JobKind::regions)
+    j["scene"] = {{"triangles", record.scene.triangles},
+                  {"lights", record.scene.lights},
+                  {"left_out", record.scene.left_out}};
+  const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return write_file_atomically(job_file(record.folder, record.job.id, ".json"),
+                               {text.begin(), text.end()});
+}
+
+Result<JobRecords> read_records(const std::vector<std::string>& folders) {
+  JobRecords all;
+  for (const std::string& folder : folders) {
+    const auto files = job_files_in(folder);
+    if (!files) return tl::unexpected(files.error());
+    for (const auto& [id, path] : *files)
+      if (const auto added = add_record(all, id, path); !added)
+        return tl::unexpected(added.error());
+  }
+  std::stable_sort(all.records.begin(), all.records.end(),
+                   [](const JobRecord& a, const JobRecord& b) { return a.job.id < b.job.id; });
+  const auto twice =
+      std::adjacent_find(all.records.begin(), all.records.end(),
+                         [](const auto& a, const auto& b) { return a.job.id == b.job.id; });
+  if (twice != all.records.end())
+    return tl::unexpected(
+        Error{fmt::format("job {}", twice->job.id),
+              fmt::format("is in {} as well as in {}", twice->folder, std::next(twice)->folder)});
+  return all;
+}
+
+Result<void> write_regions(const std::string& path, const RegionMap& map) {
+  RgbImage image{map.width, map.height, {}, {}};
+  for (std::size_t i = 0; i < map.region.size(); ++i) {
+    image.rgb.push_back(static_cast<std::uint8_t>(map.region[i]));
+    image.rgb.push_back(map.split_level[i]);
+    image.rgb.push_back(static_cast<std::uint8_t>(map.cause[i]));
+  }
+  return write_png(path, image);
+}
+
+Result<RegionMap> read_regions(const std::string& path) {
+  const Result<RgbImage> image = read_png(path);
+  if (!image) return tl::unexpected(image.error());
+  RegionMap map{image->width, image->height, {}, {}, {}};
+  for (std::size_t i = 0; i + 2 < image->rgb.size(); i += 3) {
+    if (image->rgb[i] >= region_count || image->rgb[i + 2] >= split_cause_count)
+      return tl::unexpected(Error{path, "is no map of regions"});
+    map.region.push_back(static_cast<Region>(image->rgb[i]));
+    map.split_level.push_back(image->rgb[i + 1]);
+    map.cause.push_back(static_cast<SplitCause>(image->rgb[i + 2]));
+  }
+  return map;
+}
+
+}  // namespace asos

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/report/machine.h"
+#include "renderer/film/film.h"
+#include "renderer/result.h"
+#include "renderer/study/analysis.h"
+#include "renderer/study/plan.h"
+#include "renderer/study/regions.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// What a report tells of a scene.
+struct SceneFacts {
+  std::uint64_t triangles = 0;
+  std::size_t lights = 0;
+  std::vector<std::string> left_out;  ///< what the scene does not need
+};
+
+/// What one job found out, but for its picture.
+struct JobRecord {
+  Job job;
+  Machine machine;
+  std::string when;      ///< UTC, as 2026-01-31T12:00:00Z
+  bool finished = true;  ///< false: a pass of the reference that its budget cut short
+  Cost cost;
+  std::uint64_t rays = 0;
+  std::uint64_t pyrays = 0;
+  std::uint64_t rejected_samples = 0;
+  std::string picture_hash;
+  SceneFacts scene;    ///< of a job for regions
+  std::string folder;  ///< where its files are
+};
+
+[[nodiscard]] nlohmann::ordered_json plan_json(const StudyPlan& plan);
+[[nodiscard]] nlohmann::ordered_json machine_json(const Machine& machine);
+
+/// The folder for the jobs of a report in `report_folder`, and a job's files in it: K.json; K.exr,
+/// linear radiance as floats, of the first repetition and of the reference; K.png, the regions,
+/// with region, split level and cause in place of red, green and blue.
+[[nodiscard]] std::string jobs_folder(const std::string& report_folder);
+[[nodiscard]] std::string job_file(const std::string& folder, std::size_t id,
+                                   const std::string& ending);
+
+[[nodiscard]] Result<void> write_record(const StudyPlan& plan, const JobRecord& record);
+
+/// A study as far as its jobs have been run.
+struct JobRecords {
+  StudyPlan plan;
+  std::vector<Job> jobs;
+  std::vector<JobRecord> records;  ///< in the order of their jobs
+};
+
+/// Reads every K.json in the folders, or in a folder `jobs` in them. All have to be of one plan and
+/// no job may be there twice. Errors name the file.
+[[nodiscard]] Result<JobRecords> read_records(const std::vector<std::string>& folders);
+
+[[nodiscard]] Result<void> write_regions(const std::string& path, const RegionMap& map);
+[[nodiscard]] Result<RegionMap> read_regions(const std::string& path);
+
+}  // namespace asos

@@ -1,0 +1,114 @@
+#include "app/report/job_runner.h"
+
+#include "app/camera_choice.h"
+#include "app/scene_argument.h"
+#include "renderer/film/image_io.h"
+#include "renderer/methods/method.h"
+#include "renderer/sampling/random.h"
+#include "renderer/study/timed_render.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <bit>
+#include <chrono>
+#include <ctime>
+#include <utility>
+
+namespace asos {
+namespace {
+
+std::string utc_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// Of the bits of the radiance: the same for the same picture, and hardly ever for another.
+std::string hash_of(const Film& film) {
+  std::uint64_t hash = mix_bits(static_cast<std::uint64_t>(film.width));
+  for (const glm::vec3& v : film.radiance)
+    for (int c = 0; c < 3; ++c) hash = mix_bits(hash ^ std::bit_cast<std::uint32_t>(v[c]));
+  return fmt::format("{:016x}", hash);
+}
+
+Snapshot snapshot_for(const Job& job, std::shared_ptr<const RenderScene> scene,
+                      const Camera& camera) {
+  return {std::move(scene), camera, job.rung.settings, false};
+}
+
+}  // namespace
+
+JobRunner::JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop)
+    : plan_(std::move(plan)), folder_(std::move(jobs_folder)), stop_(std::move(stop)) {}
+
+Result<void> JobRunner::open(const std::string& name) {
+  if (scene_ && open_scene_ == name) return {};
+  scene_.reset();  // before the next one takes memory
+  const Result<Scene> scene = open_scene_argument(name);
+  if (!scene) return tl::unexpected(scene.error());
+  auto ready = prepare(*scene);
+  if (!ready) return tl::unexpected(ready.error());
+  if ((*ready)->world.triangles.empty())
+    return tl::unexpected(Error{name, "the scene is empty: there is nothing to compare"});
+  const auto camera =
+      choose_camera((*ready)->world, {}, static_cast<double>(plan_.width) / plan_.height);
+  if (!camera) return tl::unexpected(camera.error());
+  scene_ = *std::move(ready);
+  camera_ = *camera;
+  open_scene_ = name;
+  return {};
+}
+
+Result<void> JobRunner::write_picture(const JobRecord& record, const Film& film) const {
+  const Job& job = record.job;
+  switch (job.kind) {
+    case JobKind::regions:
+      return write_regions(job_file(folder_, job.id, ".png"),
+                           find_regions(snapshot_for(job, scene_, camera_), film));
+    case JobKind::point:
+      // The other repetitions are told by their hash.
+      if (job.repetition > 1) return {};
+      break;
+    case JobKind::reference:
+      break;
+  }
+  return write_exr(job_file(folder_, job.id, ".exr"), film, {{"asos.job", job.title()}});
+}
+
+Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
+  if (const auto opened = open(job.scene); !opened) return tl::unexpected(opened.error());
+  if (const auto fits = check_method(*scene_, job.rung.settings); !fits)
+    return tl::unexpected(fits.error());
+  const bool may_be_cut = job.kind == JobKind::reference && job.pass > 0;
+  const auto start = std::chrono::steady_clock::now();
+  const auto out_of_time = [&] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return may_be_cut && passed.count() > seconds;
+  };
+  const auto interrupted = [this] { return stop_ && stop_(); };
+
+  JobRecord record;
+  record.job = job;
+  record.machine = machine_;
+  record.folder = folder_;
+  record.when = utc_now();
+  const auto rendered = timed_render(snapshot_for(job, scene_, camera_),
+                                     [&] { return interrupted() || out_of_time(); });
+  if (interrupted()) return tl::unexpected(Error{"report", "interrupted"});
+  record.finished = rendered.has_value();
+  if (rendered) {
+    record.cost = {rendered->wall_seconds, rendered->cpu_seconds, rendered->memory_mb};
+    record.rays = rays_of(rendered->statistics);
+    record.pyrays = pyrays_of(rendered->statistics);
+    record.rejected_samples = rendered->statistics.rejected_samples;
+    record.picture_hash = hash_of(rendered->film);
+    record.scene = {scene_->world.triangles.size(), scene_->world.lights.size(),
+                    scene_->needs.left_out()};
+    if (const auto written = write_picture(record, rendered->film); !written)
+      return tl::unexpected(written.error());
+  }
+  if (const auto written = write_record(plan_, record); !written)
+    return tl::unexpected(written.error());
+  return record;
+}
+
+}  // namespace asos

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/report/job_record.h"
+#include "renderer/methods/render_scene.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace asos {
+
+/// Runs jobs of a plan and leaves their files in a folder. The scene stays open from one job to the
+/// next.
+class JobRunner {
+ public:
+  /// `stop` is asked often; once it says so, `run` ends with an error.
+  JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop);
+
+  /// Renders and writes. A pass of the reference after the first is given up after `seconds`, and
+  /// its record says so. Errors: a scene that cannot be opened or that the method cannot render, a
+  /// file that cannot be written, a stop.
+  [[nodiscard]] Result<JobRecord> run(const Job& job, double seconds);
+
+ private:
+  [[nodiscard]] Result<void> open(const std::string& scene);
+  [[nodiscard]] Result<void> write_picture(const JobRecord& record, const Film& film) const;
+
+  StudyPlan plan_;
+  std::string folder_;
+  std::function<bool()> stop_;
+  Machine machine_ = this_machine();
+  std::string open_scene_;
+  std::shared_ptr<const RenderScene> scene_;
+  Camera camera_;
+};
+
+}  // namespace asos

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace asos {
+
+/// Where and by what something was measured, in words for a person.
+struct Machine {
+  std::string processor;
+  int cores = 0;  ///< that the system shows
+  double memory_gb = 0.0;
+  std::string system;
+  std::string version;   ///< of this program
+  std::string commit;    ///< "-dirty" where files differ from it
+  std::string compiler;  ///< with the kind of build
+
+  bool operator==(const Machine&) const = default;
+};
+
+[[nodiscard]] Machine this_machine();
+
+}  // namespace asos

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/report/study_report.h"
+#include "renderer/result.h"
+
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// A plot of a scene: the file without its ending; .svg and .png are both there.
+struct Plot {
+  std::string title;
+  std::string path;
+};
+
+/// Whether gnuplot is there, or what to install.
+[[nodiscard]] Result<void> check_gnuplot();
+
+/// Draws the errors of a scene's points over their times, both axes logarithmic: the root mean
+/// square and the perceptual one. The gnuplot scripts, data and all, are left beside the plots.
+[[nodiscard]] Result<std::vector<Plot>> draw_plots(const SceneReport& scene,
+                                                   const std::string& folder,
+                                                   const std::string& name);
+
+}  // namespace asos

@@ -1,0 +1,261 @@
+#include "app/command.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/option.h"
+#include "app/picture_options.h"
+#include "app/progress_bar.h"
+#include "app/render_job.h"
+#include "app/report/job_runner.h"
+#include "app/report/plots.h"
+#include "app/report/report_arguments.h"
+#include "app/report/report_files.h"
+#include "app/report/study_report.h"
+#include "app/scene_argument.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <ostream>
+
+namespace asos {
+namespace {
+
+constexpr const char* footer =
+    "Every method renders every scene over a ladder of its own settings. DIR gets report.html, "
+    "which\n"
+    "opens from disk, points.csv, report.json, plots/, pictures/ and jobs/.\n"
+    "\n"
+    "The jobs of a report can run apart, on machines alike, and be put together:\n"
+    "  asos report SCENE -o DIR --list-jobs        one line a job\n"
+    "  asos report SCENE -o DIR --job K            runs job K, into DIR/jobs\n"
+    "  asos report --merge DIR [DIR...] -o OUT     makes the report of all that was run\n"
+    "\n"
+    "Examples:\n"
+    "  asos report builtin:boxes -o boxes --size 320x180\n"
+    "  asos report model.glb builtin:office -o both --budget 600 --methods asos,sobol\n"
+    "  asos report --suite paper -o paper --size 640x480\n"
+    "\n"
+    "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
+
+/// How the work goes, for a person who waits.
+class Journal {
+ public:
+  Journal(ProgressBar& bar, std::size_t count) : bar_(bar), count_(count) {}
+  void begin(const Job& job) {
+    bar_.say(fmt::format("{} of at most {}: {}", job.id + 1, count_, job.title()));
+  }
+
+ private:
+  ProgressBar& bar_;
+  std::size_t count_;
+};
+
+Result<void> check_scenes(const StudyPlan& plan) {
+  for (const std::string& scene : scenes_of(plan))
+    if (const auto there = check_scene_argument(scene); !there)
+      return tl::unexpected(there.error());
+  RenderSettings settings;
+  settings.width = plan.width;
+  settings.height = plan.height;
+  return check_picture_fits(settings);
+}
+
+/// Pass after pass of a scene's reference, until it is quiet enough or the budget has ended.
+Result<void> run_reference(JobRunner& runner, JobRecords& done, const std::string& scene,
+                           Journal& journal) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const Job& job : done.jobs) {
+    if (job.kind != JobKind::reference || job.scene != scene) continue;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    const double left = done.plan.budget_seconds - passed.count();
+    if (job.pass > 0 && job.half == 0 && left <= 0.0) break;
+    journal.begin(job);
+    auto record = runner.run(job, left);
+    if (!record) return tl::unexpected(record.error());
+    const bool finished = record->finished;
+    done.records.push_back(*std::move(record));
+    if (!finished) break;
+    if (job.half == 0) continue;
+    const auto reference = reference_of(done, scene);
+    if (!reference) return tl::unexpected(reference.error());
+    if (reference->quiet) break;
+  }
+  return {};
+}
+
+Result<void> run_all(const ReportArguments& arguments, const std::vector<Job>& jobs,
+                     ProgressBar& bar, const InterruptGuard& interrupt) {
+  const std::string folder = jobs_folder(arguments.output);
+  if (const auto ready = make_folder(folder).and_then([&] { return clear_jobs(folder); }); !ready)
+    return ready;
+  JobRunner runner(arguments.plan, folder, [&] { return interrupt.interrupted(); });
+  Journal journal(bar, jobs.size());
+  JobRecords done{arguments.plan, jobs, {}};
+  for (const std::string& scene : scenes_of(arguments.plan)) {
+    for (const Job& job : jobs) {
+      if (job.scene != scene || job.kind == JobKind::reference) continue;
+      journal.begin(job);
+      auto record = runner.run(job, std::numeric_limits<double>::infinity());
+      if (!record) return tl::unexpected(record.error());
+      done.records.push_back(*std::move(record));
+    }
+    if (const auto ran = run_reference(runner, done, scene, journal); !ran) return ran;
+  }
+  return {};
+}
+
+/// The report of what lies in folders of jobs, into the output folder.
+Result<std::string> make_report(const std::vector<std::string>& folders,
+                                const std::string& output) {
+  const auto jobs = read_records(folders);
+  if (!jobs) return tl::unexpected(jobs.error());
+  const auto report = assemble(*jobs);
+  if (!report) return tl::unexpected(report.error());
+  if (const auto written = write_report(*report, output); !written)
+    return tl::unexpected(written.error());
+  return (std::filesystem::path(output) / "report.html").string();
+}
+
+Result<std::string> run_one(const ReportArguments& arguments, const std::vector<Job>& jobs,
+                            const InterruptGuard& interrupt) {
+  const Job& job = jobs[*arguments.job];
+  const std::string folder = jobs_folder(arguments.output);
+  if (const auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+  JobRunner runner(arguments.plan, folder, [&] { return interrupt.interrupted(); });
+  const auto record = runner.run(job, arguments.plan.budget_seconds);
+  if (!record) return tl::unexpected(record.error());
+  return job_file(folder, job.id, ".json");
+}
+
+Result<std::string> run(const ReportArguments& arguments, const std::vector<Job>& jobs,
+                        ProgressBar& bar, const InterruptGuard& interrupt) {
+  if (arguments.job) return run_one(arguments, jobs, interrupt);
+  const auto ready = check_gnuplot().and_then([&] { return make_folder(arguments.output); });
+  if (!ready) return tl::unexpected(ready.error());
+  if (!arguments.merge.empty()) return make_report(arguments.merge, arguments.output);
+  if (const auto ran = run_all(arguments, jobs, bar, interrupt); !ran)
+    return tl::unexpected(ran.error());
+  bar.say("Writing the report ...");
+  return make_report({arguments.output}, arguments.output);
+}
+
+int fail(const Streams& streams, const Error& error) {
+  streams.err << "asos: " << error.message() << "\n";
+  return exit_bad_input;
+}
+
+int run_report(const ReportArguments& arguments, const Streams& streams) {
+  std::vector<Job> jobs;
+  if (arguments.merge.empty()) {
+    if (const auto there = check_scenes(arguments.plan); !there)
+      return fail(streams, there.error());
+    auto made = make_jobs(arguments.plan);
+    if (!made) return fail(streams, made.error());
+    jobs = *std::move(made);
+  }
+  if (arguments.list_jobs) {
+    for (const Job& job : jobs) streams.out << fmt::format("{}\t{}\n", job.id, job.title());
+    return exit_ok;
+  }
+  if (arguments.job && *arguments.job >= jobs.size()) {
+    streams.err << fmt::format("asos report: --job: {} is not from 0 to {}\n", *arguments.job,
+                               jobs.size() - 1);
+    return exit_usage;
+  }
+  const InterruptGuard interrupt;
+  ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
+  const auto wrote = run(arguments, jobs, bar, interrupt);
+  bar.wipe();
+  if (interrupt.interrupted()) {
+    streams.err << "asos: interrupted, no report was written\n";
+    return exit_interrupted;
+  }
+  if (!wrote) return fail(streams, wrote.error());
+  if (!arguments.quiet) streams.out << fmt::format("Wrote {}.\n", *wrote);
+  return exit_ok;
+}
+
+// Everything about the command line that can be wrong without opening anything.
+void check(ReportArguments& arguments) {
+  StudyPlan& plan = arguments.plan;
+  const bool studies = !plan.scenes.empty() || plan.paper;
+  if (arguments.merge.empty() && !studies) throw CLI::RequiredError("SCENE, --suite or --merge");
+  if (!arguments.merge.empty() && (studies || arguments.job || arguments.list_jobs))
+    throw CLI::ValidationError("--merge", "the jobs know their scenes and settings: name none");
+  if (arguments.output.empty() && !arguments.list_jobs) throw CLI::RequiredError("-o");
+  if (plan.methods.empty()) plan.methods = default_methods();
+  for (const std::string& method : plan.methods)
+    if (const auto known = ladder_of(method, {}); !known)
+      throw CLI::ValidationError("--methods", known.error().message());
+}
+
+void add_study_options(CLI::App& app, StudyPlan& plan) {
+  app.add_option("SCENE", plan.scenes, "Paths of .gltf or .glb files, or builtin:NAME")
+      ->type_name("");
+  add_parsed_option(
+      app, "--size", "WxH", "Size of the pictures in pixels",
+      [](const std::string& text) { return parse_size(text, largest_side); },
+      [&](PictureSize s) { plan.width = s.width, plan.height = s.height; })
+      ->default_str(fmt::format("{}x{}", plan.width, plan.height));
+  add_parsed_option(
+      app, "--budget", "SECONDS",
+      "Wall time for the reference of each scene; its first pass always runs to the end. With "
+      "--job, of a single half of a pass",
+      [](const std::string& text) { return parse_number(text, 0.0, 1e9, true); },
+      [&](double seconds) { plan.budget_seconds = seconds; })
+      ->default_str(fmt::format("{}", plan.budget_seconds));
+  std::string known;
+  for (const std::string& name : ladder_methods()) known += (known.empty() ? "" : ", ") + name;
+  app.add_option("--methods", plan.methods, "Which to compare, with commas between them: " + known)
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->default_str("all but beam");
+  app.add_option_function<std::string>(
+         "--suite",
+         [&](const std::string& name) {
+           if (name != "paper")
+             throw CLI::ValidationError("--suite", "\"" + name + "\": not one of paper");
+           plan.paper = true;
+         },
+         "paper: also the cases of CGF'98 table 2, beside what was published")
+      ->type_name("NAME");
+  add_parsed_option(
+      app, "--repetitions", "N", "How often each setting is rendered: 1 to 99",
+      [](const std::string& text) { return parse_whole(text, 1, 99); },
+      [&](int n) { plan.repetitions = n; })
+      ->default_str(std::to_string(plan.repetitions));
+  add_parsed_option(
+      app, "--threads", "N", "Worker threads, 1 to 1024; 0: one for each core but one",
+      [](const std::string& text) { return parse_whole(text, 0, 1024); },
+      [&](int n) { plan.threads = n; })
+      ->default_str("0");
+}
+
+}  // namespace
+
+Command add_report_command(CLI::App& program) {
+  const auto arguments = std::make_shared<ReportArguments>();
+  CLI::App* parser =
+      program.add_subcommand("report", "Measure error against run time, ASOS beside other methods");
+  add_study_options(*parser, arguments->plan);
+  parser->add_option("-o,--output", arguments->output, "Folder to write to")->type_name("DIR");
+  parser->add_flag("--list-jobs", arguments->list_jobs, "List the jobs of the report, one a line");
+  add_parsed_option(
+      *parser, "--job", "K", "Run one job alone, by its number",
+      [](const std::string& text) { return parse_whole(text, 0, 1'000'000'000); },
+      [arguments](int k) { arguments->job = static_cast<std::size_t>(k); });
+  parser
+      ->add_option("--merge", arguments->merge,
+                   "Make the report from jobs that have been run, in these folders")
+      ->type_name("DIR...");
+  parser->add_flag("--quiet", arguments->quiet, "No progress and no closing line");
+  parser->footer(footer);
+  parser->callback([arguments] { check(*arguments); });
+  return {parser, [arguments](const Streams& streams) { return run_report(*arguments, streams); }};
+}
+
+}  // namespace asos

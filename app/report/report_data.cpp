@@ -1,0 +1,239 @@
+#include "app/report/report_data.h"
+
+#include "renderer/study/paper_cases.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace asos {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+/// As RFC 4180 has it: in quotes where a comma, a quote or a line's end is inside.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+json measures_json(const Measures& m) {
+  return {{"rmse", m.rmse},
+          {"rmse_raw", m.rmse_raw},
+          {"mae", m.mae},
+          {"p99", m.p99},
+          {"p999", m.p999},
+          {"max", m.max},
+          {"rmse_display", m.rmse_display},
+          {"perceptual", m.perceptual}};
+}
+
+json point_json(const StudyPoint& p) {
+  json j{{"method", p.rung.method},
+         {"setting", p.rung.setting},
+         {"curve", p.rung.curve},
+         {"seconds", p.seconds()},
+         {"spread", p.spread()},
+         {"wall_seconds", p.wall_seconds()},
+         {"memory_mb", p.memory_mb()},
+         {"rays", p.rays},
+         {"pyrays", p.pyrays},
+         {"rejected_samples", p.rejected_samples},
+         {"under_floor", p.under_floor},
+         {"best", p.best},
+         {"same_picture", p.same_picture}};
+  j.update(measures_json(p.measures));
+  for (std::size_t r = 0; r < region_count; ++r)
+    j["regions"][region_names[r]] = {{"pixels", p.regions[r].pixels},
+                                     {"rmse", p.regions[r].rmse},
+                                     {"share", p.regions[r].share}};
+  return j;
+}
+
+json scene_json(const SceneReport& scene) {
+  json j{{"scene", scene.study.scene},
+         {"triangles", scene.facts.triangles},
+         {"lights", scene.facts.lights},
+         {"left_out", scene.facts.left_out},
+         {"reference",
+          {{"passes", scene.passes},
+           {"samples", scene.samples},
+           {"noise", scene.study.noise},
+           {"floor", scene.study.floor},
+           {"quiet_enough", scene.quiet}}},
+         {"points", json::array()}};
+  for (const StudyPoint& p : scene.study.points) j["points"].push_back(point_json(p));
+  return j;
+}
+
+void add_comparisons(const SceneStudy& study, json& report) {
+  for (const EqualError& row : study.equal_error)
+    report["equal_error"].push_back({{"scene", study.scene},
+                                     {"setting", row.setting},
+                                     {"method", row.method},
+                                     {"rmse", row.rmse},
+                                     {"seconds", row.asos_seconds},
+                                     {"method_seconds", row.rival_seconds},
+                                     {"speedup", row.speedup},
+                                     {"reading", name_of(row.reading)},
+                                     {"best", row.best}});
+  for (const EqualTime& row : study.equal_time)
+    report["equal_time"].push_back({{"scene", study.scene},
+                                    {"setting", row.setting},
+                                    {"method", row.method},
+                                    {"seconds", row.seconds},
+                                    {"rmse", row.asos_rmse},
+                                    {"method_rmse", row.rival_rmse},
+                                    {"error_ratio", row.ratio},
+                                    {"reading", name_of(row.reading)},
+                                    {"best", row.best}});
+  for (const Slope& slope : study.slopes)
+    report["slopes"].push_back({{"scene", study.scene},
+                                {"curve", slope.curve},
+                                {"slope", slope.slope},
+                                {"points", slope.points}});
+}
+
+json paper_json(const StudyReport& report) {
+  json rows = json::array();
+  for (const PaperRow& row : paper_rows(report)) {
+    json j{{"figure", row.figure}, {"image", row.image}, {"settings", row.settings}};
+    j["published_ratio"] = row.published_ratio > 0.0 ? json(row.published_ratio) : json(nullptr);
+    if (!row.missing.empty()) {
+      j["not_in_this_program_yet"] = row.missing;
+    } else {
+      j["scene"] = row.scene;
+      j["method"] = row.method;
+      j["seconds"] = row.asos_seconds;
+      j["rmse"] = row.asos_rmse;
+      j["ratio"] = row.ratio() > 0.0 ? json(row.ratio()) : json(nullptr);
+      if (row.rival_spp > 0) {
+        j["stochastic_spp"] = row.rival_spp;
+        j["stochastic_seconds"] = row.rival_seconds;
+        j["stochastic_rmse"] = row.rival_rmse;
+      }
+    }
+    rows.push_back(std::move(j));
+  }
+  return rows;
+}
+
+const SceneReport* scene_called(const StudyReport& report, const std::string& name) {
+  for (const SceneReport& scene : report.scenes)
+    if (scene.study.scene == name) return &scene;
+  return nullptr;
+}
+
+const StudyPoint* point_at(const SceneReport& scene, const std::string& method,
+                           const std::string& setting) {
+  for (const StudyPoint& p : scene.study.points)
+    if (p.rung.method == method && p.rung.setting == setting) return &p;
+  return nullptr;
+}
+
+void add_measured(const StudyReport& report, PaperRow row, const char* scene_name, int max_level,
+                  double eps, std::vector<PaperRow>& rows) {
+  const SceneReport* scene = scene_called(report, scene_name);
+  if (!scene) return;
+  row.scene = scene_name;
+  for (const char* method : {"asos", "asos-published"}) {
+    const StudyPoint* asos =
+        point_at(*scene, method, fmt::format("MAX {} EPS {}", max_level, eps_text(eps)));
+    if (!asos) continue;
+    row.method = method;
+    row.asos_seconds = asos->seconds();
+    row.asos_rmse = asos->measures.rmse;
+    const StudyPoint* rival = point_at(*scene, "stochastic", fmt::format("{} spp", row.rival_spp));
+    row.rival_seconds = rival ? rival->seconds() : 0.0;
+    row.rival_rmse = rival ? rival->measures.rmse : 0.0;
+    rows.push_back(row);
+  }
+}
+
+}  // namespace
+
+std::string points_csv(const StudyReport& report) {
+  std::string text =
+      "scene,method,setting,repetition,seconds,rmse,mae,p99,p999,max,rmse_display,perceptual,rays,"
+      "pyrays,memory_mb\n";
+  for (const SceneReport& scene : report.scenes) {
+    for (const StudyPoint& p : scene.study.points) {
+      const Measures& m = p.measures;
+      for (std::size_t r = 0; r < p.costs.size(); ++r)
+        text += fmt::format(
+            "{},{},{},{},{:.6f},{:.6e},{:.6e},{:.6e},{:.6e},{:.6e},{:.6e},{:.6e},"
+            "{},{},{:.1f}\n",
+            csv_field(scene.study.scene), csv_field(p.rung.method), csv_field(p.rung.setting),
+            r + 1, p.costs[r].cpu_seconds, m.rmse, m.mae, m.p99, m.p999, m.max, m.rmse_display,
+            m.perceptual, p.rays, p.pyrays, p.costs[r].memory_mb);
+    }
+  }
+  return text;
+}
+
+json report_json(const StudyReport& report) {
+  json j{{"settings", plan_json(report.plan)},
+         {"seconds_are", "processor time of all threads together, median of the repetitions"},
+         {"perceptual_is", "mean CIEDE2000"},
+         {"first_job", report.first},
+         {"last_job", report.last},
+         {"machines", json::array()},
+         {"scenes", json::array()},
+         {"equal_error", json::array()},
+         {"equal_time", json::array()},
+         {"slopes", json::array()}};
+  for (const Machine& machine : report.machines) j["machines"].push_back(machine_json(machine));
+  if (!report.machines.empty()) {
+    j["machine"] = report.machines.front().processor;
+    j["build"] = report.machines.front().compiler;
+    j["commit"] = report.machines.front().commit;
+  }
+  for (const SceneReport& scene : report.scenes) {
+    j["scenes"].push_back(scene_json(scene));
+    add_comparisons(scene.study, j);
+  }
+  if (report.plan.paper) j["paper"] = paper_json(report);
+  return j;
+}
+
+std::vector<PaperRow> paper_rows(const StudyReport& report) {
+  std::vector<PaperRow> rows;
+  if (!report.plan.paper) return rows;
+  for (const PaperCase& published : paper_cases) {
+    PaperRow row{published.figure,
+                 published.image,
+                 published.settings,
+                 0.0,
+                 published.missing,
+                 "",
+                 "",
+                 0.0,
+                 0.0,
+                 published.rival_spp,
+                 0.0,
+                 0.0};
+    if (published.rival_minutes > 0.0)
+      row.published_ratio = published.rival_minutes / published.asos_minutes;
+    if (row.missing.empty())
+      add_measured(report, row, published.scene, published.max_level, published.eps, rows);
+    else
+      rows.push_back(row);
+  }
+  const PaperRow plain{"-",
+                       "House without texture resampling (not a case of the paper)",
+                       "MAX 2, EPS 0",
+                       0.0,
+                       "",
+                       "",
+                       "",
+                       0.0,
+                       0.0,
+                       16,
+                       0.0,
+                       0.0};
+  add_measured(report, plain, plain_house, 2, 0.0, rows);
+  return rows;
+}
+
+}  // namespace asos

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/report/study_report.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// points.csv: a header, then a line for each repetition of each setting. `seconds` are processor
+/// seconds of all threads together; errors are those of the measures of renderer/study/measures.h.
+[[nodiscard]] std::string points_csv(const StudyReport& report);
+
+/// report.json: what was compared, on what, with what settings; the points; equal_error, equal_time
+/// and slopes over all scenes.
+[[nodiscard]] nlohmann::ordered_json report_json(const StudyReport& report);
+
+/// A published case beside what was measured here.
+struct PaperRow {
+  const char* figure;
+  const char* image;
+  const char* settings;
+  double published_ratio = 0.0;  ///< 0: none was published
+  std::string missing;           ///< what the program lacks for it; empty: measured
+  std::string scene;
+  std::string method;  ///< asos or asos-published
+  double asos_seconds = 0.0;
+  double rival_seconds = 0.0;  ///< stochastic sampling at the paper's samples; 0: none
+  int rival_spp = 0;
+  double asos_rmse = 0.0;
+  double rival_rmse = 0.0;
+
+  [[nodiscard]] double ratio() const {
+    return rival_seconds > 0.0 && asos_seconds > 0.0 ? rival_seconds / asos_seconds : 0.0;
+  }
+};
+/// Empty where the study has none.
+[[nodiscard]] std::vector<PaperRow> paper_rows(const StudyReport& report);
+
+}  // namespace asos

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/report/study_report.h"
+#include "renderer/result.h"
+
+#include <string>
+
+namespace asos {
+
+/// Makes a folder, with those above it, where files can be written. Errors name it.
+[[nodiscard]] Result<void> make_folder(const std::string& path);
+
+/// Removes the files that an earlier report left in its folder of jobs; nothing else.
+[[nodiscard]] Result<void> clear_jobs(const std::string& folder);
+
+/// Writes points.csv, report.json, plots/, pictures/ and report.html into a folder.
+[[nodiscard]] Result<void> write_report(const StudyReport& report, const std::string& folder);
+
+}  // namespace asos

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/streams.h"
+#include "renderer/stability/case.h"
+
+#include <string>
+#include <vector>
+
+namespace asos {
+
+struct StabilityArguments {
+  std::string folder;  ///< made if need be
+  bool quick = false;  ///< what the page says of the cases
+};
+
+/// Runs the cases, writes stability.html and stability.csv into the folder and returns the exit
+/// code: 1 if a case is broken.
+int run_stability(const StabilityArguments& arguments, const std::vector<stability::Case>& cases,
+                  const Streams& streams);
+
+}  // namespace asos

@@ -1,0 +1,204 @@
+#include "renderer/stability/case.h"
+#include "renderer/stability/closed_forms.h"
+#include "renderer/stability/light_meter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+// Lights of no size, of huge size, in awkward places, too weak, too strong, too many.
+
+namespace asos::stability {
+namespace {
+
+using std::numbers::pi;
+
+constexpr const char* group = "lights";
+
+Light light_at(Light::Type type, glm::dvec3 position, float intensity = 1.0f) {
+  Light light;
+  light.type = type;
+  light.position = position;
+  light.direction = {0, -1, 0};
+  light.intensity = intensity;
+  return light;
+}
+
+Light disk(double height, double radius) {
+  Light light = light_at(Light::Type::disk, {0, height, 0});
+  light.radius = radius;
+  return light;
+}
+
+Light ball(glm::dvec3 position, double radius) {
+  // So that its radiance is one nit.
+  Light light = light_at(Light::Type::point, position,
+                         static_cast<float>(radius > 0.0 ? pi * radius * radius : 1.0));
+  light.radius = radius;
+  return light;
+}
+
+Light rectangle(glm::dvec3 middle, glm::dvec3 half_u, glm::dvec3 half_v, glm::dvec3 direction) {
+  Light light = light_at(Light::Type::rectangle, middle);
+  light.half_u = half_u;
+  light.half_v = half_v;
+  light.direction = direction;
+  return light;
+}
+
+std::vector<glm::dvec3> corners_of(const Light& r) {
+  const glm::dvec3 c = r.position;
+  return {c - r.half_u - r.half_v, c + r.half_u - r.half_v, c + r.half_u + r.half_v,
+          c - r.half_u + r.half_v};
+}
+
+const char* const closed = "the closed form is exact";
+
+Case under(const std::string& name, const LightMeter& meter, double lux,
+           const Measure& measure = {"illuminance at the origin, lux", 0.0, closed}) {
+  return {name, group, true, [=] { return meter.measure(measure, lux); }};
+}
+
+/// A disk of one nit straight above.
+double disk_lux(double height, double radius) {
+  return pi * radius * radius / (radius * radius + height * height);
+}
+
+void add_sizes(std::vector<Case>& cases) {
+  cases.push_back(under("a point light", {{light_at(Light::Type::point, {0, 2, 0})}, {}}, 0.25));
+  cases.push_back(under("a ball of radius 0 is a point", {{ball({0, 2, 0}, 0.0)}, {}}, 0.25));
+  cases.push_back(under("a ball of radius 1e-12", {{ball({0, 2, 0}, 1e-12)}, {}}, pi * 2.5e-25));
+  cases.push_back(under("a disk of radius 0 gives nothing", {{disk(2.0, 0.0)}, {}}, 0.0));
+  cases.push_back(under("a rectangle of no width gives nothing",
+                        {{rectangle({0, 2, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0})}, {}}, 0.0));
+  cases.push_back(under("a line of length 0 is a point",
+                        {{light_at(Light::Type::linear, {0, 2, 0})}, {}}, 0.25));
+  Light empty = light_at(Light::Type::polygon, {0, 2, 0});
+  empty.outlines = {{{0, 2, 0}, {1, 2, 0}}};
+  cases.push_back(under("a polygon of two corners gives nothing", {{empty}, {}}, 0.0));
+  Light dot = light_at(Light::Type::directional, {0, 0, 0});
+  dot.angular_diameter_rad = 1e-9;
+  cases.push_back(under("a sun of 1e-9 radians gives its lux", {{dot}, {}}, 1.0));
+  cases.push_back(
+      under("a disk of radius 1e6, 1 above", {{disk(1.0, 1e6)}, {}}, disk_lux(1.0, 1e6)));
+  cases.push_back(under("a disk of radius 1e-6, 1 above, of 1e12 nits",
+                        {{[] {
+                           Light light = disk(1.0, 1e-6);
+                           light.intensity = 1e12f;
+                           return light;
+                         }()},
+                         {}},
+                        1e12 * disk_lux(1.0, 1e-6)));
+  const Light wide = rectangle({0, 1, 0}, {1e6, 0, 0}, {0, 0, 1e6}, {0, -1, 0});
+  cases.push_back(
+      under("a rectangle 2e6 wide, 1 above", {{wide}, {}}, contour_illuminance(corners_of(wide))));
+  cases.push_back(under("a ball of radius 1e6, its surface 1 above",
+                        {{ball({0, 1e6 + 1.0, 0}, 1e6)}, {}},
+                        pi * std::pow(1e6 / (1e6 + 1.0), 2.0)));
+}
+
+void add_cones(std::vector<Case>& cases) {
+  for (const double outer : {1e-6, 0.1, 1.5707963}) {
+    Light spot = light_at(Light::Type::spot, {0, 2, 0});
+    spot.inner_cone_rad = spot.outer_cone_rad = outer;
+    // The extension's formula with its guard: (cos - cos outer) / 0.001, squared, at most 1.
+    const double share = std::min(1.0, (1.0 - std::cos(outer)) / 0.001);
+    cases.push_back(under(fmt::format("a spot whose cones are both {:g} radians", outer),
+                          {{spot}, {}}, 0.25 * share * share));
+  }
+  Light near = light_at(Light::Type::point, {0, 2, 0});
+  near.range = 1e-6;
+  cases.push_back(under("a point light whose range ends before the point", {{near}, {}}, 0.0));
+}
+
+void add_places(std::vector<Case>& cases) {
+  const Light touching = rectangle({0.5, 1, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0});
+  cases.push_back(under("a rectangle that stands on the receiver", {{touching}, {}},
+                        contour_illuminance(corners_of(touching))));
+  const Light crossing = rectangle({0.5, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0});
+  cases.push_back(under("a rectangle half below the receiver", {{crossing}, {}},
+                        contour_illuminance(corners_of(crossing))));
+  const Light beside = rectangle({1e-6, 1, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0});
+  cases.push_back(under(
+      "a rectangle that stands 1e-6 beside the point", {{beside}, {}, 1e-3},
+      contour_illuminance(corners_of(beside)),
+      {"illuminance at the origin, lux", 16.0 * rounding * 1e-3 / 1e-6,
+       "the point may be 16 roundings of the floor's half side of 1e-3 off, beside a distance "
+       "of 1e-6"}));
+  cases.push_back(under("a rectangle in the receiver's plane gives nothing",
+                        {{rectangle({2, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0})}, {}}, 0.0));
+  cases.push_back(under("a rectangle in the receiver's plane around the point, facing down",
+                        {{rectangle({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0})}, {}}, 0.0));
+  cases.push_back(under("a rectangle below the horizon gives nothing",
+                        {{rectangle({0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0})}, {}}, 0.0));
+  const Light low = rectangle({0, 1e-6, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0});
+  cases.push_back(under("a rectangle 1e-6 above the surface", {{low}, {}},
+                        contour_illuminance(corners_of(low))));
+  cases.push_back(
+      under("a disk 1e-6 above the surface", {{disk(1e-6, 1.0)}, {}}, disk_lux(1e-6, 1.0)));
+  cases.push_back(under("a point light at the very point gives nothing",
+                        {{light_at(Light::Type::point, {0, 0, 0})}, {}}, 0.0));
+  cases.push_back(
+      under("a point light 1e-6 above the point",
+            {{light_at(Light::Type::point, {0, 1e-6, 0})}, {}, 1e-3}, 1e12,
+            {"illuminance at the origin, lux", 3.0 * std::pow(16.0 * rounding * 1e-3 / 1e-6, 2.0),
+             "the point may be 16 roundings of the floor's half side of 1e-3 beside its place, "
+             "which counts squared, three halves of it"}));
+  cases.push_back(under("a point light 1e6 away",
+                        {{light_at(Light::Type::point, {0, 1e6, 0}, 1e12f)}, {}},
+                        static_cast<double>(1e12f) / 1e12));
+  cases.push_back(under("a ball around the point", {{ball({0.3, 0.2, 0}, 1.0)}, {}}, pi));
+  cases.push_back(
+      under("a ball around the camera and the point", {{ball({0, 4, 0}, 16.0)}, {}}, pi));
+  cases.push_back(under("a ball half below the receiver", {{ball({2, 0, 0}, 1.0)}, {}}, [] {
+    // Of a ball on the horizon, of half angle a: the half of a cap that is above it.
+    const double a = std::asin(0.5);
+    return a - std::sin(a) * std::cos(a);
+  }()));
+}
+
+void add_strengths(std::vector<Case>& cases) {
+  for (const float intensity : {1e-20f, 1e-6f, 1e6f, 1e20f}) {
+    Light light = disk(1.0, 1.0);
+    light.intensity = intensity;
+    cases.push_back(under(fmt::format("a disk of {:g} nits", intensity), {{light}, {}},
+                          static_cast<double>(intensity) * disk_lux(1.0, 1.0)));
+  }
+  LightMeter many;
+  for (int i = 0; i < 4096; ++i) {
+    const double angle = 2.0 * pi * i / 4096.0;
+    many.lights.push_back(
+        light_at(Light::Type::point, {std::cos(angle), 1, std::sin(angle)}, 1.0f / 4096.0f));
+  }
+  cases.push_back(under("4096 point lights on a ring", many, 1.0 / (2.0 * std::sqrt(2.0)),
+                        {"illuminance at the origin, lux", 4096.0 * rounding,
+                         "4096 sums of float32, each rounded once"}));
+  LightMeter areas;
+  for (int i = 0; i < 1024; ++i) {
+    const double x = 0.125 * (i % 32) - 1.9375;
+    const double z = 0.125 * (i / 32) - 1.9375;
+    areas.lights.push_back(rectangle({x, 1, z}, {0.0625, 0, 0}, {0, 0, 0.0625}, {0, -1, 0}));
+  }
+  const Light whole = rectangle({0, 1, 0}, {2, 0, 0}, {0, 0, 2}, {0, -1, 0});
+  cases.push_back(under("1024 rectangles that are one", areas,
+                        contour_illuminance(corners_of(whole)),
+                        {"illuminance at the origin, lux", 1024.0 * rounding,
+                         "1024 sums of float32, each rounded once"}));
+}
+
+}  // namespace
+
+std::vector<Case> light_cases() {
+  std::vector<Case> cases;
+  add_sizes(cases);
+  add_cones(cases);
+  add_places(cases);
+  add_strengths(cases);
+  return cases;
+}
+
+}  // namespace asos::stability

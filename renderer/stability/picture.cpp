@@ -1,0 +1,106 @@
+#include "renderer/stability/picture.h"
+
+#include "renderer/methods/method.h"
+#include "renderer/session/render_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos::stability {
+namespace {
+
+Outcome outcome_of(const Measure& measure, const Picture& picture) {
+  Outcome outcome;
+  outcome.quantity = measure.quantity;
+  outcome.bound = measure.bound;
+  outcome.reason = measure.reason;
+  outcome.rejected_samples = picture.statistics.rejected_samples;
+  outcome.bad_pixels = picture.bad_pixels;
+  return outcome;
+}
+
+}  // namespace
+
+double Picture::at(int x, int y) const {
+  return static_cast<double>(film.radiance[film.index(x, y)].x);
+}
+
+RenderSettings settings_of(int width, int height, int max_level) {
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.max_level = max_level;
+  settings.eps = 0.0;
+  settings.threads = 1;
+  return settings;
+}
+
+Result<Picture> render(const Scene& scene, const RenderSettings& settings) {
+  if (const auto valid = validated(settings); !valid) return unexpected(valid.error());
+  const auto prepared = prepare(scene);
+  if (!prepared) return unexpected(prepared.error());
+  if (const auto fits = check_method(**prepared, settings); !fits) return unexpected(fits.error());
+  if ((*prepared)->world.cameras.empty()) return unexpected(Error{scene.name, "has no camera"});
+  RenderResult rendered =
+      render_to_end({*prepared, (*prepared)->world.cameras.front(), settings, false});
+  Picture picture{std::move(rendered.film), std::move(rendered.statistics), 0};
+  for (const glm::vec3& c : picture.film.radiance) {
+    if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) ++picture.bad_pixels;
+  }
+  return picture;
+}
+
+Result<Outcome> worst_pixel(const Measure& measure, const Result<Picture>& picture,
+                            const std::function<double(int x, int y)>& expected) {
+  if (!picture) return unexpected(picture.error());
+  Outcome outcome = outcome_of(measure, *picture);
+  outcome.error = -1.0;
+  for (int y = 0; y < picture->film.height; ++y) {
+    for (int x = 0; x < picture->film.width; ++x) {
+      const double wanted = expected(x, y);
+      const double got = picture->at(x, y);
+      const double error = std::abs(got - wanted);
+      // Written so that NaN is the worst of all, and stays it.
+      if (error <= outcome.error || std::isnan(outcome.error)) continue;
+      outcome.expected = wanted;
+      outcome.got = got;
+      outcome.error = error;
+    }
+  }
+  return outcome;
+}
+
+Result<Outcome> worst_difference(const Measure& measure, const Result<Picture>& expected,
+                                 const Result<Picture>& picture) {
+  if (!expected) return unexpected(expected.error());
+  if (picture && (picture->film.width != expected->film.width ||
+                  picture->film.height != expected->film.height))
+    return unexpected(Error{measure.quantity, "the pictures differ in size"});
+  Result<Outcome> outcome =
+      worst_pixel(measure, picture, [&](int x, int y) { return expected->at(x, y); });
+  if (outcome) {
+    outcome->bad_pixels += expected->bad_pixels;
+    outcome->rejected_samples += expected->statistics.rejected_samples;
+  }
+  return outcome;
+}
+
+Result<Outcome> one_value(const Measure& measure, double expected, const Result<Picture>& picture,
+                          const std::function<double(const Picture&)>& value) {
+  if (!picture) return unexpected(picture.error());
+  Outcome outcome = outcome_of(measure, *picture);
+  outcome.expected = expected;
+  outcome.got = value(*picture);
+  outcome.error = std::abs(outcome.got - expected);
+  return outcome;
+}
+
+Outcome plain_value(const Measure& measure, double expected, double got) {
+  Outcome outcome = outcome_of(measure, {});
+  outcome.expected = expected;
+  outcome.got = got;
+  outcome.error = std::abs(got - expected);
+  return outcome;
+}
+
+}  // namespace asos::stability

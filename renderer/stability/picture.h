@@ -1,0 +1,52 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/film/statistics.h"
+#include "renderer/methods/settings.h"
+#include "renderer/result.h"
+#include "renderer/scene/scene.h"
+#include "renderer/stability/case.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace asos::stability {
+
+/// A picture of a scene by its first camera, and what was met on the way.
+struct Picture {
+  Film film;
+  RenderStatistics statistics;
+  std::uint64_t bad_pixels = 0;  ///< whose radiance is not finite
+
+  [[nodiscard]] double at(int x, int y) const;  ///< red
+};
+
+/// ASOS with EPS 0, so that MAX alone decides, and one worker.
+[[nodiscard]] RenderSettings settings_of(int width, int height, int max_level = 3);
+
+/// Renders the scene by its first camera, which it must have. Refused settings are an error.
+[[nodiscard]] Result<Picture> render(const Scene& scene, const RenderSettings& settings);
+
+/// What a case says of its figure before it has one.
+struct Measure {
+  std::string quantity;
+  double bound = 0.0;
+  std::string reason;
+};
+
+/// The pixel whose red is farthest from what `expected` says of it.
+[[nodiscard]] Result<Outcome> worst_pixel(const Measure& measure, const Result<Picture>& picture,
+                                          const std::function<double(int x, int y)>& expected);
+/// The pixel of which two pictures of one size say most differently.
+[[nodiscard]] Result<Outcome> worst_difference(const Measure& measure,
+                                               const Result<Picture>& expected,
+                                               const Result<Picture>& picture);
+/// One number of a picture.
+[[nodiscard]] Result<Outcome> one_value(const Measure& measure, double expected,
+                                        const Result<Picture>& picture,
+                                        const std::function<double(const Picture&)>& value);
+/// A number that no picture is needed for.
+[[nodiscard]] Outcome plain_value(const Measure& measure, double expected, double got);
+
+}  // namespace asos::stability

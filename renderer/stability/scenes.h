@@ -1,0 +1,50 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+// Makers of small scenes for the cases.
+
+namespace asos::stability {
+
+/// A flat convex surface of one colour that is shown as it is, whatever the light.
+struct Face {
+  std::vector<glm::dvec3> corners;
+  float colour = 1.0f;
+};
+
+[[nodiscard]] Material unlit(float grey);
+/// A surface without gloss: roughness 1, an index of refraction of 1.
+[[nodiscard]] Material matte(float grey);
+
+/// Keeps a mesh and places it.
+void place(Scene& scene, Mesh mesh, const Material& material,
+           const glm::dmat4& world_from_mesh = glm::dmat4(1.0));
+[[nodiscard]] Mesh mesh_of(const std::vector<glm::dvec3>& convex_corners);
+void add(Scene& scene, const Face& face);
+[[nodiscard]] Scene scene_of(const std::vector<Face>& faces, const Camera& camera);
+
+/// Looks from `eye` at `target`, +Y up (+Z where it looks along Y).
+[[nodiscard]] Camera look_at(glm::dvec3 eye, glm::dvec3 target, double fov_y_deg);
+/// Looks the same way with parallel rays; `height` of the picture in world units.
+[[nodiscard]] Camera parallel(glm::dvec3 eye, glm::dvec3 target, double height);
+
+/// A tilted square of side 2 around the origin that faces +Z: an edge of it crosses most pixels of
+/// its outline askew. Its corners are multiples of 1/256.
+[[nodiscard]] Face tilted_card(float colour = 1.0f);
+/// Sees the tilted card, with some of what is around it.
+[[nodiscard]] Camera card_camera();
+
+/// A floor, a box and a rectangular light, with corners that are multiples of 1/256, lit and
+/// shadowed; the box 1/8 above the floor, so that nothing touches.
+[[nodiscard]] Scene still_life();
+
+/// The same scene placed by `similarity`, a uniform scale by `scale` and any move.
+[[nodiscard]] Scene transformed(Scene scene, const glm::dmat4& similarity, double scale);
+
+}  // namespace asos::stability

@@ -1,0 +1,199 @@
+#include "renderer/study/analysis.h"
+
+#include "renderer/study/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+constexpr const char* subject = "asos";
+
+/// How many times longer than it was measured a rival's last step is taken to go on.
+constexpr double furthest = 16.0;
+
+template <typename Get>
+double median_of(const std::vector<Cost>& costs, Get get) {
+  std::vector<double> values;
+  for (const Cost& cost : costs) values.push_back(get(cost));
+  return values.empty() ? 0.0 : median(std::move(values));
+}
+
+/// Points that may be quoted, of those that `wanted` picks.
+template <typename Wanted>
+std::vector<CurvePoint> quotable(const SceneStudy& study, Wanted wanted) {
+  std::vector<CurvePoint> points;
+  for (const StudyPoint& p : study.points)
+    if (!p.under_floor && wanted(p) && p.seconds() > 0.0 && p.measures.rmse > 0.0)
+      points.push_back({p.seconds(), p.measures.rmse});
+  return points;
+}
+
+std::vector<CurvePoint> front_of(const SceneStudy& study, const std::string& method) {
+  return pareto_front(
+      quotable(study, [&](const StudyPoint& p) { return p.rung.method == method; }));
+}
+
+/// Without repeats, in order.
+template <typename Get>
+std::vector<std::string> names_in(const SceneStudy& study, Get get) {
+  std::vector<std::string> names;
+  for (const StudyPoint& p : study.points)
+    if (std::find(names.begin(), names.end(), get(p)) == names.end()) names.push_back(get(p));
+  return names;
+}
+
+void mark_best(SceneStudy& study) {
+  for (StudyPoint& p : study.points) {
+    p.under_floor = p.measures.rmse < study.floor;
+    p.best = std::none_of(study.points.begin(), study.points.end(), [&](const StudyPoint& other) {
+      return other.rung.method == p.rung.method && &other != &p && other.seconds() <= p.seconds() &&
+             other.measures.rmse <= p.measures.rmse &&
+             (other.seconds() < p.seconds() || other.measures.rmse < p.measures.rmse);
+    });
+  }
+}
+
+struct Read {
+  double value = 0.0;
+  Reading reading = Reading::measured;
+};
+
+/// A rival's seconds at an error. Where its quickest setting is better already, that one's time:
+/// no sampling goes below it.
+std::optional<Read> rival_seconds(const std::vector<CurvePoint>& front, double error) {
+  if (!front.empty() && front.front().error <= error)
+    return Read{front.front().seconds,
+                front.front().error == error ? Reading::measured : Reading::cheapest};
+  if (front.empty()) return std::nullopt;
+  const double longest = front.back().seconds;
+  const auto value = seconds_at_error(front, error);
+  if (!value || value->value > furthest * longest) return Read{longest, Reading::unreached};
+  return Read{value->value, value->beyond ? Reading::extrapolated : Reading::measured};
+}
+
+/// A rival's error in so many seconds. Nothing where all that was measured takes longer, or
+/// a fraction of that time only.
+std::optional<Read> rival_error(const std::vector<CurvePoint>& front, double seconds) {
+  if (front.empty() || seconds < front.front().seconds || seconds > furthest * front.back().seconds)
+    return std::nullopt;
+  const auto value = error_at_seconds(front, seconds);
+  if (!value) return std::nullopt;
+  return Read{value->value, value->beyond ? Reading::extrapolated : Reading::measured};
+}
+
+void compare(SceneStudy& study, const std::string& rival) {
+  const std::vector<CurvePoint> front = front_of(study, rival);
+  for (const StudyPoint& p : study.points) {
+    if (p.rung.method != subject || p.under_floor || !(p.seconds() > 0.0)) continue;
+    const double seconds = p.seconds();
+    const double rmse = p.measures.rmse;
+    if (const auto read = rival_seconds(front, rmse))
+      study.equal_error.push_back({p.rung.setting, rival, rmse, seconds, read->value,
+                                   read->value / seconds, read->reading, p.best});
+    if (const auto read = rival_error(front, seconds))
+      study.equal_time.push_back({p.rung.setting, rival, seconds, rmse, read->value,
+                                  read->value / rmse, read->reading, p.best});
+  }
+}
+
+double value_of(const EqualError& row) {
+  return row.speedup;
+}
+double value_of(const EqualTime& row) {
+  return row.ratio;
+}
+
+template <typename Row>
+std::vector<Verdict> verdicts_of(const std::vector<Row>& rows) {
+  std::vector<Verdict> all;
+  std::vector<std::vector<double>> values;
+  for (const Row& row : rows) {
+    if (all.empty() || all.back().method != row.method) {
+      all.push_back({row.method});
+      values.emplace_back();
+    }
+    if (!row.best) continue;
+    Verdict& verdict = all.back();
+    if (row.reading == Reading::extrapolated || row.reading == Reading::unreached) {
+      ++verdict.beyond;
+      continue;
+    }
+    const double value = value_of(row);
+    values.back().push_back(value);
+    ++(value >= 1.0 + even_band   ? verdict.wins
+       : value <= 1.0 - even_band ? verdict.losses
+                                  : verdict.evens);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (values[i].empty()) continue;
+    all[i].least = *std::min_element(values[i].begin(), values[i].end());
+    all[i].most = *std::max_element(values[i].begin(), values[i].end());
+    all[i].median = median(values[i]);
+  }
+  return all;
+}
+
+}  // namespace
+
+double StudyPoint::seconds() const {
+  return median_of(costs, [](const Cost& c) { return c.cpu_seconds; });
+}
+
+double StudyPoint::spread() const {
+  if (costs.empty()) return 0.0;
+  const auto [lo, hi] = std::minmax_element(
+      costs.begin(), costs.end(),
+      [](const Cost& a, const Cost& b) { return a.cpu_seconds < b.cpu_seconds; });
+  return seconds() > 0.0 ? 0.5 * (hi->cpu_seconds - lo->cpu_seconds) / seconds() : 0.0;
+}
+
+double StudyPoint::wall_seconds() const {
+  return median_of(costs, [](const Cost& c) { return c.wall_seconds; });
+}
+
+double StudyPoint::memory_mb() const {
+  return median_of(costs, [](const Cost& c) { return c.memory_mb; });
+}
+
+const char* name_of(Reading reading) {
+  switch (reading) {
+    case Reading::measured:
+      return "measured";
+    case Reading::cheapest:
+      return "cheapest";
+    case Reading::extrapolated:
+      return "extrapolated";
+    case Reading::unreached:
+      return "unreached";
+  }
+  return "";
+}
+
+void analyse(SceneStudy& study) {
+  study.floor = floor_of(study.noise);
+  study.equal_error.clear();
+  study.equal_time.clear();
+  study.slopes.clear();
+  mark_best(study);
+  for (const std::string& method :
+       names_in(study, [](const StudyPoint& p) { return p.rung.method; }))
+    if (method != subject) compare(study, method);
+  for (const std::string& curve :
+       names_in(study, [](const StudyPoint& p) { return p.rung.curve; })) {
+    const auto points = quotable(study, [&](const StudyPoint& p) { return p.rung.curve == curve; });
+    if (const auto slope = log_log_slope(points))
+      study.slopes.push_back({curve, *slope, static_cast<int>(points.size())});
+  }
+}
+
+std::vector<Verdict> verdicts(const std::vector<EqualError>& rows) {
+  return verdicts_of(rows);
+}
+
+std::vector<Verdict> verdicts(const std::vector<EqualTime>& rows) {
+  return verdicts_of(rows);
+}
+
+}  // namespace asos

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "renderer/study/curves.h"
+#include "renderer/study/measures.h"
+#include "renderer/study/plan.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// What one run of a setting cost.
+struct Cost {
+  double wall_seconds = 0.0;
+  double cpu_seconds = 0.0;  ///< of all threads together
+  double memory_mb = 0.0;
+};
+
+/// A setting of a method with all that is known of it.
+struct StudyPoint {
+  Rung rung;
+  std::vector<Cost> costs;  ///< one a repetition
+  std::uint64_t rays = 0;
+  std::uint64_t pyrays = 0;
+  std::uint64_t rejected_samples = 0;
+  Measures measures;
+  RegionErrors regions{};
+  bool under_floor = false;  ///< its error is hardly known: not quoted
+  bool same_picture = true;  ///< all repetitions made the same bits
+  bool best = false;         ///< no setting of its method is both quicker and better
+
+  /// Processor seconds: the median, and half the range over it.
+  [[nodiscard]] double seconds() const;
+  [[nodiscard]] double spread() const;
+  [[nodiscard]] double wall_seconds() const;
+  [[nodiscard]] double memory_mb() const;
+};
+
+/// How a number of a comparison was come by.
+enum class Reading {
+  measured,      ///< between two settings of the rival
+  cheapest,      ///< the rival's quickest setting is better already: taken at that
+  extrapolated,  ///< the rival was not measured so far; as its last step goes on
+  unreached,     ///< nor would it get there soon: its longest time stands for it, a lower bound
+};
+[[nodiscard]] const char* name_of(Reading reading);
+
+/// A setting of ASOS beside what a rival does at the same error, or in the same time.
+struct EqualError {
+  std::string setting;
+  std::string method;  ///< the rival
+  double rmse = 0.0;
+  double asos_seconds = 0.0;
+  double rival_seconds = 0.0;
+  double speedup = 0.0;  ///< above 1: ASOS is quicker
+  Reading reading = Reading::measured;
+  bool best = false;  ///< the setting is among ASOS's best
+};
+struct EqualTime {
+  std::string setting;
+  std::string method;
+  double seconds = 0.0;
+  double asos_rmse = 0.0;
+  double rival_rmse = 0.0;
+  double ratio = 0.0;  ///< the rival's error over that of ASOS; above 1: ASOS is better
+  Reading reading = Reading::measured;
+  bool best = false;
+};
+
+struct Slope {
+  std::string curve;
+  double slope = 0.0;  ///< of log RMSE over log seconds
+  int points = 0;      ///< above the floor
+};
+
+/// What came out for one scene.
+struct SceneStudy {
+  std::string scene;
+  std::vector<StudyPoint> points;
+  double noise = 0.0;  ///< of the reference
+  double floor = 0.0;
+  std::vector<EqualError> equal_error;
+  std::vector<EqualTime> equal_time;
+  std::vector<Slope> slopes;
+};
+
+/// Marks points under the floor and the best ones, and compares: fills all but scene, points and
+/// noise.
+void analyse(SceneStudy& study);
+
+/// Differences below this share count as even.
+inline constexpr double even_band = 0.05;
+
+/// Whom a rival's rows favour.
+struct Verdict {
+  std::string method;  ///< the rival
+  int wins = 0;        ///< of ASOS's best settings
+  int evens = 0;
+  int losses = 0;
+  int beyond = 0;  ///< rows extrapolated or unreached, counted in none of those
+  double median = 0.0;
+  double least = 0.0;
+  double most = 0.0;
+};
+/// By rival, over ASOS's best settings above the floor; without rows for rivals that have none.
+[[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualError>& rows);
+[[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualTime>& rows);
+
+}  // namespace asos

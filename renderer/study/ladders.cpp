@@ -1,0 +1,152 @@
+#include "renderer/study/ladders.h"
+
+#include "renderer/methods/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace asos {
+namespace {
+
+using Rungs = std::vector<Rung>;
+using MakeRungs = Rungs (*)(const std::string& method, const RenderSettings& base);
+
+std::optional<Method> method_called(const std::string& name) {
+  for (const auto& named : method_names)
+    if (name == named.name) return named.value;
+  return std::nullopt;
+}
+
+Rung make_rung(const std::string& method, const RenderSettings& base) {
+  Rung rung{method, "", method, base};
+  if (const auto known = method_called(method)) rung.settings.method = *known;
+  return rung;
+}
+
+Rungs levels(const std::string& method, const RenderSettings& base, double eps) {
+  Rungs rungs;
+  for (int level = 1; level <= 5; ++level) rungs.push_back(asos_rung(method, base, level, eps));
+  return rungs;
+}
+
+Rungs asos_rungs(const std::string& method, const RenderSettings& base) {
+  Rungs rungs = levels(method, base, 0.0);
+  for (Rung& rung : levels(method, base, 1.0 / 256.0)) rungs.push_back(std::move(rung));
+  return rungs;
+}
+
+Rungs published_rungs(const std::string& method, const RenderSettings& base) {
+  return levels(method, base, 1.0 / 256.0);
+}
+
+Rungs sample_rungs(const std::string& method, const RenderSettings& base) {
+  Rungs rungs;
+  for (const int spp : {1, 4, 16, 64, 256}) rungs.push_back(sampling_rung(method, base, spp));
+  return rungs;
+}
+
+Rungs one_rung(const std::string& method, const RenderSettings& base) {
+  Rung rung = make_rung(method, base);
+  rung.setting = "as it is";
+  return {rung};
+}
+
+/// Where corners differ by less and less, squares are split deeper and deeper; without and with the
+/// enlarged bounding spheres.
+Rungs whitted_rungs(const std::string& method, const RenderSettings& base) {
+  Rungs rungs;
+  for (const bool spheres : {false, true}) {
+    double contrast = 0.2;
+    for (int depth = 1; depth <= 5; ++depth, contrast *= 0.5) {
+      Rung& rung = rungs.emplace_back(make_rung(method, base));
+      const char* with = spheres ? " spheres" : "";
+      rung.setting = fmt::format("contrast {} depth {}{}", contrast, depth, with);
+      rung.curve = method + with;
+      rung.settings.contrast = contrast;
+      rung.settings.depth = depth;
+      rung.settings.spheres = spheres;
+    }
+  }
+  return rungs;
+}
+
+/// Four samples are where its two levels begin.
+Rungs two_level_rungs(const std::string& method, const RenderSettings& base) {
+  Rungs rungs;
+  for (const int spp : {8, 16, 32, 64, 256}) rungs.push_back(sampling_rung(method, base, spp));
+  return rungs;
+}
+
+/// A method, how its ladder is made, and whether a study that names no methods has it.
+struct Ladder {
+  const char* method;
+  MakeRungs make;
+  bool by_default;
+};
+
+// clang-format off
+constexpr Ladder ladders[] = {
+    {"asos", asos_rungs, true},
+    {"asos-published", published_rungs, true},
+    {"uniform", sample_rungs, true},
+    {"stochastic", sample_rungs, true},
+    {"sobol", sample_rungs, true},
+    {"whitted", whitted_rungs, true},
+    {"mitchell", two_level_rungs, true},
+    {"ray-bound", sample_rungs, true},
+    {"average", one_rung, true},
+    {"beam", one_rung, false},
+};
+// clang-format on
+
+std::vector<std::string> methods_where(bool all) {
+  std::vector<std::string> names;
+  for (const Ladder& ladder : ladders)
+    if ((all || ladder.by_default) && method_called(ladder.method)) names.push_back(ladder.method);
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> ladder_methods() {
+  return methods_where(true);
+}
+
+std::vector<std::string> default_methods() {
+  return methods_where(false);
+}
+
+Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSettings& base) {
+  for (const Ladder& ladder : ladders)
+    if (method == ladder.method && method_called(method)) return ladder.make(method, base);
+  std::string known;
+  for (const std::string& name : ladder_methods()) known += (known.empty() ? "" : ", ") + name;
+  return unexpected(Error{fmt::format("\"{}\"", method), "not one of " + known});
+}
+
+Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level, double eps) {
+  Rung rung = make_rung(method, base);
+  rung.setting = fmt::format("MAX {} EPS {}", max_level, eps_text(eps));
+  rung.curve = fmt::format("{} EPS {}", method, eps_text(eps));
+  rung.settings.max_level = max_level;
+  rung.settings.eps = eps;
+  return rung;
+}
+
+Rung sampling_rung(const std::string& method, const RenderSettings& base, int spp) {
+  Rung rung = make_rung(method, base);
+  rung.setting = fmt::format("{} spp", spp);
+  rung.settings.spp = spp;
+  return rung;
+}
+
+std::string eps_text(double eps) {
+  const double inverse = 1.0 / eps;
+  if (eps > 0.0 && eps < 1.0 && inverse == std::floor(inverse)) return fmt::format("1/{}", inverse);
+  return fmt::format("{}", eps);
+}
+
+}  // namespace asos

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/study/regions.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace asos {
+
+/// How far a picture is from another. Radiance is linear; but for `rmse_raw` it is clipped to 0..1,
+/// as a display at exposure 0 shows it. A pixel's own error is the root mean square over its three
+/// channels. A value that is not a number counts as an error of 1, and in `rmse_raw` makes the
+/// whole infinite, so that it never passes unseen.
+struct Measures {
+  double rmse = 0.0;          ///< root mean square, over pixels and channels
+  double rmse_raw = 0.0;      ///< the same without clipping
+  double mae = 0.0;           ///< mean absolute, over pixels and channels
+  double p99 = 0.0;           ///< pixels' error, 99th percentile by nearest rank
+  double p999 = 0.0;          ///< 99.9th percentile
+  double max = 0.0;           ///< the worst pixel's error
+  double rmse_display = 0.0;  ///< root mean square after the sRGB curve
+  double perceptual = 0.0;    ///< mean CIEDE2000 over pixels
+};
+
+/// The mean of the three channels' squared differences, `clipped` to 0..1 or not.
+[[nodiscard]] double squared_error(glm::vec3 a, glm::vec3 b, bool clipped);
+
+/// Root of the mean squared error over all pixels and channels.
+[[nodiscard]] double root_mean_square(const Film& film, const Film& reference, bool clipped);
+
+/// Both films are of one size, which is not 0.
+[[nodiscard]] Measures measure(const Film& film, const Film& reference);
+
+/// The part that one region has in a picture's error.
+struct RegionError {
+  std::size_t pixels = 0;
+  double rmse = 0.0;   ///< clipped, over the region's pixels
+  double share = 0.0;  ///< of the whole picture's squared error, 0 to 1
+};
+using RegionErrors = std::array<RegionError, region_count>;
+[[nodiscard]] RegionErrors region_errors(const Film& film, const Film& reference,
+                                         const std::vector<Region>& regions);
+
+}  // namespace asos

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "renderer/result.h"
+#include "renderer/study/ladders.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// What a study compares. Everything that its jobs follow from: the same plan makes the same list.
+struct StudyPlan {
+  std::vector<std::string> scenes;   ///< measured with whole ladders
+  std::vector<std::string> methods;  ///< empty: default_methods()
+  int width = 320;
+  int height = 180;
+  int repetitions = 3;
+  double budget_seconds = 60.0;  ///< for the reference of one scene
+  int threads = 0;               ///< of each render; 0: all cores but one
+  bool paper = false;            ///< also the cases of CGF'98 table 2
+
+  bool operator==(const StudyPlan&) const = default;
+};
+
+enum class JobKind {
+  regions,    ///< the map of regions of a scene
+  point,      ///< one setting of a method, once
+  reference,  ///< one half of one pass of the reference
+};
+
+/// A piece of work that needs nothing of the others.
+struct Job {
+  std::size_t id = 0;  ///< place in the list
+  JobKind kind = JobKind::point;
+  std::string scene;
+  Rung rung;           ///< what to render
+  int repetition = 0;  ///< point: from 1
+  int pass = 0;        ///< reference: from 0
+  int half = 0;        ///< reference: 0 or 1
+
+  /// What it is in words, the same for the same work.
+  [[nodiscard]] std::string title() const;
+};
+
+/// How many passes a reference has at most, and the samples of a pixel in each half of one: 64, 64,
+/// 128, 256, ... so that each pass doubles what there is.
+inline constexpr int reference_passes = 9;
+[[nodiscard]] int reference_samples(int pass);
+
+/// All scenes of a plan: its own, and those of the published cases.
+[[nodiscard]] std::vector<std::string> scenes_of(const StudyPlan& plan);
+
+/// The jobs in their order: scene by scene the regions, the points and the reference. A repetition
+/// of all points comes before the next, and within it the methods take turns, so that what else the
+/// machine does meets all of them. Errors: no scene, an unknown method, a size that is out of
+/// range.
+[[nodiscard]] Result<std::vector<Job>> make_jobs(const StudyPlan& plan);
+
+}  // namespace asos

@@ -1,0 +1,116 @@
+#include "renderer/study/regions.h"
+
+#include "renderer/lights/prepared_light.h"
+#include "renderer/shading/shade.h"
+#include "renderer/shading/shadow_ray.h"
+#include "renderer/shading/surface.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+/// Points of a light, along a side, that are looked at to tell whether it is seen in part.
+constexpr int light_grid = 4;
+
+/// Looks at what single pixels show.
+class Looker {
+ public:
+  explicit Looker(const Snapshot& snapshot)
+      : scene_(*snapshot.scene),
+        settings_(snapshot.settings),
+        view_(snapshot.camera, settings_.width, settings_.height,
+              radius_around_origin(scene_.world.bounds)),
+        shader_(shader_of(scene_, settings_, view_)) {}
+
+  [[nodiscard]] Region look(double x, double y) const {
+    const Ray ray = view_.ray(x, y);
+    const Hit hit = scene_.rays.closest(ray, seen_faces(settings_));
+    if (!hit.valid()) return Region::rest;
+    if (settings_.shadows && in_penumbra(hit, -ray.direction)) return Region::penumbrae;
+    const Material& m = scene_.world.material_of(hit.triangle);
+    if (!m.unlit && m.roughness < shiny_roughness) return Region::reflections;
+    const bool textured = m.base_color_texture.used() || m.normal_texture.used() ||
+                          m.emissive_texture.used() || m.metallic_roughness_texture.used();
+    return textured ? Region::textures : Region::rest;
+  }
+
+ private:
+  [[nodiscard]] bool in_penumbra(const Hit& hit, glm::vec3 to_viewer) const {
+    const SurfacePoint point = surface_point(scene_.world, scene_.needs, hit, to_viewer);
+    if (point.geometric_normal == glm::vec3(0.0f)) return false;
+    const Receiver receiver{point.position, point.shading_normal, point.geometric_normal};
+    return std::any_of(
+        shader_.lights().begin(), shader_.lights().end(), [&](const PreparedLight& light) {
+          return light.casts_shadows && light.extended() && seen_in_part(light, receiver, point);
+        });
+  }
+
+  [[nodiscard]] bool seen_in_part(const PreparedLight& light, const Receiver& receiver,
+                                  const SurfacePoint& point) const {
+    int lit = 0;
+    int hidden = 0;
+    for (int i = 0; i < light_grid * light_grid && (lit == 0 || hidden == 0); ++i) {
+      const LightSample sample = sample_light(light, receiver, (i % light_grid + 0.5) / light_grid,
+                                              (i / light_grid + 0.5) / light_grid);
+      if (sample.irradiance == glm::vec3(0.0f)) continue;
+      const float share = scene_.rays.transmittance(shadow_ray(point, sample), light.own_part);
+      ++(share > 0.5f ? lit : hidden);
+    }
+    return lit > 0 && hidden > 0;
+  }
+
+  const RenderScene& scene_;
+  RenderSettings settings_;
+  View view_;
+  Shader shader_;
+};
+
+bool at_boundary(SplitCause cause) {
+  switch (cause) {
+    case SplitCause::outline:
+    case SplitCause::crease:
+    case SplitCause::intersection:
+    case SplitCause::cut_out:
+    case SplitCause::saturation:
+    case SplitCause::depth_limit:
+      return true;
+    case SplitCause::none:
+    case SplitCause::shadow:
+    case SplitCause::shading:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
+
+RenderSettings region_settings(RenderSettings settings) {
+  RenderSettings fixed;
+  fixed.width = settings.width;
+  fixed.height = settings.height;
+  fixed.threads = settings.threads;
+  fixed.shadows = settings.shadows;
+  fixed.max_level = 4;
+  return fixed;
+}
+
+RegionMap find_regions(const Snapshot& snapshot, const Film& film) {
+  const Looker looker(snapshot);
+  RegionMap map{film.width, film.height, {}, film.split_level, film.cause};
+  map.region.reserve(film.radiance.size());
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const SplitCause cause = film.cause[film.index(x, y)];
+      if (at_boundary(cause))
+        map.region.push_back(Region::outlines);
+      else if (cause == SplitCause::shadow)
+        map.region.push_back(Region::penumbrae);
+      else
+        map.region.push_back(looker.look(x + 0.5, y + 0.5));
+    }
+  }
+  return map;
+}
+
+}  // namespace asos

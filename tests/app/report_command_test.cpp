@@ -1,0 +1,289 @@
+#include "tests/app/run_asos.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+namespace asos {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::contains;
+using test::Outcome;
+using test::run_asos;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+/// A study that takes a second or two: two methods on boxes, tiny.
+std::vector<std::string> tiny_study(const std::string& folder,
+                                    const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{"report", "builtin:boxes", "-o",         folder,     "--size",
+                                 "16x12",  "--methods",     "asos,sobol", "--budget", "0.2"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// One finished report for the tests that read it.
+class FinishedReport : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new test::TemporaryFolder;
+    const Outcome outcome = run_asos(tiny_study(folder_->path().string(), {"--repetitions", "2"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "report.html"));
+    EXPECT_EQ(outcome.err, "");
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static fs::path path(const std::string& name) { return folder_->path() / name; }
+
+ private:
+  static test::TemporaryFolder* folder_;
+};
+test::TemporaryFolder* FinishedReport::folder_ = nullptr;
+
+TEST_F(FinishedReport, TheCsvHasItsColumnsAndALineForEachRun) {
+  const auto lines = lines_of(text_of(path("points.csv")));
+  ASSERT_EQ(lines.size(), 1u + 2u * (10u + 5u));
+  EXPECT_EQ(lines[0],
+            "scene,method,setting,repetition,seconds,rmse,mae,p99,p999,max,rmse_display,perceptual,"
+            "rays,pyrays,memory_mb");
+  for (const std::string& line : lines) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 14);
+  EXPECT_TRUE(lines[1].starts_with("builtin:boxes,asos,MAX 1 EPS 0,1,")) << lines[1];
+}
+
+TEST_F(FinishedReport, TheJsonHasItsFields) {
+  const json report = json::parse(text_of(path("report.json")));
+  for (const char* key : {"machine", "build", "commit"})
+    EXPECT_FALSE(report.at(key).get<std::string>().empty()) << key;
+  EXPECT_EQ(report.at("settings").at("width"), 16);
+  EXPECT_EQ(report.at("settings").at("repetitions"), 2);
+  for (const json& row : report.at("equal_error")) {
+    EXPECT_EQ(row.at("scene"), "builtin:boxes");
+    EXPECT_EQ(row.at("method"), "sobol");
+    EXPECT_GT(row.at("rmse").get<double>(), 0.0);
+    EXPECT_GT(row.at("speedup").get<double>(), 0.0);
+  }
+  EXPECT_TRUE(report.at("equal_time").is_array());
+  for (const json& slope : report.at("slopes")) EXPECT_TRUE(slope.at("slope").is_number());
+  const json& scene = report.at("scenes").at(0);
+  const double floor = scene.at("reference").at("floor").get<double>();
+  EXPECT_GT(floor, 0.0);
+  std::size_t pixels = 0;
+  for (const json& region : scene.at("points").at(0).at("regions"))
+    pixels += region.at("pixels").get<std::size_t>();
+  EXPECT_EQ(pixels, 16u * 12u);
+  for (const json& point : scene.at("points")) {
+    EXPECT_EQ(point.at("under_floor").get<bool>(), point.at("rmse").get<double>() < floor);
+    EXPECT_TRUE(point.at("same_picture").get<bool>());
+  }
+}
+
+TEST_F(FinishedReport, ThePageNeedsNothingElse) {
+  const std::string page = text_of(path("report.html"));
+  EXPECT_EQ(count_of(page, "http"), 0u) << "a link, or something fetched";
+  EXPECT_EQ(count_of(page, "url("), 0u);
+  const std::regex source("(src|href)=\"([^\"]{0,30})");
+  std::size_t embedded = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), source), end; at != end; ++at) {
+    EXPECT_TRUE((*at)[2].str().starts_with("data:image/")) << at->str();
+    ++embedded;
+  }
+  // Two plots; reference, two pictures with their errors, and three maps.
+  EXPECT_EQ(embedded, 2u + 1u + 4u + 3u);
+  EXPECT_EQ(count_of(page, "data-label="), 1u + 4u + 3u);
+  EXPECT_TRUE(contains(page, "data-pictures=\"pictures1\""));
+  EXPECT_TRUE(contains(page, "id=\"pictures1\""));
+}
+
+TEST_F(FinishedReport, ThePageOpensWithWhatWasComparedAndWhereAsosLoses) {
+  const std::string page = text_of(path("report.html"));
+  const std::size_t compared = page.find("Compared:");
+  const std::size_t losses = page.find("Where ASOS does not win");
+  const std::size_t scene = page.find("id=\"scene1\"");
+  ASSERT_NE(compared, std::string::npos);
+  ASSERT_NE(losses, std::string::npos);
+  EXPECT_LT(compared, losses);
+  EXPECT_LT(losses, scene);
+}
+
+TEST_F(FinishedReport, EveryLossIsListedInWords) {
+  const json report = json::parse(text_of(path("report.json")));
+  const std::string page = text_of(path("report.html"));
+  std::size_t losses = 0;
+  for (const json& row : report.at("equal_error"))
+    losses += row.at("speedup").get<double>() < 1.05 && row.at("reading") != "unreached" ? 1 : 0;
+  for (const json& row : report.at("equal_time"))
+    losses += row.at("error_ratio").get<double>() < 1.05 ? 1 : 0;
+  const std::size_t listed = count_of(page, "<td class=\"t loss\">even:") +
+                             count_of(page, "<td class=\"t loss\">slower:") +
+                             count_of(page, "<td class=\"t loss\">less accurate:");
+  EXPECT_EQ(listed, losses);
+}
+
+TEST_F(FinishedReport, ThePlotsAndPicturesAreFiles) {
+  for (const char* name :
+       {"plots/1-boxes-rmse.svg", "plots/1-boxes-rmse.png", "plots/1-boxes-perceptual.svg",
+        "pictures/1-boxes-reference.png", "pictures/1-boxes-asos.png",
+        "pictures/1-boxes-sobol-errors.png", "pictures/1-boxes-split-causes.png"})
+    EXPECT_GT(fs::file_size(path(name)), 100u) << name;
+}
+
+/// Scenes as report.json has them, without what depends on how long anything took.
+json results_without_times(const fs::path& folder) {
+  json scenes = json::parse(text_of(folder / "report.json")).at("scenes");
+  for (json& scene : scenes)
+    for (json& point : scene.at("points"))
+      for (const char* key : {"seconds", "spread", "wall_seconds", "memory_mb", "best"})
+        point.erase(key);
+  return scenes;
+}
+
+TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
+  const test::TemporaryFolder single;
+  const test::TemporaryFolder odd;
+  const test::TemporaryFolder even;
+  const test::TemporaryFolder merged;
+  // So small that the reference ends by its own rule, not by time.
+  const std::vector<std::string> study{
+      "report",     "builtin:boxes", "--size", "8x6",           "--methods",
+      "asos,sobol", "--budget",      "500",    "--repetitions", "1"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = study;
+    words.insert(words.end(), more.begin(), more.end());
+    return run_asos(words);
+  };
+  const Outcome whole = with({"-o", single.path().string()});
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const Outcome list = with({"--list-jobs"});
+  ASSERT_EQ(list.exit_code, 0);
+  const std::size_t jobs = lines_of(list.out).size();
+  ASSERT_EQ(jobs, 1u + 15u + 18u);
+  for (std::size_t k = jobs; k-- > 0;) {
+    const Outcome one =
+        with({"-o", (k % 2 ? odd : even).path().string(), "--job", std::to_string(k)});
+    ASSERT_EQ(one.exit_code, 0) << one.err;
+  }
+  const Outcome merge = run_asos({"report", "-o", merged.path().string(), "--merge",
+                                  odd.path().string(), even.path().string()});
+  ASSERT_EQ(merge.exit_code, 0) << merge.err;
+  EXPECT_EQ(results_without_times(merged.path()), results_without_times(single.path()));
+}
+
+TEST(ReportCommand, AMissingJobIsNamed) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path().string();
+  ASSERT_EQ(run_asos(tiny_study(path, {"--job", "0"})).exit_code, 0);
+  const Outcome merge = run_asos({"report", "--merge", path, "-o", path});
+  EXPECT_EQ(merge.exit_code, 1);
+  EXPECT_TRUE(contains(merge.err, "job 1 (builtin:boxes asos MAX 1 EPS 0 repetition 1)"));
+  EXPECT_FALSE(fs::exists(folder.path() / "report.html"));
+}
+
+TEST(ReportCommand, JobsOfAnotherStudyAreRefused) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path().string();
+  ASSERT_EQ(run_asos(tiny_study(path, {"--job", "0"})).exit_code, 0);
+  ASSERT_EQ(run_asos(tiny_study(path, {"--job", "1", "--repetitions", "7"})).exit_code, 0);
+  const Outcome merge = run_asos({"report", "--merge", path, "-o", path});
+  EXPECT_EQ(merge.exit_code, 1);
+  EXPECT_TRUE(contains(merge.err, "jobs/1.json"));
+  EXPECT_TRUE(contains(merge.err, "another study"));
+  // And one that is no JSON at all.
+  std::ofstream(folder.path() / "jobs" / "1.json") << "nonsense";
+  EXPECT_TRUE(contains(run_asos({"report", "--merge", path, "-o", path}).err, "jobs/1.json"));
+}
+
+TEST(ReportCommand, ListsItsJobsAndRunsNone) {
+  const test::TemporaryFolder folder;
+  const Outcome outcome = run_asos(tiny_study(folder.file("new"), {"--list-jobs"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(outcome.out.starts_with("0\tbuiltin:boxes regions\n")) << outcome.out;
+  EXPECT_EQ(lines_of(outcome.out).size(), 1u + 3u * 15u + 18u);
+  EXPECT_FALSE(fs::exists(folder.file("new")));
+}
+
+TEST(ReportCommand, RefusesCommandLinesThatMakeNoSense) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"report", "-o", "x"}, "SCENE"},
+      {{"report", "builtin:boxes"}, "-o"},
+      {{"report", "builtin:boxes", "-o", "x", "--methods", "asos,magic"}, "magic"},
+      {{"report", "builtin:boxes", "-o", "x", "--size", "0x5"}, "--size"},
+      {{"report", "builtin:boxes", "-o", "x", "--budget", "nan"}, "--budget"},
+      {{"report", "builtin:boxes", "-o", "x", "--repetitions", "0"}, "--repetitions"},
+      {{"report", "builtin:boxes", "-o", "x", "--suite", "book"}, "book"},
+      {{"report", "builtin:boxes", "-o", "x", "--job", "100000"}, "--job"},
+      {{"report", "builtin:boxes", "-o", "x", "--merge", "y"}, "--merge"},
+  };
+  for (const auto& [words, part] : cases) {
+    const Outcome outcome = run_asos(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words.back() << ": " << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, part));
+  }
+  EXPECT_FALSE(fs::exists("x"));
+}
+
+TEST(ReportCommand, SaysWhatIsWrongWithItsInput) {
+  const test::TemporaryFolder folder;
+  const Outcome unknown = run_asos({"report", "builtin:boxen", "-o", folder.file("a")});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_TRUE(contains(unknown.err, "builtin:boxes"));
+
+  const std::string empty =
+      folder.write("empty.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{}], "scene": 0})");
+  const Outcome nothing = run_asos({"report", empty, "-o", folder.file("b"), "--size", "16x12"});
+  EXPECT_EQ(nothing.exit_code, 1);
+  EXPECT_TRUE(contains(nothing.err, "empty"));
+
+  const std::string file = folder.write("file", "");
+  const Outcome unwritable = run_asos(tiny_study(file));
+  EXPECT_EQ(unwritable.exit_code, 1);
+  EXPECT_TRUE(contains(unwritable.err, file));
+
+  const Outcome nowhere =
+      run_asos({"report", "--merge", folder.file("none"), "-o", folder.file("c")});
+  EXPECT_EQ(nowhere.exit_code, 1);
+  EXPECT_TRUE(contains(nowhere.err, folder.file("none")));
+}
+
+TEST(ReportCommand, SaysAtTheStartThatGnuplotIsMissing) {
+  const test::TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  const Outcome outcome = run_asos(tiny_study(folder.file("report")));
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "gnuplot-nox"));
+  EXPECT_FALSE(fs::exists(folder.file("report"))) << "found out before anything was rendered";
+}
+
+}  // namespace
+}  // namespace asos

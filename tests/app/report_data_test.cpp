@@ -1,0 +1,136 @@
+#include "app/report/report_data.h"
+
+#include "app/report/html_page.h"
+#include "app/report/subdivision_tables.h"
+#include "tests/app/run_asos.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace asos {
+namespace {
+
+using test::contains;
+
+StudyPoint point(const std::string& method, const std::string& setting, double seconds,
+                 double rmse) {
+  StudyPoint p;
+  p.rung.method = method;
+  p.rung.setting = setting;
+  p.rung.curve = method;
+  p.costs = {{seconds, seconds, 1.0}};
+  p.measures.rmse = rmse;
+  return p;
+}
+
+/// Office as the paper's suite measures it: 2 s and 3 s beside 6 s of 16 and 24 s of 64 samples.
+StudyReport paper_report() {
+  StudyReport report;
+  report.plan.paper = true;
+  report.machines.push_back({});
+  SceneReport office;
+  office.study.scene = "builtin:office";
+  office.study.points = {
+      point("asos", "MAX 2 EPS 1/8", 2, 0.02), point("asos", "MAX 3 EPS 1/8", 3, 0.01),
+      point("stochastic", "16 spp", 6, 0.02), point("stochastic", "64 spp", 24, 0.01)};
+  analyse(office.study);
+  report.scenes.push_back(office);
+  return report;
+}
+
+TEST(PaperRows, StandBesideThePublishedRatios) {
+  const auto rows = paper_rows(paper_report());
+  ASSERT_GE(rows.size(), 2u);
+  EXPECT_NEAR(rows[0].published_ratio, 73.70 / 23.65, 1e-12);
+  EXPECT_NEAR(rows[0].ratio(), 3.0, 1e-12);
+  EXPECT_NEAR(rows[1].published_ratio, 383.10 / 27.71, 1e-12);
+  EXPECT_NEAR(rows[1].ratio(), 8.0, 1e-12);
+}
+
+TEST(PaperRows, WhatTheProgramLacksHasNoNumbersOfItsOwn) {
+  std::size_t missing = 0;
+  for (const PaperRow& row : paper_rows(paper_report())) {
+    if (row.missing.empty()) continue;
+    ++missing;
+    EXPECT_EQ(row.ratio(), 0.0) << row.figure;
+    EXPECT_EQ(row.asos_seconds, 0.0) << row.figure;
+    EXPECT_TRUE(row.scene.empty()) << row.figure;
+  }
+  EXPECT_GE(missing, 1u);
+  EXPECT_TRUE(contains(html_paper(paper_report()), "not in this program yet: blurred reflections"));
+  EXPECT_TRUE(paper_rows({}).empty());
+}
+
+TEST(SubdivisionTables, CountAsPublished) {
+  const auto tables = subdivision_tables();
+  ASSERT_TRUE(tables) << tables.error().message();
+  ASSERT_EQ(tables->size(), 2u);
+  for (const SubdivisionTable& table : *tables) {
+    ASSERT_EQ(table.measured.size(), table.published.size()) << table.title;
+    for (std::size_t i = 0; i < table.published.size(); ++i) {
+      const SubdivisionRow& published = table.published[i];
+      const SubdivisionRow& measured = table.measured[i];
+      EXPECT_EQ(measured.level, published.level) << table.title;
+      EXPECT_EQ(measured.marginal, published.marginal) << table.title;
+      EXPECT_EQ(measured.in, published.in) << table.title;
+      EXPECT_EQ(measured.out, published.out) << table.title;
+      EXPECT_NEAR(measured.change, published.change, 0.5e-4) << table.title;
+    }
+  }
+}
+
+TEST(PointsCsv, QuotesWhatNeedsIt) {
+  StudyReport report = paper_report();
+  report.scenes[0].study.scene = "a, \"b\".glb";
+  EXPECT_TRUE(
+      contains(points_csv(report), "\n\"a, \"\"b\"\".glb\",asos,MAX 2 EPS 1/8,1,2.000000,"));
+}
+
+TEST(HtmlSummary, NamesTheWinnerAndTheLoser) {
+  StudyReport report = paper_report();
+  SceneStudy& study = report.scenes[0].study;
+  study.points = {point("asos", "MAX 2", 2, 0.02), point("uniform", "1 spp", 3, 0.05),
+                  point("uniform", "4 spp", 12, 0.01), point("sobol", "1 spp", 0.5, 0.05),
+                  point("sobol", "4 spp", 1.9, 0.01)};
+  analyse(study);
+  const std::string text = html_summary(report);
+  EXPECT_TRUE(contains(text, "<strong>faster</strong> than uniform"));
+  EXPECT_TRUE(contains(text, "<strong>slower</strong> than sobol"));
+  EXPECT_TRUE(contains(text, "ASOS loses"));
+  EXPECT_TRUE(contains(text, "<td class=\"t loss\">slower:"));
+  EXPECT_TRUE(contains(text, "there is no ASOS picture at all")) << "sobol is quicker than any";
+}
+
+TEST(HtmlSummary, EscapesWhatAPathIsMadeOf) {
+  StudyReport report = paper_report();
+  report.scenes[0].study.scene = "<b>&.glb";
+  EXPECT_TRUE(contains(html_summary(report), "&lt;b&gt;&amp;.glb"));
+  EXPECT_EQ(html_summary(report).find("<b>&"), std::string::npos);
+}
+
+TEST(HtmlText, WritesNumbersForAPerson) {
+  EXPECT_EQ(seconds_text(0.01234), "12.3 ms");
+  EXPECT_EQ(seconds_text(12.34), "12.3 s");
+  EXPECT_EQ(seconds_text(250.0), "4 min 10 s");
+  EXPECT_EQ(factor_text(0.454), "0.45");
+  EXPECT_EQ(factor_text(12.34), "12.3");
+  EXPECT_EQ(count_text(1234567), "1\u202f234\u202f567");
+  EXPECT_EQ(list_text({"a", "b", "c"}), "a, b and c");
+  EXPECT_EQ(outcome_of(1.04), Outcome::even);
+  EXPECT_EQ(outcome_of(0.9), Outcome::loss);
+}
+
+TEST(ErrorColour, GrowsBrighter) {
+  double last = -1.0;
+  for (int i = 0; i <= 20; ++i) {
+    const glm::u8vec3 c = error_colour(i / 20.0);
+    const double brightness = 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+    EXPECT_GT(brightness, last) << i;
+    last = brightness;
+  }
+  EXPECT_EQ(error_colour(7.0), error_colour(1.0));
+}
+
+}  // namespace
+}  // namespace asos

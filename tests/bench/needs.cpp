@@ -1,0 +1,133 @@
+// What leaving out saves: each feature that a scene does not need is forced in alone, then all of
+// them together. The table shows how much more that takes, as ratios to what the scene needs (1:
+// nothing saved): processor time of the picture, time to build, memory of the scene. Renders
+// alternate between the two, so that drift of the machine meets both. Renders' ratios are of
+// medians; builds' of the fastest, for they take milliseconds in several threads. Pictures are
+// compared to the bit.
+//
+//   bench_needs [SCENE...] [--size WxH] [--repetitions N] [--max K] [--csv]
+
+#include "tests/bench/bench_support.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace asos;
+using namespace asos::bench;
+
+struct Settings {
+  std::vector<std::string> scenes{"builtin:boxes", "builtin:mixed"};
+  PictureSize size{320, 240};
+  int repetitions = 5;
+  int max_level = 3;
+  bool csv = false;
+};
+
+struct Forced {
+  std::string name;
+  SceneNeeds needs;
+};
+
+/// The features that can be forced where `needs` leaves them out; then all of them.
+std::vector<Forced> forced_features(const SceneNeeds& needs) {
+  std::vector<Forced> list;
+  const SceneNeeds all = SceneNeeds::all();
+  for (const SceneFeature& feature : features_left_out(needs)) {
+    if (!(all.*feature.needed)) continue;
+    list.emplace_back(Forced{feature.name, {}}).needs.*feature.needed = true;
+  }
+  list.push_back({"all of them", all});
+  return list;
+}
+
+struct Cost {
+  std::vector<double> build;
+  Times render;
+  double memory_mb = 0.0;
+  Film film;
+};
+
+/// Prepares and renders once more, and adds what it took.
+Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Settings& settings,
+                     Cost& cost) {
+  const auto prepared = prepare(scene, forced);
+  if (!prepared) return unexpected(prepared.error());
+  cost.build.push_back((*prepared)->build_seconds);
+  cost.memory_mb = (*prepared)->memory_mb;
+  Snapshot snapshot = snapshot_of(*prepared, settings.size.width, settings.size.height);
+  snapshot.settings.max_level = settings.max_level;
+  snapshot.settings.threads = 1;
+  cost.film = cost.render.render(snapshot).film;
+  return {};
+}
+
+/// `what` beside what the scene needs.
+Result<void> compare(const std::string& source, const Scene& scene, const Forced& what,
+                     const Settings& settings) {
+  Cost needed, forced;
+  for (int i = 0; i < settings.repetitions; ++i) {
+    // Which one goes first alternates, too.
+    const auto first = i % 2 == 0 ? measure(scene, {}, settings, needed)
+                                  : measure(scene, what.needs, settings, forced);
+    if (!first) return first;
+    const auto second = i % 2 == 0 ? measure(scene, what.needs, settings, forced)
+                                   : measure(scene, {}, settings, needed);
+    if (!second) return second;
+  }
+  const double render = forced.render.medians().cpu / needed.render.medians().cpu;
+  const double build = *std::min_element(forced.build.begin(), forced.build.end()) /
+                       *std::min_element(needed.build.begin(), needed.build.end());
+  const double memory = forced.memory_mb / needed.memory_mb;
+  const bool same = forced.film.radiance == needed.film.radiance;
+  if (settings.csv)
+    fmt::print("\"{}\",\"{}\",{:.4f},{:.4f},{:.4f},{}\n", source, what.name, render, build, memory,
+               same ? "same" : "different");
+  else
+    fmt::print("  {:<34}{:>9.3f}{:>9.3f}{:>9.3f}   {}\n", what.name, render, build, memory,
+               same ? "same" : "DIFFERENT");
+  std::fflush(stdout);
+  return {};
+}
+
+Result<void> measure_scene(const std::string& source, const Settings& settings) {
+  const Result<Scene> scene = load_scene(source);
+  if (!scene) return unexpected(scene.error());
+  const auto prepared = prepare(*scene);
+  if (!prepared) return unexpected(prepared.error());
+  if (!settings.csv)
+    fmt::print("{}: {} triangles, {:.2f} MB\n", source, (*prepared)->world.triangles.size(),
+               (*prepared)->memory_mb);
+  // The first line measures nothing against nothing: what its ratios are off 1 is noise.
+  std::vector<Forced> list = forced_features((*prepared)->needs);
+  list.insert(list.begin(), Forced{"(nothing: noise)", {}});
+  for (const Forced& what : list) {
+    if (const auto done = compare(source, *scene, what, settings); !done) return done;
+  }
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  CLI::App app("What leaving out saves");
+  app.add_option("SCENES", settings.scenes);
+  add_size(app, settings.size);
+  app.add_option("--repetitions", settings.repetitions)->check(CLI::Range(1, 99));
+  app.add_option("--max", settings.max_level)->check(CLI::Range(0, 8));
+  app.add_flag("--csv", settings.csv);
+  CLI11_PARSE(app, argc, argv);
+  if (settings.csv)
+    fmt::print("scene,forced,render_ratio,build_ratio,memory_ratio,picture\n");
+  else
+    fmt::print("  {:<34}{:>9}{:>9}{:>9}   picture\n", "forced", "render", "build", "memory");
+  for (const std::string& source : settings.scenes)
+    if (const auto done = measure_scene(source, settings); !done) return fail(done.error());
+  return 0;
+}

@@ -1,0 +1,135 @@
+#include "renderer/study/analysis.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+StudyPoint point(const std::string& method, const std::string& setting, double seconds,
+                 double rmse) {
+  StudyPoint p;
+  p.rung.method = method;
+  p.rung.setting = setting;
+  p.rung.curve = method;
+  p.costs = {{seconds, 0.9 * seconds, 1}, {seconds, seconds, 1}, {seconds, 1.3 * seconds, 1}};
+  p.measures.rmse = rmse;
+  return p;
+}
+
+// Sobol: error 0.1 / sqrt(t). ASOS: 0.01 in 2 s, where Sobol takes 100 s; 0.001 in 20 s, where
+// Sobol would take 10^4 s but was measured up to 400 s only.
+SceneStudy power_laws() {
+  SceneStudy study;
+  study.scene = "made up";
+  study.points = {point("asos", "MAX 1", 2, 0.01),      point("asos", "MAX 2", 20, 0.002),
+                  point("sobol", "1 spp", 1, 0.1),      point("sobol", "4 spp", 4, 0.05),
+                  point("sobol", "64 spp", 64, 0.0125), point("sobol", "400 spp", 400, 0.005)};
+  analyse(study);
+  return study;
+}
+
+TEST(StudyPoint, TakesTheMedianAndHalfTheRange) {
+  const StudyPoint p = point("asos", "", 2.0, 0.1);
+  EXPECT_EQ(p.seconds(), 2.0);
+  EXPECT_NEAR(p.spread(), 0.2, 1e-12);
+}
+
+TEST(Analyse, FindsTheSpeedupAtEqualError) {
+  const SceneStudy study = power_laws();
+  ASSERT_EQ(study.equal_error.size(), 2u);
+  EXPECT_EQ(study.equal_error[0].method, "sobol");
+  EXPECT_EQ(study.equal_error[0].setting, "MAX 1");
+  EXPECT_NEAR(study.equal_error[0].speedup, 50.0, 1e-9);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::measured);
+  EXPECT_NEAR(study.equal_error[1].speedup, 125.0, 1e-6);
+  EXPECT_EQ(study.equal_error[1].reading, Reading::extrapolated);
+}
+
+TEST(Analyse, FindsTheErrorInEqualTime) {
+  const SceneStudy study = power_laws();
+  ASSERT_EQ(study.equal_time.size(), 2u);
+  EXPECT_NEAR(study.equal_time[0].rival_rmse, 0.1 / std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(study.equal_time[0].ratio, 10.0 / std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(study.equal_time[1].ratio, 50.0 / std::sqrt(20.0), 1e-9);
+}
+
+TEST(Analyse, FindsTheSlopes) {
+  const SceneStudy study = power_laws();
+  ASSERT_EQ(study.slopes.size(), 2u);
+  EXPECT_NEAR(study.slopes[0].slope, -std::log10(5.0), 1e-9);
+  EXPECT_NEAR(study.slopes[1].slope, -0.5, 1e-9);
+  EXPECT_EQ(study.slopes[1].points, 4);
+}
+
+TEST(Analyse, PointsUnderTheFloorAreNotQuoted) {
+  SceneStudy study = power_laws();
+  study.noise = 0.0015;  // floor 0.003
+  analyse(study);
+  EXPECT_TRUE(study.points[1].under_floor);
+  EXPECT_FALSE(study.points[0].under_floor);
+  ASSERT_EQ(study.equal_error.size(), 1u);
+  EXPECT_EQ(study.equal_error[0].setting, "MAX 1");
+  EXPECT_EQ(study.equal_time.size(), 1u);
+  ASSERT_EQ(study.slopes.size(), 1u) << "one point has no slope";
+  EXPECT_EQ(study.slopes[0].curve, "sobol");
+}
+
+// No sampling goes below one sample: a rival that is better at its quickest costs that and no less.
+TEST(Analyse, ALossIsALoss) {
+  SceneStudy study;
+  study.points = {point("asos", "MAX 1", 2, 0.2), point("sobol", "1 spp", 1, 0.1),
+                  point("sobol", "4 spp", 4, 0.05)};
+  analyse(study);
+  ASSERT_EQ(study.equal_error.size(), 1u);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::cheapest);
+  EXPECT_NEAR(study.equal_error[0].speedup, 0.5, 1e-12);
+  const auto all = verdicts(study.equal_error);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].losses, 1);
+  EXPECT_EQ(all[0].wins, 0);
+}
+
+TEST(Analyse, ComparesARivalAtItsBest) {
+  SceneStudy study = power_laws();
+  // A setting that is slower and worse than others of its method changes nothing.
+  study.points.push_back(point("sobol", "clumsy", 300, 0.09));
+  const double before = power_laws().equal_error[0].speedup;
+  analyse(study);
+  EXPECT_NEAR(study.equal_error[0].speedup, before, 1e-9);
+  EXPECT_FALSE(study.points.back().best);
+  EXPECT_TRUE(study.points.front().best);
+}
+
+// A method whose errors stop falling: no time would be enough, and its longest is a lower bound.
+TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
+  SceneStudy study;
+  study.points = {point("asos", "MAX 2", 2, 0.001), point("average", "a", 1, 0.1),
+                  point("average", "b", 3, 0.0999)};
+  analyse(study);
+  ASSERT_EQ(study.equal_error.size(), 1u);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
+  EXPECT_NEAR(study.equal_error[0].speedup, 1.5, 1e-12);
+  study.points.pop_back();  // and so has one with a single setting
+  analyse(study);
+  ASSERT_EQ(study.equal_error.size(), 1u);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
+  EXPECT_NEAR(study.equal_error[0].speedup, 0.5, 1e-12);
+  const auto all = verdicts(study.equal_error);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].losses + all[0].wins + all[0].evens, 0);
+  EXPECT_EQ(all[0].beyond, 1);
+}
+
+TEST(Verdicts, CountByRivalAndLeaveExtrapolationOut) {
+  const auto all = verdicts(power_laws().equal_error);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].wins, 1);
+  EXPECT_EQ(all[0].beyond, 1);
+  EXPECT_NEAR(all[0].median, 50.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,303 @@
+#include "renderer/study/reference.h"
+#include "renderer/study/timed_render.h"
+#include "tests/ui/panels_fixture.h"
+#include "ui/panels/study_plot.h"
+#include "ui/theme.h"
+#include "ui/view_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+/// Waits, for at most a minute.
+bool eventually(const std::function<bool()>& done) {
+  const auto start = std::chrono::steady_clock::now();
+  while (!done()) {
+    if (std::chrono::steady_clock::now() - start > std::chrono::minutes(1)) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+class ViewStudyTest : public testing::Test {
+ protected:
+  ViewStudyTest() {
+    subject.scene = prepare(test::grating()).value();
+    subject.camera = subject.scene->world.cameras.front();
+    subject.plan.scenes = {"grating"};
+    subject.plan.methods = {"asos", "average", "stochastic"};
+    subject.plan.width = 16;
+    subject.plan.height = 12;
+    subject.plan.repetitions = 2;
+    subject.plan.budget_seconds = 0.05;
+    subject.plan.threads = 2;
+  }
+  /// So much that no test waits for its end.
+  [[nodiscard]] ViewStudy::Subject endless() const {
+    ViewStudy::Subject large = subject;
+    large.plan.width = large.plan.height = 512;
+    large.plan.repetitions = 99;
+    return large;
+  }
+  [[nodiscard]] Film render(const Job& job) const {
+    return timed_render({subject.scene, subject.camera, job.rung.settings, false})->film;
+  }
+  /// Both halves of the first passes.
+  [[nodiscard]] Reference reference(const std::vector<Job>& jobs, int passes) const {
+    Reference made;
+    std::vector<Film> halves;
+    for (const Job& job : jobs) {
+      if (job.kind != JobKind::reference || job.pass >= passes) continue;
+      halves.push_back(render(job));
+      if (halves.size() < 2) continue;
+      made.add(halves[0], halves[1], reference_samples(job.pass));
+      halves.clear();
+    }
+    return made;
+  }
+
+  ViewStudy::Subject subject;
+  ViewStudy study;
+};
+
+TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
+  ASSERT_TRUE(study.start(subject).has_value());
+  ASSERT_TRUE(eventually([&] { return !study.busy(); }));
+  const ViewStudy::State state = study.state();
+  EXPECT_EQ(state.phase, ViewStudy::Phase::finished);
+  ASSERT_GE(state.passes, 1);
+
+  const std::vector<Job> jobs = make_jobs(subject.plan).value();
+  const Reference truth = reference(jobs, state.passes);
+  EXPECT_EQ(state.study.noise, truth.noise());
+  ASSERT_EQ(state.study.points.size(), 10u + 1u + 5u);
+  EXPECT_EQ(state.points, 2u * state.study.points.size());
+  EXPECT_EQ(state.points_run, state.points);
+  std::size_t next = 0;
+  for (const Job& job : jobs) {
+    if (job.kind != JobKind::point || job.repetition > 1) continue;
+    const StudyPoint& point = state.study.points[next++];
+    EXPECT_EQ(point.rung.setting, job.rung.setting);
+    EXPECT_EQ(point.measures.rmse, measure(render(job), truth.film()).rmse) << job.title();
+    EXPECT_EQ(point.costs.size(), 2u);
+    EXPECT_TRUE(point.same_picture);
+  }
+  SceneStudy again = state.study;
+  analyse(again);
+  ASSERT_FALSE(again.equal_error.empty());
+  ASSERT_EQ(again.equal_error.size(), state.study.equal_error.size());
+  for (std::size_t i = 0; i < again.equal_error.size(); ++i)
+    EXPECT_EQ(again.equal_error[i].speedup, state.study.equal_error[i].speedup);
+}
+
+TEST_F(ViewStudyTest, StopsAndKeepsWhatItFound) {
+  ASSERT_TRUE(study.start(endless()).has_value());
+  ASSERT_TRUE(eventually([&] { return study.state().points_run > 0; }));
+  EXPECT_FALSE(study.start(subject).has_value()) << "one at a time";
+  study.stop();
+  ASSERT_TRUE(eventually([&] { return !study.busy(); }));
+  const ViewStudy::State state = study.state();
+  EXPECT_EQ(state.phase, ViewStudy::Phase::stopped);
+  EXPECT_LT(state.points_run, state.points);
+  EXPECT_EQ(state.study.points.size(), std::min<std::size_t>(state.points_run, 16));
+  EXPECT_TRUE(study.start(subject).has_value());
+}
+
+TEST_F(ViewStudyTest, RestsWhileDisturbedAndRunsEachJobOnce) {
+  study.update(true);
+  ASSERT_TRUE(study.start(subject).has_value());
+  ASSERT_TRUE(eventually([&] { return study.state().resting; }));
+  EXPECT_EQ(study.state().passes, 0);
+  for (int i = 0; i < 20; ++i) {
+    study.update(i % 2 == 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+  study.update(false);
+  ASSERT_TRUE(eventually([&] { return !study.busy(); }));
+  EXPECT_EQ(study.state().phase, ViewStudy::Phase::finished);
+  for (const StudyPoint& point : study.state().study.points)
+    EXPECT_EQ(point.costs.size(), 2u) << point.rung.setting;
+}
+
+TEST_F(ViewStudyTest, EndsWhileItRests) {
+  study.update(true);
+  ASSERT_TRUE(study.start(subject).has_value());
+  ASSERT_TRUE(eventually([&] { return study.state().resting; }));
+  study.clear();
+  EXPECT_EQ(study.scene(), nullptr);
+  EXPECT_EQ(study.state().phase, ViewStudy::Phase::none);
+  EXPECT_TRUE(eventually([&] { return !study.busy(); }));
+}
+
+TEST_F(ViewStudyTest, SaysWhatItCannotDo) {
+  ViewStudy::Subject wrong = subject;
+  wrong.scene = nullptr;
+  EXPECT_FALSE(study.start(wrong).has_value());
+  wrong = subject;
+  wrong.plan.methods = {"asos", "guessing"};
+  const auto started = study.start(wrong);
+  ASSERT_FALSE(started.has_value());
+  EXPECT_NE(started.error().message().find("guessing"), std::string::npos);
+  EXPECT_FALSE(study.busy());
+}
+
+TEST(StudyPlot, AxesHoldWholeDecades) {
+  const LogAxis axis = axis_over({0.02, 3.0, 0.0, std::nan("")});
+  EXPECT_EQ(axis.first_decade, -2);
+  EXPECT_EQ(axis.decades, 3);
+  EXPECT_DOUBLE_EQ(axis.share(0.01), 0.0);
+  EXPECT_DOUBLE_EQ(axis.share(1.0), 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(axis.share(10.0), 1.0);
+  EXPECT_EQ(axis_over({0.1}).decades, 1) << "a decade alone has no length";
+  EXPECT_EQ(axis_over({}).decades, 1);
+}
+
+TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
+  SceneStudy study;
+  const auto add = [&](const char* method, const char* curve, double seconds, double rmse) {
+    StudyPoint point;
+    point.rung.method = method;
+    point.rung.curve = curve;
+    point.costs = {{seconds, seconds, 0.0}};
+    point.measures.rmse = rmse;
+    study.points.push_back(point);
+  };
+  add("asos", "asos EPS 0", 0.02, 0.01);
+  add("sobol", "sobol", 0.01, 0.05);
+  add("asos", "asos EPS 0", 0.04, 0.002);
+  add("asos", "asos EPS 0", 0.08, 0.0);
+  study.floor = 0.0005;
+  const StudyPlot plot = plot_of(study);
+  ASSERT_EQ(plot.lines.size(), 2u);
+  EXPECT_EQ(plot.lines[0].curve, "asos EPS 0");
+  EXPECT_EQ(plot.lines[0].marks.size(), 2u);
+  EXPECT_EQ(plot.lines[1].marks.size(), 1u);
+  EXPECT_EQ(plot.rmse.first_decade, -4) << "the floor is on the axis";
+  EXPECT_EQ(plot.rmse.decades, 3);
+  for (const std::string& method : default_methods())
+    EXPECT_TRUE(method == "average" || method_colour(method) != theme::text) << method;
+}
+
+class StudyPanelTest : public PanelsTest {
+ protected:
+  StudyPanelTest() {
+    for (const char* other : {"Antialiasing", "Shadows", "Display", "Camera", "Statistics"})
+      rig.click(std::string("section/") + other);
+    rig.click("section/Error against run time");
+    rig.frame();
+    StudyChoice& choice = rig.content().state().study;
+    choice.rivals = {"average"};
+    choice.budget_seconds = 1;
+    choice.repetitions = 1;
+    rig.click("Size/Quarter");
+  }
+  void open(const std::string& source) {
+    rig.previewer().open(source);
+    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == source; }));
+    rig.frame();
+  }
+  [[nodiscard]] ViewStudy::State state() { return rig.content().study().state(); }
+  [[nodiscard]] bool shown(const std::string& name) {
+    rig.frame();
+    return rig.content().controls().all().contains(name);
+  }
+};
+
+TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
+  open("grating");
+  EXPECT_FALSE(shown("Study plot"));
+  rig.click("Start study");
+  EXPECT_TRUE(rig.content().study().busy());
+  EXPECT_TRUE(shown("Stop study"));
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
+  const ViewStudy::State found = state();
+  EXPECT_EQ(found.phase, ViewStudy::Phase::finished);
+  ASSERT_EQ(found.study.points.size(), 10u + 1u);
+  const RenderSettings& settings = found.study.points[0].rung.settings;
+  EXPECT_EQ(settings.width, rig.previewer().rendered_settings().width / 4);
+  EXPECT_EQ(settings.height, rig.previewer().rendered_settings().height / 4);
+  EXPECT_TRUE(shown("Slower/average"));
+
+  const Controls::Placed plot = rig.control("Study plot");
+  const std::uint32_t rgb = method_colour("asos");
+  const glm::u8vec3 colour(rgb >> 16, rgb >> 8 & 255u, rgb & 255u);
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  int coloured = 0;
+  for (int y = static_cast<int>(plot.lo.y); y < static_cast<int>(plot.hi.y); ++y)
+    for (int x = static_cast<int>(plot.lo.x); x < static_cast<int>(plot.hi.x); ++x)
+      coloured += pixels[static_cast<std::size_t>(y * rig.size().x + x)] == colour;
+  EXPECT_GT(coloured, 100) << "marks and lines of asos";
+}
+
+TEST_F(StudyPanelTest, SaysWhereNothingCanBeCompared) {
+  // Two triangles are exact: every setting of ASOS is below the reference's noise.
+  rig.click("Start study");
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
+  ASSERT_TRUE(state().study.equal_error.empty());
+  EXPECT_TRUE(shown("Nothing to compare"));
+  EXPECT_FALSE(shown("Slower/average"));
+}
+
+TEST_F(StudyPanelTest, TheButtonStops) {
+  rig.content().state().study.repetitions = 9;
+  rig.click("Size/Whole");
+  rig.click("Start study");
+  rig.frame();
+  rig.click("Stop study");
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
+  EXPECT_EQ(state().phase, ViewStudy::Phase::stopped);
+  EXPECT_TRUE(shown("Start study"));
+}
+
+TEST_F(StudyPanelTest, AnotherSceneEndsTheStudyOfTheOneBefore) {
+  rig.content().state().study.repetitions = 9;
+  rig.click("Size/Whole");
+  rig.click("Start study");
+  ASSERT_NE(rig.content().study().scene(), nullptr);
+  open("point light");
+  EXPECT_EQ(rig.content().study().scene(), nullptr);
+  EXPECT_EQ(state().phase, ViewStudy::Phase::none);
+  EXPECT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
+}
+
+TEST_F(StudyPanelTest, TheCameraMovesWhileAStudyRuns) {
+  rig.content().state().study.repetitions = 9;
+  rig.click("Size/Whole");
+  rig.click("Start study");
+  const glm::dmat4 before = rig.previewer().camera().camera().world_from_camera;
+  rig.drag({200, 200}, {260, 180});
+  EXPECT_NE(rig.previewer().camera().camera().world_from_camera, before);
+  EXPECT_TRUE(rig.settle()) << "the window renders to the end";
+  EXPECT_TRUE(rig.content().study().busy());
+}
+
+TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
+  const StudyChoice& choice = rig.content().state().study;
+  rig.click("Study/sobol");
+  EXPECT_TRUE(choice.rivals.contains("sobol"));
+  rig.click("Study/average");
+  EXPECT_FALSE(choice.rivals.contains("average"));
+  rig.click("Size/Half");
+  EXPECT_EQ(choice.reduction, 2);
+  slide("Budget", 0.1f, 2.0f);
+  EXPECT_EQ(choice.budget_seconds, 600);
+  const StudyPlan plan = plan_of(choice, "scene", 641, 3, 5);
+  EXPECT_EQ(plan.methods, (std::vector<std::string>{"asos", "sobol"}));
+  EXPECT_EQ(plan.width, 320);
+  EXPECT_EQ(plan.height, 1);
+  EXPECT_EQ(plan.threads, 5);
+  for (const char* name : {"Study/sobol", "Size/Whole", "Size/Half", "Size/Quarter", "Budget",
+                           "Repetitions", "Start study"})
+    EXPECT_TRUE(rig.control(name).has_tooltip) << name;
+}
+
+}  // namespace
+}  // namespace asos

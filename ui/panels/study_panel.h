@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/panels/controls.h"
+#include "ui/previewer.h"
+#include "ui/view_study.h"
+
+#include <set>
+#include <string>
+
+namespace asos {
+
+/// What a study of the view is asked for.
+struct StudyChoice {
+  std::set<std::string> rivals{"sobol", "stochastic"};  ///< beside asos
+  int budget_seconds = 30;                              ///< for the reference
+  int repetitions = 3;
+  int reduction = 2;  ///< the picture's width and height are divided by it: 1, 2 or 4
+  std::string error;  ///< why the last study could not start
+};
+
+/// The plan for a view of `scene_name` in a picture of this size, in pixels.
+[[nodiscard]] StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name, int width,
+                                int height, int threads);
+
+/// Call once a frame, whether the panel is shown or not: the study rests while the window renders,
+/// and ends when another scene takes the place of its own.
+void update_study(ViewStudy& study, const Previewer& previewer);
+
+/// Starts and stops a study of the current view, and shows error against run time as it goes on.
+void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
+                 const Previewer& previewer);
+
+}  // namespace asos

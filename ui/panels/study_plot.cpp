@@ -1,0 +1,199 @@
+#include "ui/panels/study_plot.h"
+
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+
+namespace {
+
+constexpr float plot_height_em = 13.0f;
+
+struct MethodColour {
+  const char* method;
+  std::uint32_t rgb;
+};
+/// After Okabe and Ito (2008), told apart by the colour-blind, lightened for a dark ground.
+constexpr MethodColour method_colours[] = {
+    {"asos", 0xff8a3d},       {"asos-published", 0xf0c05a}, {"uniform", 0x9aa0a8},
+    {"stochastic", 0x56b4e9}, {"sobol", 0x2fc49a},          {"whitted", 0xe39ac4},
+    {"mitchell", 0xb7a2f0},   {"ray-bound", 0xe8e46a},      {"average", 0xd8dadd},
+};
+
+/// Where a plot's square is in the window, and what is drawn into it.
+class Canvas {
+ public:
+  Canvas(const StudyPlot& plot, glm::vec2 lo, glm::vec2 hi)
+      : plot_(plot),
+        lo_(lo),
+        hi_(hi),
+        em_(ImGui::GetFontSize()),
+        draw_(ImGui::GetWindowDrawList()) {}
+
+  void axes() const {
+    for (int d = 0; d <= plot_.seconds.decades; ++d) {
+      const double value = std::pow(10.0, plot_.seconds.first_decade + d);
+      const float x = x_of(value);
+      draw_->AddLine({x, lo_.y}, {x, hi_.y}, theme::packed(theme::line));
+      if (d % step(plot_.seconds) != 0) continue;
+      const std::string text = seconds_label(plot_.seconds.first_decade + d);
+      centred({x, hi_.y + 0.4f * em_}, text);
+    }
+    for (int d = 0; d <= plot_.rmse.decades; ++d) {
+      const float y = y_of(std::pow(10.0, plot_.rmse.first_decade + d));
+      draw_->AddLine({lo_.x, y}, {hi_.x, y}, theme::packed(theme::line));
+      if (d % step(plot_.rmse) != 0) continue;
+      const std::string text = fmt::format("1e{}", plot_.rmse.first_decade + d);
+      const float width = ImGui::CalcTextSize(text.c_str()).x;
+      words({lo_.x - width - 0.3f * em_, y - 0.5f * em_}, text);
+    }
+    words({lo_.x, lo_.y - 1.3f * em_}, "RMSE, linear radiance 0 to 1");
+    centred({0.5f * (lo_.x + hi_.x), hi_.y + 1.5f * em_}, "processor seconds of all threads");
+  }
+
+  void floor() const {
+    if (!(plot_.floor > 0.0)) return;
+    const float y = y_of(plot_.floor);
+    const float dash = 0.4f * em_;
+    for (float x = lo_.x; x < hi_.x; x += 2.0f * dash)
+      draw_->AddLine({x, y}, {std::min(x + dash, hi_.x), y}, theme::packed(theme::dim_text));
+    words({hi_.x - ImGui::CalcTextSize("floor").x, y - 1.1f * em_}, "floor");
+  }
+
+  void line(const StudyPlot::Line& line) const {
+    const std::uint32_t colour = theme::packed(method_colour(line.method));
+    const float radius = 0.22f * em_;
+    for (std::size_t i = 0; i < line.marks.size(); ++i) {
+      const StudyPlot::Mark& mark = line.marks[i];
+      const ImVec2 at{x_of(mark.seconds), y_of(mark.rmse)};
+      if (i > 0)
+        draw_->AddLine({x_of(line.marks[i - 1].seconds), y_of(line.marks[i - 1].rmse)}, at, colour,
+                       0.12f * em_);
+      if (mark.under_floor)
+        draw_->AddCircle(at, radius, colour);
+      else
+        draw_->AddCircleFilled(at, radius, colour);
+    }
+  }
+
+ private:
+  [[nodiscard]] float x_of(double seconds) const {
+    return lo_.x + static_cast<float>(plot_.seconds.share(seconds)) * (hi_.x - lo_.x);
+  }
+  [[nodiscard]] float y_of(double rmse) const {
+    return hi_.y - static_cast<float>(plot_.rmse.share(rmse)) * (hi_.y - lo_.y);
+  }
+  // So many decades from label to label that none touches the next.
+  static int step(const LogAxis& axis) { return (axis.decades + 4) / 5; }
+  static std::string seconds_label(int decade) {
+    const int thousands = static_cast<int>(std::floor(decade / 3.0));
+    const double number = std::pow(10.0, decade - 3 * thousands);
+    if (thousands == 0) return fmt::format("{:g} s", number);
+    if (thousands == -1) return fmt::format("{:g} ms", number);
+    if (thousands == -2) return fmt::format("{:g} \u00b5s", number);
+    return fmt::format("1e{} s", decade);
+  }
+  void words(glm::vec2 at, const std::string& text) const {
+    draw_->AddText({std::round(at.x), std::round(at.y)}, theme::packed(theme::dim_text),
+                   text.c_str());
+  }
+  void centred(glm::vec2 at, const std::string& text) const {
+    words({at.x - 0.5f * ImGui::CalcTextSize(text.c_str()).x, at.y}, text);
+  }
+
+  const StudyPlot& plot_;
+  glm::vec2 lo_, hi_;
+  float em_;
+  ImDrawList* draw_;
+};
+
+void draw_legend(const StudyPlot& plot) {
+  const float em = ImGui::GetFontSize();
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  bool first = true;
+  for (const StudyPlot::Line& line : plot.lines) {
+    const float width = ImGui::CalcTextSize(line.curve.c_str()).x + 1.2f * em;
+    if (!first && ImGui::GetItemRectMax().x + 0.8f * em + width < right)
+      ImGui::SameLine(0.0f, 0.8f * em);
+    first = false;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        {at.x + 0.4f * em, at.y + 0.5f * ImGui::GetTextLineHeight()}, 0.25f * em,
+        theme::packed(method_colour(line.method)));
+    ImGui::BeginGroup();
+    ImGui::Dummy({0.9f * em, ImGui::GetTextLineHeight()});
+    ImGui::SameLine(0.0f, 0.0f);
+    ImGui::TextUnformatted(line.curve.c_str());
+    ImGui::EndGroup();
+  }
+}
+
+}  // namespace
+
+double LogAxis::share(double value) const {
+  return (std::log10(value) - first_decade) / decades;
+}
+
+LogAxis axis_over(const std::vector<double>& values) {
+  double lo = std::numeric_limits<double>::infinity();
+  double hi = 0.0;
+  for (const double v : values) {
+    if (!(v > 0.0) || !std::isfinite(v)) continue;
+    lo = std::min(lo, v);
+    hi = std::max(hi, v);
+  }
+  if (!(hi > 0.0)) return {};
+  const int first = static_cast<int>(std::floor(std::log10(lo)));
+  const int last = static_cast<int>(std::ceil(std::log10(hi)));
+  return {first, std::max(1, last - first)};
+}
+
+StudyPlot plot_of(const SceneStudy& study) {
+  StudyPlot plot;
+  plot.floor = study.floor;
+  std::vector<double> seconds;
+  std::vector<double> errors{study.floor};
+  for (const StudyPoint& point : study.points) {
+    const StudyPlot::Mark mark{point.seconds(), point.measures.rmse, point.under_floor};
+    if (!(mark.seconds > 0.0 && mark.rmse > 0.0) || !std::isfinite(mark.rmse)) continue;
+    auto line = std::find_if(plot.lines.begin(), plot.lines.end(),
+                             [&](const auto& l) { return l.curve == point.rung.curve; });
+    if (line == plot.lines.end())
+      line = plot.lines.insert(line, {point.rung.curve, point.rung.method, {}});
+    line->marks.push_back(mark);
+    seconds.push_back(mark.seconds);
+    errors.push_back(mark.rmse);
+  }
+  plot.seconds = axis_over(seconds);
+  plot.rmse = axis_over(errors);
+  return plot;
+}
+
+std::uint32_t method_colour(const std::string& method) {
+  for (const MethodColour& known : method_colours)
+    if (method == known.method) return known.rgb;
+  return theme::text;
+}
+
+void draw_plot(const StudyPlot& plot) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({width, plot_height_em * em});
+  const glm::vec2 lo(corner.x + 2.6f * em, corner.y + 1.5f * em);
+  const glm::vec2 hi(corner.x + width - 1.2f * em, corner.y + (plot_height_em - 2.8f) * em);
+  if (hi.x - lo.x < em) return;
+  const Canvas canvas(plot, lo, hi);
+  canvas.axes();
+  canvas.floor();
+  for (const StudyPlot::Line& line : plot.lines) canvas.line(line);
+  draw_legend(plot);
+}
+
+}  // namespace asos

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "renderer/study/analysis.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asos {
+
+/// A logarithmic axis over whole decades, and where on it a value is.
+struct LogAxis {
+  int first_decade = 0;  ///< it begins at 10^first_decade
+  int decades = 1;       ///< at least 1
+
+  /// 0 at its begin, 1 at its end; `value` is above 0.
+  [[nodiscard]] double share(double value) const;
+};
+/// Of the decades that hold all of `values`, which are above 0; those that are not are left out.
+[[nodiscard]] LogAxis axis_over(const std::vector<double>& values);
+
+/// What a plot of a study shows.
+struct StudyPlot {
+  struct Mark {
+    double seconds = 0.0;
+    double rmse = 0.0;
+    bool under_floor = false;
+  };
+  struct Line {
+    std::string curve;   ///< its name in the legend
+    std::string method;  ///< its colour
+    std::vector<Mark> marks;
+  };
+  std::vector<Line> lines;
+  double floor = 0.0;  ///< 0: none known yet
+  LogAxis seconds;
+  LogAxis rmse;
+};
+/// Points without time or error are left out: a logarithm has no place for them.
+[[nodiscard]] StudyPlot plot_of(const SceneStudy& study);
+
+/// sRGB, 0xRRGGBB; the same for the same method.
+[[nodiscard]] std::uint32_t method_colour(const std::string& method);
+
+/// Draws into the current Dear ImGui window, over its width, with the legend below.
+void draw_plot(const StudyPlot& plot);
+
+}  // namespace asos

@@ -1,0 +1,215 @@
+#include "ui/view_study.h"
+
+#include "renderer/methods/method.h"
+#include "renderer/study/measures.h"
+#include "renderer/study/reference.h"
+#include "renderer/study/timed_render.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace asos {
+
+/// One study: what its thread does, and what of it others may see.
+class ViewStudy::Work {
+ public:
+  Work(Subject subject, std::vector<Job> jobs)
+      : subject_(std::move(subject)), jobs_(std::move(jobs)) {
+    state_.phase = Phase::running;
+    state_.points = static_cast<std::size_t>(std::count_if(
+        jobs_.begin(), jobs_.end(), [](const Job& job) { return job.kind == JobKind::point; }));
+    study_.scene = subject_.plan.scenes.front();
+  }
+
+  /// On the thread.
+  void run(const std::stop_token& stop) {
+    const bool measured = run_pass(0, stop) && run_points(stop);
+    for (int pass = 1; measured && !quiet_ && pass < reference_passes; ++pass)
+      if (!run_pass(pass, stop)) break;
+    const std::lock_guard lock(mutex_);
+    state_.phase = measured && !stop.stop_requested() ? Phase::finished : Phase::stopped;
+    state_.doing.clear();
+    state_.resting = false;
+  }
+
+  void set_disturbed(bool disturbed) {
+    const std::lock_guard lock(mutex_);
+    if (disturbed && !disturbed_) ++disturbances_;
+    disturbed_ = disturbed;
+    calm_.notify_all();
+  }
+
+  [[nodiscard]] State state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+  }
+  [[nodiscard]] bool running() const {
+    const std::lock_guard lock(mutex_);
+    return state_.phase == Phase::running;
+  }
+  [[nodiscard]] const RenderScene* scene() const { return subject_.scene.get(); }
+
+ private:
+  /// Waits until nothing disturbs; says then how often something has. Nothing on a stop.
+  std::optional<std::uint64_t> wait_for_calm(const Job& job, const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    state_.doing = job.title();
+    state_.resting = disturbed_;
+    if (!calm_.wait(lock, stop, [this] { return !disturbed_; })) return std::nullopt;
+    state_.resting = false;
+    return disturbances_.load();
+  }
+
+  /// Again and again until nothing disturbed. Nothing on a stop, or after `seconds` of one try.
+  std::optional<TimedRender> render(const Job& job, double seconds, const std::stop_token& stop) {
+    while (const auto before = wait_for_calm(job, stop)) {
+      const auto start = std::chrono::steady_clock::now();
+      auto rendered =
+          timed_render({subject_.scene, subject_.camera, job.rung.settings, false}, [&] {
+            const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+            return stop.stop_requested() || disturbances_ != *before || passed.count() > seconds;
+          });
+      if (disturbances_ == *before) return rendered;
+    }
+    return std::nullopt;
+  }
+
+  /// False on a stop, or where the budget has ended.
+  bool run_pass(int pass, const std::stop_token& stop) {
+    std::vector<Film> halves;
+    for (const Job& job : jobs_) {
+      if (job.kind != JobKind::reference || job.pass != pass) continue;
+      const double left = pass == 0 ? std::numeric_limits<double>::infinity()
+                                    : subject_.plan.budget_seconds - reference_seconds_;
+      if (left <= 0.0) return false;
+      auto rendered = render(job, left, stop);
+      if (!rendered) return false;
+      reference_seconds_ += rendered->wall_seconds;
+      halves.push_back(std::move(rendered->film));
+    }
+    reference_.add(halves[0], halves[1], reference_samples(pass));
+    reference_film_ = reference_.film();
+    study_.noise = reference_.noise();
+    for (std::size_t i = 0; i < films_.size(); ++i)
+      study_.points[i].measures.rmse = root_mean_square(films_[i], reference_film_, true);
+    publish(0);
+    return true;
+  }
+
+  bool run_points(const std::stop_token& stop) {
+    for (const Job& job : jobs_) {
+      if (job.kind != JobKind::point) continue;
+      auto rendered = render(job, std::numeric_limits<double>::infinity(), stop);
+      if (!rendered) return false;
+      add(job.rung, *std::move(rendered));
+      publish(1);
+    }
+    return true;
+  }
+
+  void add(const Rung& rung, TimedRender rendered) {
+    auto at = std::find_if(study_.points.begin(), study_.points.end(), [&](const StudyPoint& p) {
+      return p.rung.method == rung.method && p.rung.setting == rung.setting;
+    });
+    if (at == study_.points.end()) {
+      StudyPoint point;
+      point.rung = rung;
+      point.rays = rays_of(rendered.statistics);
+      point.pyrays = pyrays_of(rendered.statistics);
+      point.rejected_samples = rendered.statistics.rejected_samples;
+      point.measures.rmse = root_mean_square(rendered.film, reference_film_, true);
+      at = study_.points.insert(at, std::move(point));
+      films_.push_back(std::move(rendered.film));
+    } else {
+      const auto index = static_cast<std::size_t>(at - study_.points.begin());
+      if (films_[index].radiance != rendered.film.radiance) at->same_picture = false;
+    }
+    at->costs.push_back({rendered.wall_seconds, rendered.cpu_seconds, rendered.memory_mb});
+  }
+
+  void publish(std::size_t points_run) {
+    analyse(study_);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const StudyPoint& point : study_.points)
+      smallest = std::min(smallest, point.measures.rmse);
+    quiet_ = !study_.points.empty() && quiet_enough(study_.noise, smallest);
+    const std::lock_guard lock(mutex_);
+    state_.study = study_;
+    state_.points_run += points_run;
+    state_.passes = reference_.passes();
+    state_.quiet = quiet_;
+  }
+
+  const Subject subject_;
+  const std::vector<Job> jobs_;
+
+  // The thread's own
+  Reference reference_;
+  Film reference_film_;
+  double reference_seconds_ = 0.0;
+  bool quiet_ = false;
+  std::vector<Film> films_;  // of the study's points, their first repetitions
+  SceneStudy study_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable_any calm_;
+  bool disturbed_ = false;
+  std::atomic<std::uint64_t> disturbances_ = 0;  // changed under the mutex
+  State state_;
+};
+
+Result<void> ViewStudy::start(const Subject& subject) {
+  if (busy()) return unexpected(Error{"study", "the one before has not ended yet"});
+  if (!subject.scene || subject.scene->world.triangles.empty())
+    return unexpected(Error{"study", "the scene is empty: there is nothing to compare"});
+  if (scenes_of(subject.plan).size() != 1)
+    return unexpected(Error{"study", "a view is of one scene"});
+  auto jobs = make_jobs(subject.plan);
+  if (!jobs) return unexpected(jobs.error());
+  for (const Job& job : *jobs)
+    if (const auto able = check_method(*subject.scene, job.rung.settings); !able)
+      return unexpected(able.error());
+  started_ = std::make_shared<Work>(subject, *std::move(jobs));
+  shown_ = started_;
+  started_->set_disturbed(disturbed_);
+  thread_ = std::jthread([work = started_](const std::stop_token& stop) { work->run(stop); });
+  return {};
+}
+
+void ViewStudy::stop() {
+  thread_.request_stop();
+}
+
+void ViewStudy::clear() {
+  stop();
+  shown_.reset();
+}
+
+void ViewStudy::update(bool disturbed) {
+  disturbed_ = disturbed;
+  if (started_) started_->set_disturbed(disturbed);
+  // What nobody sees any more keeps a scene and its pictures no longer than it has to.
+  if (!shown_ && !busy()) started_.reset();
+}
+
+const RenderScene* ViewStudy::scene() const {
+  return shown_ ? shown_->scene() : nullptr;
+}
+
+bool ViewStudy::busy() const {
+  return started_ && started_->running();
+}
+
+ViewStudy::State ViewStudy::state() const {
+  return shown_ ? shown_->state() : State{};
+}
+
+}  // namespace asos
