@@ -224,13 +224,14 @@ Caster::TakenOver EyeCaster::sample_tangle(std::uint32_t root, const Square& squ
 }
 
 // Half of what is let pass for a pixel, so that its parts, whose errors are independent, stay
-// within it together; or as many samples as four for each finest cell.
+// within it together; one sample for each finest cell at least, and four at most.
 std::uint32_t EyeCaster::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
                                      double weight) {
   if (!sampler_) sampler_.emplace(scene_, view_, settings_, block_);
   RegionSampler::Goal goal;
   goal.standard_error = 0.5 * static_cast<double>(most_uneven_) / std::sqrt(weight);
   const double finest_cells = weight * std::ldexp(1.0, 2 * settings_.max_level);
+  goal.least = std::bit_ceil(std::max(16u, static_cast<std::uint32_t>(finest_cells)));
   goal.most = std::bit_ceil(std::max(16u, static_cast<std::uint32_t>(4.0 * finest_cells)));
   const RegionSampler::Estimate found = sampler_->sample(region, goal, counts_);
   sums_[root].radiance += weight * found.mean;
@@ -246,7 +247,7 @@ Unevenness EyeCaster::uneven(SampleId sample, double share, const LeafRegion& re
   if (extended_lights_ && !even_around(sample, region)) {
     if (shadow_uneven(sample, region)) return Unevenness::shadow;
     // What is split for its shading need not have its shadows found again for each part.
-    if (shading && region.sides.empty() && opaque(sample)) {
+    if (shading && region.sides.empty() && opaque(sample) && nearly_flat(sample, share)) {
       even_.push_back({surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction),
                        region.square, std::vector<double>(shader_.lights().size(), -1.0)});
     }
@@ -269,6 +270,14 @@ bool EyeCaster::uneven_at_last(SampleId sample, double share, const LeafRegion& 
   return settings_.max_level > 0 && std::isfinite(most_uneven_) && !region.marginal &&
          hits_[sample].valid() && region.square.side < 1.5f * finest &&
          shading_error(sample, share, region) > most_uneven_;
+}
+
+// Whether the surface leaves its plane by little, beside the patch: what lies closer to a bent
+// surface than that is not looked at for its shadows' edges (ShadowPyrays::midpoint_error).
+bool EyeCaster::nearly_flat(SampleId sample, double share) const {
+  const Patch patch = patch_of(sample, share);
+  const float size = std::min(glm::length(patch.right), glm::length(patch.down));
+  return 4.0f * scene_.features.departure(hits_[sample].triangle) < size;
 }
 
 // The even patch of the sample's surface that the region is a part of.

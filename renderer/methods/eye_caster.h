@@ -86,6 +86,7 @@ class EyeCaster final : public Caster, private PatchView {
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool shadow_uneven(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] Ray ray_through(glm::vec2 p) const;
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,

@@ -6,7 +6,6 @@
 namespace asos {
 namespace {
 
-constexpr std::uint32_t first_round = 16;
 constexpr std::uint32_t per_sum = 4;
 
 }  // namespace
@@ -20,7 +19,7 @@ RegionSampler::Estimate RegionSampler::sample(const LeafRegion& region, const Go
   sums_.resize(0);
   Estimate found;
   std::uint32_t first = 0;
-  for (std::uint32_t end = first_round; end <= goal.most; end *= 2) {
+  for (std::uint32_t end = goal.least; end <= goal.most; end *= 2) {
     add(region, first, end);
     first = end;
     found = estimate(end);

@@ -24,6 +24,7 @@ class RegionSampler {
   struct Goal {
     double standard_error = 0.0;  ///< of the mean, in display intensity; negative: take `most`
     std::uint32_t most = 16;      ///< samples; a power of two, at least 16
+    std::uint32_t least = 16;     ///< the same, at most `most`: so few tell nothing of themselves
   };
   struct Estimate {
     glm::dvec3 mean{0.0};       ///< linear radiance
