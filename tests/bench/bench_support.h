@@ -67,8 +67,8 @@ inline constexpr int outcome_count = 5;
 [[nodiscard]] Outcome outcome_of(const PixelTrace& trace);
 [[nodiscard]] std::size_t samples_of(const PixelTrace& trace);
 
-/// Traces a pixel of a snapshot's picture, quickly: in the smallest fat pyray, whose result differs
-/// from larger ones' by rounding only.
+/// Traces a pixel of a snapshot's picture, quickly: in the smallest fat pyray, which does not know
+/// its neighbours, so that pixels of bumpy surfaces may be split less than in larger ones.
 [[nodiscard]] PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel);
 
 /// --size WxH.
