@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/streams.h"
+#include "renderer/result.h"
 
 #include <functional>
 
@@ -16,6 +17,9 @@ struct Command {
   CLI::App* parser = nullptr;
   std::function<int(const Streams&)> run;
 };
+
+/// Says what went wrong; the exit code of bad input.
+int fail(const Streams& streams, const Error& error);
 
 /// Each adds its subcommand to the program's parser.
 [[nodiscard]] Command add_view_command(CLI::App& program);

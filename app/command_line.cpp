@@ -14,7 +14,7 @@
 namespace asos {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* program_footer =
     "`asos [SCENE] [options]` is short for `asos view [SCENE] [options]`. SCENE is the path of a\n"
     ".gltf or .glb file, or builtin:NAME (`asos list-scenes` has the names).\n"
     "`asos COMMAND --help` lists a command's options with their units and defaults.\n"
@@ -54,6 +54,11 @@ int run_guarded(const Command& command, const Streams& streams) {
 
 }  // namespace
 
+int fail(const Streams& streams, const Error& error) {
+  streams.err << "asos: " << error.message() << "\n";
+  return exit_bad_input;
+}
+
 int run_command_line(std::vector<std::string> words, const Streams& streams) {
   CLI::App program(
       "ASOS: adaptive supersampling in object space. Previews and renders glTF 2.0 scenes,\n"
@@ -62,7 +67,7 @@ int run_command_line(std::vector<std::string> words, const Streams& streams) {
   program.set_version_flag("--version", "asos " ASOS_VERSION);
   program.set_help_all_flag("--help-all", "Print the help of every command and exit");
   program.require_subcommand(1);
-  program.footer(footer);
+  program.footer(program_footer);
   const std::array commands{add_view_command(program),      add_render_command(program),
                             add_trace_command(program),     add_report_command(program),
                             add_stability_command(program), add_info_command(program),

@@ -18,11 +18,6 @@ struct ExportArguments {
   std::string output;
 };
 
-int fail(const Streams& streams, const Error& error) {
-  streams.err << "asos: " << error.message() << "\n";
-  return exit_bad_input;
-}
-
 int run_export(const ExportArguments& arguments, const Streams& streams) {
   const Result<OutputFile> file = OutputFile::plan(arguments.output);
   if (!file) return fail(streams, file.error());

@@ -3,10 +3,12 @@
 #include "app/option.h"
 #include "app/scene_argument.h"
 #include "renderer/methods/names.h"
+#include "renderer/shading/sky.h"
 
 #include <fmt/format.h>
 
 #include <limits>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -17,6 +19,35 @@ auto whole(int lo, int hi) {
 
 auto number(double lo, double hi, bool open = false) {
   return [=](const std::string& text) { return parse_number(text, lo, hi, open); };
+}
+
+void add_reflection_options(CLI::App& app, RenderSettings& settings) {
+  add_parsed_option(app, "--reflections", "N",
+                    "Bounces that mirror-like surfaces are followed for, 0 (none) to 64",
+                    whole(0, RenderSettings::max_reflections),
+                    [&](int n) { settings.reflections = n; })
+      ->default_str(std::to_string(settings.reflections));
+  add_parsed_option(app, "--roughest-mirror", "R",
+                    "Surfaces rougher than this, 0 to 1, show the sky's mean and lights' "
+                    "highlights instead of what they reflect",
+                    number(0, 1), [&](double r) { settings.roughest_mirror = r; })
+      ->default_str(fmt::format("{}", settings.roughest_mirror));
+  add_parsed_option(
+      app, "--dfr", "MIN,MAX,N",
+      "How all that mirrors blurs, instead of what its material says: DFR = MIN + "
+      "(MAX - MIN) sin(alpha)^N at the angle of incidence alpha (CGF'98 section 5.1)",
+      [](const std::string& text) { return parse_dfr(text); },
+      [&](const Dfr& dfr) { settings.dfr = dfr; });
+  add_choice(app, "--curved-mirror", "NAME",
+             "How curved surfaces reflect a pyray: approximate (the nearest pyramid), tangent (by "
+             "the tangent plane), supersample (split to MAX first) or adaptive (split where it "
+             "widens; CGF'98 sections 5.2.1 to 5.2.4)",
+             curved_mirror_names, settings.curved_mirror);
+  add_parsed_option(app, "--mirror-angle", "DEG",
+                    "Degrees that a pyray may be wide that a curved surface reflects, 0 to 180; "
+                    "wider ones are split",
+                    number(0, 180), [&](double a) { settings.mirror_angle = a; })
+      ->default_str(fmt::format("{}", settings.mirror_angle));
 }
 
 // What only the methods that ASOS is compared with have.
@@ -85,6 +116,12 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
              "for (footprint) or looked up at its ray's hit (point)",
              texture_filter_names, settings.texture_filter);
+  add_parsed_option(app, "--tr", "N",
+                    "TR, 1 to 8: asos takes N x N jittered samples of a pixel of textured surface "
+                    "that no boundary passes through (CGF'98 section 3.2)",
+                    whole(1, RenderSettings::max_texture_resolution),
+                    [&](int n) { settings.texture_resolution = n; })
+      ->default_str(std::to_string(settings.texture_resolution));
   app.add_flag("!--no-shading-refinement", settings.refine_shading,
                "Do not split what is shaded unevenly, only what boundaries cross");
   app.add_flag("!--no-culling", settings.cull,
@@ -104,6 +141,7 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              "Irradiance of lights of some size: physical (closed forms) or published (I A cos "
              "theta with inverse square at each leaf)",
              light_rule_names, settings.light_rule);
+  add_reflection_options(app, settings);
   add_parsed_option(
       app, "--seed", "N",
       "Of the scrambling of sobol, mitchell, whitted and average: other seeds, other noise",
@@ -112,6 +150,20 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--threads", "N",
                     "Worker threads, 1 to 1024; 0: one for each core but one", whole(0, 1024),
                     [&](int n) { settings.threads = n; })
+      ->default_str("0");
+}
+
+void add_sky_options(CLI::App& app, PictureArguments& arguments) {
+  add_parsed_option(app, "--sky", "WHAT",
+                    "What surrounds the scene and lights it from all sides: neutral (grey), R,G,B "
+                    "(linear), R,G,B:R,G,B (zenith:horizon), or FILE.hdr or FILE.exr "
+                    "(equirectangular)",
+                    parse_sky, [&](SkyChoice sky) { arguments.sky = std::move(sky); })
+      ->default_str("neutral");
+  add_parsed_option(app, "--sky-turn", "DEG",
+                    "Turns a sky from a file about the vertical, counter-clockwise as seen from "
+                    "above, -360 to 360 degrees",
+                    number(-360, 360), [&](double degrees) { arguments.sky_turn_deg = degrees; })
       ->default_str("0");
 }
 
@@ -126,6 +178,7 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
       [&](PictureSize s) { settings.width = s.width, settings.height = s.height; })
       ->default_str(fmt::format("{}x{}", settings.width, settings.height));
   add_method_options(app, settings);
+  add_sky_options(app, arguments);
   add_choice(app, "--needs", "WHAT",
              "What is kept and done: scene (what the scene needs) or all (everything, which takes "
              "longer for the same picture)",
@@ -157,6 +210,18 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
       "Only this part of the picture, in pixels from its top left corner [all]",
       [](const std::string& text) { return parse_rect(text, largest_side); },
       [&](PixelRect crop) { arguments.settings.crop = crop; });
+}
+
+Result<RenderSettings> with_sky(const PictureArguments& arguments) {
+  RenderSettings settings = arguments.settings;
+  if (const auto& colours = arguments.sky.colours) {
+    settings.sky = std::make_shared<const Sky>(colours->zenith, colours->horizon);
+  } else if (!arguments.sky.file.empty()) {
+    const auto sky = read_sky(arguments.sky.file, arguments.sky_turn_deg);
+    if (!sky) return tl::unexpected(sky.error());
+    settings.sky = *sky;
+  }
+  return settings;
 }
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/camera_choice.h"
+#include "app/values.h"
 #include "renderer/methods/settings.h"
 #include "renderer/scene/needs.h"
 
@@ -17,6 +18,8 @@ struct PictureArguments {
   std::string scene = "builtin:office";
   RenderSettings settings;
   CameraChoice camera;
+  SkyChoice sky;  ///< until open_sky makes it settings.sky
+  double sky_turn_deg = 0.0;
   float exposure_ev = 0.0f;
   NeedsChoice needs = NeedsChoice::scene;
 };
@@ -27,6 +30,9 @@ struct PictureArguments {
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required);
 /// Where it is seen from, how bright it is shown, and which part of it.
 void add_camera_options(CLI::App& app, PictureArguments& arguments);
+
+/// The settings with the sky that was asked for, which is read where it is a file; errors name it.
+[[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);
 
 /// The largest width and height of a picture, in pixels.
 inline constexpr int largest_side = 32768;

@@ -21,7 +21,7 @@
 namespace asos {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* render_footer =
     "The picture is of the whole camera's view; --crop renders a part of it, pixel for pixel the\n"
     "same. PNG is what the window shows; EXR holds linear radiance, which --exposure does not\n"
     "change. Both carry the settings, times and statistics as text.\n"
@@ -68,7 +68,10 @@ tl::unexpected<Error> interrupted_error() {
 
 Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& outputs,
                             ProgressBar& bar, const InterruptGuard& interrupt) {
-  const PictureArguments& wanted = arguments.picture;
+  PictureArguments wanted = arguments.picture;
+  Result<RenderSettings> settings = with_sky(wanted);
+  if (!settings) return tl::unexpected(settings.error());
+  wanted.settings = *std::move(settings);
   RenderReport report;
   report.scene = wanted.scene;
   report.settings = wanted.settings;
@@ -163,7 +166,7 @@ Command add_render_command(CLI::App& program) {
   parser->add_option("--stats", arguments->stats_file, "Also write the statistics as JSON")
       ->type_name("FILE.json");
   parser->add_flag("--quiet", arguments->quiet, "No progress bar and no closing line");
-  parser->footer(footer);
+  parser->footer(render_footer);
   parser->callback([arguments] { check(*arguments); });
   return {parser, [arguments](const Streams& streams) { return run_render(*arguments, streams); }};
 }

@@ -2,6 +2,7 @@
 
 #include "app/scene_info.h"
 #include "renderer/methods/names.h"
+#include "renderer/shading/sky.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -61,12 +62,18 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
       {"detect", name_in(detection_names, settings.detect)},
       {"fat", settings.fat},
       {"texture_filter", name_in(texture_filter_names, settings.texture_filter)},
+      {"texture_resolution", settings.texture_resolution},
+      {"sky", settings.sky ? settings.sky->name() : "neutral"},
       {"refine_shading", settings.refine_shading},
       {"cull", settings.cull},
       {"shadows", settings.shadows},
       {"shadow_quality", name_in(shadow_quality_names, settings.shadow_quality)},
       {"shadow_divisions", settings.shadow_divisions},
       {"light_rule", name_in(light_rule_names, settings.light_rule)},
+      {"reflections", settings.reflections},
+      {"roughest_mirror", settings.roughest_mirror},
+      {"curved_mirror", name_in(curved_mirror_names, settings.curved_mirror)},
+      {"mirror_angle", settings.mirror_angle},
       {"jitter", settings.jitter},
       {"spp", settings.spp},
       {"contrast", settings.contrast},

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* stability_footer =
     "Renders small scenes that strain the numbers: scales from 1e-12 to 1e12, slivers, grazing\n"
     "views, lights in awkward places, settings beyond their ends. Each is compared with a closed\n"
     "form, an invariance or a converged value, within a bound whose reason is told.\n"
@@ -63,11 +63,6 @@ Result<void> commit(const OutputFile& file, const std::string& text) {
     if (!stream) return tl::unexpected(Error{path, std::strerror(errno)});
     return {};
   });
-}
-
-int fail(const Streams& streams, const Error& error) {
-  streams.err << "asos: " << error.message() << "\n";
-  return exit_bad_input;
 }
 
 }  // namespace
@@ -119,7 +114,7 @@ Command add_stability_command(CLI::App& program) {
       ->type_name("DIR")
       ->required();
   parser->add_flag("--quick", arguments->quick, "Only the part that takes less than a minute");
-  parser->footer(footer);
+  parser->footer(stability_footer);
   return {parser, [arguments](const Streams& streams) {
             return run_stability(*arguments, stability::all_cases(arguments->quick), streams);
           }};

@@ -1,5 +1,7 @@
 #include "app/stability_page.h"
 
+#include "app/report/html_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 using stability::Finding;
 
-constexpr const char* head = R"(<!DOCTYPE html>
+constexpr const char* page_head = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -48,7 +50,7 @@ reflections and facing mirrors, and the texture levels of TR. Images are of 8 bi
 NaN nor infinity, so that these are tried in colours, coordinates and lights instead.</p>
 )";
 
-constexpr const char* columns = R"(<div class="scroll"><table>
+constexpr const char* column_heads = R"(<div class="scroll"><table>
 <thead><tr><th>Result</th><th class="name">Case</th><th class="what">Quantity</th><th class="number">Expected</th>
 <th class="number">Got</th><th class="number">Error</th><th class="number">Bound</th>
 <th class="number">Samples dropped</th><th class="number">Pixels not finite</th>
@@ -56,30 +58,8 @@ constexpr const char* columns = R"(<div class="scroll"><table>
 <tbody>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
-
-std::string quoted(const std::string& text) {
+/// A field of a table in CSV.
+std::string quoted_field(const std::string& text) {
   std::string field = "\"";
   for (const char c : text) {
     if (c == '"') field += '"';
@@ -112,7 +92,7 @@ std::string row(const Finding& finding) {
 
 template <typename Chosen>
 std::string table(const std::vector<Finding>& findings, Chosen chosen) {
-  std::string html = columns;
+  std::string html = column_heads;
   for (const Finding& finding : findings) {
     if (chosen(finding)) html += row(finding);
   }
@@ -140,10 +120,10 @@ std::string stability_csv(const std::vector<Finding>& findings) {
         finding.fault.empty()
             ? fmt::format("{:.9g},{:.9g},{:.3g},{:.3g}", o.expected, o.got, o.error, o.bound)
             : ",,,";
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{:.3f},{}\n", quoted(finding.group), quoted(finding.name),
-                    stability::holds(finding) ? "holds" : "broken", quoted(o.quantity), figures,
-                    o.rejected_samples, o.bad_pixels, finding.seconds, quoted(why(finding)));
+    csv += fmt::format("{},{},{},{},{},{},{},{:.3f},{}\n", quoted_field(finding.group),
+                       quoted_field(finding.name), stability::holds(finding) ? "holds" : "broken",
+                       quoted_field(o.quantity), figures, o.rejected_samples, o.bad_pixels,
+                       finding.seconds, quoted_field(why(finding)));
   }
   return csv;
 }
@@ -157,7 +137,7 @@ std::string stability_page(const std::vector<Finding>& findings, bool quick_only
     dropped += finding.outcome.rejected_samples;
     bad += finding.outcome.bad_pixels;
   }
-  std::string html = head;
+  std::string html = page_head;
   html += fmt::format(
       "<p class=\"summary\">{} cases{}: {} hold, {} broken. Samples dropped for not being finite: "
       "{}; pixels that are not finite: {}.</p>\n",

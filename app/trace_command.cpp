@@ -17,7 +17,7 @@
 namespace asos {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* trace_footer =
     "The first table is the papers': for each level K the M marginal cells, and for each object\n"
     "near them how many of their axes hit it (in) and miss it (out), L, the larger of the two, "
     "and\n"
@@ -50,6 +50,8 @@ void check(const TraceArguments& arguments) {
 
 Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBar& bar) {
   const PictureArguments& wanted = arguments.picture;
+  const Result<RenderSettings> with = with_sky(wanted);
+  if (!with) return tl::unexpected(with.error());
   bar.say(fmt::format("Loading {} ...", wanted.scene));
   const Result<Scene> scene = open_scene_argument(wanted.scene);
   if (!scene) return tl::unexpected(scene.error());
@@ -57,7 +59,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const auto prepared = prepare(*scene, forced_by(wanted.needs));
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
-  const RenderSettings settings = as_published(wanted.settings);
+  const RenderSettings settings = as_published(*with);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
@@ -98,7 +100,7 @@ Command add_trace_command(CLI::App& program) {
                     parse_pixel, [arguments](glm::ivec2 pixel) { arguments->pixel = pixel; })
       ->required();
   parser->add_flag("--json", arguments->json, "Answer in JSON");
-  parser->footer(footer);
+  parser->footer(trace_footer);
   parser->callback([arguments] { check(*arguments); });
   return {parser, [arguments](const Streams& streams) { return run_trace(*arguments, streams); }};
 }

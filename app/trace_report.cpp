@@ -65,7 +65,7 @@ class Namer {
  public:
   explicit Namer(const RenderScene& scene) : scene_(scene) {
     const World& world = scene.world;
-    for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+    for (std::uint32_t t = 0; t < world.surface_count(); ++t) {
       const std::uint32_t sheet = scene.features.sheet(t);
       const std::uint32_t part = world.triangle_part[t];
       if (first_triangle_.try_emplace(sheet, t).second) number_[sheet] = ++count_[part];

@@ -106,4 +106,38 @@ Result<LookAt> parse_look_at(std::string_view text) {
   return look;
 }
 
+Result<Dfr> parse_dfr(std::string_view text) {
+  const auto values = read_list<double, 3>(text, ',');
+  if (!values) return refuse(text, "not three numbers such as 0.05,1,32 (DFRMIN, DFRMAX, N)");
+  const auto& v = *values;
+  const auto within = [](double x, double hi) { return x >= 0.0 && x <= hi; };
+  constexpr double largest_exponent = 1e6;
+  if (!within(v[0], 1.0) || !within(v[1], 1.0) || !within(v[2], largest_exponent))
+    return refuse(text, "DFRMIN and DFRMAX have to be from 0 to 1, N from 0 to 1e6");
+  Dfr dfr;
+  dfr.rgb.fill({v[0], v[1], v[2]});
+  return dfr;
+}
+
+Result<SkyChoice> parse_sky(std::string_view text) {
+  if (text == "neutral") return SkyChoice{};
+  if (text.ends_with(".hdr") || text.ends_with(".exr")) return SkyChoice{{}, std::string(text)};
+  constexpr float brightest = 1e6f;
+  const std::size_t colon = text.find(':');
+  const auto zenith = read_list<float, 3>(text.substr(0, colon), ',');
+  const auto horizon =
+      colon == std::string_view::npos ? zenith : read_list<float, 3>(text.substr(colon + 1), ',');
+  if (!zenith || !horizon)
+    return refuse(text,
+                  "not neutral, R,G,B such as 0.3,0.5,0.9, R,G,B:R,G,B (zenith and horizon) or a "
+                  "file that ends in .hdr or .exr");
+  for (const auto& colour : {*zenith, *horizon})
+    for (const float value : colour)
+      if (!(value >= 0.0f && value <= brightest))
+        return refuse(text, fmt::format("colours have to be from 0 to {}", brightest));
+  const auto& z = *zenith;
+  const auto& h = *horizon;
+  return SkyChoice{SkyChoice::Colours{{z[0], z[1], z[2]}, {h[0], h[1], h[2]}}, ""};
+}
+
 }  // namespace asos

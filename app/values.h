@@ -2,10 +2,12 @@
 
 #include "renderer/geometry/view.h"
 #include "renderer/result.h"
+#include "renderer/scene/scene.h"
 
 #include <glm/glm.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 // Values as a person types them on the command line. They are read the same in every locale, all of
@@ -24,6 +26,16 @@ struct LookAt {
   glm::dvec3 target{0.0};
 };
 
+/// What surrounds a scene, as it is asked for: nothing but the neutral grey, two colours, a file.
+struct SkyChoice {
+  struct Colours {
+    glm::vec3 zenith{0.0f};
+    glm::vec3 horizon{0.0f};
+  };
+  std::optional<Colours> colours;
+  std::string file;  ///< empty: none
+};
+
 /// A finite number from lo to hi; with `open`, strictly between them.
 [[nodiscard]] Result<double> parse_number(std::string_view text, double lo, double hi,
                                           bool open = false);
@@ -37,5 +49,10 @@ struct LookAt {
 [[nodiscard]] Result<glm::ivec2> parse_pixel(std::string_view text);
 /// "ex,ey,ez,tx,ty,tz": two points that differ.
 [[nodiscard]] Result<LookAt> parse_look_at(std::string_view text);
+/// "MIN,MAX,N": one curve for all colours; MIN and MAX from 0 to 1, N from 0 to 1e6.
+[[nodiscard]] Result<Dfr> parse_dfr(std::string_view text);
+/// "neutral", "R,G,B", "R,G,B:R,G,B" (zenith and horizon; linear, 0 to 1e6) or the name of a file
+/// that ends in .hdr or .exr, which is not opened.
+[[nodiscard]] Result<SkyChoice> parse_sky(std::string_view text);
 
 }  // namespace asos

@@ -26,8 +26,12 @@ int run_view(const PictureArguments& arguments, const Streams& streams) {
     streams.err << "asos: " << scene.error().message() << "\n";
     return exit_bad_input;
   }
-  if (has_display())
-    return run_viewer({arguments.scene, arguments.settings, forced_by(arguments.needs)});
+  const Result<RenderSettings> settings = with_sky(arguments);
+  if (!settings) {
+    streams.err << "asos: " << settings.error().message() << "\n";
+    return exit_bad_input;
+  }
+  if (has_display()) return run_viewer({arguments.scene, *settings, forced_by(arguments.needs)});
   streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
               << "  asos render '" << arguments.scene << "' -o picture.png\n";
   return exit_bad_input;

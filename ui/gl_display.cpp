@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace asos {
 
@@ -96,8 +97,55 @@ void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
   overlay_.mark(rect);
 }
 
-void GlDisplay::draw(const PictureView& view, const Target& target,
-                     const DisplaySettings& display) const {
+void GlDisplay::update_compared(const Film& film, std::span<const PixelRect> changed,
+                                const Frames& frames) {
+  const StoredFrame* frame = frames.compared();
+  if (!frame) {
+    compared_ = {};
+    return;
+  }
+  const bool difference = frames.comparison == Comparison::difference;
+  const glm::ivec2 size(frame->film.width, frame->film.height);
+  if (difference && size != glm::ivec2(film.width, film.height)) {
+    compared_ = {};
+    return;
+  }
+  const Compared wanted{frames.revision,    frames.chosen,       difference,
+                        frames.scale_stops, tone_.exposure_ev(), size};
+  const PixelRect whole{0, 0, size.x, size.y};
+  if (wanted != compared_) {
+    if (wanted.size != compared_.size) compared_layer_.resize(size.x, size.y);
+    compared_ = wanted;
+    convert_compared(film, *frame, whole);
+  } else if (difference) {
+    for (const PixelRect& rect : changed) {
+      const PixelRect inside = intersection(rect, whole);
+      if (!inside.empty()) convert_compared(film, *frame, inside);
+    }
+  }
+  compared_layer_.upload();
+}
+
+void GlDisplay::convert_compared(const Film& film, const StoredFrame& frame,
+                                 const PixelRect& rect) {
+  const float per_scale = std::exp2(-compared_.scale_stops);
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    const std::size_t row = frame.film.index(rect.x, y);
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
+      const glm::vec3 stored = frame.film.radiance[i];
+      const glm::u8vec3 colour =
+          compared_.difference
+              ? difference_colour(per_scale *
+                                  difference_of(stored, film.radiance[i], compared_.exposure_ev))
+              : tone_.bytes(stored);
+      compared_layer_.at(i) = glm::u8vec4(colour, 255);
+    }
+  }
+  compared_layer_.mark(rect);
+}
+
+void GlDisplay::draw(const PictureView& view, const Target& target, const DisplaySettings& display,
+                     const Frames& frames) const {
   const PixelRect& area = target.area;
   if (area.empty() || width_ <= 0 || view.scale() <= 0.0f) return;
 
@@ -124,6 +172,18 @@ void GlDisplay::draw(const PictureView& view, const Target& target,
     draw_layer(overlay_program_, overlay_, clip_rect, magnified);
     glDisable(GL_BLEND);
   }
+  const bool beside = frames.comparison == Comparison::wipe ||
+                      frames.comparison == Comparison::difference || frames.flipped;
+  if (compared_.chosen < 0 || !beside) return;
+  if (frames.comparison == Comparison::wipe) {
+    const float left = view.offset().x + frames.wipe * picture.x * view.scale();
+    const int first = std::clamp(static_cast<int>(std::round(left)), 0, area.width);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(area.x + first, target.framebuffer_height - area.y - area.height, area.width - first,
+              area.height);
+  }
+  draw_layer(picture_program_, compared_layer_, clip_rect, magnified);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void GlDisplay::draw_layer(const Program& program, const Layer& layer, const glm::vec4& clip_rect,

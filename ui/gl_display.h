@@ -3,6 +3,7 @@
 #include "renderer/film/film.h"
 #include "renderer/result.h"
 #include "ui/display_settings.h"
+#include "ui/frames.h"
 #include "ui/gl/gl_objects.h"
 #include "ui/picture_view.h"
 #include "ui/tone_table.h"
@@ -28,6 +29,9 @@ class GlDisplay {
   /// everything that depends on it.
   void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
               int max_level);
+  /// The same for what is compared with `film`; after `update`. A stored frame of another size has
+  /// no difference: nothing is shown of it then.
+  void update_compared(const Film& film, std::span<const PixelRect> changed, const Frames& frames);
 
   /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
   /// `framebuffer_height` high.
@@ -37,7 +41,8 @@ class GlDisplay {
   };
   /// Draws the picture, and the split map over it where `display` shows it. Nothing is drawn
   /// outside the area, nor in it before the first update.
-  void draw(const PictureView& view, const Target& target, const DisplaySettings& display) const;
+  void draw(const PictureView& view, const Target& target, const DisplaySettings& display,
+            const Frames& frames) const;
 
   /// The picture as it is shown, row-major RGB bytes from the top left: the screenshot.
   [[nodiscard]] std::vector<std::uint8_t> seen_rgb(const DisplaySettings& display) const;
@@ -79,6 +84,20 @@ class GlDisplay {
   ToneTable tone_;
   Layer picture_;
   Layer overlay_;
+
+  // What the compared layer was made from.
+  struct Compared {
+    std::uint64_t revision = 0;
+    int chosen = -1;
+    bool difference = false;
+    float scale_stops = 0.0f;
+    float exposure_ev = 0.0f;
+    glm::ivec2 size{0};
+    bool operator==(const Compared&) const = default;
+  };
+  void convert_compared(const Film& film, const StoredFrame& frame, const PixelRect& rect);
+  Compared compared_;
+  Layer compared_layer_;
 };
 
 }  // namespace asos

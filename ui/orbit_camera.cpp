@@ -104,6 +104,27 @@ void OrbitCamera::look_at(glm::dvec3 pivot) {
   ++revision_;
 }
 
+void OrbitCamera::look_around(double azimuth_rad, double elevation_rad) {
+  const glm::dvec3 stands = eye();
+  const std::uint64_t before = revision_;
+  // What is seen turns against the way in which the eye would circle it.
+  orbit(azimuth_rad, -elevation_rad);
+  if (revision_ != before) pivot_ = stands - distance_ * basis().back;
+}
+
+void OrbitCamera::fly(double right, double up, double forward) {
+  if (!std::isfinite(right + up + forward)) return;
+  const Basis b = basis();
+  pivot_ += scene_radius_ * (right * b.right + up * b.up - forward * b.back);
+  ++revision_;
+}
+
+void OrbitCamera::restore(const OrbitCamera& other) {
+  const std::uint64_t next = std::max(revision_, other.revision_) + 1;
+  *this = other;
+  revision_ = next;
+}
+
 Camera OrbitCamera::camera() const {
   Camera camera = lens_;
   const Basis b = basis();

@@ -30,10 +30,17 @@ class OrbitCamera {
   void frame_all(const Box& bounds, double aspect_ratio);
   /// Keeps the direction and puts the pivot into the picture's middle.
   void look_at(glm::dvec3 pivot);
+  /// Turns the view where it stands: to the left and up; stops at straight up and straight down.
+  void look_around(double azimuth_rad, double elevation_rad);
+  /// Moves eye and pivot by so many of the scene's radii.
+  void fly(double right, double up, double forward);
+  /// Back to what another camera was, as a change like any other.
+  void restore(const OrbitCamera& other);
 
   [[nodiscard]] Camera camera() const;
   [[nodiscard]] glm::dvec3 pivot() const { return pivot_; }
   [[nodiscard]] double distance() const { return distance_; }
+  [[nodiscard]] glm::dvec3 eye() const { return pivot_ + distance_ * basis().back; }
   /// Grows with every change, so that a render knows when it is out of date.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 

@@ -56,6 +56,11 @@ double subject_distance(const RenderScene& scene, const Camera& camera) {
   return *middle;
 }
 
+/// The scene as it was prepared, before its lights were edited.
+const RenderScene& built_scene(const RenderScene& scene) {
+  return scene.built_from ? *scene.built_from : scene;
+}
+
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
   return [](const std::string& source) { return load_scene(source); };
@@ -66,14 +71,27 @@ LoadFunction load_or_default(LoadFunction load) {
 Previewer::Previewer(Hooks hooks, RenderSettings settings)
     : settings_(settings),
       session_(hooks.wake),
-      loader_(load_or_default(std::move(hooks.load)), hooks.wake, hooks.forced) {
+      loader_(load_or_default(std::move(hooks.load)), hooks.wake, hooks.forced),
+      relighter_(
+          [](const Relight& r) {
+            return Relit{r.scene, with_lights(r.scene, r.lights)};
+          },
+          hooks.wake, Overtaken::kept) {
   settings_.crop = {};  // The window shows whole pictures.
 }
 
 void Previewer::open(const std::string& source) {
   error_.reset();
+  reload_failed_ = false;
   asked_for_ = source;
+  keep_view_ = false;
   loader_.open(source);
+}
+
+void Previewer::reload() {
+  if (!scene_) return;
+  open(scene_->source);
+  keep_view_ = true;
 }
 
 void Previewer::set_picture_size(int width, int height, double now_seconds) {
@@ -94,7 +112,7 @@ void Previewer::set_picture_size(int width, int height, double now_seconds) {
 
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   // What waits for the first picture goes on with the next tiles: look again at once.
-  if (out_of_date()) return 0.0;
+  if (out_of_date() || relighting()) return 0.0;
   if (!pending_size_) return std::nullopt;
   return std::max(0.0, pending_size_->since_seconds + size_rest_seconds - now_seconds);
 }
@@ -102,8 +120,65 @@ std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
 void Previewer::update(double now_seconds) {
   settle_size(now_seconds);
   if (std::optional<LoadOutcome> outcome = loader_.take_outcome()) accept(std::move(*outcome));
+  relight_if_edited();
   take_tiles();
   restart_if_changed(now_seconds);
+}
+
+std::vector<EditedLight>& Previewer::edit_lights() {
+  ++lights_revision_;
+  return lights_;
+}
+
+bool Previewer::relighting() const {
+  return lights_asked_for_ != lights_revision_ || relighter_.pending();
+}
+
+void Previewer::reset_lights() {
+  if (!scene_) return;
+  lights_.clear();
+  for (const Light& light : built_scene(*scene_).world.lights)
+    lights_.push_back(EditedLight::of(light));
+  ++lights_revision_;
+}
+
+void Previewer::relight_if_edited() {
+  if (std::optional<Relit> relit = relighter_.take_outcome()) {
+    // Another scene may have been opened meanwhile.
+    const bool current = scene_ && &built_scene(*scene_) == &built_scene(*relit->from);
+    if (current && relit->scene) scene_ = std::move(*relit->scene);
+    if (current && !relit->scene) error_ = relit->scene.error();
+  }
+  if (!scene_ || lights_asked_for_ == lights_revision_) return;
+  lights_asked_for_ = lights_revision_;
+  relighter_.ask({scene_, lights_on(lights_)});
+}
+
+bool Previewer::same_as(const Edits& edits) const {
+  RenderSettings sized = edits.settings;
+  sized.width = settings_.width;
+  sized.height = settings_.height;
+  return settings_ == sized && camera_.revision() == edits.camera.revision() &&
+         lights_revision_ == edits.lights_revision;
+}
+
+Previewer::Edits Previewer::edits() const {
+  return {settings_, camera_, chosen_camera_, lights_, lights_revision_};
+}
+
+void Previewer::restore(const Edits& edits) {
+  const int width = settings_.width, height = settings_.height;
+  settings_ = edits.settings;
+  settings_.width = width;
+  settings_.height = height;
+  if (camera_.revision() != edits.camera.revision()) {
+    camera_.restore(edits.camera);
+    chosen_camera_ = edits.chosen_camera;
+  }
+  if (lights_revision_ != edits.lights_revision) {
+    lights_ = edits.lights;
+    ++lights_revision_;
+  }
 }
 
 void Previewer::settle_size(double now_seconds) {
@@ -116,11 +191,15 @@ void Previewer::settle_size(double now_seconds) {
 void Previewer::accept(LoadOutcome outcome) {
   if (!outcome.scene) {
     error_ = outcome.scene.error();
+    reload_failed_ = std::exchange(keep_view_, false);
     return;
   }
   scene_ = std::move(*outcome.scene);
   load_seconds_ = outcome.load_seconds;
-  choose_camera(scene_->world.cameras.empty() ? -1 : 0);
+  ++scenes_opened_;
+  reset_lights();
+  lights_asked_for_ = lights_revision_;  // it has them
+  if (!std::exchange(keep_view_, false)) choose_camera(scene_->world.cameras.empty() ? -1 : 0);
   if (const Result<void> able = check_method(*scene_, settings_); !able) {
     error_ = able.error();
     error_->reason += "; ASOS takes its place";
@@ -154,11 +233,18 @@ void Previewer::frame_all() {
 
 void Previewer::set_pivot_at(double x, double y) {
   if (!scene_ || !sized_) return;
-  const View view(camera_.camera(), settings_.width, settings_.height,
-                  radius_around_origin(scene_->world.bounds));
-  const Ray ray = view.ray(x, y);
-  const Hit hit = scene_->rays.closest(ray);
-  if (hit.valid()) camera_.look_at(glm::dvec3(ray.at(hit.t)));
+  const Hit hit = seen_at(x, y);
+  if (hit.valid()) camera_.look_at(glm::dvec3(view().ray(x, y).at(hit.t)));
+}
+
+View Previewer::view() const {
+  return View(camera_.camera(), settings_.width, settings_.height,
+              radius_around_origin(scene_->world.bounds));
+}
+
+Hit Previewer::seen_at(double x, double y) const {
+  if (!scene_ || !sized_) return {};
+  return scene_->rays.closest(view().ray(x, y), seen_faces(settings_));
 }
 
 bool Previewer::out_of_date() const {

@@ -2,6 +2,8 @@
 
 #include "renderer/film/film.h"
 #include "renderer/session/render_session.h"
+#include "ui/edited_light.h"
+#include "ui/latest_job.h"
 #include "ui/orbit_camera.h"
 #include "ui/scene_loader.h"
 
@@ -28,6 +30,8 @@ class Previewer {
   /// Loads in the background. The open scene stays until the new one is there, and where that
   /// fails.
   void open(const std::string& source);
+  /// Loads the open scene's file again; the view stays.
+  void reload();
   /// Asks for a picture of this size. The first one counts at once, later ones when the size has
   /// been still for a moment. Sizes without area (a minimised window) are ignored.
   void set_picture_size(int width, int height, double now_seconds);
@@ -47,11 +51,38 @@ class Previewer {
   [[nodiscard]] RenderSettings& settings() { return settings_; }
   [[nodiscard]] OrbitCamera& camera() { return camera_; }
   [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
+  /// The scene's lights, relative to World::origin. Once they were edited, the scene gets them in
+  /// the background, without its hierarchies being built anew.
+  [[nodiscard]] const std::vector<EditedLight>& lights() const { return lights_; }
+  [[nodiscard]] std::vector<EditedLight>& edit_lights();
+  /// Whether the scene does not have the newest lights yet.
+  [[nodiscard]] bool relighting() const;
+  /// The scene's own lights, as they were when it was opened.
+  void reset_lights();
+
+  /// What a person can take back: settings, lights and the camera.
+  struct Edits {
+    RenderSettings settings;
+    OrbitCamera camera;
+    int chosen_camera = -1;
+    std::vector<EditedLight> lights;
+    std::uint64_t lights_revision = 0;
+  };
+  [[nodiscard]] Edits edits() const;
+  /// Whether these are the edits; the picture's size, which is the window's, does not count.
+  [[nodiscard]] bool same_as(const Edits& edits) const;
+  void restore(const Edits& edits);
+  /// Grows whenever another scene is opened: what was done before cannot be taken back then.
+  [[nodiscard]] std::uint64_t scenes_opened() const { return scenes_opened_; }
 
   /// Takes over the scene's camera `index`; -1: the view that frames everything.
   void choose_camera(int index);
   [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
   void frame_all();
+  /// The camera's view in a picture of the present size. Only with a scene.
+  [[nodiscard]] View view() const;
+  /// What is seen at (x, y), in pixels; not valid where that is the background.
+  [[nodiscard]] Hit seen_at(double x, double y) const;
   /// Orbits about what the picture shows at (x, y), in pixels, from now on.
   void set_pivot_at(double x, double y);
 
@@ -63,6 +94,8 @@ class Previewer {
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   void dismiss_error() { error_.reset(); }
+  /// Whether the error is that the open scene's file could not be read again: the scene stays.
+  [[nodiscard]] bool reload_failed() const { return reload_failed_; }
 
   [[nodiscard]] const Film& film() const { return film_; }
   /// What of the film changed since the last call.
@@ -85,7 +118,17 @@ class Previewer {
     double since_seconds;
   };
 
+  struct Relight {
+    std::shared_ptr<const RenderScene> scene;
+    std::vector<Light> lights;
+  };
+  struct Relit {
+    std::shared_ptr<const RenderScene> from;
+    Result<std::shared_ptr<const RenderScene>> scene;
+  };
+
   void accept(LoadOutcome outcome);
+  void relight_if_edited();
   void settle_size(double now_seconds);
   [[nodiscard]] bool out_of_date() const;
   [[nodiscard]] bool should_wait(double now_seconds) const;
@@ -96,6 +139,12 @@ class Previewer {
   RenderSettings settings_;
   OrbitCamera camera_;
   int chosen_camera_ = -1;
+  std::vector<EditedLight> lights_;
+  std::uint64_t lights_revision_ = 0;
+  std::uint64_t lights_asked_for_ = 0;  // revision
+  std::uint64_t scenes_opened_ = 0;
+  bool keep_view_ = false;  // what is being loaded is the same scene again
+  bool reload_failed_ = false;
   std::shared_ptr<const RenderScene> scene_;
   std::string asked_for_;
   double load_seconds_ = 0.0;
@@ -111,6 +160,7 @@ class Previewer {
   std::uint64_t restarts_ = 0;
   RenderSession session_;  // after what its callback uses, before the loader
   SceneLoader loader_;
+  LatestJob<Relight, Relit> relighter_;
 };
 
 }  // namespace asos

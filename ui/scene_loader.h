@@ -2,15 +2,13 @@
 
 #include "renderer/methods/render_scene.h"
 #include "renderer/result.h"
+#include "ui/latest_job.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 namespace asos {
 
@@ -44,19 +42,9 @@ class SceneLoader {
   [[nodiscard]] std::optional<Loading> loading() const;
 
  private:
-  void run(const std::stop_token& stop);
-  [[nodiscard]] LoadOutcome load_and_prepare(const std::string& source) const;
-
-  LoadFunction load_;
-  std::function<void()> wake_;
-  SceneNeeds forced_;
-  mutable std::mutex mutex_;
-  std::condition_variable_any requested_;
-  std::optional<std::string> request_;  // not begun
-  std::optional<std::string> pending_;  // newest request, until its outcome is there
-  std::chrono::steady_clock::time_point pending_since_;
-  std::optional<LoadOutcome> outcome_;
-  std::jthread thread_;  // last: stops before what it uses goes
+  LatestJob<std::string, LoadOutcome> job_;
+  std::string source_;  // of the newest request
+  std::chrono::steady_clock::time_point since_;
 };
 
 }  // namespace asos

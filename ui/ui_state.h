@@ -1,10 +1,15 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/study_panel.h"
 #include "ui/picture_view.h"
 
+#include <glm/glm.hpp>
+
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace asos {
 
@@ -13,7 +18,13 @@ struct UiState {
   DisplaySettings display;
   PictureView view;
   StudyChoice study;
+  LightChoice lights;
+  std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
+  bool show_boundaries = false;      ///< of the hit list, in the picture
+  Frames frames;
   bool show_panel = true;
+  bool watch = false;               ///< load the scene's file again when it changes
+  std::vector<std::string> recent;  ///< see StoredSettings
   bool show_help = false;
   bool show_open = false;
   std::string open_path;  ///< typed into the open dialog

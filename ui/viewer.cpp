@@ -2,6 +2,7 @@
 
 #include "ui/previewer.h"
 #include "ui/screenshot.h"
+#include "ui/stored_settings.h"
 #include "ui/theme.h"
 #include "ui/window.h"
 #include "ui/window_content.h"
@@ -42,7 +43,11 @@ glm::ivec2 window_size_for(const RenderSettings& settings) {
 class Loop {
  public:
   Loop(Window& window, Previewer& previewer, WindowContent& content, std::atomic<bool>& woken)
-      : window_(window), previewer_(previewer), content_(content), woken_(woken) {}
+      : window_(window),
+        previewer_(previewer),
+        content_(content),
+        woken_(woken),
+        saved_(content.stored_settings()) {}
 
   void run() {
     while (!window_.should_close() && !content_.state().quit) {
@@ -58,6 +63,7 @@ class Loop {
         window_.wait(due == never ? std::nullopt : std::optional(due - now));
       }
     }
+    save();
   }
 
  private:
@@ -92,14 +98,23 @@ class Loop {
     window_.present();
     if (const RenderScene* scene = previewer_.scene(); scene && scene->source != titled_) {
       titled_ = scene->source;
+      save();
       window_.set_title(screenshot_stem(titled_) + " - ASOS");
     }
+  }
+
+  // Settings that cannot be kept are no reason to disturb anybody.
+  void save() {
+    StoredSettings now = content_.stored_settings();
+    if (now == saved_) return;
+    if (save_settings(settings_path(), now)) saved_ = std::move(now);
   }
 
   Window& window_;
   Previewer& previewer_;
   WindowContent& content_;
   std::atomic<bool>& woken_;
+  StoredSettings saved_;
   std::string titled_;
   double last_seconds_ = -1.0;
   bool interaction_ = true;
@@ -124,6 +139,8 @@ int run_viewer(const ViewerOptions& options) {
   Previewer previewer({{}, wake, options.forced}, options.settings);
   const Result<std::unique_ptr<WindowContent>> content = WindowContent::make(previewer);
   if (!content) return fail(content.error());
+  if (const Result<StoredSettings> stored = load_settings(settings_path()))
+    (*content)->apply(*stored);
   (*window)->connect_clipboard();
   previewer.open(options.source);
   Loop(**window, previewer, **content, woken).run();

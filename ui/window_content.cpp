@@ -75,16 +75,20 @@ void WindowContent::draw(const FrameInput& in) {
     return;
   }
 
+  follow_files(in.time_seconds);
   begin_frame(in);
   lay_out(in);
   ImGui::Render();
 
+  history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
   // What the widgets changed takes effect in this frame, before it is shown.
   previewer_.set_picture_size(picture_rect_.width, picture_rect_.height, in.time_seconds);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_);
-  display_.update(previewer_.film(), previewer_.take_changed(), state_.display,
-                  previewer_.settings().max_level);
+  inspector_.update(previewer_, state_.picked, state_.show_boundaries);
+  const std::vector<PixelRect> changed = previewer_.take_changed();
+  display_.update(previewer_.film(), changed, state_.display, previewer_.settings().max_level);
+  display_.update_compared(previewer_.film(), changed, state_.frames);
   if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
   present(in);
 }
@@ -113,6 +117,7 @@ void WindowContent::begin_frame(const FrameInput& in) {
 
 void WindowContent::lay_out(const FrameInput& in) {
   handle_shortcuts(state_, previewer_);
+  if (!ImGui::GetIO().WantTextInput && shortcut_pressed(Key::z, true)) take_back();
   if (in.time_seconds >= state_.message_until_seconds) state_.message.clear();
 
   // The panel stands beside the picture, never over it; in a narrow window the picture comes first.
@@ -133,7 +138,11 @@ void WindowContent::lay_out(const FrameInput& in) {
   begin_fixed("picture area", picture,
               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                   ImGuiWindowFlags_NoScrollWithMouse);
-  picture_area(controls_, previewer_, state_.view, picture, scale.y);
+  const PictureArea shown{picture, scale.y};
+  picked_mark(inspector_.report(), state_, shown);
+  light_marks(controls_, previewer_, state_.lights, state_.view, shown);
+  wipe_line(controls_, state_.frames, state_.view, previewer_.film(), shown);
+  picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();
 
@@ -146,9 +155,44 @@ void WindowContent::lay_out(const FrameInput& in) {
 
   if (panel_width > 0.0f)
     panel_window({{picture_size.x, 0.0f}, {window.x - picture_size.x, window.y}});
+  pixel_panel(controls_, previewer_, state_, inspector_.report(), shown);
   notices(controls_, previewer_, picture);
   help_overlay(state_, picture);
   open_dialog(controls_, state_, previewer_);
+}
+
+StoredSettings WindowContent::stored_settings() const {
+  return {state_.display, state_.show_panel, state_.lights.show_marks, state_.watch, state_.recent};
+}
+
+void WindowContent::apply(const StoredSettings& stored) {
+  state_.display = stored.display;
+  state_.show_panel = stored.show_panel;
+  state_.lights.show_marks = stored.show_marks;
+  state_.watch = stored.watch;
+  state_.recent = stored.recent;
+}
+
+// Remembers what was opened, and loads again what has changed.
+void WindowContent::follow_files(double now_seconds) {
+  const RenderScene* scene = previewer_.scene();
+  if (!scene) return;
+  if (scenes_seen_ != previewer_.scenes_opened()) {
+    scenes_seen_ = previewer_.scenes_opened();
+    StoredSettings stored = stored_settings();
+    stored.add_recent(scene->source);
+    state_.recent = std::move(stored.recent);
+    state_.lights.selected = -1;
+  }
+  if (state_.watch && !previewer_.loading() && watch_.changed(scene->source, now_seconds))
+    previewer_.reload();
+}
+
+void WindowContent::take_back() {
+  const bool again = ImGui::GetIO().KeyShift;
+  const bool done =
+      again ? history_.redo(previewer_, state_.display) : history_.undo(previewer_, state_.display);
+  if (!done) say(again ? "Nothing to do again" : "Nothing to undo");
 }
 
 void WindowContent::panel_window(const WindowRect& rect) {
@@ -171,9 +215,22 @@ void WindowContent::panel_window(const WindowRect& rect) {
                        width)) {
     state_.screenshot_requested = true;
   }
+  // A built-in scene never changes.
+  if (scene && !scene->source.starts_with("builtin:")) {
+    if (controls_.button("Reload", "Load the file again; the view stays. Key: R.", width))
+      previewer_.reload();
+    ImGui::SameLine();
+    ImGui::Checkbox("Watch file", &state_.watch);
+    controls_.placed("Watch file",
+                     "Load the file again whenever it changes: looked at once a second. A file "
+                     "that cannot be read leaves the scene as it is.",
+                     Controls::Use::edits);
+  }
   if (scene) warnings_panel(controls_, scene->notes);
   antialiasing_panel(controls_, previewer_.settings(), scene);
+  lights_panel(controls_, previewer_, state_.lights, state_.picked);
   shadows_panel(controls_, previewer_.settings(), scene);
+  compare_panel(controls_, previewer_, state_.frames);
   display_panel(controls_, state_.display, previewer_.settings().max_level);
   camera_panel(controls_, previewer_);
   if (scene) {
@@ -182,6 +239,12 @@ void WindowContent::panel_window(const WindowRect& rect) {
     study_panel(controls_, state_.study, study_, previewer_);
     scene_panel(controls_, *scene, previewer_.load_seconds());
   }
+  ImGui::Spacing();
+  if (controls_.button("Forget settings",
+                       "Back to how the window was at first: display, panel, and no recent files. "
+                       "The scene and what it is rendered with stay.",
+                       -1.0f))
+    apply(StoredSettings{});
   ImGui::End();
 }
 
@@ -196,7 +259,7 @@ void WindowContent::present(const FrameInput& in) {
   // The film may have changed its size since the layout.
   state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
                         {display_.width(), display_.height()});
-  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, state_.display);
+  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, state_.display, state_.frames);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
@@ -223,6 +286,10 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (settling_frames_ > 0 || !input_.empty()) return 0.0;
   std::optional<double> due = previewer_.seconds_to_update(time_seconds_);
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
+  if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
+  if (flying()) also(0.0);
+  if (inspector_.busy()) also(0.02);
+  if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
   if (previewer_.loading()) also(0.1);

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "renderer/result.h"
+#include "ui/edit_history.h"
+#include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/overlays.h"
 #include "ui/previewer.h"
+#include "ui/stored_settings.h"
 #include "ui/ui_state.h"
 #include "ui/view_study.h"
 
@@ -48,6 +51,9 @@ class WindowContent {
   [[nodiscard]] std::optional<double> seconds_to_redraw() const;
 
   [[nodiscard]] UiState& state() { return state_; }
+  /// What of it is worth to be remembered.
+  [[nodiscard]] StoredSettings stored_settings() const;
+  void apply(const StoredSettings& stored);
   [[nodiscard]] const Controls& controls() const { return controls_; }
   [[nodiscard]] const ViewStudy& study() const { return study_; }
   /// The area of the framebuffer that shows the picture, from the top left.
@@ -60,6 +66,8 @@ class WindowContent {
   void panel_window(const WindowRect& rect);
   void present(const FrameInput& in);
   void take_screenshot();
+  void take_back();
+  void follow_files(double now_seconds);
   void say(std::string message);
 
   Previewer& previewer_;
@@ -69,6 +77,10 @@ class WindowContent {
   UiState state_;
   Controls controls_;
   ViewStudy study_;
+  EditHistory history_;
+  PixelInspector inspector_;
+  FileWatch watch_;
+  std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;
   glm::vec2 scales_{0.0f};  // of text and of its raster, that the font was made for
   double time_seconds_ = 0.0;

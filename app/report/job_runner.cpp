@@ -47,7 +47,7 @@ Result<void> JobRunner::open(const std::string& name) {
   if (!scene) return tl::unexpected(scene.error());
   auto ready = prepare(*scene);
   if (!ready) return tl::unexpected(ready.error());
-  if ((*ready)->world.triangles.empty())
+  if ((*ready)->world.surface_count() == 0)
     return tl::unexpected(Error{name, "the scene is empty: there is nothing to compare"});
   const auto camera =
       choose_camera((*ready)->world, {}, static_cast<double>(plan_.width) / plan_.height);

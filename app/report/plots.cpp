@@ -61,7 +61,7 @@ std::string text_of(const std::string& path) {
 }
 
 /// A string in gnuplot's double quotes; the enhanced mode, which _ and ^ would change, is off.
-std::string quoted(const std::string& text) {
+std::string gnuplot_text(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -102,7 +102,7 @@ std::string script_of(const SceneReport& scene, const Quantity& quantity, const 
       "set border 3 lc rgb \"#606060\"\nset tics nomirror\nset key outside right top Left reverse "
       "noenhanced samplen 2\nset xlabel \"Processor seconds (all threads)\"\n";
   script += fmt::format("set ylabel {} noenhanced\nset title {} noenhanced\n",
-                        quoted(quantity.title), quoted(study.scene));
+                        gnuplot_text(quantity.title), gnuplot_text(study.scene));
   const std::vector<std::string> curves = curves_of(study);
   std::string plot;
   const auto add = [&plot](const std::string& part) {
@@ -120,7 +120,7 @@ std::string script_of(const SceneReport& scene, const Quantity& quantity, const 
           fmt::format("$above{} using 1:2 with linespoints lw {} pt {} ps 0.9 dt {} lc rgb \"{}\" "
                       "title {}",
                       i, curves[i].starts_with("asos ") ? 2.6 : 1.4, mark, 1 + i % 4, colour,
-                      quoted(curves[i])));
+                      gnuplot_text(curves[i])));
       add(fmt::format("$above{} using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb \"{}\" notitle", i,
                       colour));
     }
@@ -141,7 +141,7 @@ std::string script_of(const SceneReport& scene, const Quantity& quantity, const 
       "set output {0}\nreplot\n"
       "set terminal pngcairo size 1290,720 font \"DejaVu Sans,13\" fontscale 1.2 background "
       "\"#ffffff\"\nset output {1}\nreplot\nset output\n",
-      quoted(path + ".svg"), quoted(path + ".png"));
+      gnuplot_text(path + ".svg"), gnuplot_text(path + ".png"));
   return script + "set terminal dumb\nset output \"/dev/null\"\nplot " + plot + "\n" + pictures;
 }
 

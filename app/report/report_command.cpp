@@ -24,7 +24,7 @@
 namespace asos {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* report_footer =
     "Every method renders every scene over a ladder of its own settings. DIR gets report.html, "
     "which\n"
     "opens from disk, points.csv, report.json, plots/, pictures/ and jobs/.\n"
@@ -143,11 +143,6 @@ Result<std::string> run(const ReportArguments& arguments, const std::vector<Job>
   return make_report({arguments.output}, arguments.output);
 }
 
-int fail(const Streams& streams, const Error& error) {
-  streams.err << "asos: " << error.message() << "\n";
-  return exit_bad_input;
-}
-
 int run_report(const ReportArguments& arguments, const Streams& streams) {
   std::vector<Job> jobs;
   if (arguments.merge.empty()) {
@@ -253,7 +248,7 @@ Command add_report_command(CLI::App& program) {
                    "Make the report from jobs that have been run, in these folders")
       ->type_name("DIR...");
   parser->add_flag("--quiet", arguments->quiet, "No progress and no closing line");
-  parser->footer(footer);
+  parser->footer(report_footer);
   parser->callback([arguments] { check(*arguments); });
   return {parser, [arguments](const Streams& streams) { return run_report(*arguments, streams); }};
 }

@@ -34,6 +34,9 @@ struct FeatureEdge {
   std::uint32_t right_sheet = none;
   FeatureKind kind = FeatureKind::open;
   bool folds = false;  ///< its two faces are not coplanar, so it can be a silhouette too
+  /// Index into FeatureSet::curves: the edge is that curve of an analytic shape, and has no
+  /// vertices.
+  std::uint32_t curve = none;
 };
 
 /// How many edges of each kind a world has. `intersection`: lines where surfaces pass through each

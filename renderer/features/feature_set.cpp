@@ -1,5 +1,7 @@
 #include "renderer/features/feature_set.h"
 
+#include "renderer/features/shape_intersections.h"
+
 #include <future>
 #include <utility>
 
@@ -13,13 +15,33 @@ FeatureSet::FeatureSet(const World& world, TextureAt texture_at) : positions_(wo
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
   departure_of_triangle_ = std::move(extracted.departure_of_triangle);
+  add_shapes(world);
   add(intersections.get());
-  hierarchy_ = FeatureHierarchy::build(positions_, edges_);
+  add_shape_intersections(world);
+  hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_);
+}
+
+// Each face is a sheet of its own.
+void FeatureSet::add_shapes(const World& world) {
+  faces_ = world.faces;
+  for (const ShapeFace& face : faces_) {
+    sheet_of_triangle_.push_back(static_cast<std::uint32_t>(sheet_of_triangle_.size()));
+    departure_of_triangle_.push_back(
+        face.kind == ShapeFace::Kind::disk ? 0.0f : static_cast<float>(face.size));
+  }
+  ShapeFeatures shapes = shape_features(world);
+  curves_ = std::move(shapes.curves);
+  edges_.insert(edges_.end(), shapes.edges.begin(), shapes.edges.end());
+  for (const FeatureEdge& edge : shapes.edges) {
+    counts_.open += edge.kind == FeatureKind::open;
+    counts_.crease += edge.kind == FeatureKind::crease;
+    counts_.silhouette_candidates += edge.kind == FeatureKind::silhouette;
+  }
 }
 
 void FeatureSet::add(const Intersections& found) {
-  intersections_complete_ = found.complete;
-  counts_.intersection = found.lines.size();
+  intersections_complete_ = intersections_complete_ && found.complete;
+  counts_.intersection += found.lines.size();
   for (const IntersectionLine& line : found.lines) {
     FeatureEdge edge;
     edge.a = static_cast<std::uint32_t>(positions_.size());
@@ -33,10 +55,28 @@ void FeatureSet::add(const Intersections& found) {
   }
 }
 
+void FeatureSet::add_shape_intersections(const World& world) {
+  if (world.faces.empty()) return;
+  const ShapeIntersections found = find_shape_intersections(world);
+  add(Intersections{found.lines, found.complete});
+  for (const IntersectionArc& crossing : found.arcs) {
+    FeatureEdge edge;
+    edge.a = edge.b = FeatureEdge::none;
+    edge.left_sheet = sheet(crossing.triangle);
+    edge.right_sheet = sheet(crossing.face);
+    edge.kind = FeatureKind::intersection;
+    edge.curve = static_cast<std::uint32_t>(curves_.size());
+    curves_.push_back(FeatureCurve::of(crossing.arc));
+    edges_.push_back(edge);
+    ++counts_.intersection;
+  }
+}
+
 std::size_t FeatureSet::memory_bytes() const {
   return hierarchy_.nodes.size() * sizeof(FeatureNode) + edges_.size() * sizeof(FeatureEdge) +
          sheet_of_triangle_.size() * sizeof(std::uint32_t) +
-         departure_of_triangle_.size() * sizeof(float) + positions_.size() * sizeof(glm::vec3);
+         departure_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
+         faces_.size() * sizeof(ShapeFace) + positions_.size() * sizeof(glm::vec3);
 }
 
 }  // namespace asos

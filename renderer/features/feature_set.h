@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/features/feature_curve.h"
 #include "renderer/features/feature_edge.h"
 #include "renderer/features/hierarchy.h"
 #include "renderer/features/intersections.h"
@@ -23,6 +24,8 @@ class FeatureSet {
   [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
   [[nodiscard]] std::span<const FeatureEdge> edges() const { return edges_; }
   [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
+  [[nodiscard]] std::span<const FeatureCurve> curves() const { return curves_; }
+  [[nodiscard]] const ShapeFace& face(std::uint32_t index) const { return faces_[index]; }
 
   /// The smooth, connected piece of surface that a triangle belongs to. Along a path in a picture
   /// the visible sheet changes only across a boundary.
@@ -37,6 +40,14 @@ class FeatureSet {
     return departure_of_triangle_[triangle];
   }
 
+  /// The same within `reach` of a point of the surface: less for analytic shapes, which are bent
+  /// everywhere alike.
+  [[nodiscard]] double departure(std::uint32_t surface, glm::dvec3 position, double reach) const {
+    const std::size_t triangles = departure_of_triangle_.size() - faces_.size();
+    if (surface < triangles) return departure(surface);
+    return face_departure(faces_[surface - triangles], position, reach);
+  }
+
   /// False where surfaces pass through each other so often that the lines were left out; the safety
   /// net then has to find them.
   [[nodiscard]] bool intersections_complete() const { return intersections_complete_; }
@@ -49,10 +60,14 @@ class FeatureSet {
   std::vector<FeatureEdge> edges_;
   std::vector<std::uint32_t> sheet_of_triangle_;
   std::vector<float> departure_of_triangle_;
+  std::vector<FeatureCurve> curves_;
+  std::vector<ShapeFace> faces_;      // the world's
   std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections
   bool intersections_complete_ = true;
 
   void add(const Intersections& found);
+  void add_shapes(const World& world);
+  void add_shape_intersections(const World& world);
 };
 
 }  // namespace asos

@@ -102,10 +102,15 @@ std::optional<Chain> join(std::span<const glm::vec3> positions,
 
 class Builder {
  public:
-  Builder(std::span<const glm::vec3> positions, std::vector<FeatureEdge>& edges)
+  Builder(std::span<const glm::vec3> positions, std::vector<FeatureEdge>& edges,
+          std::span<const FeatureCurve> curves)
       : positions_(positions), edges_(edges), items_(edges.size()) {
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
       items_[i].edge = i;
+      if (edges[i].curve != FeatureEdge::none) {
+        items_[i].box = curves[edges[i].curve].box;
+        continue;
+      }
       items_[i].box.grow(positions[edges[i].a]);
       items_[i].box.grow(positions[edges[i].b]);
     }
@@ -194,7 +199,7 @@ class Builder {
     std::vector<std::optional<Chain>> chains;
     for (const Item& item : items) {
       const FeatureEdge& edge = edges_[item.edge];
-      if (edge.kind == FeatureKind::silhouette) {
+      if (edge.kind == FeatureKind::silhouette || edge.curve != FeatureEdge::none) {
         chains.emplace_back();
       } else {
         chains.push_back(Chain{edge.a, edge.b, 0.0f});
@@ -290,8 +295,9 @@ class Builder {
 }  // namespace
 
 FeatureHierarchy FeatureHierarchy::build(std::span<const glm::vec3> positions,
-                                         std::vector<FeatureEdge>& edges) {
-  return Builder(positions, edges).build();
+                                         std::vector<FeatureEdge>& edges,
+                                         std::span<const FeatureCurve> curves) {
+  return Builder(positions, edges, curves).build();
 }
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/features/feature_curve.h"
 #include "renderer/features/feature_edge.h"
 
 #include <array>
@@ -46,7 +47,8 @@ struct FeatureHierarchy {
   /// proportion to its width). Edges that bound from everywhere and mere candidates have subtrees
   /// of their own, so that cones can reject whole meshes. Deterministic.
   static FeatureHierarchy build(std::span<const glm::vec3> positions,
-                                std::vector<FeatureEdge>& edges);
+                                std::vector<FeatureEdge>& edges,
+                                std::span<const FeatureCurve> curves = {});
 };
 
 }  // namespace asos

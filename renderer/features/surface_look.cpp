@@ -51,7 +51,7 @@ bool same_look(const World& world, const Material& a, const Material& b) {
   const auto numbers = [](const Material& m) {
     return std::tuple(m.base_color, m.metallic, m.roughness, m.emissive * m.emissive_strength,
                       m.alpha_mode, m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f,
-                      m.unlit, m.ior, m.transmission);
+                      m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.dfr);
   };
   return numbers(a) == numbers(b) &&
          same_texture(world, a.base_color_texture, b.base_color_texture) &&

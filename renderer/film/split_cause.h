@@ -16,24 +16,25 @@ enum class SplitCause : std::uint8_t {
   crease,        ///< a kink, or a seam of materials or textures
   intersection,  ///< a line in which surfaces pass through each other
   shadow,        ///< a shadow's edge
+  reflection,    ///< an edge that a mirror shows
   shading,       ///< nothing but uneven shading
   cut_out,       ///< no boundary: split by what its samples show, as at a texture's cut-outs
   saturation,    ///< so many boundaries that the finest samples were taken at once
   depth_limit,   ///< boundaries still passed through cells when MAX was reached
 };
-inline constexpr std::size_t split_cause_count = 9;
+inline constexpr std::size_t split_cause_count = 10;
 
 /// What the causes are called in statistics, in the order of their values.
 inline constexpr std::array<const char*, split_cause_count> split_cause_names{
-    "none",    "outline", "crease",     "intersection", "shadow",
-    "shading", "cut_out", "saturation", "depth_limit"};
+    "none",       "outline", "crease",  "intersection", "shadow",
+    "reflection", "shading", "cut_out", "saturation",   "depth_limit"};
 
 [[nodiscard]] constexpr const char* name_of(SplitCause cause) {
   return split_cause_names[static_cast<std::size_t>(cause)];
 }
 
 /// The split map's colour of a cause: sRGB bytes, black for none and for no other. The palette of
-/// Okabe and Ito (Color Universal Design, 2008), with white as its eighth colour, so that the
+/// Okabe and Ito (Color Universal Design, 2008), with white and a blue added, so that the
 /// colour-blind can tell them apart, too.
 [[nodiscard]] constexpr glm::u8vec3 split_cause_colour(SplitCause cause) {
   constexpr std::array<std::array<std::uint8_t, 3>, split_cause_count> colours{{{0, 0, 0},
@@ -41,6 +42,7 @@ inline constexpr std::array<const char*, split_cause_count> split_cause_names{
                                                                                 {86, 180, 233},
                                                                                 {0, 114, 178},
                                                                                 {204, 121, 167},
+                                                                                {30, 30, 240},
                                                                                 {0, 158, 115},
                                                                                 {230, 159, 0},
                                                                                 {213, 94, 0},

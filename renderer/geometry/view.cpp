@@ -25,6 +25,28 @@ View::View(const Camera& camera, int width, int height, double scene_radius)
   if (distance > far * scene_radius) start_ = distance - 2.0 * scene_radius;
 }
 
+View::View(const PyrayPicture& picture)
+    : perspective_(picture.perspective),
+      eye_(picture.apex),
+      corner_(picture.corner),
+      pixel_right_(picture.right),
+      pixel_down_(picture.down),
+      forward_(picture.forward),
+      width_(1),
+      height_(1),
+      beyond_(picture.beyond) {
+  // Half of the way to where the first ray enters: floats lose less from there.
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const glm::dvec2 p : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+    const glm::dvec3 target = corner_ + p.x * pixel_right_ + p.y * pixel_down_;
+    const glm::dvec3 from = perspective_ ? eye_ : eye_ + target - forward_;
+    const glm::dvec3 direction = perspective_ ? glm::normalize(target) : forward_;
+    const double t = -beyond_->height(from) / glm::dot(beyond_->normal, direction);
+    if (t < nearest) nearest = t;
+  }
+  if (nearest > 0.0 && std::isfinite(nearest)) start_ = 0.5 * nearest;
+}
+
 Ray View::ray(double x, double y) const {
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
   Ray ray;
@@ -36,6 +58,12 @@ Ray View::ray(double x, double y) const {
     ray.origin = glm::vec3(eye_ + target - forward_ + start_ * forward_);
     ray.direction = glm::vec3(forward_);
   }
+  if (!beyond_) return ray;
+  const double height = beyond_->height(glm::dvec3(ray.origin));
+  const double slope = glm::dot(beyond_->normal, glm::dvec3(ray.direction));
+  if (height < 0.0)
+    ray.t_near =
+        slope > 0.0 ? static_cast<float>(-height / slope) : std::numeric_limits<float>::infinity();
   return ray;
 }
 

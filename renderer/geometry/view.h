@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/frame.h"
+#include "renderer/geometry/half_space.h"
 #include "renderer/geometry/ray.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/world.h"
@@ -8,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <limits>
+#include <optional>
 
 namespace asos {
 
@@ -26,6 +28,19 @@ struct PixelRect {
 /// world needs to know of it.
 [[nodiscard]] double radius_around_origin(const Box& box);
 
+/// A picture of one pixel: the pyray from an apex through a parallelogram. A mirrored pyray is one.
+struct PyrayPicture {
+  bool perspective = true;
+  glm::dvec3 apex{0.0};  ///< where rays are parallel: any point of the image plane
+  /// From the apex to the parallelogram's corner, where `forward` is one unit ahead; parallel rays:
+  /// one unit ahead of the corner.
+  glm::dvec3 corner{0, 0, -1};
+  glm::dvec3 right{1, 0, 0};  ///< its edges; square to `forward`
+  glm::dvec3 down{0, -1, 0};
+  glm::dvec3 forward{0, 0, -1};  ///< unit
+  HalfSpace beyond;              ///< rays start where they enter it; those that do not meet nothing
+};
+
 /// A camera and the picture that it fills: makes eye rays and eye frames. The vertical extent is
 /// the camera's; the horizontal one follows the picture's proportions. Pixel (0, 0) is at the top
 /// left and its centre is (0.5, 0.5). `camera` is relative to World::origin. Thread-safe.
@@ -36,11 +51,12 @@ class View {
  public:
   View(const Camera& camera, int width, int height,
        double scene_radius = std::numeric_limits<double>::infinity());
+  explicit View(const PyrayPicture& picture);
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  /// How far from the eye, or from the image plane, rays start: 0 but for far cameras.
+  /// How far from the eye, or from the image plane, rays start: 0 but for far cameras and mirrors.
   [[nodiscard]] double start() const { return start_; }
 
   /// The eye ray through a point of the picture, in pixels; unit direction.
@@ -60,6 +76,7 @@ class View {
   int width_;
   int height_;
   double start_ = 0.0;
+  std::optional<HalfSpace> beyond_;
 };
 
 }  // namespace asos

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-using Shape = PreparedLight::Shape;
+using LightShape = PreparedLight::Shape;
 
 /// The point of the light's plane that the mirrored ray hits, relative to `to_middle`. A ray that
 /// hits it beyond the whole light, or not at all, stands at its far end for that hit: the hit moves
@@ -75,26 +75,26 @@ Highlight ball_highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::
 Highlight highlight_of(const PreparedLight& light, glm::dvec3 position, glm::dvec3 mirrored_view) {
   const glm::dvec3 to_middle = light.position - position;
   switch (light.shape) {
-    case Shape::point:
+    case LightShape::point:
       return towards_point(to_middle, 0.0, mirrored_view);
-    case Shape::distant:
+    case LightShape::distant:
       return {glm::vec3(light.towards), 0.0f};
-    case Shape::sun: {
+    case LightShape::sun: {
       Highlight highlight = towards_point(
           nearest_of_ball(light.towards, light.radius, mirrored_view), 0.0, mirrored_view);
       highlight.half_angle_tangent = static_cast<float>(light.radius);
       return highlight;
     }
-    case Shape::ball:
+    case LightShape::ball:
       return ball_highlight(light, to_middle, mirrored_view);
-    case Shape::segment:
+    case LightShape::segment:
       return towards_point(nearest_of_segment(light, to_middle, mirrored_view),
                            glm::length(light.half_u), mirrored_view);
-    case Shape::polygon:
-    case Shape::disk: {
+    case LightShape::polygon:
+    case LightShape::disk: {
       const glm::dvec3 hit = plane_hit(light, to_middle, mirrored_view);
-      const glm::dvec3 nearest = light.shape == Shape::disk ? nearest_of_disk(light, hit)
-                                                            : nearest_of_rectangle(light, hit);
+      const glm::dvec3 nearest = light.shape == LightShape::disk ? nearest_of_disk(light, hit)
+                                                                 : nearest_of_rectangle(light, hit);
       // The radius of the disk of the same area.
       const double radius = std::sqrt(light.area * std::numbers::inv_pi);
       return towards_point(to_middle + nearest, radius, mirrored_view);

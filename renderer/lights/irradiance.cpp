@@ -10,7 +10,7 @@ namespace asos {
 namespace {
 
 using std::numbers::pi;
-using Shape = PreparedLight::Shape;
+using LightShape = PreparedLight::Shape;
 
 /// A point light of one candela; 0 below either horizon.
 double point_form(glm::dvec3 to_light, const Receiver& receiver) {
@@ -40,7 +40,7 @@ double outlines_form(const PreparedLight& light, const Receiver& receiver) {
 
 double flat_form(const PreparedLight& light, const Receiver& receiver) {
   if (light.rule == LightRule::published) return middle_form(light, receiver);
-  if (light.shape == Shape::polygon) return outlines_form(light, receiver);
+  if (light.shape == LightShape::polygon) return outlines_form(light, receiver);
   const double height = glm::dot(receiver.position - light.position, light.towards);
   const bool behind = light.two_sided && height < 0.0;
   return disk_form(light.position, behind ? -light.towards : light.towards, light.radius, receiver);
@@ -86,23 +86,23 @@ glm::vec3 segment_irradiance(const PreparedLight& light, const Receiver& receive
 glm::vec3 unshadowed_irradiance(const PreparedLight& light, const Receiver& receiver) {
   double form = 0.0;
   switch (light.shape) {
-    case Shape::point:
+    case LightShape::point:
       form = point_form(light.position - receiver.position, receiver) *
              attenuation(light, receiver.position);
       break;
-    case Shape::ball:
+    case LightShape::ball:
       form = ball_light_form(light, receiver) * attenuation(light, receiver.position);
       break;
-    case Shape::distant:
+    case LightShape::distant:
       form = cosine_above(light.towards, receiver);
       break;
-    case Shape::sun:
+    case LightShape::sun:
       form = sun_form(light, receiver);
       break;
-    case Shape::segment:
+    case LightShape::segment:
       return segment_irradiance(light, receiver, -1.0, 1.0);
-    case Shape::polygon:
-    case Shape::disk:
+    case LightShape::polygon:
+    case LightShape::disk:
       form = flat_form(light, receiver);
       break;
   }

@@ -49,8 +49,9 @@ std::optional<Piece> clipped(const Piece& piece, double reach) {
 class CutLight {
  public:
   explicit CutLight(const Light& light) : light_(prepare_light(light)) {
-    using Shape = PreparedLight::Shape;
-    flat_ = (light_.shape == Shape::polygon || light_.shape == Shape::disk) && light.casts_shadows;
+    using LightShape = PreparedLight::Shape;
+    flat_ = (light_.shape == LightShape::polygon || light_.shape == LightShape::disk) &&
+            light.casts_shadows;
     if (!flat_) return;
     const glm::dvec3 reach = glm::abs(light_.half_u) + glm::abs(light_.half_v);
     const glm::dvec3 farthest = glm::abs(light_.position) + reach;

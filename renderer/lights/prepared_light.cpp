@@ -11,7 +11,7 @@ namespace asos {
 namespace {
 
 using std::numbers::pi;
-using Shape = PreparedLight::Shape;
+using LightShape = PreparedLight::Shape;
 
 /// power / measure, if that is a number that a float holds. False, with nothing changed: the light
 /// is too small for that and counts as one of no size.
@@ -34,24 +34,24 @@ void prepare_ball(const Light& light, PreparedLight& prepared) {
   }
   // A ball of radiance L shows a disk of radius r from everywhere: L pi r^2 candela.
   if (light.radius > 0.0 && spread(prepared.power, pi * light.radius * light.radius)) {
-    prepared.shape = Shape::ball;
+    prepared.shape = LightShape::ball;
     prepared.radius = light.radius;
   }
 }
 
 void prepare_sun(const Light& light, PreparedLight& prepared) {
-  prepared.shape = Shape::distant;
+  prepared.shape = LightShape::distant;
   if (!(light.angular_diameter_rad > 0.0)) return;
   // A surface that faces a disk of half angle a and radiance L gets L pi sin^2 a.
   const double sine = std::sin(0.5 * light.angular_diameter_rad);
   if (!spread(prepared.power, pi * sine * sine)) return;
-  prepared.shape = Shape::sun;
+  prepared.shape = LightShape::sun;
   prepared.radius = std::tan(0.5 * light.angular_diameter_rad);
 }
 
 void prepare_segment(const Light& light, PreparedLight& prepared) {
   if (!spread(prepared.power, 2.0 * glm::length(light.half_u))) return;  // all of it in one point
-  prepared.shape = Shape::segment;
+  prepared.shape = LightShape::segment;
   prepared.half_u = light.half_u;
 }
 
@@ -93,10 +93,10 @@ bool prepare_disk(const Light& light, glm::dvec3 direction, PreparedLight& prepa
 bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
   prepared.two_sided = light.two_sided;
   if (light.type == Light::Type::disk) {
-    prepared.shape = Shape::disk;
+    prepared.shape = LightShape::disk;
     return prepare_disk(light, direction, prepared);
   }
-  prepared.shape = Shape::polygon;
+  prepared.shape = LightShape::polygon;
   if (light.type == Light::Type::rectangle) return prepare_rectangle(light, direction, prepared);
   return prepare_polygon(light.outlines, direction, prepared);
 }
@@ -129,7 +129,7 @@ PreparedLight prepare_light(const Light& light, LightRule rule) {
     case Light::Type::disk:
     case Light::Type::polygon:
       if (!prepare_flat(light, direction, prepared)) {
-        prepared.shape = Shape::point;
+        prepared.shape = LightShape::point;
         prepared.power = glm::vec3(0.0f);
       }
       break;

@@ -11,7 +11,7 @@ namespace asos {
 namespace {
 
 using std::numbers::pi;
-using Shape = PreparedLight::Shape;
+using LightShape = PreparedLight::Shape;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -172,27 +172,27 @@ LightSample segment_sample(const PreparedLight& light, const Receiver& receiver,
 LightSample sample_light(const PreparedLight& light, const Receiver& receiver, double u, double v) {
   LightSample sample;
   switch (light.shape) {
-    case Shape::point:
+    case LightShape::point:
       sample = no_light(light.position - receiver.position);
       sample.irradiance = unshadowed_irradiance(light, receiver);
       break;
-    case Shape::distant:
+    case LightShape::distant:
       sample = {light.towards, kFar, unshadowed_irradiance(light, receiver)};
       break;
-    case Shape::sun:
+    case LightShape::sun:
       sample = sun_sample(light, receiver, u, v);
       break;
-    case Shape::ball:
+    case LightShape::ball:
       sample = ball_sample(light, receiver, u, v);
       sample.irradiance *= static_cast<float>(attenuation(light, receiver.position));
       break;
-    case Shape::segment:
+    case LightShape::segment:
       sample = segment_sample(light, receiver, u);
       break;
-    case Shape::polygon:
+    case LightShape::polygon:
       sample = polygon_sample(light, receiver, u, v);
       break;
-    case Shape::disk:
+    case LightShape::disk:
       sample = disk_sample(light, receiver, u, v);
       break;
   }

@@ -147,6 +147,8 @@ BlockResult render_block_beam(const RenderScene& scene, const View& view,
 }
 
 Result<void> check_method(const RenderScene& scene, const RenderSettings& settings) {
+  if (settings.method == Method::beam && !scene.world.faces.empty())
+    return unexpected(Error{"method", "beam is for triangles, and this scene has analytic shapes"});
   const std::size_t triangles = scene.world.triangles.size();
   if (settings.method != Method::beam || triangles <= most_beam_triangles) return {};
   return unexpected(

@@ -4,8 +4,11 @@
 #include "renderer/geometry/view.h"
 #include "renderer/methods/bumps.h"
 #include "renderer/methods/counted_lights.h"
+#include "renderer/methods/mirrored_mask.h"
+#include "renderer/methods/reflected_pyrays.h"
 #include "renderer/methods/region_sampler.h"
 #include "renderer/methods/render_scene.h"
+#include "renderer/methods/viewer.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/subdivision_trace.h"
 #include "renderer/shading/footprint.h"
@@ -15,20 +18,29 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <stop_token>
 #include <vector>
 
 namespace asos {
 
-/// Looks along eye rays through one square block of the picture, whose frame's (u, v) runs from 0
-/// to 1 across it: the engine's Caster for eye pyrays. Leaves are shaded and added up, root by
-/// root; a root is a pixel.
-class EyeCaster final : public Caster, private PatchView {
+/// Memory of shadow and reflection pyrays that is worth keeping. Holds no result.
+struct EyeWorkspace {
+  ShadowWorkspace shadows;
+  ReflectionWorkspace reflections;
+};
+
+/// Looks along a viewer's rays through one square block of the picture, whose frame's (u, v) runs
+/// from 0 to 1 across it: the engine's Caster for eye pyrays, and for those that were mirrored.
+/// Leaves are shaded and added up, root by root; a root is a pixel.
+class EyeCaster final : public Caster, private PatchView, private LightTransport {
  public:
-  EyeCaster(const RenderScene& scene, const View& view, const RenderSettings& settings,
-            const Frame& frame, PixelRect block, std::size_t roots, ShadowWorkspace& shadows,
-            const std::stop_token& stop, RenderStatistics& counts);
+  /// All have to outlive this. `mask`: what the leaves count for; null: their area.
+  EyeCaster(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
+            const Frame& frame, PixelRect block, std::size_t roots, EyeWorkspace& work,
+            const std::stop_token& stop, RenderStatistics& counts,
+            const MirroredMask* mask = nullptr);
 
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
@@ -62,16 +74,27 @@ class EyeCaster final : public Caster, private PatchView {
 
   /// Whether the edge of a hard shadow cut one of a root's leaves.
   [[nodiscard]] bool shadow_cut(std::uint32_t root) const { return sums_[root].shadow_cut; }
+  /// Whether a boundary split what one of a root's leaves mirrors.
+  [[nodiscard]] bool mirror_cut(std::uint32_t root) const { return sums_[root].mirror_cut; }
 
   /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
   /// counted.
   [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
 
  private:
+  /// A leaf of a blurred reflection, which counts by a kernel that all of them tell together.
+  struct BlurredLeaf {
+    Square square;
+    std::size_t first_side = 0;
+    std::size_t side_count = 0;
+    double share = 1.0;  ///< of its region that counts
+    glm::dvec3 radiance{0.0};
+  };
   struct Sum {
     glm::dvec3 radiance{0.0};
     double weight = 0.0;
     bool shadow_cut = false;
+    bool mirror_cut = false;
   };
 
   [[nodiscard]] glm::vec3 shade(SampleId sample, double weight, const LeafRegion& region,
@@ -82,11 +105,20 @@ class EyeCaster final : public Caster, private PatchView {
   [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
   std::uint32_t add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
                             double weight);
+  glm::vec3 add_leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region);
+  bool add_texture_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
+                           double weight);
   void log_leaf(SampleId sample, double weight, glm::vec3 radiance);
+  void add_blurred(const LeafRegion& region, double share, glm::dvec3 radiance, float distance);
+  [[nodiscard]] glm::vec3 blurred_colour() const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool shadow_uneven(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
+  [[nodiscard]] bool mirrors_too_widely(SampleId sample, const LeafRegion& region) const;
+  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
+  bool reflect(const Reflection& reflection, glm::vec3& radiance,
+               RenderStatistics& counts) override;
   [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] Ray ray_through(glm::vec2 p) const;
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
@@ -94,17 +126,21 @@ class EyeCaster final : public Caster, private PatchView {
 
   const RenderScene& scene_;
   ShadowScene shadow_scene_;
-  const View& view_;
+  Viewer viewer_;
   const Frame& frame_;
   PixelRect block_;
   std::stop_token stop_;
   RenderStatistics& counts_;
-  Shader shader_;
-  PixelSpacing spacing_;
+  const Shader& shader_;
+  const PixelSpacing& spacing_ = viewer_.spacing;
+  const MirroredMask* mask_;
   Faces faces_;
   float most_uneven_;
   ShadowGroups groups_;
   mutable ShadowPyrays shadows_;
+  EyeWorkspace& work_;
+  MirroredLeaf leaf_;  // that is being shaded
+  bool met_mirror_edge_ = false;
   CountedLights counted_shadows_{shadows_};
   bool cast_shadows_ = false;     // some light does
   bool extended_lights_ = false;  // and has a size
@@ -113,6 +149,9 @@ class EyeCaster final : public Caster, private PatchView {
   std::vector<Hit> hits_;
   std::vector<Sum> sums_;
   const RenderSettings& settings_;
+  std::vector<BlurredLeaf> blurred_;
+  std::vector<Side> blurred_sides_;
+  float nearest_blurred_ = std::numeric_limits<float>::infinity();
   std::optional<RegionSampler> sampler_;  // made when first needed
   mutable std::vector<EvenPatch> even_;
   Bumps bumps_;

@@ -1,6 +1,7 @@
 #include "renderer/methods/fat_pyray.h"
 
 #include "renderer/methods/split_causes.h"
+#include "renderer/methods/subdivision_rules.h"
 #include "renderer/pyray/safety_net.h"
 
 #include <algorithm>
@@ -33,17 +34,6 @@ PixelRect framed(const View& view, PixelRect block, const RenderSettings& settin
   return {block.x - border, block.y - border, fat + 2 * border, fat + 2 * border};
 }
 
-SubdivisionRules rules_of(const RenderSettings& settings) {
-  SubdivisionRules rules;
-  rules.max_level = settings.max_level;
-  rules.eps = settings.eps;
-  rules.rule = settings.rule;
-  rules.detection = settings.detect;
-  rules.exact_leaves = settings.leaf == Leaf::exact;
-  rules.jitter = settings.jitter;
-  return rules;
-}
-
 }  // namespace
 
 FatPyray::FatPyray(const RenderScene& scene, const View& view, const RenderSettings& settings,
@@ -55,8 +45,9 @@ FatPyray::FatPyray(const RenderScene& scene, const View& view, const RenderSetti
       work_(work),
       frame_(view.frame(framed_.x, framed_.y, framed_.width, framed_.height)),
       detector_(frame_, settings.detect),
-      caster_(scene, view, settings, frame_, framed_,
-              static_cast<std::size_t>(settings.fat * settings.fat), work.shadows, stop,
+      shader_(shader_of(scene, settings, view)),
+      caster_(scene, Viewer::camera(view, shader_), settings, frame_, framed_,
+              static_cast<std::size_t>(settings.fat * settings.fat), work.eye, stop,
               result_.statistics) {
   const auto pixels = static_cast<std::size_t>(settings.fat * settings.fat);
   outcomes_.resize(pixels);
@@ -228,7 +219,8 @@ void FatPyray::publish() {
       statistics.unresolved_area += outcome.unresolved_area;
       result_.tile.radiance.push_back(caster_.colour(i));
       result_.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
-      const SplitCause cause = cause_of({outcome, by_samples_[i] != 0, caster_.shadow_cut(i)});
+      const SplitCause cause =
+          cause_of({outcome, by_samples_[i] != 0, caster_.shadow_cut(i), caster_.mirror_cut(i)});
       result_.tile.cause.push_back(cause);
       if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
     }

@@ -19,7 +19,7 @@ namespace asos {
 struct FatPyrayWorkspace {
   HitLists lists;
   Subdivider subdivider;
-  ShadowWorkspace shadows;
+  EyeWorkspace eye;
   std::array<HitLists::List, 5> descent;  // one for each size: 1, 2, 4, 8, 16 pixels
   std::vector<HitLists::List> pixel_list;
   HitLists::List scratch;
@@ -66,6 +66,7 @@ class FatPyray {
   Frame frame_;
   Detector detector_;
   BlockResult result_;
+  Shader shader_;
   EyeCaster caster_;
   std::vector<SubdivisionOutcome> outcomes_;
   std::vector<std::uint8_t> bounded_;     // a boundary that may be visible crosses the pixel

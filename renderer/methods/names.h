@@ -44,6 +44,12 @@ inline constexpr std::array texture_filter_names{
     Named<TextureFilter>{"footprint", TextureFilter::footprint},
     Named<TextureFilter>{"point", TextureFilter::point},
 };
+inline constexpr std::array curved_mirror_names{
+    Named<CurvedMirror>{"approximate", CurvedMirror::approximate},
+    Named<CurvedMirror>{"tangent", CurvedMirror::tangent},
+    Named<CurvedMirror>{"supersample", CurvedMirror::supersample},
+    Named<CurvedMirror>{"adaptive", CurvedMirror::adaptive},
+};
 
 inline constexpr std::array shadow_quality_names{
     Named<ShadowQuality>{"refined", ShadowQuality::refined},

@@ -10,12 +10,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <future>
 #include <iterator>
 #include <limits>
 #include <new>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,25 @@ namespace {
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
+}
+
+bool finite(glm::dvec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// What the renderer relies on; a light without size, or with a bad direction, gives nothing.
+std::string fault_of(const Light& light, const std::vector<Light>& built) {
+  const glm::vec3 power = light.color * light.intensity;
+  bool sound = finite(light.position) && finite(light.direction) && finite(light.half_u) &&
+               finite(light.half_v) && finite(glm::dvec3(power)) && std::isfinite(light.radius) &&
+               std::isfinite(light.angular_diameter_rad) && light.range > 0.0;
+  for (const std::vector<glm::dvec3>& outline : light.outlines)
+    sound = sound && std::all_of(outline.begin(), outline.end(), finite);
+  if (!sound) return "is not finite";
+  const bool known = light.own_part < 0 || std::any_of(built.begin(), built.end(), [&](auto& b) {
+                       return b.own_part == light.own_part;
+                     });
+  return known ? "" : "has an own part that is no light's";
 }
 
 std::size_t bytes_of(const World& world) {
@@ -117,6 +138,18 @@ std::vector<Light> rig_for(const World& world, const RayScene& rays) {
   return interior_rig(camera, world.bounds, seen, way);
 }
 
+/// What follows from the lights, once they are known.
+void settle_lights(RenderScene& scene) {
+  scene.light_cuts = find_light_cuts(scene.world);
+  scene.bare_lights = find_bare_lights(scene.world);
+  SceneNeeds needs = find_needs(scene.world);
+  // White colours that were asked for are not colours; and what passes through what is known now.
+  needs.vertex_colors = scene.needs.vertex_colors;
+  needs.intersections =
+      scene.features.counts().intersection > 0 || !scene.features.intersections_complete();
+  scene.needs = needs.with(scene.forced);
+}
+
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const SceneNeeds& forced) {
   const auto start = std::chrono::steady_clock::now();
@@ -128,6 +161,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   prepared->name = scene.name;
   prepared->source = scene.source;
   prepared->notes = scene.notes;
+  prepared->forced = forced;
 
   // Emissive meshes light every scene; only those that show a light of the file do not.
   prepared->needs = find_needs(prepared->world).with(forced);
@@ -152,22 +186,16 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
       std::async(std::launch::async, [&] { return MipChains(prepared->world, prepared->needs); });
   prepared->object_spheres = object_spheres(prepared->world);
   auto rays = RayScene::build(prepared->world, alpha_at, forced);
-  prepared->features = features.get();
-  prepared->mips = mips.get();
+  prepared->index->features = features.get();
+  prepared->index->mips = mips.get();
   if (!rays) return unexpected(Error{scene.source, rays.error().message()});
-  prepared->rays = std::move(*rays);
+  prepared->index->rays = std::move(*rays);
   if (prepared->default_rig) {
     // It has no part of the world as its own, so that the rays need not know of it.
     for (Light& light : rig_for(prepared->world, prepared->rays))
       prepared->world.lights.push_back(std::move(light));
   }
-  prepared->light_cuts = find_light_cuts(prepared->world);
-  // The lights are known only now, and so is what passes through what.
-  SceneNeeds needs = find_needs(prepared->world);
-  needs.vertex_colors = prepared->needs.vertex_colors;
-  needs.intersections =
-      prepared->features.counts().intersection > 0 || !prepared->features.intersections_complete();
-  prepared->needs = needs.with(forced);
+  settle_lights(*prepared);
   if (!prepared->features.intersections_complete()) {
     prepared->notes.warnings.emplace_back(
         "surfaces pass through each other or overlap too often; the lines where "
@@ -190,6 +218,28 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const Sce
     return prepare_in_memory(scene, forced);
   } catch (const std::bad_alloc&) {
     return unexpected(Error{scene.source, "does not fit into this machine's memory"});
+  }
+}
+
+Result<std::shared_ptr<const RenderScene>> with_lights(
+    const std::shared_ptr<const RenderScene>& scene, std::vector<Light> lights) {
+  const auto& built = scene->built_from ? scene->built_from : scene;
+  for (const Light& light : lights) {
+    if (std::string fault = fault_of(light, built->world.lights); !fault.empty())
+      return unexpected(Error{"light '" + light.name + "'", std::move(fault)});
+  }
+  try {
+    auto relit = std::make_shared<RenderScene>(*scene);
+    relit->built_from = built;
+    relit->world.lights = std::move(lights);
+    relit->default_rig = false;
+    relit->emissive_lights = static_cast<std::size_t>(
+        std::count_if(relit->world.lights.begin(), relit->world.lights.end(),
+                      [](const Light& light) { return light.own_part >= 0; }));
+    settle_lights(*relit);
+    return relit;
+  } catch (const std::bad_alloc&) {
+    return unexpected(Error{scene->source, "does not fit into this machine's memory"});
   }
 }
 

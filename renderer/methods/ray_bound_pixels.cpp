@@ -67,12 +67,7 @@ class RayBounds {
     if (!hit.valid()) return Cover::none();
     const World& world = scene_.world;
     if (surface_kind(world.material_of(hit.triangle)) != SurfaceKind::opaque) return Cover::none();
-    const glm::uvec3 t = world.triangles[hit.triangle];
-    const glm::dvec3 p0(world.positions[t.x]);
-    const glm::dvec3 e1 = glm::dvec3(world.positions[t.y]) - p0;
-    const glm::dvec3 e2 = glm::dvec3(world.positions[t.z]) - p0;
-    const glm::dvec3 p = p0 + static_cast<double>(hit.b1) * e1 + static_cast<double>(hit.b2) * e2;
-    return Cover::plane(frame_, p, glm::cross(e1, e2), scene_.features.departure(hit.triangle));
+    return cover_of(frame_, world, scene_.features, hit);
   }
 
   [[nodiscard]] std::size_t index(int x, int y) const {

@@ -10,13 +10,16 @@ constexpr std::uint32_t per_sum = 4;
 
 }  // namespace
 
-RegionSampler::RegionSampler(const RenderScene& scene, const View& view,
-                             const RenderSettings& settings, PixelRect block)
-    : block_(block), places_(settings.seed), sums_(scene, view, settings, places_) {}
+RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
+                             const RenderSettings& settings, PixelRect block,
+                             const MirroredMask* mask)
+    : block_(block), mask_(mask), places_(settings.seed), sums_(scene, viewer, settings, places_) {}
 
 RegionSampler::Estimate RegionSampler::sample(const LeafRegion& region, const Goal& goal,
-                                              RenderStatistics& counts) {
+                                              RenderStatistics& counts, const BlurKernel* kernel) {
   sums_.resize(0);
+  kernel_ = kernel;
+  in_region_ = masked_ = 0;
   Estimate found;
   std::uint32_t first = 0;
   for (std::uint32_t end = goal.least; end <= goal.most; end *= 2) {
@@ -25,6 +28,7 @@ RegionSampler::Estimate RegionSampler::sample(const LeafRegion& region, const Go
     found = estimate(end);
     if (found.samples > 0 && standard_error(end, found.mean) <= goal.standard_error) break;
   }
+  if (in_region_ > 0) found.masked_share = static_cast<double>(masked_) / in_region_;
   counts += sums_.statistics();
   sums_.statistics() = {};
   return found;
@@ -43,8 +47,14 @@ void RegionSampler::add(const LeafRegion& region, std::uint32_t first, std::uint
   for (std::uint32_t i = first; i < end; ++i) {
     places_.start_sample(static_cast<int>(i));
     const PixelPoint p = places_.in_pixel();
-    const glm::vec2 at = glm::mix(bounds.lo, bounds.hi, glm::vec2(p.x, p.y));
+    glm::vec2 at = glm::mix(bounds.lo, bounds.hi, glm::vec2(p.x, p.y));
     if (!region.holds(at)) continue;
+    ++in_region_;
+    if (kernel_ && region.sides.empty()) at = kernel_->warped(at, region.square);
+    if (mask_ && !mask_->holds(at)) {
+      ++masked_;
+      continue;
+    }
     if (sums_.add({origin + width * glm::dvec2(at), side, x, y, static_cast<int>(i), i / per_sum}))
       places_.start_pixel(x, y);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/methods/mirrored_mask.h"
 #include "renderer/methods/sample_sums.h"
 #include "renderer/methods/sobol_places.h"
 #include "renderer/pyray/square.h"
@@ -15,10 +16,10 @@ namespace asos {
 /// looking at all of it would cost more (design section 5, "Saturation").
 class RegionSampler {
  public:
-  /// `block`: what the frame shows whose square the regions lie in, in pixels. All have to outlive
-  /// this.
-  RegionSampler(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                PixelRect block);
+  /// `block`: what the frame shows whose square the regions lie in, in pixels. `mask`: what counts
+  /// of it, and for how much; null: all the same. All have to outlive this.
+  RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
+                PixelRect block, const MirroredMask* mask = nullptr);
 
   /// How far to go.
   struct Goal {
@@ -29,12 +30,14 @@ class RegionSampler {
   struct Estimate {
     glm::dvec3 mean{0.0};       ///< linear radiance
     std::uint32_t samples = 0;  ///< that count; 0: there is no mean
+    double masked_share = 0.0;  ///< of the samples in the region, those that the mask left out
   };
 
   /// The samples are a function of the region, and of the pixel that its square starts in. Four at
   /// a time, twice as many each round, until the four quarters of them tell that the goal is met.
+  /// With a `kernel`, squares are sampled as it is distributed there.
   [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
-                                RenderStatistics& counts);
+                                RenderStatistics& counts, const BlurKernel* kernel = nullptr);
 
  private:
   void add(const LeafRegion& region, std::uint32_t first, std::uint32_t end);
@@ -42,6 +45,10 @@ class RegionSampler {
   [[nodiscard]] double standard_error(std::uint32_t count, glm::dvec3 mean) const;
 
   PixelRect block_;
+  const MirroredMask* mask_;
+  const BlurKernel* kernel_ = nullptr;
+  std::uint32_t in_region_ = 0;
+  std::uint32_t masked_ = 0;
   SobolPlaces places_;
   SampleSums sums_;  // of four samples each
 };

@@ -16,17 +16,30 @@
 
 namespace asos {
 
+/// What of a scene takes long to build and does not depend on its lights.
+struct SceneIndex {
+  RayScene rays;
+  FeatureSet features;
+  MipChains mips;
+};
+
 /// A scene made ready to render: flattened, with its rays' and its boundaries' hierarchies.
-/// Immutable once built, shared by all workers; `rays` points into `world`, so it never moves.
+/// Immutable once built, shared by all workers; `rays` points into a world, so it never moves.
+/// A copy shares the hierarchies.
 struct RenderScene {
   World world;
   SceneNeeds needs;          ///< those of the world, and what was forced
   bool default_rig = false;  ///< next to no light came from the scene: `world.lights` ends in a rig
   std::size_t emissive_lights = 0;  ///< lights in `world.lights` that stand for emissive meshes
-  RayScene rays;
-  FeatureSet features;
-  MipChains mips;
+  SceneNeeds forced;                ///< see prepare
+  std::shared_ptr<SceneIndex> index = std::make_shared<SceneIndex>();
+  const RayScene& rays = index->rays;
+  const FeatureSet& features = index->features;
+  const MipChains& mips = index->mips;
+  /// The scene that the index was built for, whose world `rays` points into; null: this one.
+  std::shared_ptr<const RenderScene> built_from;
   LightCuts light_cuts;  ///< of `world.lights`
+  BareLights bare_lights;
   std::vector<ObjectSphere> object_spheres;
   SceneNotes notes;
   std::string name;
@@ -43,9 +56,12 @@ struct RenderScene {
 [[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings,
                                       const View& view) {
   const bool filtered = settings.texture_filter == TextureFilter::footprint;
-  return Shader(scene.world, scene.needs, scene.rays,
-                {settings.shadows, settings.light_rule, seen_faces(settings),
-                 filtered ? &scene.mips : nullptr, PixelSpacing::of(view), &scene.light_cuts});
+  return Shader(
+      scene.world, scene.needs, scene.rays,
+      {settings.shadows, settings.light_rule, seen_faces(settings),
+       filtered ? &scene.mips : nullptr, PixelSpacing::of(view), &scene.light_cuts,
+       settings.sky.get(), &scene.bare_lights, settings.reflections,
+       static_cast<float>(settings.roughest_mirror), settings.dfr ? &*settings.dfr : nullptr});
 }
 
 /// Flattens and indexes `scene` and lights it: by its own lights, its emissive meshes, and a rig
@@ -54,5 +70,12 @@ struct RenderScene {
 /// leaving it out does; it does not change the picture.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
                                                                  const SceneNeeds& forced = {});
+
+/// The same scene in the light of `lights` (relative to World::origin) instead of its own. Shares
+/// the hierarchies with `scene` and keeps it alive; copies its world, so that this takes time for
+/// each triangle and texel, but builds nothing. Errors: a light that is not finite, and one whose
+/// own part is none of a light of the scene that was prepared.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_lights(
+    const std::shared_ptr<const RenderScene>& scene, std::vector<Light> lights);
 
 }  // namespace asos

@@ -1,17 +1,29 @@
 #include "renderer/methods/sample_sums.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 namespace asos {
 
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
                        SamplePlaces& places)
-    : view_(view),
+    : own_shader_(shader_of(scene, settings, view)),
+      viewer_(Viewer::camera(view, *own_shader_)),
       scene_rays_(scene.rays),
-      shader_(shader_of(scene, settings, view)),
       places_(places),
       lights_(scene.rays, places),
+      reflections_(scene.world, places),
+      faces_(seen_faces(settings)) {}
+
+SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
+                       const RenderSettings& settings, SamplePlaces& places)
+    : viewer_(viewer),
+      scene_rays_(scene.rays),
+      places_(places),
+      lights_(scene.rays, places),
+      reflections_(scene.world, places),
       faces_(seen_faces(settings)) {}
 
 void SampleSums::resize(std::size_t count) {
@@ -22,7 +34,7 @@ void SampleSums::resize(std::size_t count) {
 
 bool SampleSums::add(const PointSample& sample) {
   samples_[used_] = sample;
-  rays_[used_++] = view_.ray(sample.at.x, sample.at.y);
+  rays_[used_++] = viewer_.view.ray(sample.at.x, sample.at.y);
   if (used_ < batch) return false;
   trace();
   return true;
@@ -30,27 +42,69 @@ bool SampleSums::add(const PointSample& sample) {
 
 void SampleSums::trace() {
   scene_rays_.closest(std::span(rays_).first(used_), std::span(hits_).first(used_), faces_);
-  statistics_.eye_rays += used_;
+  (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
   for (std::size_t i = 0; i < used_; ++i) {
     const PointSample& sample = samples_[i];
     if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
       places_.start_pixel(sample.x, sample.y);
-    places_.start_sample(sample.index);
+    start_sample(sample, glm::vec3(1.0f));
     hit_[sample.target] = hits_[i];
-    lights_.set_target(sample.target);
-    const std::size_t waiting = lights_.waiting();
-    const glm::vec3 radiance =
-        shader_.radiance(rays_[i], hits_[i], sample.side, lights_, statistics_);
-    if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
-      ++statistics_.rejected_samples;
-      lights_.forget_since(waiting);
-      continue;
-    }
-    radiance_[sample.target] += glm::dvec3(radiance);
-    ++count_[sample.target];
+    if (add_radiance(viewer_.viewed(rays_[i], hits_[i], sample.side), radiance_[sample.target]))
+      ++count_[sample.target];
   }
+  follow_reflections();
   lights_.trace(radiance_);
   used_ = 0;
+}
+
+void SampleSums::start_sample(const PointSample& sample, glm::vec3 weight) {
+  places_.start_sample(sample.index);
+  sample_ = sample;
+  weight_ = weight;
+  lights_.set_target(sample.target, weight);
+}
+
+// False, and nothing of the sample counts, where its radiance is not finite.
+bool SampleSums::add_radiance(const ViewedRay& seen, glm::dvec3& sum) {
+  const std::size_t lights = lights_.waiting(), reflections = reflections_.waiting();
+  const glm::vec3 radiance = weight_ * viewer_.shader.radiance(seen, *this, statistics_);
+  if (std::isfinite(radiance.x + radiance.y + radiance.z)) {
+    sum += glm::dvec3(radiance);
+    return true;
+  }
+  ++statistics_.rejected_samples;
+  lights_.forget_since(lights);
+  reflections_.forget_since(reflections);
+  return false;
+}
+
+// Bounce by bounce, a batch of rays at a time.
+void SampleSums::follow_reflections() {
+  while (reflections_.waiting() > 0) {
+    const std::vector<ReflectedSample> samples = reflections_.take();
+    for (std::size_t first = 0; first < samples.size(); first += batch) {
+      const std::size_t count = std::min(batch, samples.size() - first);
+      for (std::size_t i = 0; i < count; ++i) rays_[i] = samples[first + i].ray;
+      scene_rays_.closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
+      statistics_.reflection_rays += count;
+      for (std::size_t i = 0; i < count; ++i) {
+        const ReflectedSample& next = samples[first + i];
+        places_.start_pixel(next.sample.x, next.sample.y);
+        start_sample(next.sample, next.weight);
+        (void)add_radiance(next.viewed(hits_[i]), radiance_[next.sample.target]);
+      }
+    }
+  }
+}
+
+void SampleSums::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
+  lights_.add(lit, radiance, counts);
+}
+
+bool SampleSums::reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
+                         RenderStatistics& /*counts*/) {
+  reflections_.add(reflection, sample_, weight_, viewer_.shader);
+  return true;
 }
 
 BlockResult SampleSums::block(PixelRect rect) const {

@@ -3,6 +3,8 @@
 #include "renderer/methods/method.h"
 #include "renderer/methods/sample_block.h"
 #include "renderer/methods/sampled_lights.h"
+#include "renderer/methods/sampled_reflections.h"
+#include "renderer/methods/viewer.h"
 #include "renderer/shading/shade.h"
 
 #include <glm/glm.hpp>
@@ -10,25 +12,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace asos {
 
-/// A point sample of the picture, and which sum it belongs to.
-struct PointSample {
-  glm::dvec2 at{0.0};  ///< in pixels of the picture
-  float side = 1.0f;   ///< in pixels, of the square that it stands for
-  // Its place on the lights is that of sample `index` of the pixel (x, y).
-  int x = 0;
-  int y = 0;
-  int index = 0;
-  std::size_t target = 0;  ///< index of its sum
-};
-
 /// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
 /// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
 /// a sum may depend on which samples were added before, never on anything else.
-class SampleSums {
+class SampleSums : private LightTransport {
  public:
   struct Sum {
     glm::dvec3 radiance{0.0};  ///< linear, of all samples together
@@ -41,6 +33,11 @@ class SampleSums {
 
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
+  /// For who looks at the scene in its own way; `viewer` has to outlive this.
+  SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
+             SamplePlaces& places);
+  SampleSums(const SampleSums&) = delete;
+  SampleSums& operator=(const SampleSums&) = delete;
 
   /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
   /// of their samples may wait for `trace`.
@@ -64,11 +61,21 @@ class SampleSums {
  private:
   static constexpr std::size_t batch = 256;
 
-  const View& view_;
+  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
+  bool reflect(const Reflection& reflection, glm::vec3& radiance,
+               RenderStatistics& counts) override;
+  void start_sample(const PointSample& sample, glm::vec3 weight);
+  [[nodiscard]] bool add_radiance(const ViewedRay& seen, glm::dvec3& sum);
+  void follow_reflections();
+
+  std::optional<Shader> own_shader_;
+  Viewer viewer_;
   const RayScene& scene_rays_;
-  Shader shader_;
   SamplePlaces& places_;
   SampledLights lights_;
+  SampledReflections reflections_;
+  PointSample sample_;  // that is being shaded, and what it counts for
+  glm::vec3 weight_{1.0f};
   Faces faces_;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;

@@ -11,7 +11,7 @@ void SampledLights::add(const Illumination& lit, glm::vec3& /*radiance*/,
                         RenderStatistics& counts) {
   const glm::dvec2 at = places_.on_light(lit.index);
   const LightSample sample = sample_light(lit.light, receiver_at(lit.point), at.x, at.y);
-  const glm::vec3 carried = lit.reflected * sample.irradiance;
+  const glm::vec3 carried = weight_ * lit.reflected * sample.irradiance;
   if (carried == glm::vec3(0.0f)) return;
   counts.count_shadow_ray(lit.index);
   if (!std::isfinite(carried.x + carried.y + carried.z)) {

@@ -17,6 +17,11 @@ class LightPlaces {
   virtual ~LightPlaces() = default;
   /// In the unit square, of the sample that is under way.
   [[nodiscard]] virtual glm::dvec2 on_light(std::uint32_t light) const = 0;
+  /// Where in a blurred reflection's square it looks at the given bounce, from 0: independent of
+  /// where it looks on lights.
+  [[nodiscard]] virtual glm::dvec2 in_lobe(int bounce) const {
+    return on_light(0x4000u + static_cast<std::uint32_t>(bounce));
+  }
 };
 
 /// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
@@ -25,8 +30,11 @@ class SampledLights final : public LightTransport {
  public:
   SampledLights(const RayScene& rays, const LightPlaces& places) : rays_(rays), places_(places) {}
 
-  /// To which of the sums the light of the coming points belongs.
-  void set_target(std::size_t sum) { target_ = sum; }
+  /// To which of the sums the light of the coming points belongs, and for how much it counts.
+  void set_target(std::size_t sum, glm::vec3 weight = glm::vec3(1.0f)) {
+    target_ = sum;
+    weight_ = weight;
+  }
 
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
 
@@ -48,6 +56,7 @@ class SampledLights final : public LightTransport {
   const RayScene& rays_;
   const LightPlaces& places_;
   std::size_t target_ = 0;
+  glm::vec3 weight_{1.0f};
   std::vector<Pending> pending_;
   std::vector<Ray> batch_;
   std::vector<float> shares_;

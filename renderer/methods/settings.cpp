@@ -14,6 +14,7 @@ namespace {
 constexpr int max_side = 32768;
 constexpr int max_spp = 65536;
 constexpr int max_threads = 1024;
+constexpr double max_dfr_exponent = 1e6;
 
 struct Range {
   const char* name;
@@ -64,7 +65,9 @@ Result<RenderSettings> validated(const RenderSettings& s) {
                          {"depth", s.depth, 0, RenderSettings::max_level_limit},
                          {"threads", s.threads, 0, max_threads},
                          {"fat", s.fat, 2, 16},
+                         {"tr", s.texture_resolution, 1, RenderSettings::max_texture_resolution},
                          {"shadow-divisions", s.shadow_divisions, 1, 16},
+                         {"reflections", s.reflections, 0, RenderSettings::max_reflections},
                          {"seed", s.seed, 0, std::numeric_limits<int>::max()}}) {
     if (r.value < r.lo || r.value > r.hi) {
       return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
@@ -73,6 +76,8 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   for (const RealRange& r :
        {RealRange{"eps", s.eps, 1.0},
         {"contrast", s.contrast, 1.0},
+        {"roughest-mirror", s.roughest_mirror, 1.0},
+        {"mirror-angle", s.mirror_angle, 180.0},
         {"contrast-scale", s.contrast_scale, RenderSettings::max_contrast_scale}}) {
     // The comparison is written so that NaN fails it.
     if (!(r.value >= 0.0 && r.value <= r.hi))
@@ -97,6 +102,18 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   if (s.shadow_quality < ShadowQuality::refined ||
       s.shadow_quality > ShadowQuality::extended_adaptive)
     return unexpected(Error{"shadow-quality", "is not one of the program's"});
+  if (s.dfr) {
+    const auto within = [](double x, double hi) { return x >= 0.0 && x <= hi; };
+    for (const DfrCurve& c : s.dfr->rgb) {
+      if (!within(c.min, 1.0) || !within(c.max, 1.0) || !within(c.exponent, max_dfr_exponent))
+        return unexpected(Error{"dfr", fmt::format("{},{},{} is not from 0 to 1, 0 to 1, 0 to {}",
+                                                   c.min, c.max, c.exponent, max_dfr_exponent)});
+    }
+    if (!within(s.dfr->perturbation, 1.0))
+      return unexpected(Error{"dfr", "its perturbation is not from 0 to 1"});
+  }
+  if (s.curved_mirror < CurvedMirror::approximate || s.curved_mirror > CurvedMirror::adaptive)
+    return unexpected(Error{"curved-mirror", "is not one of the program's"});
   if (s.light_rule != LightRule::physical && s.light_rule != LightRule::published) {
     return unexpected(Error{"light-rule", "is neither physical nor published"});
   }

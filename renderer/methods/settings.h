@@ -8,8 +8,12 @@
 #include "renderer/shadows/shadow_settings.h"
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 namespace asos {
+
+class Sky;
 
 /// asos_published: asos with cone detection, point leaves and the published rule, whatever the
 /// settings below say.
@@ -26,6 +30,13 @@ enum class Method {
   beam
 };
 enum class Leaf { exact, point };
+/// How the reflection of a pyray by a curved surface is made (CGF'98 section 5.2).
+enum class CurvedMirror {
+  approximate,  ///< the pyramid nearest to the reflected corner rays (5.2.1)
+  tangent,      ///< as by the tangent plane at the pyray's axis (5.2.2)
+  supersample,  ///< the same, each pyray split down to MAX first (5.2.3)
+  adaptive,     ///< the same, split where the reflected corners diverge too much (5.2.4)
+};
 /// footprint: textures, and highlights where the normal turns, are averaged over what a sample
 /// stands for; point: they are looked up where its ray hits.
 enum class TextureFilter { footprint, point };
@@ -34,6 +45,8 @@ enum class TextureFilter { footprint, point };
 /// `validated` says what is out of range; nothing is clamped silently.
 struct RenderSettings {
   static constexpr int max_level_limit = 8;
+  static constexpr int max_reflections = 64;
+  static constexpr int max_texture_resolution = 8;
   static constexpr double max_contrast_scale = 4.0;  // beyond 10/3 nothing reaches a threshold
 
   int width = 1280;  ///< pixels, 1 to 32768
@@ -56,10 +69,22 @@ struct RenderSettings {
   bool spheres = false;    ///< whitted: with enlarged bounding spheres around small objects
   double contrast_scale = 1.0;  ///< mitchell: of the thresholds 0.4, 0.3, 0.6; 0 to 4, 0: always
   TextureFilter texture_filter = TextureFilter::footprint;
+  /// TR, 1 to 8: asos takes TR x TR jittered samples of a pixel of textured surface that nothing
+  /// bounds, and accordingly fewer of a part of one (CGF'98 section 3.2).
+  int texture_resolution = 1;
   bool shadows = true;  ///< lights cast shadows
   ShadowQuality shadow_quality = ShadowQuality::refined;
   int shadow_divisions = 2;  ///< n of the qualities that divide a patch into n x n, 1 to 16
   LightRule light_rule = LightRule::physical;
+  int reflections = 4;  ///< bounces that mirror-like surfaces are followed for, 0 to 64
+  /// Rougher surfaces show the sky's mean and lights' highlights instead of what they reflect, 0
+  /// to 1.
+  double roughest_mirror = 0.6;
+  /// How all that mirrors blurs, instead of what its material says.
+  std::optional<Dfr> dfr;
+  CurvedMirror curved_mirror = CurvedMirror::approximate;
+  double mirror_angle = 10.0;  ///< degrees that a pyray reflected by a curved surface may be wide
+  std::shared_ptr<const Sky> sky;  ///< what surrounds the scene; null: neutral grey
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
   int seed = 0;      ///< of the scrambling of what samples by Sobol, from 0: other noise
   int threads = 0;   ///< workers; 0: all cores but one

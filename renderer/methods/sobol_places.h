@@ -22,6 +22,9 @@ class SobolPlaces final : public SamplePlaces {
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override {
     return points_->light(index_, light);
   }
+  [[nodiscard]] glm::dvec2 in_lobe(int bounce) const override {
+    return points_->lobe(index_, static_cast<std::uint32_t>(bounce));
+  }
 
  private:
   std::uint32_t seed_;

@@ -10,13 +10,15 @@ struct PixelFindings {
   SubdivisionOutcome outcome;
   bool by_samples = false;  ///< the safety net split it
   bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
+  bool mirror_cut = false;  ///< a boundary split what one of its leaves mirrors
 };
 
 /// The one cause that a pixel is told to be split for. What keeps it from being resolved comes
 /// first: saturation, then the depth limit. Then what split it first: boundaries come before what
 /// is shaded unevenly between them, and of several kinds of boundaries the outline counts before
-/// an intersection and that before a crease; of unevenness, a shadow before shading. A pixel whose
-/// level is 0 was not split and has no cause, but for a shadow's edge that cut its one leaf.
+/// an intersection and that before a crease; then what a mirror shows; of unevenness, a shadow
+/// before shading. A pixel whose level is 0 was not split and has no cause, but for an edge of a
+/// shadow or in a mirror that cut its one leaf.
 [[nodiscard]] SplitCause cause_of(const PixelFindings& pixel);
 
 }  // namespace asos

@@ -3,6 +3,7 @@
 #include "renderer/shading/footprint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -47,9 +48,18 @@ std::vector<ObjectSphere> object_spheres(const World& world) {
   std::vector<ObjectSphere> spheres;
   for (std::uint32_t i = 0; i < world.parts.size(); ++i) {
     const Part& part = world.parts[i];
-    if (part.vertex_count == 0) continue;
-    spheres.push_back(
-        sphere_around(std::span(world.positions).subspan(part.first_vertex, part.vertex_count)));
+    if (part.face_count > 0) {
+      const glm::vec3 &lo = part.bounds.lo, &hi = part.bounds.hi;
+      std::array<glm::vec3, 8> corners;
+      for (std::size_t c = 0; c < corners.size(); ++c)
+        corners[c] = {c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z};
+      spheres.push_back(sphere_around(corners));
+    } else if (part.vertex_count > 0) {
+      spheres.push_back(
+          sphere_around(std::span(world.positions).subspan(part.first_vertex, part.vertex_count)));
+    } else {
+      continue;
+    }
     spheres.back().part = i;
   }
   return spheres;

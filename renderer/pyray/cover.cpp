@@ -1,5 +1,7 @@
 #include "renderer/pyray/cover.h"
 
+#include "renderer/geometry/hit_plane.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,25 @@ Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double d
   cover.q = frame.project(frame.homogeneous(p)).q;
   cover.valid = std::isfinite(cover.qu) && std::isfinite(cover.qv) && std::isfinite(cover.q1) &&
                 (frame.parallel() || cover.q > 0.0);
+  return cover;
+}
+
+Cover cover_of(const Frame& frame, const World& world, const FeatureSet& features, const Hit& hit) {
+  const HitPlane plane = hit_plane(world, hit);
+  const glm::dvec3 p = plane.point(hit.b1, hit.b2);
+  if (!world.is_face(hit.triangle))
+    return Cover::plane(frame, p, plane.normal(), features.departure(hit.triangle));
+  // Within a cell a sphere leaves the plane by no more than the cell is wide: its outline and the
+  // point are equally far from where the plane meets the way to the outline. A stretched one leaves
+  // it by as much more as it is stretched. What the slack does not hold goes into the departure.
+  Cover cover = Cover::plane(frame, p, plane.normal());
+  if (!cover.valid) return cover;
+  constexpr double diagonal = 1.5;
+  const double beyond =
+      std::max(0.0, diagonal * face_stretch(world.face(hit.triangle)) - cover_slack);
+  const double width = std::max(glm::length(frame.base_u()), glm::length(frame.base_v()));
+  cover.departure = std::min(world.face(hit.triangle).size,
+                             beyond * (frame.parallel() ? width : width / cover.q));
   return cover;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "renderer/features/feature_set.h"
 #include "renderer/geometry/frame.h"
+#include "renderer/geometry/ray.h"
+#include "renderer/scene/world.h"
 
 #include <glm/glm.hpp>
 
@@ -33,6 +36,10 @@ struct Cover {
   /// Of a surface with normal `normal` (any length, any sign) at the world point `p`.
   static Cover plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double departure = 0.0);
 };
+
+/// Of what a ray met.
+[[nodiscard]] Cover cover_of(const Frame& frame, const World& world, const FeatureSet& features,
+                             const Hit& hit);
 
 /// A cover for one cell: hides what lies below q = u * qu + v * qv + q1.
 struct HidingPlane {

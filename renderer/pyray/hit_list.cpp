@@ -12,6 +12,10 @@
 namespace asos {
 namespace {
 
+// Curves are flattened as for cells of this side where boundaries are told apart however small they
+// are.
+constexpr double finest_curve = 1.0 / 4096.0;
+
 // So few entries that opening them may prove the cell empty or crossed by one boundary, and so many
 // that it is marginal anyway.
 constexpr std::size_t few_entries = 4;
@@ -259,6 +263,10 @@ void HitLists::open_leaf(std::uint32_t i) {
   const std::span<const glm::vec3> positions = features_->positions();
   for (std::uint32_t e = first; e < first + count; ++e) {
     const FeatureEdge& edge = features_->edges()[e];
+    if (edge.curve != FeatureEdge::none) {
+      add_curve(e);
+      continue;
+    }
     if (bounds_.ignores(edge.a)) continue;
     const glm::dvec3 a(positions[edge.a]);
     const glm::dvec3 b(positions[edge.b]);
@@ -267,6 +275,28 @@ void HitLists::open_leaf(std::uint32_t i) {
                        glm::dvec3(positions[edge.right])))
       continue;
     add_segment(e, a, b);
+  }
+}
+
+// The parts in the pyray of a curve of an analytic shape, in straight pieces.
+void HitLists::add_curve(std::uint32_t edge) {
+  const FeatureCurve& curve = features_->curves()[features_->edges()[edge].curve];
+  const ShapeFace* face = curve.face == FeatureCurve::none ? nullptr : &features_->face(curve.face);
+  const FaceOutline outline = face ? face_outline(*face, frame_) : FaceOutline{};
+  const std::span<const double> angles(outline.angle, static_cast<std::size_t>(outline.line_count));
+  if (curve.outline && !outline.has_arc) {
+    const EllipseArc bottom = ring(*face, 0.0), top = ring(*face, 1.0);
+    for (const double angle : angles) add_segment(edge, bottom.at(angle), top.at(angle));
+    return;
+  }
+  // Rims have a joint where the outline's lines end.
+  const FlattenBounds bounds{margin, bounds_.within, bounds_.beyond_first};
+  for (Segment s :
+       flattener_.flatten(frame_, curve.outline ? outline.arc : curve.arc,
+                          curve.outline ? std::span<const double>() : angles,
+                          std::max(static_cast<double>(finest_side_), finest_curve), bounds)) {
+    s.edge = edge;
+    if (std::isfinite(s.u0 + s.v0 + s.u1 + s.v1)) keep_segment(s);
   }
 }
 

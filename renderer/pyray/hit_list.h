@@ -3,6 +3,7 @@
 #include "renderer/features/feature_set.h"
 #include "renderer/geometry/frame.h"
 #include "renderer/pyray/cover.h"
+#include "renderer/pyray/flatten.h"
 #include "renderer/pyray/node_test.h"
 #include "renderer/pyray/search_bounds.h"
 #include "renderer/pyray/square.h"
@@ -99,6 +100,7 @@ class HitLists {
   void open_node(const FeatureNode& node, unsigned children);
   [[nodiscard]] bool outside(const FeatureNode& node, unsigned child) const;
   void open_leaf(std::uint32_t i);
+  void add_curve(std::uint32_t edge);
   void add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b);
   void keep_segment(const Segment& s);
   [[nodiscard]] std::uint32_t first_edge(const HitEntry& e) const;
@@ -116,6 +118,7 @@ class HitLists {
   float squares_a_unit_ = 1.0f;  // what a length across the view covers of the square, at q = 1
   std::vector<HitEntry> entries_;
   std::vector<Segment> segments_;
+  Flattener flattener_;
 };
 
 }  // namespace asos

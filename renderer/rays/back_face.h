@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/geometry/hit_plane.h"
+#include "renderer/geometry/ray.h"
 #include "renderer/scene/world.h"
 
 #include <glm/glm.hpp>
@@ -14,11 +16,14 @@ namespace asos {
 /// apart the same way however they were met; a triangle seen edge-on, or of no area, has no back.
 [[nodiscard]] inline bool meets_back(const World& world, std::uint32_t triangle,
                                      glm::vec3 direction) {
-  const glm::uvec3 corners = world.triangles[triangle];
-  const glm::dvec3 p0(world.positions[corners.x]);
-  const glm::dvec3 e1 = glm::dvec3(world.positions[corners.y]) - p0;
-  const glm::dvec3 e2 = glm::dvec3(world.positions[corners.z]) - p0;
-  return glm::dot(glm::cross(e1, e2), glm::dvec3(direction)) > 0.0;
+  return glm::dot(plane_of_triangle(world, triangle).normal(), glm::dvec3(direction)) > 0.0;
+}
+
+/// The same of what a ray met: the front of an analytic shape is outside, or towards +Y of a disk.
+[[nodiscard]] inline bool meets_back(const World& world, const Hit& hit, glm::vec3 direction) {
+  if (!world.is_face(hit.triangle)) return meets_back(world, hit.triangle, direction);
+  const FacePoint at = face_point(world.face(hit.triangle), hit.b1, hit.b2);
+  return glm::dot(at.normal, glm::dvec3(direction)) > 0.0;
 }
 
 }  // namespace asos

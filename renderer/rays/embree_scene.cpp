@@ -1,5 +1,7 @@
 #include "renderer/rays/embree_scene.h"
 
+#include "renderer/rays/face_geometry.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +59,8 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNe
       },
       &device_bytes_);
 
-  sort_triangles(world, alpha);
+  choose_scale(world);
+  sort_surfaces(world, alpha);
   const bool all_filtered = forced.alpha_mask || forced.alpha_blend;
   see_through_ |= all_filtered;
   sides_.any_single_sided |= forced.culling;
@@ -75,17 +78,18 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNe
   return {};
 }
 
-void EmbreeScene::sort_triangles(const World& world, AlphaAt alpha) {
+void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha) {
   std::vector<std::uint8_t> owned(world.parts.size(), 0);
   for (const Light& light : world.lights) {
     if (light.own_part >= 0) owned[static_cast<std::size_t>(light.own_part)] = 1;
   }
   for (std::size_t id = 0; id < groups_.size(); ++id) {
-    groups_[id] = {&world, alpha, static_cast<SurfaceKind>(id % 3), id >= 3, {}};
+    groups_[id] = {&world, alpha, static_cast<SurfaceKind>(id % 3), id % 6 >= 3, {}, scale_};
   }
-  for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
+  for (std::uint32_t i = 0; i < world.surface_count(); ++i) {
     const auto kind = static_cast<std::size_t>(surface_kind(world.material_of(i)));
-    groups_[kind + (owned[world.triangle_part[i]] ? 3 : 0)].triangles.push_back(i);
+    const bool own = owned[world.triangle_part[i]] != 0;
+    groups_[kind + (own ? 3u : 0u) + (world.is_face(i) ? 6u : 0u)].triangles.push_back(i);
   }
   for (const Group& group : groups_) {
     see_through_ |= group.kind != SurfaceKind::opaque && !group.triangles.empty();
@@ -95,16 +99,19 @@ void EmbreeScene::sort_triangles(const World& world, AlphaAt alpha) {
   for (const Part& part : world.parts) {
     const bool single = !world.materials[part.material].double_sided;
     sides_.single_sided.push_back(single);
-    sides_.any_single_sided |= single && part.triangle_count > 0;
+    sides_.any_single_sided |= single && !part.shows_nothing();
   }
 }
 
-void EmbreeScene::copy_vertices(const World& world) {
+void EmbreeScene::choose_scale(const World& world) {
   const glm::vec3 size = world.bounds.hi - world.bounds.lo;
   const float extent = world.bounds.empty() ? 1.0f : std::max({size.x, size.y, size.z});
   constexpr float smallest = 1.0f / 1024.0f;
   if (extent > 0.0f && extent < smallest)
     scale_ = std::ldexp(1.0f, std::min(100, -std::ilogb(extent)));
+}
+
+void EmbreeScene::copy_vertices(const World& world) {
   vertices_.resize(3 * world.positions.size() + 4);
   for (std::size_t i = 0; i < world.positions.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
@@ -113,11 +120,8 @@ void EmbreeScene::copy_vertices(const World& world) {
   }
 }
 
-void EmbreeScene::add(unsigned id, const World& world, bool filtered) {
-  Group& group = groups_[id];
+RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world) {
   const bool all = group.triangles.size() == world.triangles.size();
-  if (group.triangles.empty()) return;
-
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                              vertices_.data(), 0, 3 * sizeof(float), world.positions.size());
@@ -137,6 +141,19 @@ void EmbreeScene::add(unsigned id, const World& world, bool filtered) {
     }
   }
   rtcSetGeometryUserData(geometry, &group);
+  return geometry;
+}
+
+void EmbreeScene::add(unsigned id, const World& world, bool filtered) {
+  Group& group = groups_[id];
+  if (group.triangles.empty()) return;
+  RTCGeometry geometry = nullptr;
+  if (id < 6) {
+    geometry = make_triangles(group, world);
+  } else {
+    geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    set_faces(geometry, group);
+  }
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
   if (filtered || group.owned || group.kind != SurfaceKind::opaque) {
     rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);

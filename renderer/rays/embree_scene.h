@@ -49,11 +49,14 @@ class EmbreeScene {
     static void note(void* self, RTCError code, const char* text);
   };
 
-  void sort_triangles(const World& world, AlphaAt alpha);
+  void sort_surfaces(const World& world, AlphaAt alpha);
   void copy_vertices(const World& world);
+  void choose_scale(const World& world);
+  [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
   void add(unsigned id, const World& world, bool filtered);
 
-  std::array<Group, 6> groups_;  // three kinds, then the three of lights' own parts
+  // Three kinds, then the three of lights' own parts; then the same for faces of shapes.
+  std::array<Group, 12> groups_;
   Sides sides_;
   bool see_through_ = false;
   float scale_ = 1.0f;

@@ -55,9 +55,9 @@ float pass(const Candidate& candidate, Lanes& lanes) {
 
 }  // namespace
 
-bool Sides::culled(std::uint32_t triangle, glm::vec3 direction) const {
-  return single_sided[world->triangle_part[triangle]] != 0 &&
-         meets_back(*world, triangle, direction);
+bool Sides::culled(const Hit& hit, glm::vec3 direction) const {
+  return single_sided[world->triangle_part[hit.triangle]] != 0 &&
+         meets_back(*world, hit, direction);
 }
 
 void closest_filter(const RTCFilterFunctionNArguments* args) {
@@ -99,9 +99,11 @@ void back_filter(const RTCFilterFunctionNArguments* args) {
     const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
                               RTCRayN_dir_y(args->ray, args->N, i),
                               RTCRayN_dir_z(args->ray, args->N, i));
-    if (context.sides->culled(group.triangle(RTCHitN_primID(args->hit, args->N, i)), direction)) {
-      args->valid[i] = 0;
-    }
+    Hit hit;
+    hit.triangle = group.triangle(RTCHitN_primID(args->hit, args->N, i));
+    hit.b1 = RTCHitN_u(args->hit, args->N, i);
+    hit.b2 = RTCHitN_v(args->hit, args->N, i);
+    if (context.sides->culled(hit, direction)) args->valid[i] = 0;
   }
 }
 

@@ -22,14 +22,16 @@ inline constexpr float opaque_enough = 1.0f / (256.0f * 256.0f);
 
 inline constexpr std::size_t most_lanes = 16;
 
-/// The triangles of one geometry of Embree's; `triangles` maps its primitives to World's triangles
-/// and is empty where the geometry holds all of them in order.
+/// The triangles, or faces of analytic shapes, of one geometry of Embree's; `triangles` maps its
+/// primitives to the world's numbers for them (World::is_face) and is empty where the geometry
+/// holds all triangles in order.
 struct Group {
   const World* world = nullptr;
   AlphaAt alpha = nullptr;
   SurfaceKind kind = SurfaceKind::opaque;
   bool owned = false;  ///< of parts that are the surfaces of lights
   std::vector<std::uint32_t> triangles;
+  float scale = 1.0f;  ///< EmbreeScene::scale
 
   [[nodiscard]] std::uint32_t triangle(unsigned primitive) const {
     return triangles.empty() ? primitive : triangles[primitive];
@@ -53,8 +55,8 @@ struct Sides {
   std::vector<std::uint8_t> single_sided;  ///< by World's parts
   bool any_single_sided = false;
 
-  /// Whether a ray for the viewer goes through the triangle because it meets its back.
-  [[nodiscard]] bool culled(std::uint32_t triangle, glm::vec3 direction) const;
+  /// Whether a ray for the viewer goes through what it hit because it meets its back.
+  [[nodiscard]] bool culled(const Hit& hit, glm::vec3 direction) const;
 };
 
 /// Embree's context and what the filters need to know of the query.

@@ -63,7 +63,7 @@ Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, const SceneN
 /// front that lies in the very place of a back, which going on behind the back would.
 void RayScene::Impl::pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const {
   const auto culled = [&](std::size_t i) {
-    return hits[i].valid() && embree.sides().culled(hits[i].triangle, rays[i].direction);
+    return hits[i].valid() && embree.sides().culled(hits[i], rays[i].direction);
   };
   std::size_t i = 0;
   while (i < rays.size() && !culled(i)) ++i;

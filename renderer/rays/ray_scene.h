@@ -37,10 +37,10 @@ struct Blocker {
   bool see_through = false;
 };
 
-/// Rays against a world's triangles, through Embree. Masked surfaces are tested against their
-/// cut-off; blended ones are met by `closest` and attenuate `transmittance`. Shadow rays meet both
-/// sides of every surface, and so do others unless they ask for less. Keeps a pointer into the
-/// world, which must stay where it is and outlive it. Thread-safe once built.
+/// Rays against a world's triangles and analytic shapes, through Embree. Masked surfaces are tested
+/// against their cut-off; blended ones are met by `closest` and attenuate `transmittance`. Shadow
+/// rays meet both sides of every surface, and so do others unless they ask for less. Keeps a
+/// pointer into the world, which must stay where it is and outlive it. Thread-safe once built.
 ///
 /// Queries for shadows take the part (index into World::parts) that shines the light in question
 /// and does not shade it: `Light::own_part` of a light of the world, or -1 for none. A part that is

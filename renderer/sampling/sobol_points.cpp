@@ -105,4 +105,11 @@ glm::dvec2 SobolPixel::light(std::uint32_t index, std::uint32_t light) const {
           scrambled(3, index, seed_of(key_, light, 3))};
 }
 
+glm::dvec2 SobolPixel::lobe(std::uint32_t index, std::uint32_t bounce) const {
+  // Far from the lights' own seeds.
+  const std::uint32_t stream = 0x80000000u + bounce;
+  const std::uint32_t shuffled = owen_scramble(index, seed_of(key_, stream, 0));
+  return light(shuffled, stream);
+}
+
 }  // namespace asos

@@ -27,7 +27,8 @@ namespace asos {
 /// All lights use dimensions 2 and 3 of the same point and differ in their scrambling. Burley pads
 /// with points in shuffled order, which a product of functions of different lights would need; but
 /// the light of several lights is a sum, and the shuffle would cost each light its stratification
-/// together with the pixel.
+/// together with the pixel. Lobes are padded with points in shuffled order, as Burley does: what is
+/// seen there is lit by the same lights, and a product asks for all four dimensions.
 class SobolPixel {
  public:
   SobolPixel(int x, int y, std::uint32_t seed);
@@ -37,6 +38,10 @@ class SobolPixel {
 
   /// Which point of light number `light` sample `index` looks at, in [0, 1) each.
   [[nodiscard]] glm::dvec2 light(std::uint32_t index, std::uint32_t light) const;
+
+  /// Where in the lobe of its reflection number `bounce` sample `index` looks, in [0, 1) each: the
+  /// pixel's first 2^m samples are a net there, too.
+  [[nodiscard]] glm::dvec2 lobe(std::uint32_t index, std::uint32_t bounce) const;
 
  private:
   std::uint64_t key_;

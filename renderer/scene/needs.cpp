@@ -79,7 +79,7 @@ void for_each_shown_material(const World& world, Visit visit) {
   // Only materials that some triangle shows count: files often bring along more.
   std::vector<bool> seen(world.materials.size(), false);
   for (const Part& part : world.parts) {
-    if (part.triangle_count == 0 || seen[part.material]) continue;
+    if (part.shows_nothing() || seen[part.material]) continue;
     seen[part.material] = true;
     visit(world.materials[part.material]);
   }
@@ -140,7 +140,7 @@ void add_light(SceneNeeds& needs, const Light& light) {
 
 /// Whether the colours' alpha differs within a part.
 bool alpha_differs(const World& world, const Part& part) {
-  if (world.colors.empty()) return false;
+  if (world.colors.empty() || part.vertex_count == 0) return false;
   const auto first = world.colors.begin() + static_cast<std::ptrdiff_t>(part.first_vertex);
   return std::any_of(first, first + static_cast<std::ptrdiff_t>(part.vertex_count),
                      [a = first->a](glm::vec4 c) { return c.a != a; });
@@ -149,7 +149,7 @@ bool alpha_differs(const World& world, const Part& part) {
 bool opacity_varies(const World& world) {
   return std::any_of(world.parts.begin(), world.parts.end(), [&](const Part& part) {
     const Material& m = world.materials[part.material];
-    return part.triangle_count > 0 && m.alpha_mode != AlphaMode::opaque &&
+    return !part.shows_nothing() && m.alpha_mode != AlphaMode::opaque &&
            (m.base_color_texture.used() || alpha_differs(world, part));
   });
 }

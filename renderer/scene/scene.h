@@ -1,7 +1,10 @@
 #pragma once
 
+#include "renderer/scene/shape.h"
+
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -47,6 +50,25 @@ struct TextureUse {
 
 enum class AlphaMode { opaque, mask, blend };
 
+/// How blurred reflections are by their angle of incidence (CGF'98 section 5.1): the defocusing
+/// ratio is min + (max - min) * sin(alpha)^exponent, of which 1 is a mirror and smaller is blurred.
+struct DfrCurve {
+  double min = 1.0;       ///< DFRMIN, 0 to 1
+  double max = 1.0;       ///< DFRMAX, 0 to 1; may be less than min
+  double exponent = 1.0;  ///< N, at least 0
+
+  bool operator==(const DfrCurve&) const = default;
+};
+
+/// The curves of red, green and blue, and by how much each is perturbed from place to place: a
+/// surface's unevenness, as a share of the ratio, 0 to 1.
+struct Dfr {
+  std::array<DfrCurve, 3> rgb;
+  double perturbation = 0.0;
+
+  bool operator==(const Dfr&) const = default;
+};
+
 /// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
 struct Material {
   std::string name;
@@ -62,9 +84,12 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;         ///< KHR_materials_unlit
-  float ior = 1.5f;           ///< KHR_materials_ior
-  float transmission = 0.0f;  ///< KHR_materials_transmission, thin surface
+  bool unlit = false;              ///< KHR_materials_unlit
+  float ior = 1.5f;                ///< KHR_materials_ior
+  float transmission = 0.0f;       ///< KHR_materials_transmission, thin surface
+  float specular = 1.0f;           ///< KHR_materials_specular: of a dielectric's reflection, 0 to 1
+  glm::vec3 specular_color{1.0f};  ///< the same, linear, at normal incidence; may exceed 1
+  std::optional<Dfr> dfr;          ///< how reflections are blurred; none: by roughness
 };
 
 /// One primitive's triangles in its own space. Attribute arrays are empty or as long as
@@ -80,12 +105,15 @@ struct Mesh {
   int material = -1;  ///< index into Scene::materials; -1: glTF's default material
 };
 
-/// A mesh placed in the world. A negative determinant mirrors it.
+/// A mesh placed in the world. A negative determinant mirrors it. Where it is a shape, the shape is
+/// drawn and the mesh is not: it has the material, and stands for the shape in programs that know
+/// none.
 struct Instance {
   std::string name;
   int mesh = -1;  ///< index into Scene::meshes
   glm::dmat4 world_from_mesh{1.0};
   bool shows_light = false;  ///< an emissive stand-in for a light of the scene: not a light itself
+  int shape = -1;            ///< index into Scene::shapes; -1: none
 };
 
 /// A light, already placed in the world. Its encoding in files: scene/gltf/LIGHTS.md. It has no
@@ -144,6 +172,7 @@ struct Scene {
   std::string name;    ///< of the glTF scene, or the built-in scene
   std::string source;  ///< path, or "builtin:NAME"
   std::vector<Mesh> meshes;
+  std::vector<Shape> shapes;
   std::vector<Instance> instances;
   std::vector<Material> materials;
   std::vector<Texture> textures;
@@ -152,6 +181,7 @@ struct Scene {
   std::vector<Camera> cameras;
   SceneNotes notes;
 
+  /// Of what is drawn: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;
 };
 

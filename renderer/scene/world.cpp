@@ -1,11 +1,14 @@
 #include "renderer/scene/world.h"
 
 #include "renderer/scene/origin.h"
+#include "renderer/scene/scene_fault.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <span>
 
 namespace asos {
@@ -14,7 +17,6 @@ namespace {
 
 // Beyond this the squares of distances between points do not fit a float either.
 constexpr double largest_extent = 1e18;
-constexpr std::uint64_t largest_vertex_count = 0xfffffffeu;
 
 bool finite(glm::dvec3 p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -45,59 +47,6 @@ struct Attributes {
 unexpected<Error> refuse(const Scene& scene, std::string reason) {
   return unexpected(
       Error{scene.source.empty() ? std::string("scene") : scene.source, std::move(reason)});
-}
-
-// --- Is the scene what its header promises? ----------------------------------------------------
-
-bool in_range(int index, std::size_t size) {
-  return index >= -1 && (index < 0 || static_cast<std::size_t>(index) < size);
-}
-
-bool valid_mesh(const Mesh& mesh) {
-  const std::size_t n = mesh.positions.size();
-  const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
-  if (n > largest_vertex_count || !fits(mesh.normals.size()) || !fits(mesh.tangents.size()) ||
-      !fits(mesh.texcoords[0].size()) || !fits(mesh.texcoords[1].size()) ||
-      !fits(mesh.colors.size())) {
-    return false;
-  }
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
-                     [n](glm::uvec3 t) { return t.x < n && t.y < n && t.z < n; });
-}
-
-bool valid_textures(const Scene& scene, const Material& m) {
-  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
-                                &m.normal_texture, &m.emissive_texture}) {
-    if (!in_range(use->texture, scene.textures.size()) || use->texcoord < 0 || use->texcoord > 1) {
-      return false;
-    }
-  }
-  return true;
-}
-
-std::string find_fault(const Scene& scene) {
-  for (const Mesh& mesh : scene.meshes) {
-    if (!valid_mesh(mesh)) return fmt::format("mesh '{}' has mismatched arrays", mesh.name);
-    if (!in_range(mesh.material, scene.materials.size())) {
-      return fmt::format("mesh '{}' has a material that does not exist", mesh.name);
-    }
-  }
-  for (const Instance& instance : scene.instances) {
-    if (instance.mesh < 0 || !in_range(instance.mesh, scene.meshes.size())) {
-      return fmt::format("instance '{}' has a mesh that does not exist", instance.name);
-    }
-  }
-  for (const Material& material : scene.materials) {
-    if (!valid_textures(scene, material)) {
-      return fmt::format("material '{}' has a texture that does not exist", material.name);
-    }
-  }
-  for (const Texture& texture : scene.textures) {
-    if (!in_range(texture.image, scene.images.size())) {
-      return fmt::format("texture '{}' has an image that does not exist", texture.name);
-    }
-  }
-  return {};
 }
 
 // --- What is placed ----------------------------------------------------------------------------
@@ -183,32 +132,45 @@ class Flattener {
   explicit Flattener(const Scene& scene) : scene_(scene) {}
 
   Result<World> run(std::uint64_t max_triangles) {
-    if (std::string fault = find_fault(scene_); !fault.empty()) return refuse(scene_, fault);
+    if (std::string fault = scene_fault(scene_); !fault.empty()) return refuse(scene_, fault);
     if (scene_.instanced_triangles() > max_triangles) {
       return refuse(scene_, fmt::format("has {} triangles; the limit is {}",
                                         scene_.instanced_triangles(), max_triangles));
     }
     choose_meshes();
     std::uint64_t vertices = 0;
-    for (const Instance& instance : scene_.instances) vertices += mesh_of(instance).vertex_count();
+    for (const Instance& instance : scene_.instances) {
+      if (const PlacedMesh& placed = mesh_of(instance); placed.mesh)
+        vertices += placed.vertex_count();
+    }
     if (vertices > largest_vertex_count) {
       return refuse(scene_, fmt::format("has {} vertices, more than 32 bits count", vertices));
     }
     if (std::string fault = find_origin(); !fault.empty()) return refuse(scene_, fault);
     reserve(vertices, scene_.instanced_triangles());
     for (const Instance& instance : scene_.instances) add(instance);
+    // Numbers of faces begin where those of triangles end.
+    for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
     add_rest();
     return std::move(world_);
   }
 
  private:
+  [[nodiscard]] std::size_t index_of(const Instance& instance) const {
+    return static_cast<std::size_t>(&instance - scene_.instances.data());
+  }
   [[nodiscard]] const PlacedMesh& mesh_of(const Instance& instance) const {
-    return placed_[static_cast<std::size_t>(instance.mesh)];
+    static const PlacedMesh none;
+    if (!faces_[index_of(instance)].empty()) return none;
+    return instance.shape >= 0 ? shape_meshes_.at(index_of(instance))
+                               : placed_[static_cast<std::size_t>(instance.mesh)];
   }
 
   void choose_meshes() {
+    choose_shapes();
     std::vector<bool> shown(scene_.meshes.size(), false);
     for (const Instance& instance : scene_.instances) {
+      if (instance.shape >= 0) continue;
       const auto mesh = static_cast<std::size_t>(instance.mesh);
       shown[mesh] = !scene_.meshes[mesh].triangles.empty();
     }
@@ -219,15 +181,46 @@ class Flattener {
     keep_ = find_attributes(scene_, shown);
   }
 
+  /// What a shape is drawn as: faces, or triangles of its own. Lamps are found among triangles.
+  void choose_shapes() {
+    faces_.resize(scene_.instances.size());
+    for (const Instance& instance : scene_.instances) {
+      if (instance.shape < 0) continue;
+      const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
+      const std::size_t i = index_of(instance);
+      if (!shines(instance)) faces_[i] = place_shape(shape, instance.world_from_mesh);
+      if (!faces_[i].empty()) continue;
+      Mesh& mesh = *own_meshes_.emplace_back(std::make_unique<Mesh>(tessellated(shape)));
+      mesh.material = scene_.meshes[static_cast<std::size_t>(instance.mesh)].material;
+      shape_meshes_.emplace(i, place(mesh));
+    }
+  }
+
+  [[nodiscard]] bool shines(const Instance& instance) const {
+    const int material = scene_.meshes[static_cast<std::size_t>(instance.mesh)].material;
+    if (material < 0) return false;
+    const Material& m = scene_.materials[static_cast<std::size_t>(material)];
+    return m.emissive != glm::vec3(0.0f) && m.emissive_strength > 0.0f && !m.unlit;
+  }
+
   /// The origin, of which all positions are as near as their floats need: see choose_origin.
   std::string find_origin() {
     std::vector<PlacedBox> boxes;
     PlacedBox all;
     for (const Instance& instance : scene_.instances) {
       const PlacedMesh& placed = mesh_of(instance);
-      if (!placed.mesh) continue;
+      const std::vector<ShapeFace>& faces = faces_[index_of(instance)];
+      if (!placed.mesh && faces.empty()) continue;
       PlacedBox box;
-      for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
+      for (const ShapeFace& face : faces) {
+        const FaceBounds bounds = bounds_of(face);
+        if (!finite(bounds.lo) || !finite(bounds.hi)) {
+          return fmt::format("instance '{}' has a shape that is not finite", instance.name);
+        }
+        box.grow(bounds.lo);
+        box.grow(bounds.hi);
+      }
+      for (std::size_t i = 0; placed.mesh && i < placed.vertex_count(); ++i) {
         const glm::dvec3 p = glm::dvec3(instance.world_from_mesh *
                                         glm::dvec4(placed.mesh->positions[placed.vertex(i)], 1.0));
         if (!finite(p)) {
@@ -261,6 +254,7 @@ class Flattener {
   }
 
   void add(const Instance& instance) {
+    if (!faces_[index_of(instance)].empty()) return add_faces(instance);
     const PlacedMesh& placed = mesh_of(instance);
     if (!placed.mesh) return;
     const glm::dmat3 linear = linear_part(instance.world_from_mesh);
@@ -272,9 +266,7 @@ class Flattener {
     part.triangle_count = static_cast<std::uint32_t>(placed.triangles().size());
     part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
     part.vertex_count = static_cast<std::uint32_t>(placed.vertex_count());
-    part.material = placed.mesh->material >= 0
-                        ? static_cast<std::uint32_t>(placed.mesh->material)
-                        : static_cast<std::uint32_t>(scene_.materials.size());
+    part.material = world_material(placed.mesh->material);
     part.shows_light = instance.shows_light;
 
     part.bounds = add_positions(placed, instance.world_from_mesh);
@@ -293,6 +285,32 @@ class Flattener {
       add_normals(placed, linear, mirrored, part);
     }
     add_attributes(placed, linear, mirrored, part);
+    world_.parts.push_back(std::move(part));
+  }
+
+  [[nodiscard]] std::uint32_t world_material(int material) const {
+    return static_cast<std::uint32_t>(material >= 0 ? static_cast<std::size_t>(material)
+                                                    : scene_.materials.size());
+  }
+
+  void add_faces(const Instance& instance) {
+    const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
+    Part part;
+    part.name = instance.name.empty() ? mesh.name : instance.name;
+    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
+    part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+    part.material = world_material(mesh.material);
+    part.shows_light = instance.shows_light;
+    for (ShapeFace face : faces_[index_of(instance)]) {
+      face.origin -= world_.origin;
+      face.part = static_cast<std::uint32_t>(world_.parts.size());
+      const FaceBounds box = bounds_of(face);
+      part.bounds.grow(glm::vec3(box.lo));
+      part.bounds.grow(glm::vec3(box.hi));
+      world_.faces.push_back(face);
+      ++part.face_count;
+    }
+    world_.bounds.grow(part.bounds);
     world_.parts.push_back(std::move(part));
   }
 
@@ -397,6 +415,9 @@ class Flattener {
 
   const Scene& scene_;
   World world_;
+  std::vector<std::vector<ShapeFace>> faces_;       // one an instance; empty: drawn as triangles
+  std::vector<std::unique_ptr<Mesh>> own_meshes_;   // of shapes drawn as triangles
+  std::map<std::size_t, PlacedMesh> shape_meshes_;  // by instance
   std::vector<PlacedMesh> placed_;  // one a mesh; `mesh` is null where nothing shows it
   Attributes keep_;
 };

@@ -11,10 +11,10 @@ float floored(float roughness) {
   return std::clamp(roughness, roughness_floor, 1.0f);
 }
 
-glm::vec3 fresnel_schlick(glm::vec3 f0, float v_dot_h) {
+glm::vec3 fresnel_schlick(glm::vec3 f0, float f90, float v_dot_h) {
   const float m = std::clamp(1.0f - v_dot_h, 0.0f, 1.0f);
   const float m2 = m * m;
-  return f0 + (1.0f - f0) * (m2 * m2 * m);
+  return f0 + (f90 - f0) * (m2 * m2 * m);
 }
 
 float largest(glm::vec3 v) {
@@ -35,18 +35,24 @@ float ggx_lobe(float roughness, const BrdfAngles& angles) {
   return distribution * 0.5f / shadowing;
 }
 
-glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v) {
+glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, float f90) {
+  if (roughness < roughness_floor) {
+    const glm::vec3 mirror = glm::clamp(fresnel_schlick(f0, f90, n_dot_v), 0.0f, 1.0f);
+    return glm::mix(mirror, environment_specular(f0, roughness_floor, n_dot_v, f90),
+                    std::max(0.0f, roughness) / roughness_floor);
+  }
   const glm::vec4 r = floored(roughness) * glm::vec4(-1.0f, -0.0275f, -0.572f, 0.022f) +
                       glm::vec4(1.0f, 0.0425f, 1.04f, -0.04f);
   const float a004 = std::min(r.x * r.x, std::exp2(-9.28f * n_dot_v)) * r.x + r.y;
-  return glm::clamp(f0 * (-1.04f * a004 + r.z) + (1.04f * a004 + r.w), 0.0f, 1.0f);
+  return glm::clamp(f0 * (-1.04f * a004 + r.z) + f90 * (1.04f * a004 + r.w), 0.0f, 1.0f);
 }
 
 ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
-  const glm::vec3 specular = environment_specular(material.f0, material.roughness, n_dot_v);
+  const glm::vec3 specular =
+      environment_specular(material.f0, material.roughness, n_dot_v, material.f90);
   const float left =
       (1.0f - largest(specular)) * (1.0f - material.metallic) * (1.0f - material.transmission);
-  return {material.base_color * left, specular, material.f0, material.roughness};
+  return {material.base_color * left, specular, material.f0, material.roughness, material.f90};
 }
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
@@ -55,7 +61,7 @@ glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {
   return material.diffuse * std::numbers::inv_pi_v<float> +
-         fresnel_schlick(material.f0, angles.v_dot_h) * lobe;
+         fresnel_schlick(material.f0, material.f90, angles.v_dot_h) * lobe;
 }
 
 }  // namespace asos

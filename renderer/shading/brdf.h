@@ -26,6 +26,7 @@ struct ViewedMaterial {
   glm::vec3 specular;  ///< share of a constant environment that the GGX lobe returns
   glm::vec3 f0;
   float roughness;
+  float f90 = 1.0f;
 };
 
 /// The diffuse part is what the specular lobe leaves of light *for this viewer*. (glTF's own
@@ -43,7 +44,9 @@ struct ViewedMaterial {
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);
 
 /// The share of a constant environment that the lobe returns: the split-sum integral in its
-/// analytic form (Karis 2014 after Lazarov 2013).
-[[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v);
+/// analytic form (Karis 2014 after Lazarov 2013); of a mirror, whose roughness is 0, Schlick's
+/// Fresnel term, and in between up to roughness_floor their mean.
+[[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v,
+                                             float f90 = 1.0f);
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/geometry/hit_plane.h"
 #include "renderer/geometry/ray.h"
 #include "renderer/geometry/view.h"
 #include "renderer/scene/world.h"
@@ -62,12 +63,9 @@ struct Footprint {
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }
 };
 
-/// A point for a patch that is not finite and for triangles without area.
-[[nodiscard]] inline Footprint footprint_on(const World& world, std::uint32_t triangle,
-                                            const Patch& patch) {
-  const glm::uvec3 v = world.triangles[triangle];
-  const glm::vec3 e1 = world.positions[v.y] - world.positions[v.x];
-  const glm::vec3 e2 = world.positions[v.z] - world.positions[v.x];
+/// Of the patch on the plane with the edges e1 and e2. A point for a patch that is not finite and
+/// for edges that span no area.
+[[nodiscard]] inline Footprint footprint_between(glm::vec3 e1, glm::vec3 e2, const Patch& patch) {
   // The duals of the edges in the triangle's plane, by Gram's matrix.
   const float g11 = glm::dot(e1, e1);
   const float g12 = glm::dot(e1, e2);
@@ -82,6 +80,18 @@ struct Footprint {
   };
   const Footprint f{along(patch.right), along(patch.down)};
   return std::isfinite(f.right.x + f.right.y + f.down.x + f.down.y) ? f : Footprint{};
+}
+
+/// Of a hit on a triangle or on a face of an analytic shape.
+[[nodiscard]] inline Footprint footprint_on(const World& world, const Hit& hit,
+                                            const Patch& patch) {
+  if (world.is_face(hit.triangle)) {
+    const HitPlane plane = hit_plane(world, hit);
+    return footprint_between(glm::vec3(plane.edge1), glm::vec3(plane.edge2), patch);
+  }
+  const glm::uvec3 v = world.triangles[hit.triangle];
+  const glm::vec3 p0 = world.positions[v.x];
+  return footprint_between(world.positions[v.y] - p0, world.positions[v.z] - p0, patch);
 }
 
 /// How far what is linear over a triangle goes along the footprint's edges, from its values at the

@@ -3,9 +3,11 @@
 #include "renderer/film/statistics.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/surface.h"
+#include "renderer/shading/viewed_ray.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace asos {
@@ -25,14 +27,39 @@ struct Illumination {
           glm::dvec3(point.geometric_normal)};
 }
 
-/// Finds out how much of a light reaches a point: what the methods differ in, while all else about
-/// shading is the same for all.
+/// What a surface mirrors of the scene: the mean radiance over a square of directions around the
+/// mirrored one.
+struct Reflection {
+  const ViewedRay& seen;      ///< that meets the surface
+  const SurfacePoint& point;  ///< where it does so
+  const Hit& hit;
+  glm::vec3 width{0.0f};      ///< of the square, one unit ahead, by colour; 0: a mirror
+  glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per mean radiance
+  int layer = 0;              ///< surfaces that are seen through before the point
+
+  /// ViewedRay's, of what is mirrored.
+  [[nodiscard]] float throughput() const {
+    return seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
+  }
+  /// The one width of all colours that are reflected, or none.
+  [[nodiscard]] bool one_width() const { return width.x == width.y && width.y == width.z; }
+};
+
+/// Finds out how much of a light, and what of a reflection, reaches a point: what the methods
+/// differ in, while all else about shading is the same for all.
 class LightTransport {
  public:
   virtual ~LightTransport() = default;
 
   /// Adds to `radiance` what the viewer sees of the light by way of the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;
+
+  /// Adds what the viewer sees of the scene in the surface, now or later; false, and nothing is
+  /// added, where reflections are not followed.
+  virtual bool reflect(const Reflection& /*reflection*/, glm::vec3& /*radiance*/,
+                       RenderStatistics& /*counts*/) {
+    return false;
+  }
 };
 
 }  // namespace asos

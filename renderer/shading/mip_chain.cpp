@@ -147,7 +147,7 @@ MipChains::MipChains(const World& world, const SceneNeeds& needs) {
   if (!needs.mip_chains) return;
   std::set<ImageUse> uses;
   for (const Part& part : world.parts) {
-    if (part.triangle_count > 0) add_uses(uses, world, needs, world.materials[part.material]);
+    if (!part.shows_nothing()) add_uses(uses, world, needs, world.materials[part.material]);
   }
   chains_.resize(world.images.size());
   for (const auto& [image, kind] : uses) {

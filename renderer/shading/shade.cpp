@@ -2,10 +2,12 @@
 
 #include "renderer/rays/surface_kind.h"
 #include "renderer/shading/brdf.h"
-#include "renderer/shading/environment.h"
+#include "renderer/shading/dfr.h"
 #include "renderer/shading/lobe.h"
+#include "renderer/shading/sky.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -51,6 +53,13 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
   return brdf(seen, angles, value);
 }
 
+/// Whether a reflection shows the light: lines and points are too thin, and suns too bright.
+bool shown_by_mirrors(const PreparedLight& light) {
+  using LightShape = PreparedLight::Shape;
+  return light.shape == LightShape::ball || light.shape == LightShape::polygon ||
+         light.shape == LightShape::disk;
+}
+
 /// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
 float behind(const Ray& ray, const SurfacePoint& point, float t) {
   const float length = glm::length(ray.direction);
@@ -76,15 +85,76 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
   for (std::size_t i = 0; i < count; ++i) lights_[i].cuts = (*settings.light_cuts)[i];
 }
 
-void Shader::add_reflected(const SurfacePoint& point, const SurfaceMaterial& material,
-                           glm::vec3 to_viewer, const Layer& layer, LightTransport& transport,
-                           glm::vec3& radiance, RenderStatistics& counts) const {
+std::span<const std::uint32_t> Shader::bare_lights() const {
+  return settings_.bare_lights ? std::span<const std::uint32_t>(*settings_.bare_lights)
+                               : std::span<const std::uint32_t>();
+}
+
+std::optional<LightHit> Shader::nearest_bare_light(const Ray& ray) const {
+  std::optional<LightHit> nearest;
+  for (const std::uint32_t i : bare_lights()) {
+    const auto met = meet_light(lights_[i], ray);
+    if (met && (!nearest || met->t < nearest->t)) nearest = met;
+  }
+  return nearest;
+}
+
+std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
+                                              const SurfaceMaterial& material,
+                                              glm::vec3 reflected) const {
+  // What no 8-bit picture shows is not worth a ray, whatever the light.
+  constexpr float least_reflected = 1.0f / 256.0f;
+  const float most = seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
+  if (seen.bounces >= settings_.reflections || !(most >= least_reflected)) return std::nullopt;
+  // What a normal map's mean leaves out blurs, too: the squared slopes add up.
+  const double bumps = static_cast<double>(point.spread.variance);
+  const Material& own = world_.material_of(point.triangle);
+  const bool rough = !(material.roughness <= settings_.roughest_mirror);
+  if (rough && !own.dfr) return std::nullopt;
+  const Dfr* dfr = settings_.dfr ? settings_.dfr : own.dfr ? &*own.dfr : nullptr;
+  if (!dfr) {
+    const double alpha = static_cast<double>(material.roughness * material.roughness);
+    const double all = std::sqrt(alpha * alpha + bumps);
+    return glm::vec3(static_cast<float>(lobe_width(std::sqrt(all))));
+  }
+  const double cosine = static_cast<double>(glm::dot(point.shading_normal, -seen.ray.direction));
+  const std::array<double, 3> ratio = dfr_at(*dfr, cosine, place_bits(point.position));
+  const double by_bumps = lobe_width(std::sqrt(std::sqrt(bumps)));
+  glm::vec3 width;
+  for (int i = 0; i < 3; ++i) {
+    const double by_ratio =
+        static_cast<double>(seen.width) * (1.0 / ratio[static_cast<std::size_t>(i)] - 1.0);
+    width[i] = static_cast<float>(std::hypot(by_ratio, by_bumps));
+  }
+  return width;
+}
+
+bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
+                          const SurfaceMaterial& material, const Layer& layer, glm::vec3 specular,
+                          LightTransport& transport, glm::vec3& radiance,
+                          RenderStatistics& counts) const {
+  if (settings_.reflections == 0) return false;
+  const glm::vec3 reflected = layer.share * specular;
+  const auto width = mirror_width(seen, point, material, reflected);
+  if (!width) return false;
+  return transport.reflect({seen, point, layer.hit, *width, reflected, layer.number}, radiance,
+                           counts);
+}
+
+void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
+                     const SurfaceMaterial& material, const Layer& layer, LightTransport& transport,
+                     glm::vec3& radiance, RenderStatistics& counts) const {
   const glm::vec3 n = point.shading_normal;
+  const glm::vec3 to_viewer = -viewed_ray.ray.direction;
   const float n_dot_v = std::max(glm::dot(n, to_viewer), grazing_cosine);
 
-  // The constant sky, in closed form and unoccluded.
+  // The sky, unoccluded.
   const ViewedMaterial seen = viewed(material, n_dot_v);
-  radiance += layer.share * (ambient_radiance * (seen.diffuse + seen.specular));
+  const bool mirrors =
+      add_mirrored(viewed_ray, point, material, layer, seen.specular, transport, radiance, counts);
+  ViewedMaterial by_sky = seen;
+  if (mirrors) by_sky.specular = glm::vec3(0.0f);
+  radiance += layer.share * reflected_sky(settings_.sky, by_sky, n, to_viewer);
 
   const PatchLobe lobe(point.spread, seen.roughness, n);
   const Receiver receiver = receiver_at(point);
@@ -93,8 +163,12 @@ void Shader::add_reflected(const SurfacePoint& point, const SurfaceMaterial& mat
     const PreparedLight& light = lights_[i];
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
-    const glm::vec3 share_out = reflected_share(light, seen, lobe, {point, to_viewer, n_dot_v},
-                                                highlight_of(light, receiver.position, mirrored));
+    // What is mirrored shows the lights that have an area: those are their highlights.
+    const glm::vec3 share_out =
+        mirrors && shown_by_mirrors(light)
+            ? brdf(seen, {}, 0.0f)
+            : reflected_share(light, seen, lobe, {point, to_viewer, n_dot_v},
+                              highlight_of(light, receiver.position, mirrored));
     const Illumination lit{light, i, point, irradiance, layer.share * share_out, layer.number};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);
@@ -104,33 +178,51 @@ void Shader::add_reflected(const SurfacePoint& point, const SurfaceMaterial& mat
   }
 }
 
-glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float side,
-                           LightTransport& transport, RenderStatistics& counts) const {
-  const SampleExtent extent{&settings_.spacing, settings_.mips, side};
+glm::vec3 Shader::radiance(const Ray& ray, const Hit& hit, float side, LightTransport& transport,
+                           RenderStatistics& counts) const {
+  return radiance(eye_ray(ray, hit, side), transport, counts);
+}
+
+ViewedRay Shader::eye_ray(const Ray& ray, const Hit& hit, float side) const {
+  const PixelSpacing& spacing = settings_.spacing;
+  const float width = spacing.perspective ? glm::length(spacing.right) : 0.0f;
+  return {ray, hit, side, nullptr, width, 0, 1.0f};
+}
+
+glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
+                           RenderStatistics& counts) const {
+  const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
+                            seen.side};
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   glm::vec3 sum{0.0f};
   glm::vec3 share{1.0f};  // of what lies behind the layers so far
-  Ray ray = first_ray;
-  Hit hit = first_hit;
+  Ray ray = seen.ray;
+  Hit hit = seen.hit;
   std::uint32_t last = Hit::none;
   const glm::vec3 to_viewer = -glm::normalize(ray.direction);
+  const auto light = seen.bounces > 0 ? nearest_bare_light(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {
-    if (!hit.valid()) return sum + share * background_radiance;
+    if (light && !(hit.valid() && hit.t < light->t)) return sum + share * light->radiance;
+    if (!hit.valid()) {
+      return sum + share * background(settings_.sky, -to_viewer,
+                                      extent.point() ? nullptr : extent.spacing, seen.side);
+    }
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
     const bool blended = needs_.alpha_blend &&
                          surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
 
-    if (hit.triangle != last) {
+    // A face of an analytic shape may be met twice, in front and at its back.
+    if (hit.triangle != last || world_.is_face(hit.triangle)) {
       // Add the layer by its opacity.
       const SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
       if (material.opacity > 0.0f) {
-        const Layer here{share * material.opacity, layer};
+        const Layer here{share * material.opacity, layer, hit};
         if (material.unlit) {
           sum += here.share * material.base_color * (1.0f - material.transmission);
         } else {
           sum += here.share * material.emission;
-          add_reflected(point, material, to_viewer, here, transport, sum, counts);
+          add_lit(seen, point, material, here, transport, sum, counts);
         }
       }
       if (!blended) return sum;
@@ -144,7 +236,7 @@ glm::vec3 Shader::radiance(const Ray& first_ray, const Hit& first_hit, float sid
     // Go on behind it.
     ray.t_near = behind(ray, point, hit.t);
     hit = rays_.closest(ray, settings_.faces);
-    ++counts.eye_rays;
+    ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }
   return sum;
 }

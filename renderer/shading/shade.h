@@ -2,6 +2,7 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/ray.h"
+#include "renderer/lights/bare_lights.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/scene/needs.h"
@@ -11,10 +12,13 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace asos {
+
+class Sky;
 
 /// Opacity of a triangle's material at a point (base colour alpha times texture times vertex
 /// colour, times what transmission leaves), 0 to 1; the RayScene's alpha test. A masked material's
@@ -29,8 +33,13 @@ struct ShadingSettings {
   /// What textures, and highlights on surfaces that turn, are averaged with over what a sample
   /// stands for; null: every sample is a point.
   const MipChains* mips = nullptr;
-  PixelSpacing spacing;                   ///< of the picture; only with mips
-  const LightCuts* light_cuts = nullptr;  ///< of the world; null, or a list that is missing: none
+  PixelSpacing spacing;                     ///< of the picture; only with mips
+  const LightCuts* light_cuts = nullptr;    ///< of the world; null, or a list that is missing: none
+  const Sky* sky = nullptr;                 ///< what surrounds the world; null: the neutral one
+  const BareLights* bare_lights = nullptr;  ///< that reflections show; null: none
+  int reflections = 0;                      ///< bounces that are followed
+  float roughest_mirror = 0.6f;             ///< see RenderSettings
+  const Dfr* dfr = nullptr;                 ///< of all that mirrors; null: as the materials say
 };
 
 /// Samples the light that a scene sends along rays: every method shades through this one class.
@@ -44,13 +53,32 @@ class Shader {
   /// Surfaces that are composited along one ray before what lies behind them is dropped.
   static constexpr int max_layers = 64;
 
-  /// Linear radiance arriving along `ray`, of unit direction, whose nearest hit is `hit` (invalid:
-  /// the background). The sample stands for a square of `side` pixels around the ray, 0: a point.
-  /// Blended surfaces are composited in depth order. Lights that cast shadows go by way of
-  /// `transport`. Counts the eye rays that go on behind a blended surface. Results that are not
-  /// finite are returned as they are; the caller drops and counts them.
+  /// Linear radiance arriving along a ray. Blended surfaces are composited in depth order. Lights
+  /// that cast shadows, and reflections, go by way of `transport`. Counts the rays that go on
+  /// behind a blended surface. Results that are not finite are returned as they are; the caller
+  /// drops and counts them.
+  [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
+                                   RenderStatistics& counts) const;
+  /// Along an eye ray.
   [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
                                    LightTransport& transport, RenderStatistics& counts) const;
+
+  /// What an eye ray stands for whose nearest hit is `hit`: a square of `side` pixels.
+  [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;
+
+  /// A pixel's steps in the picture.
+  [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
+  [[nodiscard]] int reflections() const { return settings_.reflections; }
+  /// Lights that reflections show although no surface of the scene does, by index into lights().
+  [[nodiscard]] std::span<const std::uint32_t> bare_lights() const;
+  /// The first of them on a ray, if any, whatever else lies on it.
+  [[nodiscard]] std::optional<LightHit> nearest_bare_light(const Ray& ray) const;
+  /// By how much the surface blurs what it mirrors, as Reflection::width; nothing where it is not
+  /// followed.
+  [[nodiscard]] std::optional<glm::vec3> mirror_width(const ViewedRay& seen,
+                                                      const SurfacePoint& point,
+                                                      const SurfaceMaterial& material,
+                                                      glm::vec3 reflected) const;
 
   [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }
 
@@ -59,10 +87,15 @@ class Shader {
   struct Layer {
     glm::vec3 share{1.0f};
     int number = 0;
+    Hit hit;
   };
-  void add_reflected(const SurfacePoint& point, const SurfaceMaterial& material,
-                     glm::vec3 to_viewer, const Layer& layer, LightTransport& transport,
-                     glm::vec3& radiance, RenderStatistics& counts) const;
+  void add_lit(const ViewedRay& seen, const SurfacePoint& point, const SurfaceMaterial& material,
+               const Layer& layer, LightTransport& transport, glm::vec3& radiance,
+               RenderStatistics& counts) const;
+  [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
+                                  const SurfaceMaterial& material, const Layer& layer,
+                                  glm::vec3 specular, LightTransport& transport,
+                                  glm::vec3& radiance, RenderStatistics& counts) const;
 
   const World& world_;
   const SceneNeeds& needs_;

@@ -1,5 +1,6 @@
 #include "renderer/shading/surface.h"
 
+#include "renderer/geometry/hit_plane.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_filter.h"
 
@@ -21,30 +22,46 @@ glm::vec3 normalized_or(glm::vec3 v, glm::vec3 fallback) {
   return length2 > 0.0f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
 }
 
+/// A triangle, or the plane that touches a face of an analytic shape (HitPlane).
 struct Triangle {
-  glm::uvec3 v;
+  bool face;
+  glm::uvec3 v{0};  // of a triangle
   float b0, b1, b2;
 
   Triangle(const World& world, const Hit& hit)
-      : v(world.triangles[hit.triangle]), b0(1.0f - hit.b1 - hit.b2), b1(hit.b1), b2(hit.b2) {}
+      : face(world.is_face(hit.triangle)), b0(1.0f - hit.b1 - hit.b2), b1(hit.b1), b2(hit.b2) {
+    if (!face) v = world.triangles[hit.triangle];
+  }
 
   template <typename T>
-  [[nodiscard]] T mix(const std::vector<T>& attribute) const {
-    return b0 * attribute[v.x] + b1 * attribute[v.y] + b2 * attribute[v.z];
+  [[nodiscard]] T mix(const T& at_0, const T& at_1, const T& at_2) const {
+    return b0 * at_0 + b1 * at_1 + b2 * at_2;
   }
 };
 
+struct Edges {
+  glm::vec3 e1, e2;
+};
+
+Edges edges_of(const World& world, const Hit& hit, const Triangle& t) {
+  if (t.face) {
+    const HitPlane plane = hit_plane(world, hit);
+    return {glm::vec3(plane.edge1), glm::vec3(plane.edge2)};
+  }
+  const glm::vec3 p0 = world.positions[t.v.x];
+  return {world.positions[t.v.y] - p0, world.positions[t.v.z] - p0};
+}
+
 /// The tangent (w: handedness) of a triangle without authored tangents: the direction in which the
 /// looked-up u grows. Zero where the coordinates do not span the triangle.
-glm::vec4 tangent_from_texcoords(const World& world, const Triangle& t, const TextureUse& use,
-                                 glm::vec3 normal) {
-  if (use.texcoord < 0 || use.texcoord > 1 || world.texcoords[use.texcoord].empty()) return {};
-  const auto& uv = world.texcoords[use.texcoord];
-  const glm::vec3 e1 = world.positions[t.v.y] - world.positions[t.v.x];
-  const glm::vec3 e2 = world.positions[t.v.z] - world.positions[t.v.x];
+glm::vec4 tangent_from_texcoords(const World& world, const Hit& hit, const Triangle& t,
+                                 const TextureUse& use, glm::vec3 normal) {
+  if (use.texcoord < 0 || use.texcoord > 1) return {};
+  const CornerTexcoords uv = corner_texcoords(world, use.texcoord, hit.triangle);
+  const auto [e1, e2] = edges_of(world, hit, t);
   const glm::mat2 transform(use.uv_transform);
-  const glm::vec2 d1 = transform * (uv[t.v.y] - uv[t.v.x]);
-  const glm::vec2 d2 = transform * (uv[t.v.z] - uv[t.v.x]);
+  const glm::vec2 d1 = transform * (uv.at_1 - uv.at_0);
+  const glm::vec2 d2 = transform * (uv.at_2 - uv.at_0);
   const float det = d1.x * d2.y - d1.y * d2.x;
   if (det == 0.0f || !std::isfinite(det)) return {};
   const float sign = det < 0.0f ? -1.0f : 1.0f;
@@ -66,13 +83,14 @@ MappedNormal mapped_normal(const World& world, const Hit& hit, const Triangle& t
                            const MipChains* mips) {
   const TextureUse& use = material.normal_texture;
   glm::vec4 tangent{0.0f};
-  if (!world.tangents.empty()) {
-    tangent = t.mix(world.tangents);
+  if (!world.tangents.empty() && !t.face) {
+    const std::vector<glm::vec4>& all = world.tangents;
+    tangent = t.mix(all[t.v.x], all[t.v.y], all[t.v.z]);
     tangent.w = world.tangents[t.v.x].w;
   }
   glm::vec3 along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
   if (!(glm::dot(along_u, along_u) > 0.0f)) {
-    tangent = tangent_from_texcoords(world, t, use, normal);
+    tangent = tangent_from_texcoords(world, hit, t, use, normal);
     along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
   }
   along_u = normalized_or(along_u, glm::vec3(0.0f));
@@ -90,11 +108,9 @@ MappedNormal mapped_normal(const World& world, const Hit& hit, const Triangle& t
 
 /// How the interpolated normal turns along the footprint's edges; `length` is that of the
 /// interpolated vector before it became the unit `normal`.
-NormalSpread interpolated_spread(const World& world, const Triangle& t, const Footprint& footprint,
-                                 glm::vec3 normal, float length) {
-  const glm::vec3 n0 = world.normals[t.v.x];
-  const glm::vec3 n1 = world.normals[t.v.y];
-  const glm::vec3 n2 = world.normals[t.v.z];
+NormalSpread interpolated_spread(const std::array<glm::vec3, 3>& normals,
+                                 const Footprint& footprint, glm::vec3 normal, float length) {
+  const auto& [n0, n1, n2] = normals;
   const Steps<glm::vec3> steps(footprint, n0, n1, n2);
   const auto turn = [&](glm::vec3 d) { return (d - glm::dot(d, normal) * normal) / length; };
   return {turn(steps.right), turn(steps.down)};
@@ -111,9 +127,9 @@ bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t 
   if (needs.textures && (m.base_color_texture.used() || m.metallic_roughness_texture.used() ||
                          m.normal_texture.used() || m.emissive_texture.used()))
     return true;
-  if (m.unlit || m.roughness > least_broad_roughness || world.lights.empty() ||
-      world.normals.empty())
-    return false;
+  if (m.unlit || m.roughness > least_broad_roughness || world.lights.empty()) return false;
+  if (t.face) return world.face(triangle).kind != ShapeFace::Kind::disk;
+  if (world.normals.empty()) return false;
   return world.normals[t.v.x] != world.normals[t.v.y] ||
          world.normals[t.v.x] != world.normals[t.v.z];
 }
@@ -122,13 +138,14 @@ bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t 
 void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, const Triangle& t,
                   const MipChains* mips, SurfacePoint& point) {
   point.shading_normal = point.geometric_normal;
-  if (world.normals.empty()) return;
-  const glm::vec3 mixed = t.mix(world.normals);
+  if (world.normals.empty() && !t.face) return;
+  const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
+  const glm::vec3 mixed = t.mix(normals[0], normals[1], normals[2]);
   const glm::vec3 smooth = normalized_or(mixed, point.geometric_normal);
   const float side = glm::dot(smooth, point.geometric_normal) < 0.0f ? -1.0f : 1.0f;
   point.shading_normal = side * smooth;
   if (!point.footprint.point())
-    point.spread = interpolated_spread(world, t, point.footprint, smooth, glm::length(mixed));
+    point.spread = interpolated_spread(normals, point.footprint, smooth, glm::length(mixed));
   const Material& material = world.material_of(hit.triangle);
   if (!needs.normal_maps || !material.normal_texture.used()) return;
   const MappedNormal mapped = mapped_normal(world, hit, t, material, smooth, point.footprint, mips);
@@ -138,19 +155,14 @@ void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, c
     point.shading_normal = side * mapped.normal;
 }
 
-}  // namespace
-
-SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
-                           glm::vec3 to_viewer, const SampleExtent& extent) {
-  const Triangle t(world, hit);
+/// Place and geometric normal on a triangle.
+void place_on_triangle(const World& world, const Triangle& t, SurfacePoint& point) {
   const glm::vec3 p0 = world.positions[t.v.x];
   const glm::vec3 p1 = world.positions[t.v.y];
   const glm::vec3 p2 = world.positions[t.v.z];
 
   // Position from the corners: its error is bounded by their size alone, not by the distance that
   // the ray came.
-  SurfacePoint point;
-  point.triangle = hit.triangle;
   point.position = t.b0 * p0 + t.b1 * p1 + t.b2 * p2;
   point.error = gamma_bound(7) * (glm::abs(t.b0 * p0) + glm::abs(t.b1 * p1) + glm::abs(t.b2 * p2));
   const glm::vec3 size = glm::max(p0, glm::max(p1, p2)) - glm::min(p0, glm::min(p1, p2));
@@ -161,13 +173,39 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
       glm::cross(glm::dvec3(p1) - glm::dvec3(p0), glm::dvec3(p2) - glm::dvec3(p0));
   const double length = glm::length(cross);
   if (length > 0.0) point.geometric_normal = glm::vec3(cross / length);
+}
+
+/// On a face of an analytic shape: only the last rounding, to single precision, moves the point off
+/// it, and rays are tested against it in double precision.
+void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
+  const ShapeFace& face = world.face(hit.triangle);
+  const FacePoint at = face_point(face, hit.b1, hit.b2);
+  point.position = glm::vec3(at.position);
+  point.geometric_normal = glm::vec3(at.normal);
+  constexpr double rounding_in_double = 1e-12;
+  point.error = gamma_bound(2) * glm::abs(point.position) +
+                static_cast<float>(rounding_in_double * face.size);
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
+                           glm::vec3 to_viewer, const SampleExtent& extent) {
+  const Triangle t(world, hit);
+  SurfacePoint point;
+  point.triangle = hit.triangle;
+  if (t.face) {
+    place_on_face(world, hit, point);
+  } else {
+    place_on_triangle(world, t, point);
+  }
   if (glm::dot(point.geometric_normal, to_viewer) < 0.0f) {
     point.geometric_normal = -point.geometric_normal;
   }
 
   if (!extent.point() && shows_footprint(world, needs, hit.triangle, t)) {
     point.footprint = footprint_on(
-        world, hit.triangle,
+        world, hit,
         patch_on_plane(*extent.spacing, -to_viewer, hit.t, point.geometric_normal, extent.side));
   }
   shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
@@ -218,8 +256,14 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
     surface.metallic *= texel.b;
   }
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
-  surface.f0 = glm::vec3(dielectric * dielectric);
-  if (needs.metals) surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
+  // KHR_materials_specular. An index of 0 stands for an infinite one: all is reflected.
+  surface.f0 = glm::min(dielectric * dielectric * material.specular_color, glm::vec3(1.0f)) *
+               material.specular;
+  surface.f90 = material.specular;
+  if (needs.metals) {
+    surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
+    surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);
+  }
 
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
@@ -230,10 +274,38 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   return surface;
 }
 
+std::array<glm::vec3, 3> corner_normals(const World& world, const Hit& hit) {
+  if (world.is_face(hit.triangle)) {
+    const double u = hit.b1, v = hit.b2;
+    const FacePoint at = face_point(world.face(hit.triangle), u, v);
+    const glm::dvec3 n0 = at.normal - u * at.normal_u - v * at.normal_v;
+    return {glm::vec3(n0), glm::vec3(n0 + at.normal_u), glm::vec3(n0 + at.normal_v)};
+  }
+  const glm::uvec3 v = world.triangles[hit.triangle];
+  if (!world.normals.empty()) return {world.normals[v.x], world.normals[v.y], world.normals[v.z]};
+  const glm::dvec3 normal = hit_plane(world, hit).normal();
+  const double length = glm::length(normal);
+  const glm::vec3 flat = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
+  return {flat, flat, flat};
+}
+
 glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1, float b2) {
+  if (world.is_face(triangle)) return glm::vec4(1.0f);
   const glm::uvec3 v = world.triangles[triangle];
   const glm::vec4 c = world.colors[v.x];
   return c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c);
+}
+
+NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch, glm::vec3 normal) {
+  if (world.normals.empty() && !world.is_face(hit.triangle)) return {};
+  const Triangle t(world, hit);
+  const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
+  const glm::vec3 mixed = t.mix(normals[0], normals[1], normals[2]);
+  const float length = glm::length(mixed);
+  if (!(length > 0.0f)) return {};
+  NormalSpread turn = interpolated_spread(normals, footprint_on(world, hit, patch), mixed / length,
+                                          glm::dot(mixed, normal) < 0.0f ? -length : length);
+  return turn;
 }
 
 float clear_height(const SurfacePoint& point) {

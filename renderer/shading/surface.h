@@ -9,6 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+
 namespace asos {
 
 /// The geometry of a hit, turned to the viewer: the winding of a triangle does not matter.
@@ -32,6 +34,7 @@ struct SurfaceMaterial {
   float roughness = 1.0f;
   glm::vec3 emission{0.0f};
   glm::vec3 f0{0.04f};  ///< reflectance at normal incidence
+  float f90 = 1.0f;     ///< the same at grazing incidence
   bool unlit = false;
 };
 
@@ -54,10 +57,20 @@ struct SampleExtent {
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
 
+/// The interpolated normal's values at the corners of what a hit is on; of a face of an analytic
+/// shape those of the vector that is its normal, and turns as it does, at the hit. The triangle of
+/// a world without normals has its own.
+[[nodiscard]] std::array<glm::vec3, 3> corner_normals(const World& world, const Hit& hit);
+
 /// Linear RGBA at (b1, b2) of a triangle of a world with vertex colours: exact where the corners
 /// have one colour, so that white changes nothing.
 [[nodiscard]] glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1,
                                      float b2);
+
+/// How the interpolated normal of a hit's surface turns along the edges of a patch around it; all 0
+/// where it is flat. On the side of `normal`, the unit shading normal there.
+[[nodiscard]] NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch,
+                                       glm::vec3 normal);
 
 /// How far above the surface a ray starts or ends without meeting it, along its normal.
 [[nodiscard]] float clear_height(const SurfacePoint& point);

@@ -60,11 +60,17 @@ glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv, Encoding
                                      : bilinear(texels, uv, t.wrap_u, t.wrap_v);
 }
 
-glm::vec2 texcoord_at(const World& world, int set, std::uint32_t triangle, float b1, float b2) {
-  if (set < 0 || set > 1 || world.texcoords[set].empty()) return glm::vec2(0.0f);
+CornerTexcoords corner_texcoords(const World& world, int set, std::uint32_t triangle) {
+  if (world.is_face(triangle)) return {{0, 0}, {1, 0}, {0, 1}};
+  if (set < 0 || set > 1 || world.texcoords[set].empty()) return {};
   const auto& uv = world.texcoords[set];
   const glm::uvec3 v = world.triangles[triangle];
-  return (1.0f - b1 - b2) * uv[v.x] + b1 * uv[v.y] + b2 * uv[v.z];
+  return {uv[v.x], uv[v.y], uv[v.z]};
+}
+
+glm::vec2 texcoord_at(const World& world, int set, std::uint32_t triangle, float b1, float b2) {
+  const CornerTexcoords uv = corner_texcoords(world, set, triangle);
+  return (1.0f - b1 - b2) * uv.at_0 + b1 * uv.at_1 + b2 * uv.at_2;
 }
 
 glm::vec4 sample_texture(const World& world, const TextureUse& use, std::uint32_t triangle,

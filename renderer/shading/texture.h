@@ -27,6 +27,13 @@ enum class Encoding { srgb, linear };
                                        std::uint32_t triangle, float b1, float b2,
                                        Encoding encoding);
 
+/// Texture coordinates of a surface's corners, or of the points (0, 0), (1, 0) and (0, 1) of a face
+/// of an analytic shape; 0 where the set is missing.
+struct CornerTexcoords {
+  glm::vec2 at_0{0.0f}, at_1{0.0f}, at_2{0.0f};
+};
+[[nodiscard]] CornerTexcoords corner_texcoords(const World& world, int set, std::uint32_t triangle);
+
 /// Texture coordinates of a triangle's point, before any transform; 0 where the set is missing.
 [[nodiscard]] glm::vec2 texcoord_at(const World& world, int set, std::uint32_t triangle, float b1,
                                     float b2);

@@ -98,11 +98,11 @@ glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlac
 Taps taps_for(const World& world, const MipChains& mips, const TextureUse& use, TexelKind kind,
               const TexturePlace& place, glm::vec2 uv) {
   if (place.footprint.point() || use.texcoord < 0 || use.texcoord > 1) return {};
-  const auto& texcoords = world.texcoords[use.texcoord];
   const Image* image = image_of(world, use.texture);
-  if (!image || texcoords.empty()) return {};
-  const glm::uvec3 v = world.triangles[place.triangle];
-  const Steps<glm::vec2> steps(place.footprint, texcoords[v.x], texcoords[v.y], texcoords[v.z]);
+  if (!image) return {};
+  if (!world.is_face(place.triangle) && world.texcoords[use.texcoord].empty()) return {};
+  const CornerTexcoords at = corner_texcoords(world, use.texcoord, place.triangle);
+  const Steps<glm::vec2> steps(place.footprint, at.at_0, at.at_1, at.at_2);
   const glm::mat2 turn(use.uv_transform);
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
   return taps_at(*image, mips.chain(texture.image, kind), uv, turn * steps.right,

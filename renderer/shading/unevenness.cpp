@@ -1,6 +1,7 @@
 #include "renderer/shading/unevenness.h"
 
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +20,9 @@ struct Bend {
 };
 
 Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
-  const glm::uvec3 v = world.triangles[hit.triangle];
-  const glm::vec3 n0 = world.normals[v.x], n1 = world.normals[v.y], n2 = world.normals[v.z];
+  const auto [n0, n1, n2] = corner_normals(world, hit);
   if (n0 == n1 && n1 == n2) return {n0, 0.0f};
-  const Steps<glm::vec3> steps(footprint_on(world, hit.triangle, patch), n0, n1, n2);
+  const Steps<glm::vec3> steps(footprint_on(world, hit, patch), n0, n1, n2);
   const glm::vec3 n = (1.0f - hit.b1 - hit.b2) * n0 + hit.b1 * n1 + hit.b2 * n2;
   const float length2 = glm::dot(n, n);
   if (!(length2 > 0.0f)) return {};

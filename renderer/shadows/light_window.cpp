@@ -32,15 +32,15 @@ std::optional<Rectangle> rim_of_ball(glm::dvec3 to_centre, double radius) {
 }
 
 std::optional<Rectangle> rectangle_around(const PreparedLight& light, glm::dvec3 apex) {
-  using Shape = PreparedLight::Shape;
+  using LightShape = PreparedLight::Shape;
   switch (light.shape) {
-    case Shape::ball:
+    case LightShape::ball:
       return rim_of_ball(light.position - apex, light.radius);
-    case Shape::sun:
+    case LightShape::sun:
       return rim_of_ball(light.towards,
                          light.radius / std::sqrt(1.0 + light.radius * light.radius));
-    case Shape::polygon:
-    case Shape::disk:
+    case LightShape::polygon:
+    case LightShape::disk:
       return Rectangle{light.position - apex, light.half_u, light.half_v};
     default:
       return std::nullopt;
@@ -58,12 +58,12 @@ glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
 
 LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
     : frame_(frame), normal_(receiver.normal) {
-  using Shape = PreparedLight::Shape;
+  using LightShape = PreparedLight::Shape;
   const glm::dvec3 middle = towards({0.5, 0.5});
   const glm::dvec3 face = glm::cross(frame_.base_u(), frame_.base_v());
   orientation_ = glm::dot(face, middle) < 0.0 ? 1.0 : -1.0;
-  round_ = light.shape != Shape::polygon;
-  infinite_ = light.shape == Shape::sun;
+  round_ = light.shape != LightShape::polygon;
+  infinite_ = light.shape == LightShape::sun;
 
   const glm::dvec3 up = receiver.geometric;
   between_[0] = {up, glm::dot(up, frame_.apex())};

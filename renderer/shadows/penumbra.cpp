@@ -179,7 +179,9 @@ float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t ind
   const glm::dvec3 up = receiver.geometric;
   HalfSpace near[2] = {{up, glm::dot(up, receiver.position)},
                        {-m, glm::dot(-m, receiver.position + highest * m)}};
-  near[0].offset += scene_.features.departure(point.triangle);
+  const auto half =
+      static_cast<double>(0.5f * (glm::length(patch.right) + glm::length(patch.down)));
+  near[0].offset += scene_.features.departure(point.triangle, glm::dvec3(point.position), half);
   SearchBounds bounds = own_part_ignored(scene_.world, light);
   bounds.cut = known.cut;
   bounds.within = near;

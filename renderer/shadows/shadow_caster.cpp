@@ -35,13 +35,7 @@ Caster::SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
 Cover ShadowCaster::cover(SampleId sample) const {
   const Hit& hit = samples_[sample].blocker.hit;
   if (!hit.valid()) return Cover::none();
-  const World& world = scene_.world;
-  const glm::uvec3 t = world.triangles[hit.triangle];
-  const glm::dvec3 p0(world.positions[t.x]);
-  const glm::dvec3 e1 = glm::dvec3(world.positions[t.y]) - p0;
-  const glm::dvec3 e2 = glm::dvec3(world.positions[t.z]) - p0;
-  const glm::dvec3 p = p0 + static_cast<double>(hit.b1) * e1 + static_cast<double>(hit.b2) * e2;
-  return Cover::plane(*frame_, p, glm::cross(e1, e2), scene_.features.departure(hit.triangle));
+  return cover_of(*frame_, scene_.world, scene_.features, hit);
 }
 
 std::uint32_t ShadowCaster::surface(SampleId sample) const {

@@ -87,18 +87,18 @@ ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box
 // A box around a light; of one that is infinitely far, around where lines from the box to it leave
 // the world.
 Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
-  using Shape = PreparedLight::Shape;
+  using LightShape = PreparedLight::Shape;
   Box box;
   switch (light.shape) {
-    case Shape::distant:
-    case Shape::sun: {
+    case LightShape::distant:
+    case LightShape::sun: {
       const glm::vec3 away(reach_ * light.towards);
       const float wide = static_cast<float>(reach_ * light.radius);
       box.grow(from.lo + away - wide);
       box.grow(from.hi + away + wide);
       return box;
     }
-    case Shape::ball:
+    case LightShape::ball:
       box.grow(glm::vec3(light.position - light.radius));
       box.grow(glm::vec3(light.position + light.radius));
       return box;
@@ -152,7 +152,7 @@ bool ShadowGroups::nothing_between(const PreparedLight& light, const Shaft& shaf
   if (parts.size() > most_boxes) return false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool own = light.own_part >= 0 && i == static_cast<std::size_t>(light.own_part);
-    if (!own && parts[i].triangle_count > 0 &&
+    if (!own && !parts[i].shows_nothing() &&
         (parts[i].bounds.empty() || shaft.meets(parts[i].bounds)))
       return false;
   }

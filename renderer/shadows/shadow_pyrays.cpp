@@ -222,12 +222,19 @@ std::optional<ShadowPatch> ShadowPyrays::patch_of(const SurfacePoint& point, con
   return patch;
 }
 
+// From a patch's middle to its corners.
+double ShadowPyrays::departure(const SurfacePoint& point, const ShadowPatch& patch) const {
+  const auto& p = patch.corners;
+  const double reach = 0.5 * std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
+  return scene_.features.departure(point.triangle, glm::dvec3(point.position), reach);
+}
+
 // Whether the surface leaves the patch's plane by more than the 64th of its size, by which edges of
 // shadows on it would be out of place.
 bool ShadowPyrays::bent(const Illumination& lit, const ShadowPatch& patch) const {
   const auto& p = patch.corners;
   const double size = std::min(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
-  return 64.0 * static_cast<double>(scene_.features.departure(lit.point.triangle)) > size;
+  return 64.0 * departure(lit.point, patch) > size;
 }
 
 double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
@@ -237,8 +244,8 @@ double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
       parallel ? PatchCaster::frame_along(lit.light.towards, world_reach(scene_.world), patch)
                : PatchCaster::frame_from(lit.light.position, patch);
   if (!frame) return ray_share(lit, counts);
-  const double departure = scene_.features.departure(lit.point.triangle);
-  const HalfSpace above{patch.plane.normal, patch.plane.offset + patch.lift + departure};
+  const HalfSpace above{patch.plane.normal,
+                        patch.plane.offset + patch.lift + departure(lit.point, patch)};
   const SubdivisionRules subdivision = rules(lit);
   SearchBounds bounds = found;
   bounds.within = std::span(&above, 1);

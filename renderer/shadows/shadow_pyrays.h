@@ -121,6 +121,7 @@ class ShadowPyrays final : public LightTransport {
   [[nodiscard]] double sampled_share(const Illumination& lit, RenderStatistics& counts, Aim aim);
   [[nodiscard]] SobolPixel points_of_leaf(const Illumination& lit) const;
   [[nodiscard]] double bent_patch_share(const Illumination& lit, RenderStatistics& counts);
+  [[nodiscard]] double departure(const SurfacePoint& point, const ShadowPatch& patch) const;
   [[nodiscard]] bool bent(const Illumination& lit, const ShadowPatch& patch) const;
   [[nodiscard]] double sampling_error_let_pass(const Illumination& lit) const;
   [[nodiscard]] std::size_t most_entries_for_samples() const;

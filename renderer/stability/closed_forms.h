@@ -13,6 +13,9 @@ namespace asos::stability {
 
 /// Half a unit in the last place of a float near 1: the relative error of one rounding.
 inline constexpr double rounding = 5.9604644775390625e-8;
+/// Where the bound on the edges in a pixel comes from; see RoundingCase.
+inline constexpr const char* rounding_reason =
+    "16 roundings of float32 (vertex, eye, ray and its test) move each of the edges in a pixel";
 /// The radiance of what no surface covers; see renderer/shading/environment.h.
 inline constexpr double background = 0.35;
 

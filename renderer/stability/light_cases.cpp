@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr const char* group = "lights";
+constexpr const char* light_group = "lights";
 
 Light light_at(Light::Type type, glm::dvec3 position, float intensity = 1.0f) {
   Light light;
@@ -60,7 +60,7 @@ const char* const closed = "the closed form is exact";
 
 Case under(const std::string& name, const LightMeter& meter, double lux,
            const Measure& measure = {"illuminance at the origin, lux", 0.0, closed}) {
-  return {name, group, true, [=] { return meter.measure(measure, lux); }};
+  return {name, light_group, true, [=] { return meter.measure(measure, lux); }};
 }
 
 /// A disk of one nit straight above.
@@ -68,7 +68,7 @@ double disk_lux(double height, double radius) {
   return pi * radius * radius / (radius * radius + height * height);
 }
 
-void add_sizes(std::vector<Case>& cases) {
+void add_light_sizes(std::vector<Case>& cases) {
   cases.push_back(under("a point light", {{light_at(Light::Type::point, {0, 2, 0})}, {}}, 0.25));
   cases.push_back(under("a ball of radius 0 is a point", {{ball({0, 2, 0}, 0.0)}, {}}, 0.25));
   cases.push_back(under("a ball of radius 1e-12", {{ball({0, 2, 0}, 1e-12)}, {}}, pi * 2.5e-25));
@@ -194,7 +194,7 @@ void add_strengths(std::vector<Case>& cases) {
 
 std::vector<Case> light_cases() {
   std::vector<Case> cases;
-  add_sizes(cases);
+  add_light_sizes(cases);
   add_cones(cases);
   add_places(cases);
   add_strengths(cases);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,10 +16,7 @@
 namespace asos::stability {
 namespace {
 
-constexpr const char* group = "materials";
-constexpr int side = 8;
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr const char* material_group = "materials";
 
 /// A wall of a material that fills the picture, under one lux from the camera's side.
 Scene wall(const Material& material) {
@@ -34,12 +30,12 @@ Scene wall(const Material& material) {
 
 /// A scene whose every sample is not finite: they are dropped and counted, and pixels are black.
 Case overflowing(const std::string& name, const std::function<Scene()>& make) {
-  return {name, group, true, [make] {
+  return {name, material_group, true, [make] {
             return one_value(
                 {"pixels of 64 that are black, with samples counted as dropped", 0.0,
                  "samples that are not finite are left out of their pixel and counted; a pixel "
                  "without any other is black"},
-                64.0, render(make(), settings_of(side, side)), [](const Picture& p) {
+                64.0, render(make(), settings_of(small_side, small_side)), [](const Picture& p) {
                   if (p.statistics.rejected_samples < p.film.radiance.size()) return 0.0;
                   return static_cast<double>(
                       std::count(p.film.radiance.begin(), p.film.radiance.end(), glm::vec3(0.0f)));
@@ -67,20 +63,21 @@ void add_overflow(std::vector<Case>& cases) {
     scene.meshes[0].colors.assign(4, glm::vec4(not_a_number));
     return scene;
   }));
-  cases.push_back({"a light that is not a number gives nothing", group, true, [] {
+  cases.push_back({"a light that is not a number gives nothing", material_group, true, [] {
                      Scene scene = wall(matte(0.5f));
-                     const auto lit = render(scene, settings_of(side, side));
+                     const auto lit = render(scene, settings_of(small_side, small_side));
                      scene.lights.push_back(scene.lights[0]);
                      scene.lights[1].intensity = not_a_number;
                      return one_value({"pixels that are black or as without that light", 0.0,
                                        "a sample that is not finite is dropped and counted, and "
                                        "never shown"},
-                                      64.0, render(scene, settings_of(side, side)),
+                                      64.0, render(scene, settings_of(small_side, small_side)),
                                       [&](const Picture& p) {
                                         int sound = 0;
-                                        for (int i = 0; lit && i < side * side; ++i) {
-                                          const double got = p.at(i % side, i / side);
-                                          sound += got == 0.0 || got == lit->at(i % side, i / side);
+                                        for (int i = 0; lit && i < small_side * small_side; ++i) {
+                                          const double got = p.at(i % small_side, i / small_side);
+                                          sound += got == 0.0 ||
+                                                   got == lit->at(i % small_side, i / small_side);
                                         }
                                         return static_cast<double>(sound);
                                       });
@@ -89,7 +86,7 @@ void add_overflow(std::vector<Case>& cases) {
 
 /// A material under the sky alone never gives more light than it gets.
 Case under_sky(const std::string& name, const Material& material) {
-  return {name, group, true, [material] {
+  return {name, material_group, true, [material] {
             Scene scene = wall(material);
             scene.lights[0].direction = {0, 0, 1};
             scene.materials[0].double_sided = true;
@@ -97,8 +94,21 @@ Case under_sky(const std::string& name, const Material& material) {
             return worst_pixel({"radiance of the worst of 8x8 pixels", 0.5 * sky + 8.0 * rounding,
                                 "from nothing to all of the sky's light, 0.6 of 0.35: half of it "
                                 "either way"},
-                               render(scene, settings_of(side, side)),
+                               render(scene, settings_of(small_side, small_side)),
                                [sky](int, int) { return 0.5 * sky; });
+          }};
+}
+
+// White metal that is smooth returns all of the sky.
+Case mirrors_sky(std::string name, const Material& material) {
+  return {std::move(name), material_group, true, [material] {
+            Scene scene = wall(material);
+            scene.lights[0].direction = {0, 0, 1};
+            scene.materials[0].double_sided = true;
+            return worst_pixel({"radiance of the worst of 8x8 pixels", 16.0 * rounding,
+                                "all of the sky's light, 0.35, but for rounding"},
+                               render(scene, settings_of(small_side, small_side)),
+                               [](int, int) { return background; });
           }};
 }
 
@@ -107,14 +117,15 @@ void add_factors(std::vector<Case>& cases) {
     Material material = matte(1.0f);
     material.roughness = roughness;
     material.metallic = 1.0f;
-    cases.push_back(under_sky(fmt::format("metal of roughness {:g}", roughness), material));
+    const std::string name = fmt::format("metal of roughness {:g}", roughness);
+    cases.push_back(roughness < 0.5f ? mirrors_sky(name, material) : under_sky(name, material));
   }
   for (const float ior : {0.0f, 1.0f, 1e9f}) {
     Material material = matte(1.0f);
     material.ior = ior;
     cases.push_back(under_sky(fmt::format("an index of refraction of {:g}", ior), material));
   }
-  cases.push_back({"grazing light on a grazing view of metal", group, true, [] {
+  cases.push_back({"grazing light on a grazing view of metal", material_group, true, [] {
                      Material metal = matte(1.0f);
                      metal.metallic = 1.0f;
                      metal.roughness = 0.0f;
@@ -123,7 +134,7 @@ void add_factors(std::vector<Case>& cases) {
                      scene.cameras[0] = look_at({-4, 0, 1e-3}, {0, 0, 0}, 20.0);
                      return one_value({"pixels of 64 that are finite and not below 0", 0.0,
                                        "light is finite and not negative"},
-                                      64.0, render(scene, settings_of(side, side)),
+                                      64.0, render(scene, settings_of(small_side, small_side)),
                                       [](const Picture& p) {
                                         return static_cast<double>(std::count_if(
                                             p.film.radiance.begin(), p.film.radiance.end(),
@@ -135,7 +146,7 @@ void add_factors(std::vector<Case>& cases) {
 /// `count` unlit layers of one opacity before the background.
 Case layers(const std::string& name, int count, float opacity, AlphaMode mode, double expected,
             const Measure& measure) {
-  return {name, group, true, [=] {
+  return {name, material_group, true, [=] {
             Scene scene = scene_of({}, look_at({0, 0, 4}, {0, 0, 0}, 50.0));
             Material material = unlit(1.0f);
             material.base_color.a = opacity;
@@ -144,7 +155,7 @@ Case layers(const std::string& name, int count, float opacity, AlphaMode mode, d
               const double z = -0.01 * i;
               place(scene, mesh_of({{-9, -9, z}, {9, -9, z}, {9, 9, z}, {-9, 9, z}}), material);
             }
-            return worst_pixel(measure, render(scene, settings_of(side, side)),
+            return worst_pixel(measure, render(scene, settings_of(small_side, small_side)),
                                [expected](int, int) { return expected; });
           }};
 }

@@ -21,22 +21,17 @@
 namespace asos::stability {
 namespace {
 
-constexpr const char* group = "meshes";
-constexpr int side = 16;
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
-const char* const rounding_reason =
-    "16 roundings of float32 (vertex, eye, ray and its test) move each of the edges in a pixel";
+constexpr const char* mesh_group = "meshes";
 
 /// A mesh that covers the tilted card and nothing else, against the card's closed form.
 Result<Outcome> card_of(const Mesh& mesh, const std::string& more = "") {
-  const PictureView view{card_camera(), side, side};
+  const PictureView view{card_camera(), picture_side, picture_side};
   Scene scene = scene_of({}, view.camera);
   place(scene, mesh, unlit(1.0f));
   const Face card = tilted_card();
   return worst_pixel({"radiance of the worst of 16x16 pixels",
                       rounding_bound(view, {1.5, 2.5, 2, 0.65}), rounding_reason + more},
-                     render(scene, settings_of(side, side)),
+                     render(scene, settings_of(picture_side, picture_side)),
                      [&](int x, int y) { return faces_radiance(view, {card}, x, y); });
 }
 
@@ -86,21 +81,23 @@ Mesh t_junctions(double step) {
 }
 
 void add_triangles(std::vector<Case>& cases) {
-  cases.push_back({"a card cut by slivers of aspect 1e6", group, true, [] {
+  cases.push_back({"a card cut by slivers of aspect 1e6", mesh_group, true, [] {
                      return card_of(strips({0.0, 0.3, 0.300001, 0.5, 0.500001, 0.500002, 1.0}));
                    }});
   cases.push_back(
-      {"a lone sliver of aspect 1e6 adds no more than its area", group, true, [] {
+      {"a lone sliver of aspect 1e6 adds no more than its area", mesh_group, true, [] {
          const Face sliver{{{-0.4375, 0, 0}, {0.4375, 0, 0}, {0.4375, 8.75e-7, 0}}, 1.0f};
-         const PictureView view{parallel({0, 1e-7, 1}, {0, 1e-7, 0}, 1.0), side, side};
-         return worst_pixel({"radiance of the worst of 16x16 pixels",
-                             rounding_bound(view, {0.5, 1.0, 3, 0.65}), rounding_reason},
-                            render(scene_of({sliver}, view.camera), settings_of(side, side)),
-                            [&](int x, int y) { return faces_radiance(view, {sliver}, x, y); });
+         const PictureView view{parallel({0, 1e-7, 1}, {0, 1e-7, 0}, 1.0), picture_side,
+                                picture_side};
+         return worst_pixel(
+             {"radiance of the worst of 16x16 pixels", rounding_bound(view, {0.5, 1.0, 3, 0.65}),
+              rounding_reason},
+             render(scene_of({sliver}, view.camera), settings_of(picture_side, picture_side)),
+             [&](int x, int y) { return faces_radiance(view, {sliver}, x, y); });
        }});
-  cases.push_back(
-      {"zero-area triangles on a card", group, true, [] { return card_of(with_zero_areas()); }});
-  cases.push_back({"a card of triangles that share no vertex", group, true, [] {
+  cases.push_back({"zero-area triangles on a card", mesh_group, true,
+                   [] { return card_of(with_zero_areas()); }});
+  cases.push_back({"a card of triangles that share no vertex", mesh_group, true, [] {
                      const Mesh shared = strips({0.0, 0.2, 0.4, 0.6, 0.8, 1.0});
                      Mesh soup;
                      for (const glm::uvec3 t : shared.triangles) {
@@ -110,24 +107,23 @@ void add_triangles(std::vector<Case>& cases) {
                      }
                      return card_of(soup);
                    }});
-  cases.push_back(
-      {"T-junctions at exact places", group, true, [] { return card_of(t_junctions(0.125)); }});
-  cases.push_back({"T-junctions off the edge by rounding", group, true, [] {
+  cases.push_back({"T-junctions at exact places", mesh_group, true,
+                   [] { return card_of(t_junctions(0.125)); }});
+  cases.push_back({"T-junctions off the edge by rounding", mesh_group, true, [] {
                      return card_of(t_junctions(0.137), "; a crack between is that wide at most");
                    }});
-  cases.push_back({"vertices at infinity that no triangle uses", group, true, [] {
+  cases.push_back({"vertices at infinity that no triangle uses", mesh_group, true, [] {
                      Mesh mesh = mesh_of(tilted_card().corners);
-                     const float infinite = std::numeric_limits<float>::infinity();
                      mesh.positions.emplace_back(infinite, -infinite, not_a_number);
                      mesh.normals.assign(5, glm::vec3(0, 0, 1));
                      return card_of(mesh);
                    }});
-  cases.push_back({"a vertex at infinity is refused", group, true, [] {
+  cases.push_back({"a vertex at infinity is refused", mesh_group, true, [] {
                      Mesh mesh = mesh_of(tilted_card().corners);
                      mesh.positions[1].x = std::numeric_limits<float>::infinity();
                      Scene scene = scene_of({}, card_camera());
                      place(scene, mesh, unlit(1.0f));
-                     const bool refused = !render(scene, settings_of(side, side));
+                     const bool refused = !render(scene, settings_of(picture_side, picture_side));
                      return plain_value({"refused with a reason (1: yes)", 0.0, "yes or no"}, 1.0,
                                         refused ? 1.0 : 0.0);
                    }});
@@ -155,31 +151,31 @@ Scene with_normals(const std::function<glm::vec3(glm::vec3)>& normal) {
 
 void add_normals(std::vector<Case>& cases) {
   const auto compare = [](const std::function<glm::vec3(glm::vec3)>& normal) {
-    const RenderSettings settings = settings_of(24, side);
+    const RenderSettings settings = settings_of(24, picture_side);
     const Scene sound = with_normals([](glm::vec3 n) { return n; });
     return worst_difference({"radiance of the pixel that differs most", 0.0,
                              "a normal that says nothing, or the opposite, gives way to the "
                              "triangle's own: the same bits"},
                             render(sound, settings), render(with_normals(normal), settings));
   };
-  cases.push_back({"normals that point inwards", group, true,
+  cases.push_back({"normals that point inwards", mesh_group, true,
                    [compare] { return compare([](glm::vec3 n) { return -n; }); }});
-  cases.push_back({"normals that are not numbers", group, true, [compare] {
+  cases.push_back({"normals that are not numbers", mesh_group, true, [compare] {
                      return compare([](glm::vec3) { return glm::vec3(not_a_number); });
                    }});
-  cases.push_back({"normals of length 0", group, true,
+  cases.push_back({"normals of length 0", mesh_group, true,
                    [compare] { return compare([](glm::vec3) { return glm::vec3(0.0f); }); }});
 }
 
 /// A mesh of one colour by ASOS, against exact visibility of another.
 Result<Outcome> against_beam(const Mesh& expected, const Mesh& mesh, bool double_sided) {
-  const PictureView view{look_at({1.5, 2.0, 4.0}, {0, 0, 0}, 40.0), side, side};
+  const PictureView view{look_at({1.5, 2.0, 4.0}, {0, 0, 0}, 40.0), picture_side, picture_side};
   const auto picture = [&](const Mesh& shown, Method method) {
     Scene scene = scene_of({}, view.camera);
     Material material = unlit(1.0f);
     material.double_sided = double_sided;
     place(scene, shown, material);
-    RenderSettings settings = settings_of(side, side, 5);
+    RenderSettings settings = settings_of(picture_side, picture_side, 5);
     settings.method = method;
     return render(scene, settings);
   };
@@ -199,7 +195,7 @@ Mesh turned_inside_out(Mesh mesh) {
 }
 
 void add_topology(std::vector<Case>& cases) {
-  cases.push_back({"a fan of seven blades on one edge", group, true, [] {
+  cases.push_back({"a fan of seven blades on one edge", mesh_group, true, [] {
                      Mesh fan;
                      fan.positions = {{0, -0.75f, 0}, {0, 0.75f, 0}};
                      for (int i = 0; i < 7; ++i) {
@@ -211,46 +207,46 @@ void add_topology(std::vector<Case>& cases) {
                    }});
   Mesh box;
   builtin::add_box(box, glm::vec3(-0.75f), glm::vec3(0.75f));
-  cases.push_back({"an open box", group, true, [box] {
+  cases.push_back({"an open box", mesh_group, true, [box] {
                      Mesh open = box;
                      open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 4);
                      return against_beam(open, open, true);
                    }});
-  cases.push_back({"a box turned inside out, single-sided", group, true,
+  cases.push_back({"a box turned inside out, single-sided", mesh_group, true,
                    [box] { return against_beam(box, turned_inside_out(box), false); }});
   cases.push_back(
-      {"a box mirrored by its node", group, true, [box] {
+      {"a box mirrored by its node", mesh_group, true, [box] {
          Scene scene = scene_of({}, look_at({1.5, 2.0, 4.0}, {0, 0, 0}, 40.0));
          Material material = unlit(1.0f);
          material.double_sided = false;
          place(scene, box, material);
-         const auto sound = render(scene, settings_of(side, side));
+         const auto sound = render(scene, settings_of(picture_side, picture_side));
          scene.instances[0].world_from_mesh = glm::scale(glm::dmat4(1.0), glm::dvec3(-1, 1, 1));
-         const PictureView view{scene.cameras[0], side, side};
+         const PictureView view{scene.cameras[0], picture_side, picture_side};
          return worst_difference({"radiance of the pixel that differs most",
                                   2.0 * rounding_bound(view, {1.5, 2.5, 3, 0.65}), rounding_reason},
-                                 sound, render(scene, settings_of(side, side)));
+                                 sound, render(scene, settings_of(picture_side, picture_side)));
        }});
   cases.push_back(
-      {"a box that its node squeezes flat", group, true, [] {
+      {"a box that its node squeezes flat", mesh_group, true, [] {
          Mesh cube;
          builtin::add_box(cube, glm::vec3(-0.5f), glm::vec3(0.5f));
-         const PictureView view{card_camera(), side, side};
+         const PictureView view{card_camera(), picture_side, picture_side};
          Scene scene = scene_of({}, view.camera);
          place(scene, cube, unlit(1.0f), glm::scale(glm::dmat4(1.0), glm::dvec3(1.1, 0.9, 0.0)));
          const Face flat{{{-0.55, -0.45, 0}, {0.55, -0.45, 0}, {0.55, 0.45, 0}, {-0.55, 0.45, 0}},
                          1.0f};
          return worst_pixel({"radiance of the worst of 16x16 pixels",
                              rounding_bound(view, {1.0, 2.5, 2, 0.65}), rounding_reason},
-                            render(scene, settings_of(side, side)),
+                            render(scene, settings_of(picture_side, picture_side)),
                             [&](int x, int y) { return faces_radiance(view, {flat}, x, y); });
        }});
-  cases.push_back({"a scene without any triangle", group, true, [] {
-                     return worst_pixel(
-                         {"radiance of the worst of 16x16 pixels", 2.0 * rounding,
-                          "the background's float, and nothing is computed"},
-                         render(scene_of({}, card_camera()), settings_of(side, side)),
-                         [](int, int) { return background; });
+  cases.push_back({"a scene without any triangle", mesh_group, true, [] {
+                     return worst_pixel({"radiance of the worst of 16x16 pixels", 2.0 * rounding,
+                                         "the background's float, and nothing is computed"},
+                                        render(scene_of({}, card_camera()),
+                                               settings_of(picture_side, picture_side)),
+                                        [](int, int) { return background; });
                    }});
 }
 
@@ -274,13 +270,13 @@ Result<Outcome> ball_in_a_pixel(int n, int max_level) {
 }
 
 void add_many(std::vector<Case>& cases) {
-  cases.push_back({"a ball of 131,072 triangles in one pixel", group, true,
+  cases.push_back({"a ball of 131,072 triangles in one pixel", mesh_group, true,
                    [] { return ball_in_a_pixel(128, 6); }});
-  cases.push_back({"a ball of 10 million triangles in one pixel", group, false,
+  cases.push_back({"a ball of 10 million triangles in one pixel", mesh_group, false,
                    [] { return ball_in_a_pixel(1119, 8); }});
   cases.push_back(
-      {"ten thousand nodes of one triangle each", group, true, [] {
-         const PictureView view{card_camera(), side, side};
+      {"ten thousand nodes of one triangle each", mesh_group, true, [] {
+         const PictureView view{card_camera(), picture_side, picture_side};
          Scene scene = scene_of({}, view.camera);
          const double step = 1.0 / 128.0;  // 100 x 50 squares of two triangles
          Mesh half = mesh_of({{0, 0, 0}, {step, 0, 0}, {0, step, 0}});
@@ -302,7 +298,7 @@ void add_many(std::vector<Case>& cases) {
                          1.0f};
          return worst_pixel({"radiance of the worst of 16x16 pixels",
                              rounding_bound(view, {1.0, 2.5, 2, 0.65}), rounding_reason},
-                            render(scene, settings_of(side, side)),
+                            render(scene, settings_of(picture_side, picture_side)),
                             [&](int x, int y) { return faces_radiance(view, {card}, x, y); });
        }});
 }

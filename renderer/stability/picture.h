@@ -13,6 +13,10 @@
 
 namespace asos::stability {
 
+/// The pixels along each side of most cases' pictures, and of those of materials and textures.
+inline constexpr int picture_side = 16;
+inline constexpr int small_side = 8;
+
 /// A picture of a scene by its first camera, and what was met on the way.
 struct Picture {
   Film film;

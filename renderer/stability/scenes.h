@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,10 @@
 // Makers of small scenes for the cases.
 
 namespace asos::stability {
+
+// What a file may hold and no surface should have.
+inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// A flat convex surface of one colour that is shown as it is, whatever the light.
 struct Face {

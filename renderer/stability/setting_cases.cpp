@@ -17,15 +17,11 @@
 namespace asos::stability {
 namespace {
 
-constexpr const char* group = "settings";
-constexpr int side = 16;
-
-const char* const rounding_reason =
-    "16 roundings of float32 (vertex, eye, ray and its test) move each of the edges in a pixel";
+constexpr const char* setting_group = "settings";
 
 Case refused(const std::string& name, const std::string& subject, void (*change)(RenderSettings&)) {
-  return {name + " is refused", group, true, [subject, change]() -> Result<Outcome> {
-            RenderSettings settings = settings_of(side, side);
+  return {name + " is refused", setting_group, true, [subject, change]() -> Result<Outcome> {
+            RenderSettings settings = settings_of(picture_side, picture_side);
             change(settings);
             const auto answer = validated(settings);
             const bool named = !answer && answer.error().subject == subject;
@@ -86,17 +82,18 @@ Scene comb(int teeth) {
 
 void add_levels(std::vector<Case>& cases) {
   for (const int max : {0, 8}) {
-    cases.push_back({fmt::format("a straight edge at MAX {}, EPS 0", max), group, true, [max] {
-                       return face_under(half_plane(), settings_of(side, side, max), 0.0,
-                                         "; a straight edge is exact at any level");
-                     }});
+    cases.push_back(
+        {fmt::format("a straight edge at MAX {}, EPS 0", max), setting_group, true, [max] {
+           return face_under(half_plane(), settings_of(picture_side, picture_side, max), 0.0,
+                             "; a straight edge is exact at any level");
+         }});
   }
-  cases.push_back({"a card at MAX 8, EPS 0", group, true, [] {
-                     return face_under(tilted_card(), settings_of(side, side, 8),
+  cases.push_back({"a card at MAX 8, EPS 0", setting_group, true, [] {
+                     return face_under(tilted_card(), settings_of(picture_side, picture_side, 8),
                                        std::ldexp(1.0, -16),
                                        "; the finest cell at a corner may stay unresolved");
                    }});
-  cases.push_back({"nothing is split at EPS 1", group, true, [] {
+  cases.push_back({"nothing is split at EPS 1", setting_group, true, [] {
                      RenderSettings settings = settings_of(1, 1, 8);
                      settings.eps = 1.0;
                      return one_value(
@@ -106,15 +103,15 @@ void add_levels(std::vector<Case>& cases) {
                          });
                    }});
   for (const int fat : {2, 16}) {
-    cases.push_back({fmt::format("fat pyrays of {0}x{0} pixels", fat), group, true, [fat] {
+    cases.push_back({fmt::format("fat pyrays of {0}x{0} pixels", fat), setting_group, true, [fat] {
                        RenderSettings settings = settings_of(37, 19, 5);
                        settings.fat = fat;
                        return face_under(tilted_card(), settings, std::ldexp(1.0, -10),
                                          "; the finest cell at a corner may stay unresolved");
                      }});
   }
-  cases.push_back({"the published rule and point leaves at MAX 6, EPS 0", group, true, [] {
-                     RenderSettings settings = settings_of(side, side, 6);
+  cases.push_back({"the published rule and point leaves at MAX 6, EPS 0", setting_group, true, [] {
+                     RenderSettings settings = settings_of(picture_side, picture_side, 6);
                      settings.method = Method::asos_published;
                      return face_under(tilted_card(), settings, 4.0 / 64.0,
                                        "; a convex outline crosses at most 4 times 2^MAX finest "
@@ -124,8 +121,8 @@ void add_levels(std::vector<Case>& cases) {
 
 void add_alternating(std::vector<Case>& cases) {
   for (const int max : {0, 3, 8}) {
-    cases.push_back({fmt::format("an object that is in and out 1024 times, MAX {}", max), group,
-                     true, [max]() -> Result<Outcome> {
+    cases.push_back({fmt::format("an object that is in and out 1024 times, MAX {}", max),
+                     setting_group, true, [max]() -> Result<Outcome> {
                        const auto picture = render(comb(1024), settings_of(1, 1, max));
                        if (!picture) return unexpected(picture.error());
                        const double left = picture->statistics.unresolved_area;
@@ -135,7 +132,7 @@ void add_alternating(std::vector<Case>& cases) {
                            0.5 * (background + 1.0), picture,
                            [](const Picture& p) { return p.at(0, 0); });
                      }});
-    cases.push_back({fmt::format("the same stops at MAX {}", max), group, true, [max] {
+    cases.push_back({fmt::format("the same stops at MAX {}", max), setting_group, true, [max] {
                        return one_value({"deepest level beyond MAX", 0.0, "MAX is the last level"},
                                         0.0, render(comb(1024), settings_of(1, 1, max)),
                                         [max](const Picture& p) {
@@ -148,18 +145,18 @@ void add_alternating(std::vector<Case>& cases) {
 void add_same(std::vector<Case>& cases) {
   const Measure bits{"radiance of the pixel that differs most", 0.0,
                      "the same work in another order: no bit may differ"};
-  cases.push_back({"one worker and seven", group, true, [bits] {
-                     RenderSettings settings = settings_of(24, side);
+  cases.push_back({"one worker and seven", setting_group, true, [bits] {
+                     RenderSettings settings = settings_of(24, picture_side);
                      const auto one = render(still_life(), settings);
                      settings.threads = 7;
                      return worst_difference(bits, one, render(still_life(), settings));
                    }});
-  cases.push_back({"the same picture twice", group, true, [bits] {
-                     const RenderSettings settings = settings_of(24, side);
+  cases.push_back({"the same picture twice", setting_group, true, [bits] {
+                     const RenderSettings settings = settings_of(24, picture_side);
                      return worst_difference(bits, render(still_life(), settings),
                                              render(still_life(), settings));
                    }});
-  cases.push_back({"65536 Sobol points in one pixel", group, true, [] {
+  cases.push_back({"65536 Sobol points in one pixel", setting_group, true, [] {
                      RenderSettings settings = settings_of(1, 1);
                      settings.method = Method::sobol;
                      settings.spp = 65536;

@@ -13,7 +13,7 @@
 namespace asos::stability {
 namespace {
 
-constexpr const char* group = "shadows";
+constexpr const char* shadow_group = "shadows";
 
 /// A square light of side 2 and one nit, 2 above the origin.
 Light panel() {
@@ -69,33 +69,34 @@ Result<Outcome> wall_beside(double x, double height, double seen_from) {
 void add_edges(std::vector<Case>& cases) {
   // Powers of two, or sums of few.
   for (const double y : {1.9990234375, 1.0, 0.0078125, 0.0001220703125}) {
-    cases.push_back({fmt::format("a light partly behind an edge {:.4g} above the point", y), group,
-                     true, [y] { return edge_above(y); }});
+    cases.push_back({fmt::format("a light partly behind an edge {:.4g} above the point", y),
+                     shadow_group, true, [y] { return edge_above(y); }});
   }
   const double x = -0.0001220703125;
-  cases.push_back({"a wall that stands on the floor 1e-4 beside the point", group, true,
+  cases.push_back({"a wall that stands on the floor 1e-4 beside the point", shadow_group, true,
                    [x] { return wall_beside(x, 1.0, 2.0 * x); }});
-  cases.push_back({"a wall 1e-4 beside the point that passes through the light", group, true,
+  cases.push_back({"a wall 1e-4 beside the point that passes through the light", shadow_group, true,
                    [x] { return wall_beside(x, 8.0, x); }});
 }
 
 void add_thin(std::vector<Case>& cases) {
   for (const double width : {1e-1, 1e-3, 1e-4}) {
-    cases.push_back({fmt::format("a wire {:g} wide before a light", width), group, true, [width] {
-                       const LightMeter meter{{panel()}, {strip(0.25, 0.25 + width, 1.0)}};
-                       const double lux = strip_lux(-1.0, 1.0) - strip_lux(0.5, 0.5 + 2.0 * width);
-                       // The wire's length does not move its edges, which lie within 1 of the
-                       // middle.
-                       return meter.measure(edge_measure(1.0, 1.0), lux);
-                     }});
+    cases.push_back(
+        {fmt::format("a wire {:g} wide before a light", width), shadow_group, true, [width] {
+           const LightMeter meter{{panel()}, {strip(0.25, 0.25 + width, 1.0)}};
+           const double lux = strip_lux(-1.0, 1.0) - strip_lux(0.5, 0.5 + 2.0 * width);
+           // The wire's length does not move its edges, which lie within 1 of the
+           // middle.
+           return meter.measure(edge_measure(1.0, 1.0), lux);
+         }});
   }
-  cases.push_back({"a blocker of no area", group, true, [] {
+  cases.push_back({"a blocker of no area", shadow_group, true, [] {
                      const LightMeter meter{{panel()}, {strip(0.25, 0.25, 1.0)}};
                      return meter.measure(
                          {"illuminance at the origin, lux", 0.0, "what has no area hides nothing"},
                          strip_lux(-1.0, 1.0));
                    }});
-  cases.push_back({"a blocker in the light's own plane", group, true, [] {
+  cases.push_back({"a blocker in the light's own plane", shadow_group, true, [] {
                      const LightMeter meter{{panel()}, {strip(0.25, 0.5, 2.0)}};
                      // Whether it hides what it coincides with is not defined.
                      const double all = strip_lux(-1.0, 1.0);
@@ -106,13 +107,13 @@ void add_thin(std::vector<Case>& cases) {
                           "half of it either way"},
                          all - 0.5 * hidden);
                    }});
-  cases.push_back({"a blocker 1e-4 beyond the light", group, true, [] {
+  cases.push_back({"a blocker 1e-4 beyond the light", shadow_group, true, [] {
                      const LightMeter meter{{panel()}, {strip(0.25, 0.5, 2.0001220703125)}};
                      return meter.measure({"illuminance at the origin, lux", 0.0,
                                            "what lies behind a light hides nothing of it"},
                                           strip_lux(-1.0, 1.0));
                    }});
-  cases.push_back({"a blocker 1e-4 before the light", group, true, [] {
+  cases.push_back({"a blocker 1e-4 before the light", shadow_group, true, [] {
                      const double y = 1.9998779296875;
                      const LightMeter meter{{panel()}, {strip(0.25, 0.5, y)}};
                      const double lux = strip_lux(-1.0, 1.0) - strip_lux(0.5 / y, 1.0 / y);
@@ -122,7 +123,7 @@ void add_thin(std::vector<Case>& cases) {
 
 void add_full(std::vector<Case>& cases) {
   cases.push_back(
-      {"a light wholly hidden by what stands 1e-3 above", group, true, [] {
+      {"a light wholly hidden by what stands 1e-3 above", shadow_group, true, [] {
          LightMeter meter{{panel()}, {}};
          // Beside the pixel, which the camera sees; the light does not.
          meter.lights[0].position.x = 4.0;
@@ -130,7 +131,7 @@ void add_full(std::vector<Case>& cases) {
          return meter.measure(
              {"illuminance at the origin, lux", 0.0, "the blocker hides all of the light"}, 0.0);
        }});
-  cases.push_back({"a thousand blockers behind one another", group, true, [] {
+  cases.push_back({"a thousand blockers behind one another", shadow_group, true, [] {
                      LightMeter meter{{panel()}, {}};
                      for (int i = 0; i < 1000; ++i) {
                        const double y = 0.5 + 0.001 * i;

@@ -16,8 +16,7 @@
 namespace asos::stability {
 namespace {
 
-constexpr const char* group = "textures";
-constexpr int side = 8;
+constexpr const char* texture_group = "textures";
 
 /// Greys in a row.
 Image row(const std::vector<std::uint8_t>& greys) {
@@ -65,8 +64,9 @@ struct Textured {
 /// One radiance all over the picture.
 Case level(const std::string& name, const Textured& textured, double expected,
            const Measure& measure) {
-  return {name, group, true, [=] {
-            return worst_pixel(measure, render(textured.scene(), settings_of(side, side)),
+  return {name, texture_group, true, [=] {
+            return worst_pixel(measure,
+                               render(textured.scene(), settings_of(small_side, small_side)),
                                [expected](int, int) { return expected; });
           }};
 }
@@ -81,7 +81,7 @@ const Measure any_mean{worst, 0.5 * (1.0 - grey_188) + 1.0 / 65536.0,
                        "right, kept to 16 bits"};
 const double middle_grey = 0.5 * (grey_188 + 1.0);
 
-void add_sizes(std::vector<Case>& cases) {
+void add_texture_sizes(std::vector<Case>& cases) {
   cases.push_back(level("a texture of 1x1", {row({188})}, grey_188, exact));
   cases.push_back(level("a texture of 1x1, seen 1e6 times over",
                         {row({188}), glm::vec2(0.0f), glm::vec2(1e6f)}, grey_188, exact));
@@ -90,8 +90,8 @@ void add_sizes(std::vector<Case>& cases) {
   cases.push_back(level("the same through 1e4 repeats",
                         {black_and_white(16384), glm::vec2(0.0f), glm::vec2(1e4f)}, 0.5, averaged));
   cases.push_back(
-      {"a texture 16384 wide, sampled at points", group, true, [] {
-         RenderSettings settings = settings_of(side, side);
+      {"a texture 16384 wide, sampled at points", texture_group, true, [] {
+         RenderSettings settings = settings_of(small_side, small_side);
          settings.texture_filter = TextureFilter::point;
          std::vector<std::uint8_t> greys(16384, 255);
          for (std::size_t i = 0; i < greys.size(); i += 2) greys[i] = 188;
@@ -103,7 +103,6 @@ void add_sizes(std::vector<Case>& cases) {
 }
 
 void add_coordinates(std::vector<Case>& cases) {
-  const float infinite = std::numeric_limits<float>::infinity();
   const Image two = row({188, 255});
   cases.push_back(level("coordinates of 1e8", {two, glm::vec2(1e8f)}, middle_grey, any_mean));
   cases.push_back(level("coordinates from -1e30 to 1e30",
@@ -115,7 +114,7 @@ void add_coordinates(std::vector<Case>& cases) {
                         any_mean));
   cases.push_back(
       level("coordinates that are infinite", {two, glm::vec2(infinite)}, middle_grey, any_mean));
-  cases.push_back({"coordinates moved by 1024 repeats", group, true, [] {
+  cases.push_back({"coordinates moved by 1024 repeats", texture_group, true, [] {
                      // A ramp that returns to where it began; 8 texels under each pixel.
                      std::vector<std::uint8_t> ramp;
                      for (int i = 0; i < 64; ++i)
@@ -129,8 +128,8 @@ void add_coordinates(std::vector<Case>& cases) {
                          {"radiance of the pixel that differs most", bound + 2.0 / 65536.0,
                           "8 roundings of coordinates of 1024, 64 texels a repeat, each step of at "
                           "most 0.0714; and means of 16 bits"},
-                         render(at_zero.scene(), settings_of(side, side)),
-                         render(moved.scene(), settings_of(side, side)));
+                         render(at_zero.scene(), settings_of(small_side, small_side)),
+                         render(moved.scene(), settings_of(small_side, small_side)));
                    }});
 }
 
@@ -147,7 +146,7 @@ void add_transforms(std::vector<Case>& cases) {
   glm::mat3 huge(1e30f);
   cases.push_back(level("a transform by 1e30", {two, glm::vec2(0.0f), glm::vec2(1.0f), huge},
                         middle_grey, any_mean));
-  cases.push_back({"a normal map on coordinates that are all one point", group, true, [] {
+  cases.push_back({"a normal map on coordinates that are all one point", texture_group, true, [] {
                      Textured textured{row({40, 200})};
                      textured.span = glm::vec2(0.0f);
                      Scene scene = textured.scene();
@@ -156,26 +155,26 @@ void add_transforms(std::vector<Case>& cases) {
                      sun.type = Light::Type::directional;
                      sun.direction = glm::normalize(glm::dvec3(1, 2, -3));
                      scene.lights.push_back(sun);
-                     const auto plain = render(scene, settings_of(side, side));
+                     const auto plain = render(scene, settings_of(small_side, small_side));
                      scene.materials[0].normal_texture.texture = 0;
                      return worst_difference(
                          {"radiance of the pixel that differs most", 8.0 * rounding,
                           "no direction of the map is known, so that the "
                           "surface's own normal stays"},
-                         plain, render(scene, settings_of(side, side)));
+                         plain, render(scene, settings_of(small_side, small_side)));
                    }});
-  cases.push_back({"a normal map that points into the surface", group, true, [] {
+  cases.push_back({"a normal map that points into the surface", texture_group, true, [] {
                      Scene scene = Textured{row({0, 0})}.scene();
                      scene.materials[0] = matte(0.5f);
                      Light sun;
                      sun.type = Light::Type::directional;
                      scene.lights.push_back(sun);
-                     const auto plain = render(scene, settings_of(side, side));
+                     const auto plain = render(scene, settings_of(small_side, small_side));
                      scene.materials[0].normal_texture.texture = 0;
                      return worst_difference(
                          {"radiance of the pixel that differs most", 8.0 * rounding,
                           "a normal below the surface is not followed"},
-                         plain, render(scene, settings_of(side, side)));
+                         plain, render(scene, settings_of(small_side, small_side)));
                    }});
 }
 
@@ -183,7 +182,7 @@ void add_transforms(std::vector<Case>& cases) {
 
 std::vector<Case> texture_cases() {
   std::vector<Case> cases;
-  add_sizes(cases);
+  add_texture_sizes(cases);
   add_coordinates(cases);
   add_transforms(cases);
   return cases;

@@ -16,10 +16,7 @@
 namespace asos::stability {
 namespace {
 
-constexpr const char* group = "views";
-
-const char* const rounding_reason =
-    "16 roundings of float32 (vertex, eye, ray and its test) move each of the edges in a pixel";
+constexpr const char* view_group = "views";
 
 struct Shot {
   std::vector<Face> faces;
@@ -47,33 +44,33 @@ Face ground(double near, double far, float colour = 1.0f) {
 
 void add_grazing(std::vector<Case>& cases) {
   for (const double degrees : {89.0, 89.99, 89.9999}) {
-    cases.push_back(
-        {fmt::format("a card seen at {} degrees from its normal", degrees), group, true, [degrees] {
-           const double a = glm::radians(degrees);
-           const glm::dvec3 eye = 4.0 * glm::dvec3(0.0, std::sin(a), std::cos(a));
-           // Zoomed in until the card's apparent height is some pixels, or an eighth of
-           // a degree fills one: beyond that floats do not tell rays apart.
-           const double fov = std::max(std::cos(a), 0.02);
-           Shot shot{{tilted_card()},
-                     look_at(eye, {0, 0, 0}, glm::degrees(fov)),
-                     settings_of(8, 8),
-                     {1.5, 2.5, 3, 0.65, 4.0}};
-           shot.reason =
-               "the card's corners are exact in float32 and areas are worked "
-               "out in double: only the colour of a part that is thinner "
-               "than 4 roundings (vertex, eye, two of the ray's direction) "
-               "may be wrong";
-           return shoot(shot);
-         }});
+    cases.push_back({fmt::format("a card seen at {} degrees from its normal", degrees), view_group,
+                     true, [degrees] {
+                       const double a = glm::radians(degrees);
+                       const glm::dvec3 eye = 4.0 * glm::dvec3(0.0, std::sin(a), std::cos(a));
+                       // Zoomed in until the card's apparent height is some pixels, or an eighth of
+                       // a degree fills one: beyond that floats do not tell rays apart.
+                       const double fov = std::max(std::cos(a), 0.02);
+                       Shot shot{{tilted_card()},
+                                 look_at(eye, {0, 0, 0}, glm::degrees(fov)),
+                                 settings_of(8, 8),
+                                 {1.5, 2.5, 3, 0.65, 4.0}};
+                       shot.reason =
+                           "the card's corners are exact in float32 and areas are worked "
+                           "out in double: only the colour of a part that is thinner "
+                           "than 4 roundings (vertex, eye, two of the ray's direction) "
+                           "may be wrong";
+                       return shoot(shot);
+                     }});
   }
-  cases.push_back({"a horizon through the only pixel", group, true, [] {
+  cases.push_back({"a horizon through the only pixel", view_group, true, [] {
                      return shoot({{ground(10.0, 1e6)},
                                    look_at({0, 1.5, 0}, {0, 1.5, -1}, 50.0),
                                    settings_of(1, 1),
                                    {1e6, 1e6, 2, 0.65}});
                    }});
   cases.push_back(
-      {"a horizon tilted through 8x8 pixels", group, true, [] {
+      {"a horizon tilted through 8x8 pixels", view_group, true, [] {
          Camera camera = look_at({0, 1.5, 0}, {0, 1.2, -1}, 50.0);
          const glm::dvec4 right = camera.world_from_camera[0];
          const glm::dvec4 up = camera.world_from_camera[1];
@@ -81,7 +78,7 @@ void add_grazing(std::vector<Case>& cases) {
          camera.world_from_camera[1] = 0.96 * up - 0.28 * right;
          return shoot({{ground(10.0, 1e6)}, camera, settings_of(8, 8), {1e6, 1e6, 3, 0.65}});
        }});
-  cases.push_back({"the camera in the plane of a card", group, true, [] {
+  cases.push_back({"the camera in the plane of a card", view_group, true, [] {
                      return shoot({{ground(-1.0, 8.0)},
                                    look_at({0, 0, 0}, {0, 0, -1}, 50.0),
                                    settings_of(8, 8),
@@ -91,7 +88,7 @@ void add_grazing(std::vector<Case>& cases) {
 
 void add_fields(std::vector<Case>& cases) {
   for (const double fov : {0.001, 0.1, 150.0, 179.0, 179.9}) {
-    cases.push_back({fmt::format("a field of view of {} degrees", fov), group, true, [fov] {
+    cases.push_back({fmt::format("a field of view of {} degrees", fov), view_group, true, [fov] {
                        // The card's height is two thirds of the picture's. Rays from far away start
                        // within twice the scene's size, and lose no more than that has digits.
                        const double distance = 1.5 / std::tan(0.5 * glm::radians(fov));
@@ -101,7 +98,7 @@ void add_fields(std::vector<Case>& cases) {
                                      {4.5, distance, 2, 0.65}});
                      }});
   }
-  cases.push_back({"parallel rays, a picture 1e-6 high", group, true, [] {
+  cases.push_back({"parallel rays, a picture 1e-6 high", view_group, true, [] {
                      Face card = tilted_card();
                      for (glm::dvec3& p : card.corners) p *= 1.0 / (1 << 21);
                      return shoot({{card},
@@ -111,12 +108,12 @@ void add_fields(std::vector<Case>& cases) {
                    }});
 }
 
-void add_sizes(std::vector<Case>& cases) {
+void add_view_sizes(std::vector<Case>& cases) {
   cases.push_back(
-      {"a picture of 1x1", group, true, [] {
+      {"a picture of 1x1", view_group, true, [] {
          return shoot({{tilted_card()}, card_camera(), settings_of(1, 1), {1.5, 2.5, 4, 0.65}});
        }});
-  cases.push_back({"24x24 of a picture of 16384x16384", group, true, [] {
+  cases.push_back({"24x24 of a picture of 16384x16384", view_group, true, [] {
                      RenderSettings settings = settings_of(16384, 16384);
                      // Around the card's rightmost corner.
                      const PictureView view{card_camera(), 16384, 16384};
@@ -126,12 +123,12 @@ void add_sizes(std::vector<Case>& cases) {
                                       static_cast<int>(8192.0 - scale * corner.y) - 12, 24, 24};
                      return shoot({{tilted_card()}, view.camera, settings, {1.5, 4.0, 2, 0.65}});
                    }});
-  cases.push_back({"a picture of 32768x1, its middle", group, true, [] {
+  cases.push_back({"a picture of 32768x1, its middle", view_group, true, [] {
                      RenderSettings settings = settings_of(32768, 1);
                      settings.crop = {16376, 0, 16, 1};
                      return shoot({{tilted_card()}, card_camera(), settings, {1.5, 4.0, 4, 0.65}});
                    }});
-  cases.push_back({"a crop is that part of the whole", group, true, [] {
+  cases.push_back({"a crop is that part of the whole", view_group, true, [] {
                      RenderSettings settings = settings_of(24, 16);
                      const Result<Picture> whole = render(still_life(), settings);
                      settings.crop = {5, 3, 11, 9};
@@ -187,7 +184,7 @@ Result<Outcome> boxes() {
 }
 
 void add_tiny(std::vector<Case>& cases) {
-  cases.push_back({"a whole scene of 16 cards inside one pixel", group, true, [] {
+  cases.push_back({"a whole scene of 16 cards inside one pixel", view_group, true, [] {
                      return one_value({"radiance of the pixel", 0.65 * 16.0 * 4.0 / 1024.0,
                                        "MAX 5: the four corners of each of 16 cards may leave a "
                                        "finest cell of 1/1024 pixel each unresolved"},
@@ -195,7 +192,7 @@ void add_tiny(std::vector<Case>& cases) {
                                       only_pixel);
                    }});
   cases.push_back(
-      {"a whole scene of 4096 cards inside one pixel", group, true, []() -> Result<Outcome> {
+      {"a whole scene of 4096 cards inside one pixel", view_group, true, []() -> Result<Outcome> {
          const auto picture = render(grid_of_cards(64), settings_of(1, 1, 5));
          if (!picture) return unexpected(picture.error());
          return one_value({"radiance of the pixel", 0.65 * picture->statistics.unresolved_area,
@@ -203,7 +200,7 @@ void add_tiny(std::vector<Case>& cases) {
                            "that the program says stayed unresolved, times the contrast"},
                           grid_radiance, picture, only_pixel);
        }});
-  cases.push_back({"the same with jittered samples", group, true, [] {
+  cases.push_back({"the same with jittered samples", view_group, true, [] {
                      RenderSettings settings = settings_of(1, 1, 5);
                      settings.jitter = true;
                      return one_value(
@@ -213,11 +210,12 @@ void add_tiny(std::vector<Case>& cases) {
                           "their mean"},
                          grid_radiance, render(grid_of_cards(64), settings), only_pixel);
                    }});
-  cases.push_back({"the built-in boxes inside one pixel", group, true, [] { return boxes(); }});
+  cases.push_back(
+      {"the built-in boxes inside one pixel", view_group, true, [] { return boxes(); }});
   for (const double distance : {1e2, 1e4, 1e5, 1e6}) {
     cases.push_back(
-        {fmt::format("a scene that is a speck in its pixel, seen from {:g}", distance), group, true,
-         [distance] {
+        {fmt::format("a scene that is a speck in its pixel, seen from {:g}", distance), view_group,
+         true, [distance] {
            const Camera camera = look_at({0, 0, distance}, {0, 0, 0}, 50.0);
            return shoot({{tilted_card()}, camera, settings_of(1, 1), {1.5, distance, 4, 0.65}});
          }});
@@ -230,7 +228,7 @@ std::vector<Case> view_cases() {
   std::vector<Case> cases;
   add_grazing(cases);
   add_fields(cases);
-  add_sizes(cases);
+  add_view_sizes(cases);
   add_tiny(cases);
   return cases;
 }

@@ -88,7 +88,7 @@ struct Ladder {
 };
 
 // clang-format off
-constexpr Ladder ladders[] = {
+constexpr Ladder all_ladders[] = {
     {"asos", asos_rungs, true},
     {"asos-published", published_rungs, true},
     {"uniform", sample_rungs, true},
@@ -104,7 +104,7 @@ constexpr Ladder ladders[] = {
 
 std::vector<std::string> methods_where(bool all) {
   std::vector<std::string> names;
-  for (const Ladder& ladder : ladders)
+  for (const Ladder& ladder : all_ladders)
     if ((all || ladder.by_default) && method_called(ladder.method)) names.push_back(ladder.method);
   return names;
 }
@@ -120,7 +120,7 @@ std::vector<std::string> default_methods() {
 }
 
 Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSettings& base) {
-  for (const Ladder& ladder : ladders)
+  for (const Ladder& ladder : all_ladders)
     if (method == ladder.method && method_called(method)) return ladder.make(method, base);
   std::string known;
   for (const std::string& name : ladder_methods()) known += (known.empty() ? "" : ", ") + name;

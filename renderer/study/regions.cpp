@@ -77,6 +77,7 @@ bool at_boundary(SplitCause cause) {
       return true;
     case SplitCause::none:
     case SplitCause::shadow:
+    case SplitCause::reflection:
     case SplitCause::shading:
       break;
   }
@@ -91,6 +92,9 @@ RenderSettings region_settings(RenderSettings settings) {
   fixed.height = settings.height;
   fixed.threads = settings.threads;
   fixed.shadows = settings.shadows;
+  fixed.reflections = settings.reflections;
+  fixed.roughest_mirror = settings.roughest_mirror;
+  fixed.dfr = settings.dfr;
   fixed.max_level = 4;
   return fixed;
 }

@@ -12,13 +12,13 @@
 namespace asos {
 namespace {
 
+using test::AsosRun;
 using test::contains;
-using test::Outcome;
 using test::run_asos;
 
 TEST(CommandLine, VersionAndHelpSucceedOnStdout) {
   for (const char* word : {"--version", "--help", "-h", "--help-all"}) {
-    const Outcome outcome = run_asos({word});
+    const AsosRun outcome = run_asos({word});
     EXPECT_EQ(outcome.exit_code, 0) << word;
     EXPECT_TRUE(contains(outcome.out, "asos")) << word;
     EXPECT_EQ(outcome.err, "") << word;
@@ -26,19 +26,20 @@ TEST(CommandLine, VersionAndHelpSucceedOnStdout) {
 }
 
 TEST(CommandLine, HelpNamesEveryCommand) {
-  const Outcome help = run_asos({"--help"});
+  const AsosRun help = run_asos({"--help"});
   for (const char* command : {"view", "render", "info", "export-scene", "list-scenes"})
     EXPECT_TRUE(contains(help.out, command));
 }
 
 TEST(CommandLine, RenderHelpNamesEveryOption) {
-  const Outcome help = run_asos({"render", "--help"});
+  const AsosRun help = run_asos({"render", "--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const char* option :
-       {"SCENE",      "-o",      "--size",     "--method",         "--max",          "--eps",
-        "--spp",      "--leaf",  "--jitter",   "--camera",         "--look-at",      "--fov",
-        "--threads",  "--crop",  "--exposure", "--split-map",      "--split-map-by", "--stats",
-        "--contrast", "--depth", "--spheres",  "--contrast-scale", "--quiet",        "Examples:"})
+       {"SCENE",      "-o",         "--size",     "--method",         "--max",          "--eps",
+        "--spp",      "--leaf",     "--jitter",   "--camera",         "--look-at",      "--fov",
+        "--threads",  "--crop",     "--exposure", "--split-map",      "--split-map-by", "--stats",
+        "--contrast", "--depth",    "--spheres",  "--contrast-scale", "--quiet",        "Examples:",
+        "--sky",      "--sky-turn", "--tr"})
     EXPECT_TRUE(contains(help.out, option));
 }
 
@@ -74,6 +75,11 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
       {"render", "builtin:boxes", "-o", "x.png", "--contrast-scale", "-1"},
       {"render", "builtin:boxes", "-o", "x.png", "--contrast-scale", "4.5"},
       {"render", "builtin:boxes", "-o", "x.png", "--leaf", "maple"},
+      {"render", "builtin:boxes", "-o", "x.png", "--tr", "0"},
+      {"render", "builtin:boxes", "-o", "x.png", "--tr", "9"},
+      {"render", "builtin:boxes", "-o", "x.png", "--sky", "blue"},
+      {"render", "builtin:boxes", "-o", "x.png", "--sky", "1,1,-1"},
+      {"render", "builtin:boxes", "-o", "x.png", "--sky-turn", "nan"},
       {"render", "builtin:boxes", "-o", "x.png", "--threads", "-2"},
       {"render", "builtin:boxes", "-o", "x.png", "--threads", "1000000"},
       {"render", "builtin:boxes", "-o", "x.png", "--camera", "-1"},
@@ -92,7 +98,7 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
       {"list-scenes", "more"},
   };
   for (const auto& words : cases) {
-    const Outcome outcome = run_asos(words);
+    const AsosRun outcome = run_asos(words);
     const std::string line = testing::PrintToString(words);
     EXPECT_EQ(outcome.exit_code, 2) << line << outcome.err;
     EXPECT_EQ(outcome.out, "") << line;
@@ -102,7 +108,7 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
 }
 
 TEST(CommandLine, ABadValueIsQuotedWithWhatWouldBeRight) {
-  const Outcome outcome = run_asos({"render", "builtin:boxes", "-o", "x.png", "--max", "9"});
+  const AsosRun outcome = run_asos({"render", "builtin:boxes", "-o", "x.png", "--max", "9"});
   EXPECT_TRUE(contains(outcome.err, "--max: \"9\": not a whole number from 0 to 8"));
 }
 
@@ -129,7 +135,7 @@ TEST(CommandLine, BadInputIsNamedOnStderrWithExitCodeOne) {
       {{"no/such/file.glb"}, "there is no such file"},
   };
   for (const auto& [words, message] : cases) {
-    const Outcome outcome = run_asos(words);
+    const AsosRun outcome = run_asos(words);
     const std::string line = testing::PrintToString(words);
     EXPECT_EQ(outcome.exit_code, 1) << line;
     EXPECT_EQ(outcome.out, "") << line;
@@ -141,13 +147,13 @@ TEST(CommandLine, BadInputIsNamedOnStderrWithExitCodeOne) {
 TEST(CommandLine, WithoutADisplayTheWindowSaysHowToRender) {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
-  const Outcome outcome = run_asos({"builtin:boxes", "--max", "2"});
+  const AsosRun outcome = run_asos({"builtin:boxes", "--max", "2"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(contains(outcome.err, "asos render 'builtin:boxes' -o picture.png"));
 }
 
 TEST(CommandLine, ListScenesNamesEachBuiltinScene) {
-  const Outcome outcome = run_asos({"list-scenes"});
+  const AsosRun outcome = run_asos({"list-scenes"});
   EXPECT_EQ(outcome.exit_code, 0);
   ASSERT_FALSE(builtin_scenes().empty());
   for (const BuiltinScene& scene : builtin_scenes()) {
@@ -160,10 +166,10 @@ TEST(CommandLine, AnExportedSceneHoldsWhatTheBuiltinOneDoes) {
   const test::TemporaryFolder folder;
   for (const char* name : {"boxes.glb", "boxes.gltf"}) {
     const std::string path = (folder.path() / name).string();
-    const Outcome exported = run_asos({"export-scene", "boxes", "-o", path});
+    const AsosRun exported = run_asos({"export-scene", "boxes", "-o", path});
     ASSERT_EQ(exported.exit_code, 0) << exported.err;
-    const Outcome original = run_asos({"info", "builtin:boxes", "--json"});
-    const Outcome copy = run_asos({"info", path, "--json"});
+    const AsosRun original = run_asos({"info", "builtin:boxes", "--json"});
+    const AsosRun copy = run_asos({"info", path, "--json"});
     ASSERT_EQ(copy.exit_code, 0) << copy.err;
     const auto a = nlohmann::json::parse(original.out);
     const auto b = nlohmann::json::parse(copy.out);
@@ -175,7 +181,7 @@ TEST(CommandLine, AnExportedSceneHoldsWhatTheBuiltinOneDoes) {
 }
 
 TEST(CommandLine, InfoAnswersInTextToo) {
-  const Outcome outcome = run_asos({"info", "builtin:boxes"});
+  const AsosRun outcome = run_asos({"info", "builtin:boxes"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   for (const char* part :

@@ -15,8 +15,8 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
+using test::AsosRun;
 using test::contains;
-using test::Outcome;
 using test::run_asos;
 
 Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_rad = 0.0) {
@@ -61,7 +61,7 @@ TEST(InfoCommand, SaysWhereThereAreNoLightsOrNoneWithASize) {
 
 TEST(InfoCommand, NamesTheLightsOfTheBuiltinScenes) {
   const auto lights = [](const char* scene) {
-    const Outcome outcome = run_asos({"info", scene, "--json"});
+    const AsosRun outcome = run_asos({"info", scene, "--json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return json::parse(outcome.out).at("lights");
   };
@@ -96,7 +96,7 @@ TEST(InfoCommand, PunctualLightsOfAFileAreCountedByTheTypesOfTheirExtension) {
   const auto dir = test::shared_dir();
   if (!dir) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
   const auto file = *dir / "scenes" / "PlayCanvasLights" / "Lights.glb";
-  const Outcome outcome = run_asos({"info", file.string(), "--json"});
+  const AsosRun outcome = run_asos({"info", file.string(), "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json lights = json::parse(outcome.out).at("lights");
   EXPECT_EQ(lights.at("point"), 1);

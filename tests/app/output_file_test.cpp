@@ -11,11 +11,7 @@ namespace asos {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using test::content_of;
 
 Result<void> write(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
@@ -34,12 +30,12 @@ TEST(OutputFile, CommitReplacesWhatWasThere) {
   ASSERT_TRUE(write(path, "old"));
   const auto file = OutputFile::plan(path);
   ASSERT_TRUE(file);
-  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(content_of(path), "old");
   ASSERT_TRUE(file->commit([](const std::string& to) {
     EXPECT_TRUE(to.ends_with(".png")) << to;
     return write(to, "new");
   }));
-  EXPECT_EQ(content(path), "new");
+  EXPECT_EQ(content_of(path), "new");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
@@ -55,7 +51,7 @@ TEST(OutputFile, AFailedWriteKeepsTheOldFile) {
   });
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().message(), path + ": the disk is full");
-  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(content_of(path), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
@@ -69,7 +65,7 @@ TEST(OutputFile, ALinkStaysALink) {
     return file.commit([](const std::string& to) { return write(to, "new"); });
   }));
   EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_EQ(content(target), "new");
+  EXPECT_EQ(content_of(target), "new");
 }
 
 TEST(OutputFile, DevicesAreWrittenToAndNotReplaced) {

@@ -15,13 +15,9 @@ namespace asos {
 namespace {
 
 using nlohmann::json;
-using test::Outcome;
+using test::AsosRun;
 using test::run_asos;
-
-std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
+using test::operator+;
 
 class RenderCommand : public testing::Test {
  protected:
@@ -31,7 +27,7 @@ class RenderCommand : public testing::Test {
   void render(const std::string& name, const std::vector<std::string>& words) {
     const std::vector<std::string> first{"render",   "builtin:boxes", "-o",
                                          path(name), "--size",        "96x54"};
-    const Outcome outcome = run_asos(first + words);
+    const AsosRun outcome = run_asos(first + words);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     ASSERT_EQ(outcome.err, "");
   }
@@ -77,6 +73,8 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"detect", {Type::string}},
       {"fat", {Type::number_unsigned}},
       {"texture_filter", {Type::string}},
+      {"texture_resolution", {Type::number_unsigned}},
+      {"sky", {Type::string}},
       {"refine_shading", {Type::boolean}},
       {"cull", {Type::boolean}},
       {"shadows", {Type::boolean}},
@@ -102,6 +100,10 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"pyrays_by_level", {Type::array}},
       {"split_pixels", {Type::number_unsigned}},
       {"pixels_by_cause", {Type::object}},
+      {"reflections", {Type::number_unsigned, Type::number_integer}},
+      {"roughest_mirror", {Type::number_float}},
+      {"curved_mirror", {Type::string}},
+      {"mirror_angle", {Type::number_float}},
       {"uneven_pixels", {Type::number_unsigned}},
       {"saturated_pixels", {Type::number_unsigned}},
       {"missed_splits", {Type::number_unsigned}},
@@ -134,7 +136,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
   std::uint64_t with_cause = 0, rays = 0;
   for (const auto& [cause, pixels] : s["pixels_by_cause"].items())
     with_cause += pixels.get<std::uint64_t>();
-  EXPECT_EQ(s["pixels_by_cause"].size(), 8u);
+  EXPECT_EQ(s["pixels_by_cause"].size(), 9u);
   EXPECT_GE(with_cause, s["split_pixels"].get<std::uint64_t>());
   EXPECT_GT(s["pixels_by_cause"]["outline"], 0);
   ASSERT_FALSE(s["lights"].empty());
@@ -275,7 +277,7 @@ TEST_F(RenderCommand, QuietSaysNothingAndLoudSaysWhatWasWritten) {
   const std::vector<std::string> words{"render",      "builtin:boxes", "-o",
                                        path("a.png"), "--size",        "16x9"};
   EXPECT_NE(run_asos(words).out.find("Wrote " + path("a.png")), std::string::npos);
-  const Outcome quiet = run_asos(words + std::vector<std::string>{"--quiet"});
+  const AsosRun quiet = run_asos(words + std::vector<std::string>{"--quiet"});
   EXPECT_EQ(quiet.out + quiet.err, "");
 }
 

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -17,14 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::AsosRun;
 using test::contains;
-using test::Outcome;
+using test::content_of;
 using test::run_asos;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
@@ -54,7 +49,7 @@ class FinishedReport : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new test::TemporaryFolder;
-    const Outcome outcome = run_asos(tiny_study(folder_->path().string(), {"--repetitions", "2"}));
+    const AsosRun outcome = run_asos(tiny_study(folder_->path().string(), {"--repetitions", "2"}));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(contains(outcome.out, "report.html"));
     EXPECT_EQ(outcome.err, "");
@@ -71,7 +66,7 @@ class FinishedReport : public testing::Test {
 test::TemporaryFolder* FinishedReport::folder_ = nullptr;
 
 TEST_F(FinishedReport, TheCsvHasItsColumnsAndALineForEachRun) {
-  const auto lines = lines_of(text_of(path("points.csv")));
+  const auto lines = lines_of(content_of(path("points.csv")));
   ASSERT_EQ(lines.size(), 1u + 2u * (10u + 5u));
   EXPECT_EQ(lines[0],
             "scene,method,setting,repetition,seconds,rmse,mae,p99,p999,max,rmse_display,perceptual,"
@@ -81,7 +76,7 @@ TEST_F(FinishedReport, TheCsvHasItsColumnsAndALineForEachRun) {
 }
 
 TEST_F(FinishedReport, TheJsonHasItsFields) {
-  const json report = json::parse(text_of(path("report.json")));
+  const json report = json::parse(content_of(path("report.json")));
   for (const char* key : {"machine", "build", "commit"})
     EXPECT_FALSE(report.at(key).get<std::string>().empty()) << key;
   EXPECT_EQ(report.at("settings").at("width"), 16);
@@ -108,7 +103,7 @@ TEST_F(FinishedReport, TheJsonHasItsFields) {
 }
 
 TEST_F(FinishedReport, ThePageNeedsNothingElse) {
-  const std::string page = text_of(path("report.html"));
+  const std::string page = content_of(path("report.html"));
   EXPECT_EQ(count_of(page, "http"), 0u) << "a link, or something fetched";
   EXPECT_EQ(count_of(page, "url("), 0u);
   const std::regex source("(src|href)=\"([^\"]{0,30})");
@@ -125,7 +120,7 @@ TEST_F(FinishedReport, ThePageNeedsNothingElse) {
 }
 
 TEST_F(FinishedReport, ThePageOpensWithWhatWasComparedAndWhereAsosLoses) {
-  const std::string page = text_of(path("report.html"));
+  const std::string page = content_of(path("report.html"));
   const std::size_t compared = page.find("Compared:");
   const std::size_t losses = page.find("Where ASOS does not win");
   const std::size_t scene = page.find("id=\"scene1\"");
@@ -136,8 +131,8 @@ TEST_F(FinishedReport, ThePageOpensWithWhatWasComparedAndWhereAsosLoses) {
 }
 
 TEST_F(FinishedReport, EveryLossIsListedInWords) {
-  const json report = json::parse(text_of(path("report.json")));
-  const std::string page = text_of(path("report.html"));
+  const json report = json::parse(content_of(path("report.json")));
+  const std::string page = content_of(path("report.html"));
   std::size_t losses = 0;
   for (const json& row : report.at("equal_error"))
     losses += row.at("speedup").get<double>() < 1.05 && row.at("reading") != "unreached" ? 1 : 0;
@@ -159,7 +154,7 @@ TEST_F(FinishedReport, ThePlotsAndPicturesAreFiles) {
 
 /// Scenes as report.json has them, without what depends on how long anything took.
 json results_without_times(const fs::path& folder) {
-  json scenes = json::parse(text_of(folder / "report.json")).at("scenes");
+  json scenes = json::parse(content_of(folder / "report.json")).at("scenes");
   for (json& scene : scenes)
     for (json& point : scene.at("points"))
       for (const char* key : {"seconds", "spread", "wall_seconds", "memory_mb", "best"})
@@ -181,18 +176,18 @@ TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
     words.insert(words.end(), more.begin(), more.end());
     return run_asos(words);
   };
-  const Outcome whole = with({"-o", single.path().string()});
+  const AsosRun whole = with({"-o", single.path().string()});
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
-  const Outcome list = with({"--list-jobs"});
+  const AsosRun list = with({"--list-jobs"});
   ASSERT_EQ(list.exit_code, 0);
   const std::size_t jobs = lines_of(list.out).size();
   ASSERT_EQ(jobs, 1u + 15u + 18u);
   for (std::size_t k = jobs; k-- > 0;) {
-    const Outcome one =
+    const AsosRun one =
         with({"-o", (k % 2 ? odd : even).path().string(), "--job", std::to_string(k)});
     ASSERT_EQ(one.exit_code, 0) << one.err;
   }
-  const Outcome merge = run_asos({"report", "-o", merged.path().string(), "--merge",
+  const AsosRun merge = run_asos({"report", "-o", merged.path().string(), "--merge",
                                   odd.path().string(), even.path().string()});
   ASSERT_EQ(merge.exit_code, 0) << merge.err;
   EXPECT_EQ(results_without_times(merged.path()), results_without_times(single.path()));
@@ -202,7 +197,7 @@ TEST(ReportCommand, AMissingJobIsNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path().string();
   ASSERT_EQ(run_asos(tiny_study(path, {"--job", "0"})).exit_code, 0);
-  const Outcome merge = run_asos({"report", "--merge", path, "-o", path});
+  const AsosRun merge = run_asos({"report", "--merge", path, "-o", path});
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_TRUE(contains(merge.err, "job 1 (builtin:boxes asos MAX 1 EPS 0 repetition 1)"));
   EXPECT_FALSE(fs::exists(folder.path() / "report.html"));
@@ -213,7 +208,7 @@ TEST(ReportCommand, JobsOfAnotherStudyAreRefused) {
   const std::string path = folder.path().string();
   ASSERT_EQ(run_asos(tiny_study(path, {"--job", "0"})).exit_code, 0);
   ASSERT_EQ(run_asos(tiny_study(path, {"--job", "1", "--repetitions", "7"})).exit_code, 0);
-  const Outcome merge = run_asos({"report", "--merge", path, "-o", path});
+  const AsosRun merge = run_asos({"report", "--merge", path, "-o", path});
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_TRUE(contains(merge.err, "jobs/1.json"));
   EXPECT_TRUE(contains(merge.err, "another study"));
@@ -224,7 +219,7 @@ TEST(ReportCommand, JobsOfAnotherStudyAreRefused) {
 
 TEST(ReportCommand, ListsItsJobsAndRunsNone) {
   const test::TemporaryFolder folder;
-  const Outcome outcome = run_asos(tiny_study(folder.file("new"), {"--list-jobs"}));
+  const AsosRun outcome = run_asos(tiny_study(folder.file("new"), {"--list-jobs"}));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(outcome.out.starts_with("0\tbuiltin:boxes regions\n")) << outcome.out;
   EXPECT_EQ(lines_of(outcome.out).size(), 1u + 3u * 15u + 18u);
@@ -244,7 +239,7 @@ TEST(ReportCommand, RefusesCommandLinesThatMakeNoSense) {
       {{"report", "builtin:boxes", "-o", "x", "--merge", "y"}, "--merge"},
   };
   for (const auto& [words, part] : cases) {
-    const Outcome outcome = run_asos(words);
+    const AsosRun outcome = run_asos(words);
     EXPECT_EQ(outcome.exit_code, 2) << words.back() << ": " << outcome.err;
     EXPECT_TRUE(contains(outcome.err, part));
   }
@@ -253,22 +248,22 @@ TEST(ReportCommand, RefusesCommandLinesThatMakeNoSense) {
 
 TEST(ReportCommand, SaysWhatIsWrongWithItsInput) {
   const test::TemporaryFolder folder;
-  const Outcome unknown = run_asos({"report", "builtin:boxen", "-o", folder.file("a")});
+  const AsosRun unknown = run_asos({"report", "builtin:boxen", "-o", folder.file("a")});
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_TRUE(contains(unknown.err, "builtin:boxes"));
 
   const std::string empty =
       folder.write("empty.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{}], "scene": 0})");
-  const Outcome nothing = run_asos({"report", empty, "-o", folder.file("b"), "--size", "16x12"});
+  const AsosRun nothing = run_asos({"report", empty, "-o", folder.file("b"), "--size", "16x12"});
   EXPECT_EQ(nothing.exit_code, 1);
   EXPECT_TRUE(contains(nothing.err, "empty"));
 
   const std::string file = folder.write("file", "");
-  const Outcome unwritable = run_asos(tiny_study(file));
+  const AsosRun unwritable = run_asos(tiny_study(file));
   EXPECT_EQ(unwritable.exit_code, 1);
   EXPECT_TRUE(contains(unwritable.err, file));
 
-  const Outcome nowhere =
+  const AsosRun nowhere =
       run_asos({"report", "--merge", folder.file("none"), "-o", folder.file("c")});
   EXPECT_EQ(nowhere.exit_code, 1);
   EXPECT_TRUE(contains(nowhere.err, folder.file("none")));
@@ -278,7 +273,7 @@ TEST(ReportCommand, SaysAtTheStartThatGnuplotIsMissing) {
   const test::TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
   setenv("PATH", folder.path().c_str(), 1);
-  const Outcome outcome = run_asos(tiny_study(folder.file("report")));
+  const AsosRun outcome = run_asos(tiny_study(folder.file("report")));
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(contains(outcome.err, "gnuplot-nox"));

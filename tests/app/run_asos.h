@@ -10,18 +10,25 @@
 
 namespace asos::test {
 
-struct Outcome {
+struct AsosRun {
   int exit_code = -1;
   std::string out;
   std::string err;
 };
 
 /// Runs the program inside the test, as a shell without a terminal would.
-inline Outcome run_asos(std::vector<std::string> words) {
+inline AsosRun run_asos(std::vector<std::string> words) {
   std::ostringstream out;
   std::ostringstream err;
   const int exit_code = run_command_line(std::move(words), {out, err, false});
   return {exit_code, out.str(), err.str()};
+}
+
+/// The words of `a`, then those of `b`.
+inline std::vector<std::string> operator+(std::vector<std::string> a,
+                                          const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
 /// Whether `part` is in `text`, saying what is there instead.

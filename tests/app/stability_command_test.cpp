@@ -7,8 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace asos {
@@ -17,6 +15,7 @@ namespace {
 using stability::Case;
 using stability::Finding;
 using test::contains;
+using test::content_of;
 using test::TemporaryFolder;
 
 Case made_up(const std::string& name, double error) {
@@ -32,11 +31,6 @@ Case made_up(const std::string& name, double error) {
           }};
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 struct Told {
   int exit_code;
   std::string out, err, page, table;
@@ -46,8 +40,8 @@ Told run(const std::vector<Case>& cases) {
   const TemporaryFolder folder;
   std::ostringstream out, err;
   const int exit_code = run_stability({folder.file("a/b"), true}, cases, {out, err, false});
-  return {exit_code, out.str(), err.str(), text_of(folder.file("a/b/stability.html")),
-          text_of(folder.file("a/b/stability.csv"))};
+  return {exit_code, out.str(), err.str(), content_of(folder.file("a/b/stability.html")),
+          content_of(folder.file("a/b/stability.csv"))};
 }
 
 TEST(StabilityCommand, CasesThatHoldExitWithZero) {
@@ -94,7 +88,7 @@ TEST(StabilityCommand, NeedsAFolderThatCanBeMade) {
   EXPECT_EQ(test::run_asos({"stability"}).exit_code, 2);
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "");
-  const test::Outcome refused = test::run_asos({"stability", "-o", file + "/inside"});
+  const test::AsosRun refused = test::run_asos({"stability", "-o", file + "/inside"});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_TRUE(contains(refused.err, "inside"));
 }

@@ -11,16 +11,12 @@ namespace asos {
 namespace {
 
 using nlohmann::json;
-using test::Outcome;
+using test::AsosRun;
 using test::run_asos;
-
-std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
+using test::operator+;
 
 json trace(const std::vector<std::string>& words) {
-  const Outcome outcome =
+  const AsosRun outcome =
       run_asos(std::vector<std::string>{"trace"} + words + std::vector<std::string>{"--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -31,7 +27,7 @@ glm::vec3 colour_of(const json& c) {
   return {c.at(0).get<float>(), c.at(1).get<float>(), c.at(2).get<float>()};
 }
 
-std::string text_of(const glm::ivec2& pixel) {
+std::string argument_of(const glm::ivec2& pixel) {
   return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
 }
 
@@ -68,12 +64,12 @@ TEST(TraceCommand, ThePixelIsTheRenderedOne) {
         {"--look-at", "4,3,6,0,1,0", "--fov", "30", "--max", "4", "--fat", "4", "--no-shadows"},
         {"--rule", "published", "--detect", "cone", "--leaf", "point", "--jitter"}}) {
     const auto words = std::vector<std::string>{"builtin:boxes", "--size", "101x57"} + how;
-    const Outcome rendered = run_asos(std::vector<std::string>{"render", "-o", path} + words);
+    const AsosRun rendered = run_asos(std::vector<std::string>{"render", "-o", path} + words);
     ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
     const Film film = read_exr(path).value().film;
     for (const glm::ivec2 pixel : pixels) {
-      SCOPED_TRACE(text_of(pixel) + testing::PrintToString(how));
-      const json told = trace(words + std::vector<std::string>{"--pixel", text_of(pixel)});
+      SCOPED_TRACE(argument_of(pixel) + testing::PrintToString(how));
+      const json told = trace(words + std::vector<std::string>{"--pixel", argument_of(pixel)});
       EXPECT_EQ(colour_of(told.at("radiance")), film.radiance[film.index(pixel.x, pixel.y)]);
       EXPECT_EQ(told.at("pixel"), json({pixel.x, pixel.y}));
       check_consistent(told);
@@ -86,7 +82,7 @@ TEST(TraceCommand, TheTableIsThePapers) {
   std::size_t rows = 0;
   for (int x = 20; x < 76; x += 2) {
     const json told = trace({"builtin:boxes", "--size", "96x54", "--max", "4", "--pixel",
-                             text_of({x, 27}), "--method", "asos-published", "--eps", "0.01"});
+                             argument_of({x, 27}), "--method", "asos-published", "--eps", "0.01"});
     EXPECT_EQ(told.at("settings").at("rule"), "published");
     EXPECT_EQ(told.at("settings").at("detect"), "cone");
     EXPECT_EQ(told.at("settings").at("leaf"), "point");
@@ -114,8 +110,8 @@ TEST(TraceCommand, TheTableIsThePapers) {
 TEST(TraceCommand, TextIsNoWiderThanAScreen) {
   bool cut = false;
   for (int x = 20; x < 76; x += 4) {
-    const Outcome told =
-        run_asos({"trace", "builtin:boxes", "--size", "96x54", "--pixel", text_of({x, 27})});
+    const AsosRun told =
+        run_asos({"trace", "builtin:boxes", "--size", "96x54", "--pixel", argument_of({x, 27})});
     ASSERT_EQ(told.exit_code, 0) << told.err;
     EXPECT_TRUE(test::contains(told.out, "builtin:boxes at 96x54"));
     EXPECT_TRUE(test::contains(told.out, "sample"));
@@ -141,12 +137,12 @@ TEST(TraceCommand, WhatMakesNoSenseIsRefused) {
       {{"--pixel", "1,2", "--crop", "0,0,8,8"}, "--crop"},
   };
   for (const auto& [words, message] : cases) {
-    const Outcome outcome = run_asos(boxes + words);
+    const AsosRun outcome = run_asos(boxes + words);
     EXPECT_EQ(outcome.exit_code, 2) << message << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_TRUE(test::contains(outcome.err, message));
   }
-  const Outcome lost = run_asos({"trace", "builtin:boxes", "--pixel", "1,1", "--camera", "99"});
+  const AsosRun lost = run_asos({"trace", "builtin:boxes", "--pixel", "1,1", "--camera", "99"});
   EXPECT_EQ(lost.exit_code, 1);
   EXPECT_TRUE(test::contains(lost.err, "--camera 99"));
 }

@@ -77,5 +77,35 @@ TEST(Values, LookAt) {
     EXPECT_FALSE(parse_look_at(text)) << text;
 }
 
+TEST(Values, DefocusingRatios) {
+  const auto dfr = parse_dfr("0.05,1,32");
+  ASSERT_TRUE(dfr);
+  for (const DfrCurve& curve : dfr->rgb) EXPECT_EQ(curve, (DfrCurve{0.05, 1.0, 32.0}));
+  EXPECT_TRUE(parse_dfr("1,0,0"));
+  for (const char* text : {"", "1,1", "1,1,1,1", "-0.1,1,1", "0,1.1,1", "0,1,-1", "nan,1,1",
+                           "0,1,inf", "0,1,2e6", "0;1;2"})
+    EXPECT_FALSE(parse_dfr(text)) << text;
+}
+
+TEST(Values, Skies) {
+  const auto neutral = parse_sky("neutral");
+  ASSERT_TRUE(neutral);
+  EXPECT_FALSE(neutral->colours);
+  EXPECT_TRUE(neutral->file.empty());
+  EXPECT_EQ(parse_sky("a sky:1.hdr").value().file, "a sky:1.hdr");
+  EXPECT_EQ(parse_sky("../s.exr").value().file, "../s.exr");
+  const auto one = parse_sky("0.25,1,4");
+  ASSERT_TRUE(one && one->colours);
+  EXPECT_EQ(one->colours->zenith, glm::vec3(0.25f, 1, 4));
+  EXPECT_EQ(one->colours->horizon, glm::vec3(0.25f, 1, 4));
+  const auto two = parse_sky("0,0,1:1,1,0.5");
+  ASSERT_TRUE(two && two->colours);
+  EXPECT_EQ(two->colours->zenith, glm::vec3(0, 0, 1));
+  EXPECT_EQ(two->colours->horizon, glm::vec3(1, 1, 0.5f));
+  for (const char* text : {"", "blue", "1,1", "1,1,1,1", "1,1,1:", ":1,1,1", "1,1,1:1,1", "-1,0,0",
+                           "nan,0,0", "inf,0,0", "1,1,1e7", "1,1,1:1,1,1:1,1,1", "sky.png"})
+    EXPECT_FALSE(parse_sky(text)) << text;
+}
+
 }  // namespace
 }  // namespace asos

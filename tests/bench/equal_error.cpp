@@ -7,7 +7,7 @@
 //
 //   bench_equal_error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
 //                     [--reference N] [--runs N] [--causes MAX] [--matte] [--key-light]
-//                     [--qualities] SCENE
+//                     [--qualities] [--dfr MIN,MAX,N] [--tr N] SCENE
 //
 // --matte takes textures, highlights and emission away: what is left is visibility and smooth
 // shading. --key-light keeps the first rectangular light only, of the scene's or of the rig that it
@@ -15,6 +15,7 @@
 // --causes tells where time and error are at one MAX: by what became of the pixels, and by what
 // they show.
 
+#include "app/values.h"
 #include "renderer/methods/names.h"
 #include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +47,8 @@ struct Settings {
   bool matte = false;
   bool key_light = false;
   bool qualities = false;
+  int texture_resolution = 1;
+  std::optional<Dfr> dfr;
   std::string scene;
 };
 
@@ -181,6 +185,8 @@ Result<void> measure(const Settings& settings) {
   if (!camera) return unexpected(camera.error());
   snapshot.camera = *camera;
   snapshot.settings.shadows = settings.shadows;
+  snapshot.settings.dfr = settings.dfr;
+  snapshot.settings.texture_resolution = settings.texture_resolution;
 
   RenderSettings base = snapshot.settings;
   snapshot.settings.method = Method::sobol;
@@ -241,6 +247,15 @@ int main(int argc, char** argv) {
   app.add_option("--causes", settings.causes, "MAX to look into")->check(CLI::Range(0, 8));
   app.add_flag("--matte", settings.matte, "without textures, highlights and emission");
   app.add_flag("--key-light", settings.key_light, "the first rectangular light only");
+  app.add_option_function<std::string>(
+      "--dfr",
+      [&](const std::string& text) {
+        const auto dfr = parse_dfr(text);
+        if (!dfr) throw CLI::ValidationError("--dfr", dfr.error().message());
+        settings.dfr = *dfr;
+      },
+      "MIN,MAX,N of all that mirrors");
+  app.add_option("--tr", settings.texture_resolution, "TR of asos")->check(CLI::Range(1, 8));
   app.add_flag("--qualities", settings.qualities, "a row for each shadow quality");
   app.add_option("SCENE", settings.scene)->required();
   CLI11_PARSE(app, argc, argv);

@@ -11,7 +11,7 @@ struct Picture {
   RenderStatistics statistics;
 };
 
-/// A whole picture, block by block.
+/// A picture, block by block: of a crop, those that it meets.
 inline Picture render_picture(const RenderScene& scene, const Camera& camera,
                               const RenderSettings& settings) {
   const int width = settings.width;
@@ -22,6 +22,10 @@ inline Picture render_picture(const RenderScene& scene, const Camera& camera,
   for (int y = 0; y < height; y += side) {
     for (int x = 0; x < width; x += side) {
       const PixelRect rect{x, y, std::min(side, width - x), std::min(side, height - y)};
+      const PixelRect seen = settings.visible();
+      if (x >= seen.x + seen.width || y >= seen.y + seen.height || x + rect.width <= seen.x ||
+          y + rect.height <= seen.y)
+        continue;
       const BlockResult block = render_block(scene, view, settings, rect);
       picture.film.put(block.tile);
       picture.statistics += block.statistics;

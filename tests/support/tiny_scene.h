@@ -18,10 +18,11 @@ inline std::shared_ptr<const RenderScene> make_render_scene(World world) {
   auto scene = std::make_shared<RenderScene>();
   scene->world = std::move(world);
   scene->needs = find_needs(scene->world);
-  scene->rays = std::move(RayScene::build(scene->world, alpha_at).value());
-  scene->features = FeatureSet(scene->world);
+  scene->index->rays = std::move(RayScene::build(scene->world, alpha_at).value());
+  scene->index->features = FeatureSet(scene->world);
   scene->object_spheres = object_spheres(scene->world);
   scene->light_cuts = find_light_cuts(scene->world);
+  scene->bare_lights = find_bare_lights(scene->world);
   scene->name = "tiny";
   return scene;
 }

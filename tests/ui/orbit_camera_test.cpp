@@ -186,9 +186,43 @@ TEST(OrbitCamera, IgnoresWhatIsNotANumber) {
   orbit.dolly(0.0);
   orbit.dolly(-2.0);
   orbit.look_at({0.0, nan, 0.0});
+  orbit.look_around(nan, 0.0);
+  orbit.fly(0.0, infinity, 0.0);
   EXPECT_EQ(orbit.revision(), before);
   EXPECT_EQ(difference(orbit.camera().world_from_camera, camera.world_from_camera), 0.0);
   EXPECT_DOUBLE_EQ(orbit.distance(), 1.0);
+}
+
+TEST(OrbitCamera, LooksAroundWhereItStands) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 1, 5}, {0, 1, 0}, {0, 1, 0}), 5.0, 2.0);
+  orbit.look_around(0.5 * pi, 0.0);
+  EXPECT_LT(glm::distance(eye_of(orbit), glm::dvec3(0, 1, 5)), 1e-12);
+  EXPECT_LT(glm::distance(orbit.pivot(), glm::dvec3(-5, 1, 5)), 1e-12) << "to the left";
+  orbit.look_around(0.0, 0.25 * pi);
+  EXPECT_LT(glm::distance(eye_of(orbit), glm::dvec3(0, 1, 5)), 1e-12);
+  EXPECT_GT(orbit.pivot().y, 4.0) << "up";
+  orbit.look_around(0.0, 9.0);
+  EXPECT_LT(glm::distance(orbit.pivot(), glm::dvec3(0, 6, 5)), 1e-9) << "no farther than up";
+}
+
+TEST(OrbitCamera, FliesByTheScenesSize) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 1, 5}, {0, 1, 0}, {0, 1, 0}), 5.0, 2.0);
+  orbit.fly(0.5, 0.25, 1.0);
+  EXPECT_LT(glm::distance(eye_of(orbit), glm::dvec3(1, 1.5, 3)), 1e-12);
+  EXPECT_LT(glm::distance(orbit.pivot(), glm::dvec3(1, 1.5, -2)), 1e-12);
+}
+
+TEST(OrbitCamera, ARestoredCameraIsAChange) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 1, 5}, {0, 1, 0}, {0, 1, 0}), 5.0, 2.0);
+  const OrbitCamera before = orbit;
+  orbit.orbit(0.3, 0.2);
+  const std::uint64_t revision = orbit.revision();
+  orbit.restore(before);
+  EXPECT_GT(orbit.revision(), revision);
+  EXPECT_EQ(orbit.camera().world_from_camera, before.camera().world_from_camera);
 }
 
 }  // namespace

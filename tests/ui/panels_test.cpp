@@ -135,6 +135,28 @@ TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {
   EXPECT_NE(camera.pivot(), orbited) << "Shift turns an orbit into a pan";
 }
 
+TEST_F(PanelsTest, TheRightButtonLooksAroundAndKeysFly) {
+  const OrbitCamera& camera = rig.previewer().camera();
+  const glm::dvec3 eye = camera.eye();
+  rig.drag({200, 500}, {260, 480}, MouseButton::right);
+  EXPECT_TRUE(restarted());
+  EXPECT_LT(glm::distance(camera.eye(), eye), 1e-9) << "it only looks around";
+  rig.content().input().add(KeyChanged{Key::w, true});
+  for (int i = 0; i < 5; ++i) rig.frame();
+  EXPECT_LT(glm::distance(camera.eye(), eye), 1e-9) << "no flight without the button";
+  rig.press(MouseButton::right);
+  EXPECT_EQ(rig.content().seconds_to_redraw(), 0.0) << "it goes on without input";
+  const glm::dvec3 ahead = -glm::dvec3(camera.camera().world_from_camera[2]);
+  const glm::dvec3 from = camera.eye();
+  for (int i = 0; i < 30; ++i) rig.frame();
+  rig.content().input().add(KeyChanged{Key::w, false});
+  rig.release(MouseButton::right);
+  const glm::dvec3 way = camera.eye() - from;
+  EXPECT_GT(glm::dot(way, ahead), 0.1);
+  EXPECT_NEAR(glm::length(way), glm::dot(way, ahead), 1e-9) << "straight ahead";
+  EXPECT_TRUE(restarted());
+}
+
 TEST_F(PanelsTest, ADragThatBeginsOnThePanelLeavesTheCameraAlone) {
   const std::uint64_t revision = rig.previewer().camera().revision();
   const Controls::Placed at = rig.control("Exposure");

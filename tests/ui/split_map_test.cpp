@@ -137,8 +137,9 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
 TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
   show(SplitMapColours::cause);
   rig.frame();
-  const std::vector<std::string> names{"outline", "crease, seam", "crossing",  "shadow",
-                                       "shading", "cut-out",      "saturated", "depth limit"};
+  const std::vector<std::string> names{"outline", "crease, seam", "crossing",
+                                       "shadow",  "reflection",   "shading",
+                                       "cut-out", "saturated",    "depth limit"};
   ASSERT_EQ(names.size() + 1, split_cause_count);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Controls::Placed entry = rig.control("Legend/" + names[i]);

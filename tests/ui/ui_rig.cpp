@@ -129,9 +129,17 @@ void UiRig::type(const std::string& ascii) {
 
 Controls::Placed UiRig::control(const std::string& name) {
   const auto& all = content_->controls().all();
-  const auto found = all.find(name);
-  if (found == all.end()) throw std::runtime_error("no control named " + name);
-  return found->second;
+  const auto height = static_cast<float>(size_.y);
+  constexpr int most_turns = 100;
+  for (int turn = 0;; ++turn) {
+    const auto found = all.find(name);
+    if (found == all.end()) throw std::runtime_error("no control named " + name);
+    const Controls::Placed at = found->second;
+    const bool above = at.lo.y<0.0f, below = at.hi.y> height;
+    if ((!above && !below) || turn == most_turns) return at;
+    // The panel is longer than the window: turn the wheel over it, as a person would.
+    wheel({static_cast<float>(size_.x) - 20.0f, 0.5f * height}, above ? 1.0f : -1.0f);
+  }
 }
 
 void UiRig::click(const std::string& name) {

@@ -38,7 +38,7 @@ class UiRig {
   void key(Key key);
   void chord(Key modifier, Key key);
   void type(const std::string& ascii);
-  /// Fails the test where the control is not there.
+  /// Fails the test where the control is not there; scrolls the panel to it.
   Controls::Placed control(const std::string& name);
   void click(const std::string& name);
 

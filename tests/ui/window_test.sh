@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs the real window on a virtual screen and uses it as a person would: waits for the picture,
-# drags EPS, orbits, resizes, takes a screenshot, opens a file that does not exist and one that does
-# (where the shared scenes are there), quits. Pictures of the screen stay in the current directory
-# for a look.
+# drags EPS, undoes that, clicks a pixel, orbits, resizes, takes a screenshot, opens a file that does
+# not exist and one that does (where the shared scenes are there), quits. Pictures of the screen stay
+# in the current directory for a look.
 #
 # usage: window_test.sh ASOS_PROGRAM [SCENE]
 set -u
@@ -45,6 +45,7 @@ done
 export DISPLAY=:$(cat "$work/display")
 export LIBGL_ALWAYS_SOFTWARE=1
 export XDG_PICTURES_DIR=$work
+export XDG_CONFIG_HOME=$work
 
 "$program" "$scene" >"$work/log" 2>&1 &
 app=$!
@@ -83,12 +84,13 @@ right=$((X + WIDTH))
 echo "window $WIDTH x $HEIGHT"
 
 # The row of EPS in the panel, as bytes.
-eps_row() { convert "$1" -crop "220x20+$((right - 240))+$((Y + 132))" +repage rgb:- | cksum; }
+eps_y=170
+eps_row() { convert "$1" -crop "220x20+$((right - 240))+$((Y + eps_y - 10))" +repage rgb:- | cksum; }
 
 # Drag EPS from one end of its slider towards the other.
-xdotool mousemove $((right - 60)) $((Y + 142)) mousedown 1
+xdotool mousemove $((right - 60)) $((Y + eps_y)) mousedown 1
 for x in 90 120 150 180; do
-  xdotool mousemove $((right - x)) $((Y + 142))
+  xdotool mousemove $((right - x)) $((Y + eps_y))
   sleep 0.05
 done
 xdotool mouseup 1
@@ -101,6 +103,32 @@ for _ in $(seq 50); do
   wait_for_picture window_eps.png
 done
 [ "$(eps_row window_start.png)" != "$(eps_row window_eps.png)" ] || fail "EPS did not follow the drag"
+
+# Undo brings the old value back, redo the new one.
+undone() {
+  for _ in $(seq 50); do
+    import -window root "$1"
+    [ "$(eps_row window_start.png)" = "$(eps_row "$1")" ] && return 0
+    sleep 0.2
+  done
+  return 1
+}
+xdotool mousemove $((X + 400)) $((Y + 300))
+sleep 0.6
+xdotool key ctrl+z
+undone window_undo.png || fail "Ctrl+Z did not bring EPS back"
+xdotool key ctrl+shift+z
+sleep 0.5
+alive "redo"
+
+# A click shows how a pixel was split; Escape closes that.
+xdotool mousemove $((X + 600)) $((Y + 400)) click 1
+sleep 1
+import -window root window_pixel.png
+alive "a picked pixel"
+xdotool key Escape
+sleep 0.3
+alive "Escape closed more than the pixel"
 
 # Orbit with the left button, come closer with the wheel.
 xdotool mousemove $((X + 400)) $((Y + 300)) mousedown 1

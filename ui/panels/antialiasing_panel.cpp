@@ -86,34 +86,37 @@ static_assert(methods.size() == static_cast<std::size_t>(Method::beam) + 1);
 // Options in the order of the values of an enumeration.
 template <typename T>
 void choose(Controls& controls, const char* label, std::span<const Controls::Option> options,
-            T& value) {
+            T& value, T reset) {
   int index = static_cast<int>(value);
-  if (controls.options(label, options, index)) value = static_cast<T>(index);
+  if (controls.options(label, options, index, {true, static_cast<int>(reset)}))
+    value = static_cast<T>(index);
 }
 
 void asos_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
   controls.log_slider("EPS",
                       "By how much a pixel's display intensity (0 to 1) may still change when its "
                       "splitting stops. Smaller: finer, slower. 1/256 is one step of an 8-bit "
                       "picture. Ctrl+click to type a value.",
-                      settings.eps, 1.0, eps_words);
+                      settings.eps, {0.0, 1.0, usual.eps}, eps_words);
   controls.slider("MAX",
                   "The deepest level to which a pixel is split, 0 to 8. Each level halves the "
                   "side of a cell. Ctrl+click to type a value.",
-                  settings.max_level, 0, RenderSettings::max_level_limit, level_words);
+                  settings.max_level, {0, RenderSettings::max_level_limit, usual.max_level},
+                  level_words);
   if (settings.method == Method::asos) {
-    choose(controls, "Leaf", leaves, settings.leaf);
-    choose(controls, "Rule", rules, settings.rule);
-    choose(controls, "Detection", detections, settings.detect);
+    choose(controls, "Leaf", leaves, settings.leaf, usual.leaf);
+    choose(controls, "Rule", rules, settings.rule, usual.rule);
+    choose(controls, "Detection", detections, settings.detect, usual.detect);
     controls.checkbox("Shading",
                       "Split what is shaded unevenly, too: strongly bent surfaces, and what lies "
                       "close to a light.",
-                      settings.refine_shading);
+                      settings.refine_shading, usual.refine_shading);
   }
   controls.checkbox("Jitter",
                     "Move the samples of cells that are still undecided at level MAX to random "
                     "places: noise instead of steps.",
-                    settings.jitter);
+                    settings.jitter, usual.jitter);
 }
 
 // The methods round up to n x n samples, so n is what the slider offers.
@@ -122,24 +125,26 @@ void sample_controls(Controls& controls, RenderSettings& settings) {
   int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(settings.spp))));
   side = std::clamp(side, 1, max_side);
   const auto words = [](int n) { return fmt::format("{} x {} = {}", n, n, n * n); };
-  if (controls.slider("Samples", "Samples in each pixel: n x n.", side, 1, max_side, words)) {
+  if (controls.slider("Samples", "Samples in each pixel: n x n.", side, {1, max_side, 4}, words)) {
     settings.spp = side * side;
   }
 }
 
 // Sobol takes any number of samples; twice as many a step of the slider.
 void sobol_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
   constexpr int most_doublings = 12;
   int doublings = static_cast<int>(std::lround(std::log2(static_cast<double>(settings.spp))));
   doublings = std::clamp(doublings, 0, most_doublings);
-  if (controls.slider("Samples", "Samples in each pixel, a power of two.", doublings, 0,
-                      most_doublings, [](int n) { return fmt::format("{}", 1 << n); })) {
+  if (controls.slider("Samples", "Samples in each pixel, a power of two.", doublings,
+                      {0, most_doublings, 4}, [](int n) { return fmt::format("{}", 1 << n); })) {
     settings.spp = 1 << doublings;
   }
   controls.slider("Seed",
                   "Number of the scrambling: another seed gives another picture of the same noise. "
                   "Ctrl+click to type a value.",
-                  settings.seed, 0, 99, [](int seed) { return fmt::format("{}", seed); });
+                  settings.seed, {0, 99, usual.seed},
+                  [](int seed) { return fmt::format("{}", seed); });
 }
 
 // Beam tracing comes last and is left out where the scene is too large for it.
@@ -152,9 +157,10 @@ std::span<const Controls::Option> offered(const RenderScene* scene, RenderSettin
 }  // namespace
 
 void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
+  const RenderSettings usual;
   if (!controls.section("Antialiasing")) return;
   int method = static_cast<int>(settings.method);
-  if (controls.options("Method", offered(scene, settings), method, false)) {
+  if (controls.options("Method", offered(scene, settings), method, {false, std::nullopt})) {
     settings.method = static_cast<Method>(method);
   }
   if (settings.method == Method::asos || settings.method == Method::asos_published)
@@ -163,12 +169,12 @@ void antialiasing_panel(Controls& controls, RenderSettings& settings, const Rend
     sample_controls(controls, settings);
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
-  choose(controls, "Textures", texture_filters, settings.texture_filter);
+  choose(controls, "Textures", texture_filters, settings.texture_filter, usual.texture_filter);
   if (scene && !scene->needs.culling) return;
   controls.checkbox("Culling",
                     "Leave out the backs of surfaces whose material is not double-sided, as glTF "
                     "says. Without it they are seen from both sides.",
-                    settings.cull);
+                    settings.cull, usual.cull);
 }
 
 }  // namespace asos

@@ -1,11 +1,16 @@
 #include "ui/panels/controls.h"
 
+#include "renderer/film/film.h"
+#include "renderer/shading/texture.h"
 #include "ui/theme.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 
@@ -41,6 +46,22 @@ void paint_slider(float from, float to, const std::string& text) {
   draw->AddRectFilled({left, hi.y - 2.0f * mark}, {left + mark, hi.y},
                       theme::packed(theme::accent_bright));
 
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw->PushClipRect(lo, hi, true);
+  draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)), lo.y + 0.5f * (hi.y - lo.y - size.y)},
+                theme::packed(theme::text), text.c_str());
+  draw->PopClipRect();
+}
+
+// Paints the text over the number just drawn, in place of Dear ImGui's own.
+void paint_number(const std::string& text) {
+  const bool active = ImGui::IsItemActive();
+  if (active && ImGui::GetIO().WantTextInput) return;
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  const bool lit = active || ImGui::IsItemHovered();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(lo, hi, theme::packed(lit ? theme::field_hovered : theme::field),
+                      ImGui::GetStyle().FrameRounding);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   draw->PushClipRect(lo, hi, true);
   draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)), lo.y + 0.5f * (hi.y - lo.y - size.y)},
@@ -87,6 +108,7 @@ void Controls::begin_frame(double now_seconds) {
   if (hovered_ != hovered_before_) hovered_since_seconds_ = now_seconds;
   hovered_before_ = hovered_;
   hovered_.clear();
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) resetting_.clear();
 }
 
 std::optional<double> Controls::seconds_to_tooltip() const {
@@ -96,9 +118,13 @@ std::optional<double> Controls::seconds_to_tooltip() const {
   return left > 0.0 ? std::optional(left) : std::nullopt;
 }
 
-void Controls::placed(const std::string& name, const char* tooltip) {
+void Controls::placed(const std::string& name, const char* tooltip, Use use) {
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  placed_[name] = {{lo.x, lo.y}, {hi.x, hi.y}, tooltip != nullptr};
+  placed_[name] = {{lo.x, lo.y}, {hi.x, hi.y}, tooltip != nullptr, use == Use::edits};
+  explain(name, tooltip);
+}
+
+void Controls::explain(const std::string& name, const char* tooltip) {
   if (!tooltip || ImGui::IsItemActive() || !ImGui::IsItemHovered()) return;
   hovered_ = name;
   if (name != hovered_before_ || now_seconds_ - hovered_since_seconds_ < tooltip_delay_seconds) {
@@ -107,78 +133,181 @@ void Controls::placed(const std::string& name, const char* tooltip) {
   show_tooltip(tooltip);
 }
 
-void Controls::label(const char* name) {
+// The name tells what the widget does, too, and a double click on it resets the widget.
+void Controls::label(const char* name, const char* tooltip) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", name);
+  note_double_click(name);
+  explain(name, tooltip);
   ImGui::SameLine(ImGui::GetFontSize() * label_width_em);
   ImGui::SetNextItemWidth(-1.0f);
 }
 
-bool Controls::slider(const char* name, const char* tooltip, float& value, float lo, float hi,
-                      const std::function<std::string(float)>& words) {
-  label(name);
-  const bool changed = ImGui::SliderFloat(hidden_label(name).c_str(), &value, lo, hi, "%.2f",
-                                          ImGuiSliderFlags_AlwaysClamp);
-  const float zero = std::clamp(-lo / (hi - lo), 0.0f, 1.0f);
-  paint_slider(zero, (value - lo) / (hi - lo), words(value));
-  placed(name, tooltip);
-  return changed;
+void Controls::note_double_click(const char* name) {
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    resetting_ = name;
 }
 
-bool Controls::slider(const char* name, const char* tooltip, int& value, int lo, int hi,
+// A widget that is held takes the pointer's value in every frame, so that a reset has to be said
+// again until the button is let go.
+template <typename T>
+bool Controls::reset(const char* name, T& value, const std::optional<T>& to) {
+  if (!to || resetting_ != name || value == *to) return false;
+  value = *to;
+  return true;
+}
+
+bool Controls::slider(const char* name, const char* tooltip, float& value,
+                      const Range<float>& range, const std::function<std::string(float)>& words) {
+  label(name, tooltip);
+  const float before = value;
+  ImGui::SliderFloat(hidden_label(name).c_str(), &value, range.lo, range.hi, "%.2f",
+                     ImGuiSliderFlags_AlwaysClamp);
+  note_double_click(name);
+  reset(name, value, range.reset);
+  const float width = range.hi - range.lo, zero = std::clamp(-range.lo / width, 0.0f, 1.0f);
+  paint_slider(zero, (value - range.lo) / width, words(value));
+  placed(name, tooltip, Use::edits);
+  return value != before;
+}
+
+bool Controls::slider(const char* name, const char* tooltip, int& value, const Range<int>& range,
                       const std::function<std::string(int)>& words) {
-  label(name);
-  const bool changed = ImGui::SliderInt(hidden_label(name).c_str(), &value, lo, hi, "%d",
-                                        ImGuiSliderFlags_AlwaysClamp);
-  paint_slider(0.0f, static_cast<float>(value - lo) / static_cast<float>(hi - lo), words(value));
-  placed(name, tooltip);
-  return changed;
+  label(name, tooltip);
+  const int before = value;
+  ImGui::SliderInt(hidden_label(name).c_str(), &value, range.lo, range.hi, "%d",
+                   ImGuiSliderFlags_AlwaysClamp);
+  note_double_click(name);
+  reset(name, value, range.reset);
+  paint_slider(0.0f, static_cast<float>(value - range.lo) / static_cast<float>(range.hi - range.lo),
+               words(value));
+  placed(name, tooltip, Use::edits);
+  return value != before;
 }
 
-bool Controls::log_slider(const char* name, const char* tooltip, double& value, double hi,
+bool Controls::log_slider(const char* name, const char* tooltip, double& value,
+                          const Range<double>& range,
                           const std::function<std::string(double)>& words) {
-  label(name);
+  label(name, tooltip);
+  const double before = value;
   // Dear ImGui begins its scale at the last decimal of the format.
-  constexpr double least = 1e-4, lo = 0.0;
-  const bool changed =
-      ImGui::SliderScalar(hidden_label(name).c_str(), ImGuiDataType_Double, &value, &lo, &hi,
-                          "%.4f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  const double share = value > least ? std::log(value / least) / std::log(hi / least) : 0.0;
+  constexpr double least = 1e-4;
+  ImGui::SliderScalar(hidden_label(name).c_str(), ImGuiDataType_Double, &value, &range.lo,
+                      &range.hi, "%.4f",
+                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  note_double_click(name);
+  reset(name, value, range.reset);
+  const double share = value > least ? std::log(value / least) / std::log(range.hi / least) : 0.0;
   paint_slider(0.0f, static_cast<float>(share), words(value));
-  placed(name, tooltip);
+  placed(name, tooltip, Use::edits);
+  return value != before;
+}
+
+// Dear ImGui would type into a number that is double-clicked.
+bool Controls::drag(const std::string& id, double& value, const Drag& drag) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImU16 clicks =
+      std::exchange(io.MouseClickedCount[0], std::min(io.MouseClickedCount[0], ImU16{1}));
+  const double step = drag.is_size ? std::max(drag.step, 0.01 * std::abs(value)) : drag.step;
+  const bool changed = ImGui::DragScalar(
+      id.c_str(), ImGuiDataType_Double, &value, static_cast<float>(step), &drag.range.lo,
+      &drag.range.hi, "%.6g", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+  io.MouseClickedCount[0] = clicks;
   return changed;
 }
 
-bool Controls::checkbox(const char* name, const char* tooltip, bool& value) {
-  label(name);
-  const bool changed = ImGui::Checkbox(hidden_label(name).c_str(), &value);
-  placed(name, tooltip);
-  return changed;
+bool Controls::number(const char* name, const char* tooltip, double& value, const Drag& how,
+                      const std::function<std::string(double)>& words) {
+  label(name, tooltip);
+  const double before = value;
+  drag(hidden_label(name), value, how);
+  note_double_click(name);
+  reset(name, value, how.range.reset);
+  paint_number(words(value));
+  placed(name, tooltip, Use::edits);
+  return value != before;
+}
+
+bool Controls::vector(const char* name, const char* tooltip, glm::dvec3& value, double step,
+                      const glm::dvec3& to) {
+  label(name, tooltip);
+  const float gap = option_gap();
+  const float width = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
+  const glm::dvec3 before = value;
+  constexpr double limit = 1e9;
+  for (int k = 0; k < 3; ++k) {
+    constexpr std::array axes{"x", "y", "z"};
+    if (k > 0) ImGui::SameLine(0.0f, gap);
+    ImGui::SetNextItemWidth(width);
+    const std::string id = std::string(name) + "/" + axes[static_cast<std::size_t>(k)];
+    drag("##" + id, value[k], {{-limit, limit, std::nullopt}, step, false});
+    paint_number(fmt::format("{:.4g}", value[k]));
+    placed(id, tooltip, Use::edits);
+  }
+  reset(name, value, std::optional(to));
+  return value != before;
+}
+
+bool Controls::colour(const char* name, const char* tooltip, glm::vec3& linear,
+                      const glm::vec3& to) {
+  label(name, tooltip);
+  const glm::u8vec3 bytes = display_bytes(linear, 0.0f);
+  std::array<float, 3> shown{};
+  for (int k = 0; k < 3; ++k)
+    shown[static_cast<std::size_t>(k)] = static_cast<float>(bytes[k]) / 255.0f;
+  const bool changed = ImGui::ColorEdit3(
+      hidden_label(name).c_str(), shown.data(),
+      ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoOptions);
+  note_double_click(name);
+  placed(name, tooltip, Use::edits);
+  if (reset(name, linear, std::optional(to))) return true;
+  if (!changed || resetting_ == name) return false;
+  for (int k = 0; k < 3; ++k) {
+    const float byte =
+        std::round(255.0f * std::clamp(shown[static_cast<std::size_t>(k)], 0.0f, 1.0f));
+    linear[k] = srgb_byte_to_linear(static_cast<std::uint8_t>(byte));
+  }
+  return true;
+}
+
+bool Controls::checkbox(const char* name, const char* tooltip, bool& value,
+                        std::optional<bool> to) {
+  label(name, tooltip);
+  const bool before = value;
+  ImGui::Checkbox(hidden_label(name).c_str(), &value);
+  reset(name, value, to);
+  placed(name, tooltip, Use::edits);
+  return value != before;
 }
 
 bool Controls::button(const char* name, const char* tooltip, float width) {
   const bool pressed = ImGui::Button(name, {width, 0.0f});
-  placed(name, tooltip);
+  placed(name, tooltip, Use::edits);
   return pressed;
 }
 
 bool Controls::options(const char* name, std::span<const Option> options, int& chosen,
-                       bool labelled) {
-  if (labelled) label(name);
+                       const OptionsStyle& style) {
+  const int before = chosen;
+  if (style.labelled) label(name, options[static_cast<std::size_t>(std::max(0, chosen))].tooltip);
   // In two rows where their names would touch.
   const float touching = 0.5f * ImGui::GetFontSize() * static_cast<float>(options.size());
-  if (room_beside(options) >= touching) return option_row(name, options, 0, chosen);
-  const std::size_t half = (options.size() + 1) / 2;
-  const bool upper = option_row(name, options.first(half), 0, chosen);
-  return option_row(name, options.subspan(half), static_cast<int>(half), chosen) || upper;
+  if (room_beside(options) >= touching) {
+    option_row(name, options, 0, chosen);
+  } else {
+    const std::size_t half = (options.size() + 1) / 2;
+    option_row(name, options.first(half), 0, chosen);
+    option_row(name, options.subspan(half), static_cast<int>(half), chosen);
+  }
+  reset(name, chosen, style.reset);
+  return chosen != before;
 }
 
 // The buttons share the width by the lengths of their names.
-bool Controls::option_row(const char* name, std::span<const Option> options, int first,
+void Controls::option_row(const char* name, std::span<const Option> options, int first,
                           int& chosen) {
   const float count = static_cast<float>(options.size());
   const float room = room_beside(options);
-  bool changed = false;
   for (int i = 0; i < static_cast<int>(options.size()); ++i) {
     const Option& option = options[static_cast<std::size_t>(i)];
     if (i > 0) ImGui::SameLine(0.0f, option_gap());
@@ -190,38 +319,33 @@ bool Controls::option_row(const char* name, std::span<const Option> options, int
     ImGui::PushID(name);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     const float width = ImGui::CalcTextSize(option.name).x + room / count;
-    if (ImGui::Button(option.name, {width, 0.0f}) && !active) {
-      chosen = first + i;
-      changed = true;
-    }
+    if (ImGui::Button(option.name, {width, 0.0f})) chosen = first + i;
     ImGui::PopStyleVar();
     ImGui::PopID();
     ImGui::PopStyleColor(2);
-    placed(std::string(name) + "/" + option.name, option.tooltip);
+    placed(std::string(name) + "/" + option.name, option.tooltip, Use::edits);
   }
-  return changed;
 }
 
 bool Controls::list(const char* name, const char* tooltip, std::span<const std::string> items,
-                    int& chosen) {
-  label(name);
+                    int& chosen, std::optional<int> to) {
+  label(name, tooltip);
+  const int before = chosen;
   const bool valid = chosen >= 0 && chosen < static_cast<int>(items.size());
   const char* preview = valid ? items[static_cast<std::size_t>(chosen)].c_str() : "";
-  bool changed = false;
-  const bool open = ImGui::BeginCombo(hidden_label(name).c_str(), preview);
-  if (!open) placed(name, tooltip);
-  if (!open) return false;
+  reset(name, chosen, to);
+  if (!ImGui::BeginCombo(hidden_label(name).c_str(), preview)) {
+    placed(name, tooltip, Use::edits);
+    return chosen != before;
+  }
   for (int i = 0; i < static_cast<int>(items.size()); ++i) {
     ImGui::PushID(i);
-    if (ImGui::Selectable(items[static_cast<std::size_t>(i)].c_str(), i == chosen)) {
-      chosen = i;
-      changed = true;
-    }
-    placed(std::string(name) + "/" + items[static_cast<std::size_t>(i)], nullptr);
+    if (ImGui::Selectable(items[static_cast<std::size_t>(i)].c_str(), i == chosen)) chosen = i;
+    placed(std::string(name) + "/" + items[static_cast<std::size_t>(i)], tooltip);
     ImGui::PopID();
   }
   ImGui::EndCombo();
-  return changed;
+  return chosen != before;
 }
 
 void Controls::row(const char* label_text, const std::string& value, const char* tooltip) {

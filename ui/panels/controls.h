@@ -12,12 +12,17 @@ namespace asos {
 
 /// The panels' widgets: a label at the left, the widget beside it, a tooltip that says what it
 /// means. Remembers where each was drawn, so that tests can aim at it, and which have a tooltip.
-/// Values stay within the given ranges, typed ones too. Between ImGui::NewFrame and Render only.
+/// Values stay within the given ranges, typed ones too. A double click on a control's name, or on a
+/// slider or number itself, resets it. Between ImGui::NewFrame and Render only.
 class Controls {
  public:
+  /// Whether an item changes something, or only shows it.
+  enum class Use { shows, edits };
+
   struct Placed {
     glm::vec2 lo, hi;  ///< window coordinates, y down
     bool has_tooltip = false;
+    bool edits = false;
     [[nodiscard]] glm::vec2 centre() const { return 0.5f * (lo + hi); }
   };
 
@@ -25,14 +30,37 @@ class Controls {
 
   /// Sliders show their value as text over a bar that is filled up to it, from 0 where the range
   /// holds it. `words` writes the value; Ctrl+click types it.
-  bool slider(const char* name, const char* tooltip, float& value, float lo, float hi,
+  template <typename T>
+  struct Range {
+    T lo, hi;
+    std::optional<T> reset;
+  };
+  bool slider(const char* name, const char* tooltip, float& value, const Range<float>& range,
               const std::function<std::string(float)>& words);
-  bool slider(const char* name, const char* tooltip, int& value, int lo, int hi,
+  bool slider(const char* name, const char* tooltip, int& value, const Range<int>& range,
               const std::function<std::string(int)>& words);
-  /// From 0 to `hi` on a logarithmic scale that begins at 1/10000, for values with four decimals.
-  bool log_slider(const char* name, const char* tooltip, double& value, double hi,
+  /// From 0 on a logarithmic scale that begins at 1/10000, for values with four decimals.
+  bool log_slider(const char* name, const char* tooltip, double& value, const Range<double>& range,
                   const std::function<std::string(double)>& words);
-  bool checkbox(const char* name, const char* tooltip, bool& value);
+
+  /// A number that is dragged: a pixel changes it by `step`, or by a hundredth of itself where that
+  /// is more and it is a size.
+  struct Drag {
+    Range<double> range;
+    double step = 0.01;
+    bool is_size = false;
+  };
+  bool number(const char* name, const char* tooltip, double& value, const Drag& drag,
+              const std::function<std::string(double)>& words);
+  /// Three of them in a row, remembered as "name/x", "name/y" and "name/z".
+  bool vector(const char* name, const char* tooltip, glm::dvec3& value, double step,
+              const glm::dvec3& reset);
+  /// A linear colour of 0 to 1 by red, green and blue as sRGB bytes, remembered as "name/r" and so
+  /// on, and a picker that opens from the patch beside them.
+  bool colour(const char* name, const char* tooltip, glm::vec3& linear, const glm::vec3& reset);
+
+  bool checkbox(const char* name, const char* tooltip, bool& value,
+                std::optional<bool> reset = std::nullopt);
   bool button(const char* name, const char* tooltip, float width = 0.0f);
 
   /// One of a few, as buttons side by side. Each option is remembered as "name/option".
@@ -41,10 +69,15 @@ class Controls {
     const char* tooltip;
   };
   /// Without a label they have the whole width, in two rows where one is too short for them.
+  struct OptionsStyle {
+    bool labelled = true;
+    std::optional<int> reset;
+  };
   bool options(const char* name, std::span<const Option> options, int& chosen,
-               bool labelled = true);
+               const OptionsStyle& style = {true, std::nullopt});
   /// One of many, as a list that drops down.
-  bool list(const char* name, const char* tooltip, std::span<const std::string> items, int& chosen);
+  bool list(const char* name, const char* tooltip, std::span<const std::string> items, int& chosen,
+            std::optional<int> reset = std::nullopt);
 
   /// A row of text: a dim label and a value.
   void row(const char* label, const std::string& value, const char* tooltip = nullptr);
@@ -52,17 +85,23 @@ class Controls {
   bool section(const char* name, bool open_at_first = true);
 
   /// Remembers the item just drawn, and shows its tooltip once the pointer has rested on it.
-  void placed(const std::string& name, const char* tooltip);
+  void placed(const std::string& name, const char* tooltip, Use use = Use::shows);
 
   [[nodiscard]] const std::map<std::string, Placed>& all() const { return placed_; }
   /// When a tooltip is due, in seconds from the frame's time.
   [[nodiscard]] std::optional<double> seconds_to_tooltip() const;
 
  private:
-  void label(const char* name);
-  bool option_row(const char* name, std::span<const Option> options, int first, int& chosen);
+  void label(const char* name, const char* tooltip);
+  void explain(const std::string& name, const char* tooltip);
+  void note_double_click(const char* name);
+  template <typename T>
+  bool reset(const char* name, T& value, const std::optional<T>& to);
+  bool drag(const std::string& id, double& value, const Drag& drag);
+  void option_row(const char* name, std::span<const Option> options, int first, int& chosen);
 
   std::map<std::string, Placed> placed_;
+  std::string resetting_;  // double-clicked; stays reset until the button is let go
   double now_seconds_ = 0.0;
   std::string hovered_, hovered_before_;
   double hovered_since_seconds_ = 0.0;

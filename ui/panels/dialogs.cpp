@@ -22,16 +22,22 @@ constexpr std::array help_lines{
     HelpLine{"Middle drag, Shift + left drag", "pan"},
     HelpLine{"Wheel", "move closer, farther"},
     HelpLine{"Double click", "orbit about this point"},
+    HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
     HelpLine{"Home, F", "frame the whole scene"},
+    HelpLine{"Click", "see how a pixel was split"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + wheel, + and -", "zoom into the pixels"},
-    HelpLine{"Right drag", "move the zoomed picture"},
+    HelpLine{"Right drag, zoomed", "move the picture"},
     HelpLine{"1", "back to one to one"},
+    HelpLine{"S, X", "store the picture, flip to it and back"},
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level or by cause"},
+    HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
+    HelpLine{"Double click on a control", "reset it"},
     HelpLine{"Tab", "hide or show the panel"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + O, drop a file", "open a scene"},
+    HelpLine{"R", "load the file again"},
     HelpLine{"P, F12", "save the picture as PNG"},
     HelpLine{"F1, ?", "this help"},
     HelpLine{"Esc, Ctrl + Q", "quit"},
@@ -83,7 +89,19 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered =
       ImGui::InputText("##path", &state.open_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  controls.placed("Path", nullptr);
+  controls.placed("Path", "Of a .gltf or .glb file, or builtin:NAME.");
+
+  if (!state.recent.empty()) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("or one that was open before");
+  }
+  for (std::size_t i = 0; i < state.recent.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(state.recent[i].c_str(), false, ImGuiSelectableFlags_DontClosePopups))
+      chosen = state.recent[i];
+    ImGui::PopID();
+    controls.placed("Recent/" + std::to_string(i + 1), "Open this file.", Controls::Use::edits);
+  }
 
   ImGui::Spacing();
   ImGui::TextDisabled("or a built-in scene");
@@ -91,17 +109,19 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
     if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) {
       chosen = "builtin:" + scene.name;
     }
-    controls.placed("Built-in/" + scene.name, nullptr);
-    ImGui::SameLine(7.0f * em);
+    controls.placed("Built-in/" + scene.name, scene.summary.c_str(), Controls::Use::edits);
+    ImGui::SameLine(11.0f * em);
     ImGui::TextDisabled("%s", scene.summary.c_str());
   }
 
   ImGui::Spacing();
-  if ((controls.button("Open", nullptr, 6.0f * em) || entered) && !state.open_path.empty()) {
+  if ((controls.button("Open", "Open the path that was typed. Key: Enter.", 6.0f * em) ||
+       entered) &&
+      !state.open_path.empty()) {
     chosen = state.open_path;
   }
   ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", nullptr, 6.0f * em) ||
+  const bool cancelled = controls.button("Cancel", "Open nothing. Key: Esc.", 6.0f * em) ||
                          ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
   if (!chosen.empty()) previewer.open(chosen);
   if (!chosen.empty() || cancelled) {
@@ -110,6 +130,17 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   }
   ImGui::EndPopup();
 }
+
+namespace {
+
+// Shows the stored frame in place of the picture, or no longer.
+void flip(Frames& frames) {
+  if (frames.stored.empty()) return;
+  frames.flipped = !(frames.comparison == Comparison::flip && frames.flipped);
+  frames.comparison = Comparison::flip;
+}
+
+}  // namespace
 
 void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::q, true)) state.quit = true;
@@ -120,6 +151,10 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   }
   if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
   if (shortcut_pressed(Key::home) || shortcut_pressed(Key::f)) previewer.frame_all();
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
+    store_frame(state.frames, previewer);
+  if (shortcut_pressed(Key::r)) previewer.reload();
+  if (shortcut_pressed(Key::x)) flip(state.frames);
   if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
   if (shortcut_pressed(Key::c)) {
     SplitMapColours& colours = state.display.split_colours;
@@ -137,6 +172,10 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     state.show_help = false;
   } else if (previewer.error()) {
     previewer.dismiss_error();
+  } else if (state.picked) {
+    state.picked.reset();
+  } else if (state.lights.selected >= 0) {
+    state.lights.selected = -1;
   } else {
     state.quit = true;
   }

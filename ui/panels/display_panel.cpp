@@ -28,6 +28,7 @@ constexpr std::array<CauseWords, split_cause_count> cause_words{{
     {"crease, seam", "A kink of a surface, or where its material or its texture changes."},
     {"crossing", "A line in which surfaces pass through each other."},
     {"shadow", "The edge of a shadow. A hard one may cut a pixel that is not split otherwise."},
+    {"reflection", "The edge of something that the surface mirrors."},
     {"shading", "No boundary: shaded too unevenly for one sample."},
     {"cut-out", "No boundary was found; split by what its samples show."},
     {"saturated", "So many boundaries that the finest samples were taken at once."},
@@ -82,22 +83,25 @@ void cause_legend(Controls& controls) {
 }  // namespace
 
 void display_panel(Controls& controls, DisplaySettings& display, int max_level) {
+  const DisplaySettings usual;
   if (!controls.section("Display")) return;
-  controls.slider("Exposure",
-                  "Brightness of the picture in stops: +1 doubles it. Changes what is shown, not "
-                  "what is rendered.",
-                  display.exposure_ev, -DisplaySettings::exposure_limit_ev,
-                  DisplaySettings::exposure_limit_ev,
-                  [](float ev) { return fmt::format("{:+.2f} EV", ev); });
+  controls.slider(
+      "Exposure",
+      "Brightness of the picture in stops: +1 doubles it. Changes what is shown, not "
+      "what is rendered.",
+      display.exposure_ev,
+      {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev, usual.exposure_ev},
+      [](float ev) { return fmt::format("{:+.2f} EV", ev); });
   controls.checkbox("Split map", "Show in colours which pixels were split. Key: M.",
-                    display.show_split_map);
+                    display.show_split_map, usual.show_split_map);
   if (!display.show_split_map) return;
   controls.slider("Dimming",
                   "How dark the pixels that are not split become under the split map, 0 to 100 %.",
-                  display.split_dimming, 0.0f, 1.0f,
+                  display.split_dimming, {0.0f, 1.0f, usual.split_dimming},
                   [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
   int colours = static_cast<int>(display.split_colours);
-  if (controls.options("Colours", colour_options, colours))
+  if (controls.options("Colours", colour_options, colours,
+                       {true, static_cast<int>(usual.split_colours)}))
     display.split_colours = static_cast<SplitMapColours>(colours);
   if (display.split_colours == SplitMapColours::cause) {
     cause_legend(controls);

@@ -43,7 +43,9 @@ void error_notice(Controls& controls, Previewer& previewer, const WindowRect& ar
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::alarm));
   // A method that refuses the scene is an error too, but the scene is there.
   const bool open = previewer.scene() && previewer.scene()->source == previewer.asked_for();
-  ImGui::TextUnformatted(open ? "Not possible with this scene" : "Could not open");
+  const char* headline = open ? "Not possible with this scene" : "Could not open";
+  if (previewer.reload_failed()) headline = "Could not reload: the scene from before stays";
+  ImGui::TextUnformatted(headline);
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(error.subject.c_str());
@@ -54,7 +56,7 @@ void error_notice(Controls& controls, Previewer& previewer, const WindowRect& ar
     ImGui::SetClipboardText(error.message().c_str());
   }
   ImGui::SameLine();
-  if (controls.button("Close", nullptr)) previewer.dismiss_error();
+  if (controls.button("Close", "Put this message away. Key: Esc.")) previewer.dismiss_error();
   end_notice();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "ui/panels/controls.h"
+#include "ui/panels/panels.h"
+#include "ui/pixel_report.h"
 #include "ui/previewer.h"
 #include "ui/ui_state.h"
 
@@ -13,10 +15,31 @@ struct WindowRect {
   glm::vec2 lo, size;
 };
 
-/// The area that shows the picture: mouse and wheel over it move the camera and the picture. Draws
-/// nothing. `framebuffer_scale`: framebuffer pixels for each window unit.
-void picture_area(Controls& controls, Previewer& previewer, PictureView& view,
-                  const WindowRect& area, float framebuffer_scale);
+/// Where the picture is shown.
+struct PictureArea {
+  WindowRect rect;
+  float scale = 1.0f;  ///< framebuffer pixels for each window unit
+};
+/// The area that shows the picture: mouse, wheel and keys move the camera and the picture, a click
+/// picks a pixel.
+void picture_area(Controls& controls, Previewer& previewer, UiState& state,
+                  const PictureArea& area);
+/// Whether keys are held that keep the camera moving, so that the next frame is due at once.
+[[nodiscard]] bool flying();
+
+/// The lights' marks over the picture, to select and to move them by.
+void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
+                 const PictureView& view, const PictureArea& area);
+
+/// What is known of the picked pixel: values, how it was split and why it stopped. `report` may be
+/// null while it is being made.
+void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
+                 const PixelReport* report, const PictureArea& area);
+/// Where the picked pixel is, and the boundaries of the hit list, over the picture.
+void picked_mark(const PixelReport* report, const UiState& state, const PictureArea& area);
+/// The line of a wipe, to be dragged.
+void wipe_line(Controls& controls, Frames& frames, const PictureView& view, const Film& film,
+               const PictureArea& area);
 
 /// What lies over the picture: the error to read and copy, what is being loaded, or the invitation
 /// to open something.

@@ -1,8 +1,14 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/frames.h"
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
 
 namespace asos {
 
@@ -12,6 +18,22 @@ namespace asos {
 void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
 /// What `scene` needs no shadows for, or no soft ones, is not shown.
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
+
+/// What is chosen among the lights.
+struct LightChoice {
+  int selected = -1;       ///< -1: none
+  bool show_marks = true;  ///< in the picture, while one is selected
+  std::string error;       ///< why no light could be made of a face
+};
+/// `picked`: the pixel that was clicked in the picture.
+void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
+                  std::optional<glm::ivec2> picked);
+
+/// Frames that were put by, and the current picture beside one of them.
+void compare_panel(Controls& controls, const Previewer& previewer, Frames& frames);
+/// False where there are enough already.
+bool store_frame(Frames& frames, const Previewer& previewer);
+
 void display_panel(Controls& controls, DisplaySettings& display, int max_level);
 void camera_panel(Controls& controls, Previewer& previewer);
 void scene_panel(Controls& controls, const RenderScene& scene, double load_seconds);

@@ -1,3 +1,4 @@
+#include "ui/input.h"
 #include "ui/panels/overlays.h"
 
 #include <imgui.h>
@@ -12,16 +13,46 @@ namespace {
 
 // Dragging over the whole height turns by half a circle, whatever the window's size.
 constexpr double orbit_rad_per_height = std::numbers::pi;
+constexpr double look_rad_per_height = 0.4 * std::numbers::pi;
 constexpr double dolly_per_step = 0.88;
 
 glm::vec2 vec(ImVec2 v) {
   return {v.x, v.y};
 }
 
+// How fast the camera flies, in the scene's radii a second; with Shift four times that.
+constexpr double fly_radii_per_second = 0.4;
+constexpr double fast = 4.0;
+// A press that moves less, in window units, is a click.
+constexpr float click_distance = 4.0f;
+
+bool held(Key key) {
+  return ImGui::IsKeyDown(static_cast<int>(key));
+}
+
+// With the right button down and the whole picture in view.
+void fly(OrbitCamera& camera) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto axis = [](Key plus, Key minus) {
+    return static_cast<double>(held(plus)) - static_cast<double>(held(minus));
+  };
+  const glm::dvec3 way(axis(Key::d, Key::a), axis(Key::e, Key::q), axis(Key::w, Key::s));
+  if (way == glm::dvec3(0.0)) return;
+  // A frame that came late, after the window slept, is no long stretch.
+  const double seconds = std::min(static_cast<double>(io.DeltaTime), 0.1);
+  const glm::dvec3 by = seconds * fly_radii_per_second * (io.KeyShift ? fast : 1.0) * way;
+  camera.fly(by.x, by.y, by.z);
+}
+
 void drag(Previewer& previewer, PictureView& view, glm::vec2 delta, float area_height) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool left = io.MouseDown[0], right = io.MouseDown[1], middle = io.MouseDown[2];
-  if (right) view.pan(delta);
+  if (right && view.zoom() > 1) view.pan(delta);
+  if (right && view.zoom() == 1) {
+    const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(area_height);
+    previewer.camera().look_around(-look_rad_per_height * heights.x,
+                                   -look_rad_per_height * heights.y);
+  }
   if (middle || (left && io.KeyShift)) {
     const float picture_height = view.scale() * static_cast<float>(previewer.film().height);
     if (picture_height <= 0.0f) return;
@@ -33,10 +64,26 @@ void drag(Previewer& previewer, PictureView& view, glm::vec2 delta, float area_h
   }
 }
 
+std::optional<glm::ivec2> picked_pixel(const PictureView& view, glm::vec2 pointer,
+                                       const Film& film) {
+  const glm::ivec2 pixel(glm::floor(view.picture_from_area(pointer)));
+  const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < film.width && pixel.y < film.height;
+  return inside ? std::optional(pixel) : std::nullopt;
+}
+
 }  // namespace
 
-void picture_area(Controls& controls, Previewer& previewer, PictureView& view,
-                  const WindowRect& area, float framebuffer_scale) {
+bool flying() {
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Right)) return false;
+  return held(Key::w) || held(Key::a) || held(Key::s) || held(Key::d) || held(Key::q) ||
+         held(Key::e);
+}
+
+void picture_area(Controls& controls, Previewer& previewer, UiState& state,
+                  const PictureArea& place) {
+  const WindowRect& area = place.rect;
+  const float framebuffer_scale = place.scale;
+  PictureView& view = state.view;
   if (area.size.x < 1.0f || area.size.y < 1.0f) return;
   ImGui::SetCursorScreenPos({area.lo.x, area.lo.y});
   ImGui::InvisibleButton("picture", {area.size.x, area.size.y},
@@ -50,6 +97,10 @@ void picture_area(Controls& controls, Previewer& previewer, PictureView& view,
   if (ImGui::IsItemActive() && delta != glm::vec2(0.0f)) {
     drag(previewer, view, delta, area.size.y * framebuffer_scale);
   }
+  if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1) fly(previewer.camera());
+  if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+      io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)
+    state.picked = picked_pixel(view, pointer, previewer.film());
   if (!ImGui::IsItemHovered()) return;
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const glm::vec2 at = view.picture_from_area(pointer);

@@ -26,6 +26,7 @@ bool divides(ShadowQuality quality) {
 }
 
 void quality_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
   std::vector<std::string> names;
   for (const auto& named : shadow_quality_names) names.emplace_back(named.name);
   static_assert(shadow_quality_names.back().value == ShadowQuality::extended_adaptive);
@@ -36,28 +37,30 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
                     "centre: one pyray. supersampling, forced: from n x n jittered or regular "
                     "points. extended: one from behind the patch, whole, divided into n x n or "
                     "into as many parts as the light asks for.",
-                    names, chosen)) {
+                    names, chosen, static_cast<int>(usual.shadow_quality))) {
     settings.shadow_quality = static_cast<ShadowQuality>(chosen);
   }
   if (!divides(settings.shadow_quality)) return;
-  controls.slider(
-      "Divisions", "Into n x n parts the patch is divided, 1 to 16. Ctrl+click to type a value.",
-      settings.shadow_divisions, 1, 16, [](int n) { return fmt::format("{} x {}", n, n); });
+  controls.slider("Divisions",
+                  "Into n x n parts the patch is divided, 1 to 16. Ctrl+click to type a value.",
+                  settings.shadow_divisions, {1, 16, usual.shadow_divisions},
+                  [](int n) { return fmt::format("{} x {}", n, n); });
 }
 
 }  // namespace
 
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
+  const RenderSettings usual;
   if (!controls.section("Shadows")) return;
   if (!scene || scene->needs.shadows)
-    controls.checkbox("Shadows", "Lights cast shadows.", settings.shadows);
+    controls.checkbox("Shadows", "Lights cast shadows.", settings.shadows, usual.shadows);
   // What the papers published chooses its own quality and rule.
   const bool soft = scene && scene->needs.soft_shadows;
   if (settings.method == Method::asos && settings.shadows && soft)
     quality_controls(controls, settings);
   if (settings.method == Method::asos_published) return;
   int rule = static_cast<int>(settings.light_rule);
-  if (controls.options("Light rule", light_rules, rule))
+  if (controls.options("Light rule", light_rules, rule, {true, static_cast<int>(usual.light_rule)}))
     settings.light_rule = static_cast<LightRule>(rule);
 }
 

@@ -36,22 +36,26 @@ void rival_boxes(Controls& controls, StudyChoice& choice) {
       else
         choice.rivals.erase(method);
     }
-    controls.placed("Study/" + method, "Measure this method, over a ladder of its own settings.");
+    controls.placed("Study/" + method, "Measure this method, over a ladder of its own settings.",
+                    Controls::Use::edits);
   }
 }
 
 void choice_controls(Controls& controls, StudyChoice& choice) {
+  const StudyChoice usual;
   rival_boxes(controls, choice);
   int chosen = choice.reduction == 1 ? 0 : choice.reduction == 2 ? 1 : 2;
-  if (controls.options("Size", reductions, chosen)) choice.reduction = 1 << chosen;
+  if (controls.options("Size", reductions, chosen, {true, 1})) choice.reduction = 1 << chosen;
   controls.slider("Budget",
                   "Seconds for the reference that errors are told against. Its first pass always "
                   "runs to the end; the methods take what they take. Ctrl+click to type a value.",
-                  choice.budget_seconds, 1, 600, [](int s) { return fmt::format("{} s", s); });
+                  choice.budget_seconds, {1, 600, usual.budget_seconds},
+                  [](int s) { return fmt::format("{} s", s); });
   controls.slider("Repetitions",
                   "How often each setting is rendered; times are the median. Ctrl+click to type a "
                   "value.",
-                  choice.repetitions, 1, 9, [](int n) { return fmt::format("{}", n); });
+                  choice.repetitions, {1, 9, usual.repetitions},
+                  [](int n) { return fmt::format("{}", n); });
 }
 
 void start(StudyChoice& choice, ViewStudy& study, const Previewer& previewer) {

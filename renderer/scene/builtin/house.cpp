@@ -1,6 +1,7 @@
 #include "renderer/scene/builtin/house_parts.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
+#include "renderer/scene/builtin/textures.h"
 
 #include <array>
 
@@ -62,7 +63,7 @@ void add_windows(Stage& stage) {
   place_window(stage, window, turned({x, 4.35, 0.0}, 90.0), ++number);
 }
 
-void add_door(Stage& stage) {
+void add_front_door(Stage& stage) {
   const glm::mat4 placement = glm::mat4(turned({-0.6, 1.32, half_width}, 0.0));
   Mesh frame, leaf, knob;
   add_frame(frame, {0.58f, 1.02f}, {0.48f, 0.94f}, 0.09f, placement);
@@ -78,28 +79,92 @@ void add_door(Stage& stage) {
   stage.add("door knob", std::move(knob), stage.paint("brass", 0xc9a24a, 0.4f));
 }
 
+/// The house with its porch, and the gazebo: all but what they stand on.
+void add_house(Stage& stage) {
+  add_walls(stage);
+  add_main_roof(stage);
+  add_windows(stage);
+  add_front_door(stage);
+  add_porch(stage, -half_length, 1.6f, half_width);
+  add_gazebo(stage, {7.6, 0.0, 4.4});
+}
+
+void add_plane(Stage& stage, const std::string& name, int material) {
+  Mesh plane;
+  add_quad(plane, {-2000, 0, 900}, {2000, 0, 900}, {2000, 0, -900}, {-2000, 0, -900});
+  stage.add(name, std::move(plane), material);
+}
+
+constexpr glm::dvec3 sun_travel(-0.62, -0.68, -0.55);
+constexpr std::uint32_t sun_srgb = 0xfff0d6;
+constexpr float sun_lux = 3.1f;
+
+void add_sun(Stage& stage) {
+  stage.sun("sun", sun_travel, sun_srgb, sun_lux, sun_diameter_rad);
+}
+
+/// The soft light from the sky and from behind the camera.
+void add_fill(Stage& stage) {
+  stage.sun("sky", {0.25, -1.0, 0.1}, 0xcfe0ff, 0.5f);
+  stage.sun("fill", {-0.29, -0.05, -1.0}, 0xe6edff, 0.75f);
+}
+
 }  // namespace
 
 // About 2,800 polygons, after the house of CGF'98 section 7.2 and GI'93: thin balusters, mullions
 // and rows of tiles beside large walls, on a large plane.
 Scene make_house() {
   Stage stage("house");
-  Mesh ground, path;
-  add_quad(ground, {-2000, 0, 900}, {2000, 0, 900}, {2000, 0, -900}, {-2000, 0, -900});
+  add_plane(stage, "ground", stage.paint("grass", 0x93ad68, 1.0f));
+  Mesh path;
   add_box(path, {-1.3f, 0.0f, 5.75f}, {0.1f, 0.04f, 16.0f});
-  stage.add("ground", std::move(ground), stage.paint("grass", 0x93ad68, 1.0f));
   stage.add("path", std::move(path), stage.paint("path", 0xcabfa8, 0.95f));
-  add_walls(stage);
-  add_main_roof(stage);
-  add_windows(stage);
-  add_door(stage);
-  add_porch(stage, -half_length, 1.6f, half_width);
-  add_gazebo(stage, {7.6, 0.0, 4.4});
-
-  stage.sun("sun", {-0.62, -0.68, -0.55}, 0xfff0d6, 3.1f, sun_diameter_rad);
-  stage.sun("sky", {0.25, -1.0, 0.1}, 0xcfe0ff, 0.5f);
-  stage.sun("fill", {-0.29, -0.05, -1.0}, 0xe6edff, 0.75f);
+  add_house(stage);
+  add_sun(stage);
+  add_fill(stage);
   stage.camera("garden", {7.2, 3.0, 17.5}, {2.05, 3.25, 0.0}, 35.0);
+  stage.camera("gazebo", {11.5, 1.8, 11.0}, {5.6, 2.0, 2.6}, 38.0);
+  return stage.take();
+}
+
+// CGF'98 figures 14 and 15: wood on the porch and the gazebo, which a spherical light shades
+// softly, and a mesh with a map of normals for the sand around them.
+Scene make_house_textured() {
+  Stage stage("house-textured");
+  constexpr float sand_metres = 4.0f;
+  Mesh ground;
+  add_sand(ground);
+  const int sand = stage.paint("sand", 0xd9c49b, 1.0f);
+  stage.add("ground", std::move(ground), sand);
+  stage.material("sand").normal_texture =
+      by_metres(stage.keep_texture(sand_normals(sand_metres)), sand_metres);
+  add_house(stage);
+  stage.cover("clapboard", stage.keep_texture(clapboards()), 2.0f);
+  const int planks = stage.keep_texture(wood_planks());
+  stage.cover("boards", planks, 2.0f);
+  stage.cover("gazebo floor", planks, 2.0f);
+
+  // As far away as the sun's stand-in has to be for its light to be even over the garden, and so
+  // large that penumbrae are a twentieth of the way from an edge to its shadow.
+  constexpr double distance = 150.0;
+  stage.ball("ball", -distance * glm::normalize(sun_travel), 0.025 * distance, sun_srgb,
+             sun_lux * static_cast<float>(distance * distance));
+  add_fill(stage);
+  stage.camera("garden", {7.2, 3.0, 18.6}, {2.2, 2.9, 0.0}, 37.0);
+  stage.camera("gazebo", {11.5, 1.8, 11.0}, {5.6, 2.0, 2.6}, 38.0);
+  return stage.take();
+}
+
+// CGF'98 figures 16 to 19: on a mirror, without textures and shadows. The camera is so low that the
+// house and its reflection each fill half of the picture.
+Scene make_house_mirror() {
+  Stage stage("house-mirror");
+  add_plane(stage, "mirror", stage.paint("mirror", 0xffffff, 0.0f, 1.0f));
+  add_house(stage);
+  add_sun(stage);
+  add_fill(stage);
+  stage.cast_no_shadows();
+  stage.camera("garden", {7.2, 1.4, 17.5}, {2.0, 0.0, 0.0}, 52.0);
   stage.camera("gazebo", {11.5, 1.8, 11.0}, {5.6, 2.0, 2.6}, 38.0);
   return stage.take();
 }

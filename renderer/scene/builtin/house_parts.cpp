@@ -124,6 +124,40 @@ void add_porch(Stage& stage, float x0, float x1, float wall) {
   stage.add("porch", std::move(wood), stage.paint("porch wood", white_trim, 0.7f));
 }
 
+void add_sand(Mesh& mesh) {
+  constexpr int columns = 30, rows = 19;
+  // The lines of the grid are the farther apart the farther out they are.
+  const auto line = [](int i, int count, double reach) {
+    const double t = 2.0 * i / count - 1.0;
+    return reach * std::sinh(6.0 * t) / std::sinh(6.0);
+  };
+  const auto height = [](glm::dvec2 p) {
+    const glm::dvec2 outside = glm::max(glm::abs(p - glm::dvec2(2.0, 1.0)) - 11.0, 0.0);
+    const double rise = glm::smoothstep(0.0, 40.0, glm::length(outside));
+    return 0.9 * rise * (1.0 + std::sin(0.06 * p.x + 0.02 * p.y) * std::sin(0.05 * p.y + 1.0));
+  };
+  for (int k = 0; k <= rows; ++k) {
+    for (int i = 0; i <= columns; ++i) {
+      const glm::dvec2 p(line(i, columns, 2000.0) + 2.0, line(k, rows, 900.0) + 1.0);
+      constexpr double step = 0.01;
+      const glm::dvec2 slope(
+          (height(p + glm::dvec2(step, 0)) - height(p - glm::dvec2(step, 0))) / (2.0 * step),
+          (height(p + glm::dvec2(0, step)) - height(p - glm::dvec2(0, step))) / (2.0 * step));
+      mesh.positions.emplace_back(p.x, height(p), p.y);
+      mesh.normals.push_back(glm::normalize(glm::vec3(-slope.x, 1.0, -slope.y)));
+      mesh.tangents.emplace_back(glm::normalize(glm::vec3(1.0, slope.x, 0.0)), 1.0f);
+      mesh.texcoords[0].emplace_back(p.x, p.y);
+    }
+  }
+  for (std::uint32_t k = 0; k < rows; ++k) {
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const std::uint32_t a = k * (columns + 1) + i, b = a + columns + 1;
+      mesh.triangles.emplace_back(a, b, b + 1);
+      mesh.triangles.emplace_back(a, b + 1, a + 1);
+    }
+  }
+}
+
 void add_gazebo(Stage& stage, glm::dvec3 place) {
   constexpr float radius = 1.75f, deck = 0.25f, eave = 2.3f;
   const auto corner = [](int i, float r) {

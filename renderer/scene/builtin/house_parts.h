@@ -27,6 +27,10 @@ void place_window(Stage& stage, const WindowMeshes& window, const glm::dmat4& pl
 /// A porch along the wall z = `wall`, from x0 to x1: deck, steps, posts, railing and lean-to roof.
 void add_porch(Stage& stage, float x0, float x1, float wall);
 
+/// A field of sand as a mesh of 1,140 triangles: level where house and gazebo stand, low dunes
+/// around them. Smooth, with texture coordinates in metres along x and z, and tangents.
+void add_sand(Mesh& mesh);
+
 /// An eight-sided gazebo with posts, railing and conical roof, standing at `place`.
 void add_gazebo(Stage& stage, glm::dvec3 place);
 

@@ -90,7 +90,7 @@ void add_window(Stage& stage) {
   stage.add("trunk", std::move(trunk), stage.paint("bark", 0x6d5039, 1.0f));
 }
 
-void add_door(Stage& stage) {
+void add_room_door(Stage& stage) {
   constexpr float x0 = -2.35f, x1 = -1.5f, top = 2.05f;
   Mesh frame, leaf, handle;
   add_box(frame, {x0 - 0.08f, 0.0f, back}, {x0, top + 0.08f, back + 0.05f});
@@ -179,15 +179,11 @@ void add_ceiling_light(Stage& stage) {
   stage.panel("ceiling panel", below, below - glm::dvec3(0, 1, 0), {1.24, 0.64}, 0xfff6e6, 11.6f);
 }
 
-}  // namespace
-
-// A room in the spirit of the papers' office (CGF'98 section 7.1): thin chair legs and rungs, pens,
-// mullions and the arm of a lamp between large plain surfaces.
-Scene make_office() {
-  Stage stage("office");
+/// All of the office but its cameras.
+void furnish_office(Stage& stage) {
   add_room(stage);
   add_window(stage);
-  add_door(stage);
+  add_room_door(stage);
   add_whiteboard(stage);
   add_ceiling_light(stage);
   add_desk(stage, {-0.15, 0.0, -0.75});
@@ -199,8 +195,31 @@ Scene make_office() {
   stage.sun("sky over the garden", {-0.6, -0.5, 0.1}, 0xe8f1ff, 2.4f);  // the room shuts it out
   stage.lamp("fill", {0.9, 1.75, 2.85}, 0xeaf0ff, 5.0f);
   stage.spot("bounce", {0.7, 1.45, 2.9}, {0.0, 2.7, 0.6}, 0xffefdc, 14.0f, 62.0);
+}
+
+}  // namespace
+
+// A room in the spirit of the papers' office (CGF'98 section 7.1): thin chair legs and rungs, pens,
+// mullions and the arm of a lamp between large plain surfaces.
+Scene make_office() {
+  Stage stage("office");
+  furnish_office(stage);
   stage.camera("room", {1.45, 1.62, 2.8}, {-0.25, 1.1, -1.1}, 53.0);
   stage.camera("desk", {0.75, 1.25, 0.75}, {-0.25, 0.82, -0.9}, 46.0);
+  return stage.take();
+}
+
+// CGF'98 figure 20: from nearer the desk, whose metal blurs the whiteboard that it reflects; the
+// whiteboard reflects the ceiling's light. The camera is between the chair's back and the desk.
+Scene make_office_metal() {
+  Stage stage("office-metal");
+  furnish_office(stage);
+  Material& top = stage.material("desk top");
+  top.metallic = 1.0f;
+  top.roughness = 0.15f;
+  top.base_color = stage.material("aluminium").base_color;
+  stage.material("whiteboard").roughness = 0.1f;
+  stage.camera("desk", {0.5, 1.2, 0.18}, {0.02, 1.02, -1.6}, 62.0);
   return stage.take();
 }
 

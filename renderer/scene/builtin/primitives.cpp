@@ -2,6 +2,8 @@
 #include "renderer/scene/builtin/shapes.h"
 #include "renderer/scene/builtin/stage.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace asos::builtin {
 
 namespace {
@@ -11,42 +13,59 @@ constexpr glm::dvec3 lamp_place(-2.6, 7.5, 3.4);
 constexpr std::uint32_t lamp_srgb = 0xfff4e2;
 constexpr float lamp_candela = 185.0f;
 
-// The shapes of GI'93 figure 6 with their shadows: sphere, cylinder, cone, truncated cone, box and
-// disk over a plane. Round ones have 256 sides, so that their outlines look smooth up close. All
-// but the main light.
-void furnish(Stage& stage) {
-  constexpr int sides = 256;
+Shape round(Shape::Type type, double radius) {
+  Shape shape;
+  shape.type = type;
+  shape.radius = radius;
+  return shape;
+}
 
+Shape cone(double height, double radius_bottom, double radius_top) {
+  Shape shape;
+  shape.type = Shape::Type::cylinder;
+  shape.height = height;
+  shape.radius_bottom = radius_bottom;
+  shape.radius_top = radius_top;
+  return shape;
+}
+
+glm::dmat4 moved(glm::dvec3 to) {
+  return glm::translate(glm::dmat4(1.0), to);
+}
+
+// Turns +Y to `up`.
+glm::dmat4 facing(glm::dvec3 position, glm::dvec3 up) {
+  const glm::dvec3 y = glm::normalize(up), z = glm::normalize(glm::cross(glm::dvec3(1, 0, 0), y));
+  return {glm::dvec4(glm::cross(y, z), 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0),
+          glm::dvec4(position, 1.0)};
+}
+
+// The shapes of GI'93 figure 6 with their shadows: sphere, cylinder, cone, truncated cone, box and
+// disk over a plane. All but the main light.
+void furnish(Stage& stage) {
   Mesh plane;
   add_quad(plane, {-300, 0, 300}, {300, 0, 300}, {300, 0, -300}, {-300, 0, -300});
   stage.add("plane", std::move(plane), stage.paint("plane", 0xd9d4c8, 0.9f));
 
-  Mesh sphere;
-  add_sphere(sphere, {-2.35f, 0.95f, -0.45f}, 0.8f, 64);
-  stage.add("sphere", std::move(sphere), stage.paint("red", 0xc8402f, 0.35f));
+  stage.add("sphere", round(Shape::Type::sphere, 0.8), moved({-2.35, 0.95, -0.45}),
+            stage.paint("red", 0xc8402f, 0.35f));
+  stage.add("cylinder", cone(1.9, 0.55, 0.55), moved({-0.85, 0.95, -1.5}),
+            stage.paint("blue", 0x3f6fb5, 0.5f));
+  stage.add("cone", cone(2.1, 0.75, 0.0), moved({0.95, 1.05, -1.35}),
+            stage.paint("yellow", 0xe0b03a, 0.6f));
+  stage.add("truncated cone", cone(1.15, 0.75, 0.35), moved({2.45, 0.575, -0.5}),
+            stage.paint("green", 0x4c9a5a, 0.6f));
 
-  Mesh cylinder;
-  add_frustum(cylinder, {-0.85f, 0.0f, -1.5f}, {-0.85f, 1.9f, -1.5f}, 0.55f, 0.55f, sides);
-  stage.add("cylinder", std::move(cylinder), stage.paint("blue", 0x3f6fb5, 0.5f));
+  Shape box;
+  box.type = Shape::Type::box;
+  box.size = {1.2, 0.9, 0.8};
+  stage.add("box", box, turned({-0.75, 0.45, 0.75}, 28.0), stage.paint("violet", 0x7d5ba6, 0.7f));
 
-  Mesh cone;
-  add_frustum(cone, {0.95f, 0.0f, -1.35f}, {0.95f, 2.1f, -1.35f}, 0.75f, 0.0f, sides);
-  stage.add("cone", std::move(cone), stage.paint("yellow", 0xe0b03a, 0.6f));
-
-  Mesh truncated;
-  add_frustum(truncated, {2.45f, 0.0f, -0.5f}, {2.45f, 1.15f, -0.5f}, 0.75f, 0.35f, sides);
-  stage.add("truncated cone", std::move(truncated), stage.paint("green", 0x4c9a5a, 0.6f));
-
-  Mesh box;
-  add_box(box, glm::vec3(-0.6f, -0.45f, -0.4f), glm::vec3(0.6f, 0.45f, 0.4f));
-  const int box_mesh = stage.keep("box", std::move(box), stage.paint("violet", 0x7d5ba6, 0.7f));
-  stage.place("box", box_mesh, turned({-0.75, 0.45, 0.75}, 28.0));
-
-  Mesh disk;  // tilted, above the plane: its shadow is an ellipse that touches nothing
-  add_disk(disk, {0.85f, 0.5f, 1.2f}, glm::normalize(glm::vec3(-0.3f, 1.0f, 0.35f)), 0.6f, sides);
+  // Tilted, above the plane: its shadow is an ellipse that touches nothing.
   const int disk_paint = stage.paint("orange", 0xe07b39, 0.6f);
   stage.make_double_sided(disk_paint);
-  stage.add("disk", std::move(disk), disk_paint);
+  stage.add("disk", round(Shape::Type::disk, 0.6), facing({0.85, 0.5, 1.2}, {-0.3, 1.0, 0.35}),
+            disk_paint);
 
   stage.sun("sky", {0.3, -1.0, 0.2}, 0xd5e2ff, 0.7f);
   stage.sun("fill", {-0.03, -0.06, -1.0}, 0xdfe9ff, 0.6f);
@@ -90,6 +109,33 @@ Scene make_primitives_rectangle() {
   stage.panel("panel", lamp_place, lamp_place - glm::dvec3(0, 1, 0), {side, side}, lamp_srgb,
               static_cast<float>(nits));
   furnish(stage);
+  return stage.take();
+}
+
+// CGF'98 figure 21: mirrors of three tints, so close together that each shows the others and what
+// they show, on a plane that reflects nothing.
+Scene make_solids() {
+  Stage stage("solids");
+  Mesh plane;
+  add_quad(plane, {-300, 0, 300}, {300, 0, 300}, {300, 0, -300}, {-300, 0, -300});
+  stage.add("plane", std::move(plane), stage.paint("plane", 0xa85f4a, 1.0f));
+  stage.material("plane").specular = 0.0f;
+
+  const auto mirror = [&stage](const std::string& name, std::uint32_t srgb) {
+    return stage.paint(name, srgb, 0.0f, 1.0f);
+  };
+  stage.add("sphere", round(Shape::Type::sphere, 0.85), moved({-0.85, 0.85, 0.3}),
+            mirror("gold", 0xf5d27e));
+  stage.add("cylinder", cone(2.2, 0.65, 0.65), moved({0.3, 1.1, -0.85}), mirror("green", 0xb9e6c0));
+  stage.add("cone", cone(1.9, 0.8, 0.0), moved({0.95, 0.95, 0.6}), mirror("copper", 0xf0a583));
+
+  // The lamp of the other scenes' size as seen from here, but so far away that the plane which the
+  // mirrors show is lit evenly.
+  constexpr double farther = 5.0;
+  stage.ball("ball", farther * lamp_place, farther * 0.8, lamp_srgb,
+             static_cast<float>(farther * farther) * lamp_candela);
+  stage.camera("front", {0.1, 2.9, 5.5}, {0.08, 0.85, -0.05}, 31.0);
+  stage.camera("low", {-3.4, 0.9, 3.6}, {0.1, 0.8, -0.2}, 42.0);
   return stage.take();
 }
 

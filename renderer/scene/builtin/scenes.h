@@ -7,11 +7,15 @@
 namespace asos::builtin {
 
 [[nodiscard]] Scene make_office();
+[[nodiscard]] Scene make_office_metal();
 [[nodiscard]] Scene make_primitives();
 [[nodiscard]] Scene make_primitives_ball();
 [[nodiscard]] Scene make_primitives_linear();
 [[nodiscard]] Scene make_primitives_rectangle();
+[[nodiscard]] Scene make_solids();
 [[nodiscard]] Scene make_house();
+[[nodiscard]] Scene make_house_textured();
+[[nodiscard]] Scene make_house_mirror();
 [[nodiscard]] Scene make_fence();
 [[nodiscard]] Scene make_boxes();
 [[nodiscard]] Scene make_mixed();

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,11 @@
 // outside, normals are unit and point outwards. Lengths are metres.
 
 namespace asos::builtin {
+
+/// The index that the next vertex of `mesh` will have.
+[[nodiscard]] inline std::uint32_t vertex_count(const Mesh& mesh) {
+  return static_cast<std::uint32_t>(mesh.positions.size());
+}
 
 /// A rectangle or other planar convex quadrilateral, open, facing the side from which a, b, c, d
 /// run counter-clockwise.
@@ -32,6 +38,10 @@ void add_box(Mesh& mesh, glm::vec3 size, const glm::mat4& placement);
 /// and `height` towards `up`, which must not be parallel to the segment.
 void add_beam(Mesh& mesh, glm::vec3 from, glm::vec3 to, float width, float height,
               glm::vec3 up = {0.0f, 1.0f, 0.0f});
+
+/// Gives all of a flat-shaded mesh its first texture coordinates: metres along each face, u along
+/// the level and v down; along x and towards +z on a level one.
+void add_texcoords(Mesh& mesh);
 
 /// An outline in the xy plane, counter-clockwise, extruded from z = 0 to `depth` and placed by a
 /// rigid `placement`; flat-shaded. `cap` triangulates the outline with its own points and winding.

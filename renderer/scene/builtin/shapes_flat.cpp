@@ -7,10 +7,6 @@ namespace asos::builtin {
 
 namespace {
 
-std::uint32_t vertex_count(const Mesh& mesh) {
-  return static_cast<std::uint32_t>(mesh.positions.size());
-}
-
 /// A planar convex polygon, flat-shaded, as a fan from its first corner.
 void add_polygon(Mesh& mesh, std::span<const glm::vec3> corners) {
   assert(corners.size() >= 3);
@@ -58,6 +54,19 @@ void add_rim(Mesh& mesh, std::span<const glm::vec3, 4> outer, std::span<const gl
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;
     add_quad(mesh, outer[i], outer[next], inner[next], inner[i]);
+  }
+}
+
+void add_texcoords(Mesh& mesh) {
+  mesh.texcoords[0].clear();
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3 normal = mesh.normals[i];
+    const glm::vec3 level = glm::cross(glm::vec3(0.0f, 1.0f, 0.0f), normal);
+    const glm::vec3 along =
+        glm::length(level) > 1e-3f ? glm::normalize(level) : glm::vec3(1.0f, 0.0f, 0.0f);
+    const glm::vec3 down = glm::cross(along, normal);
+    mesh.texcoords[0].emplace_back(glm::dot(mesh.positions[i], along),
+                                   glm::dot(mesh.positions[i], down));
   }
 }
 

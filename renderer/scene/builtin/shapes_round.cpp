@@ -11,10 +11,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::uint32_t vertex_count(const Mesh& mesh) {
-  return static_cast<std::uint32_t>(mesh.positions.size());
-}
-
 std::uint32_t add_vertex(Mesh& mesh, glm::vec3 position, glm::dvec3 normal) {
   mesh.positions.push_back(position);
   mesh.normals.push_back(glm::vec3(glm::normalize(normal)));

@@ -1,7 +1,11 @@
 #include "renderer/scene/builtin/stage.h"
 
+#include "renderer/scene/builtin/shapes.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace asos::builtin {
@@ -40,6 +44,31 @@ int Stage::glow(const std::string& name, std::uint32_t srgb, float nits) {
   return index;
 }
 
+Material& Stage::material(std::string_view name) {
+  const auto found = std::find_if(scene_.materials.begin(), scene_.materials.end(),
+                                  [name](const Material& m) { return m.name == name; });
+  assert(found != scene_.materials.end());
+  return *found;
+}
+
+int Stage::keep_texture(Image image) {
+  Texture texture;
+  texture.name = image.name;
+  texture.image = static_cast<int>(scene_.images.size());
+  scene_.images.push_back(std::move(image));
+  scene_.textures.push_back(texture);
+  return static_cast<int>(scene_.textures.size()) - 1;
+}
+
+void Stage::cover(std::string_view name, int texture, float metres) {
+  Material& covered = material(name);
+  covered.base_color = glm::vec4(1.0f);
+  covered.base_color_texture = by_metres(texture, metres);
+  for (Mesh& mesh : scene_.meshes) {
+    if (&scene_.materials[mesh.material] == &covered) add_texcoords(mesh);
+  }
+}
+
 int Stage::keep(const std::string& name, Mesh mesh, int material) {
   mesh.name = name;
   mesh.material = material;
@@ -53,6 +82,13 @@ void Stage::place(const std::string& name, int mesh, const glm::dmat4& world_fro
 
 void Stage::add(const std::string& name, Mesh mesh, int material) {
   place(name, keep(name, std::move(mesh), material), glm::dmat4(1.0));
+}
+
+void Stage::add(const std::string& name, const Shape& shape, const glm::dmat4& world_from_shape,
+                int material) {
+  place(name, keep(name, tessellated(shape), material), world_from_shape);
+  scene_.instances.back().shape = static_cast<int>(scene_.shapes.size());
+  scene_.shapes.push_back(shape);
 }
 
 void Stage::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
@@ -121,6 +157,10 @@ void Stage::soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 trav
         static_cast<float>(nits));
 }
 
+void Stage::cast_no_shadows() {
+  for (Light& light : scene_.lights) light.casts_shadows = false;
+}
+
 void Stage::camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {
   Camera camera;
   camera.name = name;
@@ -134,6 +174,14 @@ double illuminance_before(glm::dvec2 size, double distance) {
   const glm::dvec2 reach = glm::sqrt(1.0 + half * half);
   return 2.0 * (half.x / reach.x * std::atan(half.y / reach.x) +
                 half.y / reach.y * std::atan(half.x / reach.y));
+}
+
+TextureUse by_metres(int texture, float metres) {
+  TextureUse use;
+  use.texture = texture;
+  use.uv_transform = glm::mat3(1.0f / metres);
+  use.uv_transform[2][2] = 1.0f;
+  return use;
 }
 
 glm::dmat4 turned(glm::dvec3 position, double degrees) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace asos::builtin {
@@ -25,12 +26,23 @@ class Stage {
   /// A surface that shines with `nits` times its colour and reflects nothing.
   int glow(const std::string& name, std::uint32_t srgb, float nits);
   void make_double_sided(int material) { scene_.materials[material].double_sided = true; }
+  /// The first material that was painted under this name, which has to be one: for scenes that
+  /// differ from others in what something is made of.
+  [[nodiscard]] Material& material(std::string_view name);
+  /// Keeps an image as a texture that repeats; the index is for a material.
+  int keep_texture(Image image);
+  /// Makes a texture the colour of the material of this name, and gives its flat-shaded meshes
+  /// texture coordinates. The image covers squares whose side is `metres`.
+  void cover(std::string_view material, int texture, float metres);
 
   /// Keeps a mesh to be placed, perhaps often; the index is for `place`.
   int keep(const std::string& name, Mesh mesh, int material);
   void place(const std::string& name, int mesh, const glm::dmat4& world_from_mesh);
   /// Keeps a mesh that is built in world coordinates and places it there.
   void add(const std::string& name, Mesh mesh, int material);
+  /// Places an analytic shape.
+  void add(const std::string& name, const Shape& shape, const glm::dmat4& world_from_shape,
+           int material);
   /// Makes what was placed last the visible stand-in of a light, which is no light itself.
   void show_light() { scene_.instances.back().shows_light = true; }
 
@@ -57,6 +69,9 @@ class Stage {
   void soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel, double distance,
                 std::uint32_t srgb, float lux);
 
+  /// Lets the lights that are there shine through everything.
+  void cast_no_shadows();
+
   /// An upright perspective camera; fov is the full vertical angle.
   void camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg);
 
@@ -69,6 +84,9 @@ class Stage {
 /// The illuminance in lux that a rectangle of `size` and one nit gives at `distance` before its
 /// middle to a surface that faces it: the closed form of its projected solid angle.
 [[nodiscard]] double illuminance_before(glm::dvec2 size, double distance);
+
+/// A use of a texture whose coordinates are metres and whose image covers squares of this side.
+[[nodiscard]] TextureUse by_metres(int texture, float metres);
 
 /// A sun's diameter in the sky, as seen from the earth.
 inline constexpr double sun_diameter_rad = 0.0093;

@@ -38,6 +38,30 @@ void write_emission(const Material& material, json& out, GltfDocument& document)
   }
 }
 
+/// Three numbers, or one where they are the same.
+json by_colour(const Dfr& dfr, double DfrCurve::*value) {
+  const double r = dfr.rgb[0].*value, g = dfr.rgb[1].*value, b = dfr.rgb[2].*value;
+  return r == g && g == b ? json(r) : json{r, g, b};
+}
+
+void write_reflection(const Material& material, json& out, GltfDocument& document) {
+  if (material.ior != 1.5f) {
+    document.use_extension("KHR_materials_ior");
+    out["extensions"]["KHR_materials_ior"]["ior"] = material.ior;
+  }
+  if (material.specular != 1.0f || material.specular_color != glm::vec3(1.0f)) {
+    document.use_extension("KHR_materials_specular");
+    out["extensions"]["KHR_materials_specular"] = {
+        {"specularFactor", material.specular},
+        {"specularColorFactor", numbers(material.specular_color)}};
+  }
+  if (!material.dfr) return;
+  out["extras"]["asos_dfr"] = {{"min", by_colour(*material.dfr, &DfrCurve::min)},
+                               {"max", by_colour(*material.dfr, &DfrCurve::max)},
+                               {"exponent", by_colour(*material.dfr, &DfrCurve::exponent)},
+                               {"perturbation", material.dfr->perturbation}};
+}
+
 json material_json(const Material& material, GltfDocument& document) {
   json out{{"name", material.name}};
   json& pbr = out["pbrMetallicRoughness"];
@@ -71,10 +95,7 @@ json material_json(const Material& material, GltfDocument& document) {
     document.use_extension("KHR_materials_unlit");
     out["extensions"]["KHR_materials_unlit"] = json::object();
   }
-  if (material.ior != 1.5f) {
-    document.use_extension("KHR_materials_ior");
-    out["extensions"]["KHR_materials_ior"]["ior"] = material.ior;
-  }
+  write_reflection(material, out, document);
   if (material.transmission != 0.0f) {
     document.use_extension("KHR_materials_transmission");
     out["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = material.transmission;

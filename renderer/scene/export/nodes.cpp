@@ -70,6 +70,52 @@ json camera_json(const Camera& camera) {
   return out;
 }
 
+/// The sizes of a shape by their names in KHR_implicit_shapes, and in extras.
+json sizes_json(const Shape& shape) {
+  switch (shape.type) {
+    case Shape::Type::sphere:
+    case Shape::Type::disk:
+      return {{"radius", shape.radius}};
+    case Shape::Type::box:
+      return {{"size", {shape.size.x, shape.size.y, shape.size.z}}};
+    case Shape::Type::cylinder:
+      break;
+  }
+  return {{"height", shape.height},
+          {"radiusBottom", shape.radius_bottom},
+          {"radiusTop", shape.radius_top}};
+}
+
+const char* type_name(Shape::Type type) {
+  switch (type) {
+    case Shape::Type::sphere:
+      return "sphere";
+    case Shape::Type::disk:
+      return "disk";
+    case Shape::Type::box:
+      return "box";
+    case Shape::Type::cylinder:
+      break;
+  }
+  return "cylinder";
+}
+
+/// Writes the shapes that KHR_implicit_shapes knows; the index there of each, or -1.
+std::vector<int> write_shapes(const Scene& scene, GltfDocument& document) {
+  std::vector<int> index_of;
+  for (const Shape& shape : scene.shapes) {
+    index_of.push_back(-1);
+    if (shape.type == Shape::Type::disk) continue;
+    document.use_extension("KHR_implicit_shapes");
+    document.use_extension("ASOS_implicit_shape");
+    json& shapes = document.root["extensions"]["KHR_implicit_shapes"]["shapes"];
+    const char* type = type_name(shape.type);
+    shapes.push_back({{"type", type}, {type, sizes_json(shape)}});
+    index_of.back() = static_cast<int>(shapes.size()) - 1;
+  }
+  return index_of;
+}
+
 }  // namespace
 
 json named_node(const std::string& name) {
@@ -83,6 +129,7 @@ void write_meshes(const Scene& scene, GltfDocument& document) {
     if (scene.meshes[i].triangles.empty()) continue;
     mesh_of[i] = document.add("meshes", mesh_json(scene.meshes[i], document));
   }
+  const std::vector<int> shape_of = write_shapes(scene, document);
   for (const Instance& instance : scene.instances) {
     json node = named_node(instance.name);
     const int mesh = mesh_of[static_cast<std::size_t>(instance.mesh)];
@@ -91,6 +138,15 @@ void write_meshes(const Scene& scene, GltfDocument& document) {
       node["matrix"] = matrix_json(instance.world_from_mesh);
     }
     if (instance.shows_light) node["extras"]["asos_light_fallback"] = true;
+    if (instance.shape >= 0) {
+      const auto number = static_cast<std::size_t>(instance.shape);
+      const Shape& shape = scene.shapes[number];
+      if (shape_of[number] >= 0)
+        node["extensions"]["ASOS_implicit_shape"]["shape"] = shape_of[number];
+      json& extras = node["extras"]["asos_shape"];
+      extras = sizes_json(shape);
+      extras["type"] = type_name(shape.type);
+    }
     document.add_root_node(std::move(node));
   }
 }

@@ -84,6 +84,17 @@ std::string texture_fault(const TextureUse& use, const Scene& scene) {
   return {};
 }
 
+std::string dfr_fault(const Dfr& dfr) {
+  for (const DfrCurve& curve : dfr.rgb) {
+    if (!within(curve.min, 0.0, 1.0) || !within(curve.max, 0.0, 1.0))
+      return "has a defocusing ratio outside 0 to 1";
+    if (!within(curve.exponent, 0.0, std::numeric_limits<double>::max()))
+      return "has a defocusing exponent that is no positive number";
+  }
+  if (!within(dfr.perturbation, 0.0, 1.0)) return "has a perturbation outside 0 to 1";
+  return {};
+}
+
 std::string material_fault(const Material& m, const Scene& scene) {
   for (int i = 0; i < 4; ++i) {
     if (!within(m.base_color[i], 0.0, 1.0)) return "has a base colour outside 0 to 1";
@@ -101,6 +112,14 @@ std::string material_fault(const Material& m, const Scene& scene) {
   if (!within(m.alpha_cutoff, 0.0, huge)) return "has an alpha cut-off that is no positive number";
   if (m.ior != 0.0f && !within(m.ior, 1.0, huge)) return "has an index of refraction below 1";
   if (!within(m.transmission, 0.0, 1.0)) return "has a transmission outside 0 to 1";
+  if (!within(m.specular, 0.0, 1.0)) return "has a specular factor outside 0 to 1";
+  for (int i = 0; i < 3; ++i) {
+    if (!within(m.specular_color[i], 0.0, huge))
+      return "has a specular colour that is no positive number";
+  }
+  if (m.dfr) {
+    if (std::string fault = dfr_fault(*m.dfr); !fault.empty()) return fault;
+  }
   for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
                                 &m.normal_texture, &m.emissive_texture}) {
     if (std::string fault = texture_fault(*use, scene); !fault.empty()) return fault;
@@ -150,6 +169,13 @@ std::string why_not_exportable(const Scene& scene) {
   };
   const auto instance_fault = [&scene](const Instance& instance) -> std::string {
     if (!index_into(instance.mesh, scene.meshes.size())) return "places a mesh that does not exist";
+    if (instance.shape != -1 && !index_into(instance.shape, scene.shapes.size()))
+      return "places a shape that does not exist";
+    if (instance.shape >= 0) {
+      const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
+      if (const std::string why = shape_fault(shape); !why.empty())
+        return "places a shape that is none: " + why;
+    }
     return finite(instance.world_from_mesh) ? "" : "is placed by a matrix that is not finite";
   };
   const auto of_scene = [&scene](auto fault) {

@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace asos::gltf {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// What the two proposals call a shape and its sizes, brought to one form: metres in the node.
 struct FlatShape {

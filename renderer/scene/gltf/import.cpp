@@ -4,11 +4,13 @@
 #include "renderer/scene/gltf/materials.h"
 #include "renderer/scene/gltf/nodes.h"
 #include "renderer/scene/gltf/primitive.h"
+#include "renderer/scene/gltf/shapes.h"
 #include "renderer/scene/gltf/skin.h"
 #include "renderer/scene/load.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -68,6 +70,8 @@ class Importer {
 
   /// Fails only where the whole scene is too large; what is broken is left out with a warning.
   Checked<void> add_mesh(int index, const tinygltf::Node& node) {
+    if (const std::optional<Shape> shape = node_shape(doc_, node))
+      return add_shape(index, node, *shape);
     if (node.mesh < 0) {
       if (node.skin >= 0) doc_.warnings.add(fmt::format("node {} has a skin but no mesh", index));
       return {};
@@ -91,6 +95,34 @@ class Importer {
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       auto done = add_primitive(index, static_cast<int>(p), skin ? &*skin : nullptr, copies);
       if (!done) return done;
+    }
+    return {};
+  }
+
+  /// The node's mesh stands for the shape, and is not drawn; one is made where there is none.
+  Checked<void> add_shape(int index, const tinygltf::Node& node, const Shape& shape) {
+    const glm::dmat4 world_from_shape = graph_.world_from_node(index);
+    int mesh = -1;
+    const auto listed = static_cast<std::size_t>(node.mesh);
+    if (node.mesh >= 0 && listed < doc_.model.meshes.size() &&
+        !doc_.model.meshes[listed].primitives.empty()) {
+      shown_.insert(listed);
+      glm::dmat4 unused(1.0);
+      mesh = load(index, 0, nullptr, fmt::format("mesh {} primitive 0", node.mesh), unused);
+    }
+    if (mesh < 0) {
+      mesh = static_cast<int>(scene_.meshes.size());
+      scene_.meshes.push_back(tessellated(shape));
+    }
+    const auto known = std::find(scene_.shapes.begin(), scene_.shapes.end(), shape);
+    const auto number = static_cast<int>(known - scene_.shapes.begin());
+    if (known == scene_.shapes.end()) scene_.shapes.push_back(shape);
+    const bool shows_light = on_or_off(node.extras, "asos_light_fallback").value_or(false);
+    for (const glm::dmat4& copy :
+         instance_matrices(node, fmt::format("node {}", index), accessors_, doc_.warnings)) {
+      if (scene_.instances.size() >= most_instances)
+        return fault(fmt::format("has more than {} objects, which is the limit", most_instances));
+      scene_.instances.push_back({node.name, mesh, world_from_shape * copy, shows_light, number});
     }
     return {};
   }
@@ -125,7 +157,7 @@ class Importer {
     const bool shows_light = on_or_off(node.extras, "asos_light_fallback").value_or(false);
     for (const glm::dmat4& copy : copies) {
       if (loaded < 0) continue;
-      scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light});
+      scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light, -1});
     }
     return {};
   }
@@ -202,7 +234,7 @@ class Importer {
 
   Checked<Scene> finish() {
     check_unshown();
-    if (scene_.instanced_triangles() == 0) {
+    if (scene_.instanced_triangles() == 0 && scene_.shapes.empty()) {
       const bool other = scene_.notes.points_not_drawn + scene_.notes.lines_not_drawn > 0;
       if (!doc_.warnings.first_loss().empty()) return fault(doc_.warnings.first_loss());
       doc_.warnings.add(other ? "nothing to draw: points and lines are not drawn"

@@ -4,13 +4,14 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asos::gltf {
 
 namespace {
 
 constexpr double huge = std::numeric_limits<float>::max();
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 // How far from square the axes of a light may be: what single precision leaves of right angles.
 constexpr double square_tolerance = 1e-4;
 

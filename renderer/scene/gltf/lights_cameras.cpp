@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace asos::gltf {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Rotation and position of `m` without its scale; nullopt where it has lost a direction.
 std::optional<glm::dmat4> rigid(const glm::dmat4& m) {

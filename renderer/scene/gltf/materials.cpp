@@ -1,5 +1,6 @@
 #include "renderer/scene/gltf/materials.h"
 
+#include "renderer/scene/gltf/material_dfr.h"
 #include "renderer/scene/gltf/values.h"
 
 #include <fmt/format.h>
@@ -24,6 +25,12 @@ class MaterialReader {
     read_emission(m);
     read_alpha(m);
     read_extensions(m);
+    read_specular(m);
+    if (auto dfr = read_dfr(source_.extras)) {
+      m.dfr = *dfr;
+    } else {
+      warnings_.add(fmt::format("{}: its asos_dfr is left out: {}", place_, dfr.error()));
+    }
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = use(pbr.baseColorTexture, "base colour");
@@ -113,6 +120,19 @@ class MaterialReader {
         warnings_.add(place_ + ": its transmission texture is not used, only the factor");
       }
     }
+  }
+
+  void read_specular(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_specular");
+    if (!e) return;
+    m.specular =
+        within(number(*e, "specularFactor").value_or(1.0), 0.0, 1.0, 1.0, "specular factor");
+    for (int c = 0; c < 3; ++c) {
+      m.specular_color[c] = within(number_at(*e, "specularColorFactor", c).value_or(1.0), 0.0, 1e30,
+                                   1.0, "specular colour factor");
+    }
+    if (e->Has("specularTexture") || e->Has("specularColorTexture"))
+      warnings_.add(place_ + ": its specular textures are not used, only the factors");
   }
 
   /// `Info` is one of tinygltf's texture references, which share these members.

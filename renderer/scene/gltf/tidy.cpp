@@ -17,12 +17,13 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 15> supported = {
+constexpr std::array<std::string_view, 18> supported = {
     "KHR_lights_punctual",        "EXT_lights_area",         "KHR_lights_area",
     "KHR_materials_unlit",        "KHR_materials_ior",       "KHR_materials_emissive_strength",
     "KHR_materials_transmission", "KHR_texture_transform",   "KHR_mesh_quantization",
     "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
-    "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod"};
+    "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod",
+    "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape"};
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {
@@ -32,11 +33,6 @@ constexpr std::array<std::string_view, 17> reference_names = {
 constexpr std::array<std::string_view, 5> size_names = {"byteOffset", "byteLength", "byteStride",
                                                         "count", "componentType"};
 constexpr std::array<std::string_view, 4> list_names = {"children", "nodes", "joints", "ids"};
-
-template <std::size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// Writes 3.0 as 3, which tinygltf would not take for an index.
 void make_whole(json& value) {

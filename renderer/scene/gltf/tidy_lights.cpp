@@ -14,15 +14,11 @@ namespace {
 // What lights and their nodes may say in extras (LIGHTS.md).
 constexpr std::array<std::string_view, 4> light_extras = {"casts_shadows", "two_sided", "radius",
                                                           "angular_diameter"};
-constexpr std::array<std::string_view, 4> node_extras = {"asos_light", "asos_light_fallback",
-                                                         "radius", "angular_diameter"};
+constexpr std::array<std::string_view, 5> node_extras = {
+    "asos_light", "asos_light_fallback", "asos_shape", "radius", "angular_diameter"};
+constexpr std::array<std::string_view, 1> material_extras = {"asos_dfr"};  // MATERIALS.md
 constexpr std::array<std::string_view, 3> light_extensions = {"KHR_lights_punctual",
                                                               "EXT_lights_area", "KHR_lights_area"};
-
-template <std::size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// Writes whole numbers as real ones, at any depth: tinygltf cuts them off at 32 bits.
 void make_real(json& value) {
@@ -38,6 +34,10 @@ bool is_entry(std::string_view place, std::string_view list) {
 
 }  // namespace
 
+bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool is_light_extension(std::string_view name) {
   return is_one_of(name, light_extensions);
 }
@@ -50,10 +50,13 @@ void tidy_extras(json& object, const std::string& place) {
       light_extensions.begin(), light_extensions.end(), [&place](std::string_view name) {
         return is_entry(place, fmt::format("/extensions/{}/lights/", name));
       });
+  std::span<const std::string_view> names;
+  if (node) names = node_extras;
+  if (light) names = light_extras;
+  if (is_entry(place, "/materials/")) names = material_extras;
   json kept = json::object();
-  for (auto it = extras->begin(); (node || light) && extras->is_object() && it != extras->end();
-       ++it) {
-    if (!is_one_of(it.key(), node ? node_extras : light_extras)) continue;
+  for (auto it = extras->begin(); extras->is_object() && it != extras->end(); ++it) {
+    if (!is_one_of(it.key(), names)) continue;
     make_real(it.value());
     kept[it.key()] = it.value();
   }
@@ -69,6 +72,8 @@ void tidy_area_lights(json& root) {
     const json::json_pointer place(fmt::format("/extensions/{}/lights", name));
     if (root.contains(place)) make_real(root[place]);
   }
+  const json::json_pointer shapes("/extensions/KHR_implicit_shapes/shapes");
+  if (root.contains(shapes)) make_real(root[shapes]);
 }
 
 }  // namespace asos::gltf

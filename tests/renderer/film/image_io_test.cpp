@@ -1,10 +1,11 @@
 #include "renderer/film/image_io.h"
 
+#include "tests/support/temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <unistd.h>
@@ -77,9 +78,7 @@ TEST_F(ImageIo, TextChunksHaveTheirChecksums) {
   RgbImage image = gradient(2, 2);
   image.text = words;
   ASSERT_TRUE(write_png(path("c.png"), image).has_value());
-  std::ifstream stream(path("c.png"), std::ios::binary);
-  const std::string file((std::istreambuf_iterator<char>(stream)),
-                         std::istreambuf_iterator<char>());
+  const std::string file = test::content_of(path("c.png"));
   const auto number = [&](std::size_t at) {
     std::uint32_t n = 0;
     for (std::size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<std::uint8_t>(file[at + i]);
@@ -192,9 +191,7 @@ TEST_F(ImageIo, GarbageIsRefused) {
   ASSERT_TRUE(write_png(path("g.png"), gradient(9, 9)).has_value());
   ASSERT_TRUE(write_exr(path("g.exr"), film_of(9, 9), words).has_value());
   for (const std::string& name : {std::string("g.png"), std::string("g.exr")}) {
-    std::ifstream stream(path(name), std::ios::binary);
-    const std::string whole((std::istreambuf_iterator<char>(stream)),
-                            std::istreambuf_iterator<char>());
+    const std::string whole = test::content_of(path(name));
     for (const std::size_t length : {std::size_t{0}, std::size_t{4}, std::size_t{40}}) {
       std::ofstream(path("cut"), std::ios::binary) << whole.substr(0, length);
       EXPECT_FALSE(read_png(path("cut")).has_value()) << name << " " << length;

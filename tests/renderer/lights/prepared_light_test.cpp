@@ -11,7 +11,7 @@ namespace asos {
 namespace {
 
 using std::numbers::pi;
-using Shape = PreparedLight::Shape;
+using LightShape = PreparedLight::Shape;
 
 void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-12) {
   EXPECT_LT(glm::length(a - b), tolerance)
@@ -23,14 +23,15 @@ bool finite(glm::vec3 v) {
 }
 
 TEST(PrepareLight, GivesEachTypeItsShape) {
-  const Shape shapes[] = {Shape::point,   Shape::point,   Shape::ball, Shape::distant, Shape::sun,
-                          Shape::segment, Shape::polygon, Shape::disk, Shape::polygon};
+  const LightShape shapes[] = {LightShape::point,   LightShape::point, LightShape::ball,
+                               LightShape::distant, LightShape::sun,   LightShape::segment,
+                               LightShape::polygon, LightShape::disk,  LightShape::polygon};
   const std::vector<Light> lights = test::all_lights();
   ASSERT_EQ(lights.size(), std::size(shapes));
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PreparedLight light = prepare_light(lights[i]);
     EXPECT_EQ(light.shape, shapes[i]) << lights[i].name;
-    const bool point = shapes[i] == Shape::point || shapes[i] == Shape::distant;
+    const bool point = shapes[i] == LightShape::point || shapes[i] == LightShape::distant;
     EXPECT_EQ(light.extended(), !point) << lights[i].name;
   }
 }
@@ -46,12 +47,12 @@ TEST(PrepareLight, ConvertsPower) {
 }
 
 TEST(PrepareLight, MakesLightsOfNoSizePointsOrNothing) {
-  EXPECT_EQ(prepare_light(test::sun_light(0.0)).shape, Shape::distant);
-  EXPECT_EQ(prepare_light(test::ball_light(1e-30)).shape, Shape::point)
+  EXPECT_EQ(prepare_light(test::sun_light(0.0)).shape, LightShape::distant);
+  EXPECT_EQ(prepare_light(test::ball_light(1e-30)).shape, LightShape::point)
       << "no float holds its nits";
   Light linear = test::linear_light();
   linear.half_u = {0, 0, 0};
-  EXPECT_EQ(prepare_light(linear).shape, Shape::point);
+  EXPECT_EQ(prepare_light(linear).shape, LightShape::point);
   EXPECT_FLOAT_EQ(prepare_light(linear).power.r, 5.0f);
 
   Light rectangle = test::rectangle_light();
@@ -64,7 +65,7 @@ TEST(PrepareLight, MakesLightsOfNoSizePointsOrNothing) {
   empty.outlines.clear();
   for (const Light& light : {rectangle, disk, line, empty}) {
     const PreparedLight prepared = prepare_light(light);
-    EXPECT_EQ(prepared.shape, Shape::point) << light.name;
+    EXPECT_EQ(prepared.shape, LightShape::point) << light.name;
     EXPECT_EQ(prepared.power, glm::vec3(0.0f)) << light.name;
   }
 }
@@ -76,7 +77,7 @@ TEST(PrepareLight, TurnsHalvesAndOutlinesAlongTheLight) {
       const PreparedLight prepared = prepare_light(light);
       expect_near(prepared.towards, glm::normalize(direction));
       expect_near(glm::normalize(glm::cross(prepared.half_u, prepared.half_v)), prepared.towards);
-      if (prepared.shape == Shape::disk) continue;
+      if (prepared.shape == LightShape::disk) continue;
       glm::dvec3 area(0.0);
       for (const auto& outline : prepared.outlines) {
         for (std::size_t i = 0; i < outline.size(); ++i)

@@ -256,7 +256,7 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
     return w;
   };
   const auto scene = std::const_pointer_cast<RenderScene>(make_render_scene(world(0)));
-  scene->features = FeatureSet(world(1000));
+  scene->index->features = FeatureSet(world(1000));
   const RenderSettings settings = settings_of(16, 16);
   const View view(orthographic(4.0), settings.width, settings.height);
   RenderStatistics statistics;

@@ -32,17 +32,21 @@ class TwoColours : public testing::Test {
     settings_.width = settings_.height = 8;
     Camera camera = look_at({0, 0, 4}, {0, 0, 0}, 2.0 * std::atan(1.0));
     view_.emplace(camera, 8, 8);
+    shader_.emplace(shader_of(*scene_, settings_, *view_));
+    viewer_.emplace(Viewer::camera(*view_, *shader_));
   }
 
   [[nodiscard]] RegionSampler::Estimate sample(const LeafRegion& region,
                                                const RegionSampler::Goal& goal) {
-    RegionSampler sampler(*scene_, *view_, settings_, {0, 0, 8, 8});
+    RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8});
     return sampler.sample(region, goal, counts_);
   }
 
   std::shared_ptr<const RenderScene> scene_;
   RenderSettings settings_;
   std::optional<View> view_;
+  std::optional<Shader> shader_;
+  std::optional<Viewer> viewer_;
   RenderStatistics counts_;
 };
 
@@ -82,7 +86,7 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
 }
 
 TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
-  RegionSampler sampler(*scene_, *view_, settings_, {0, 0, 8, 8});
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8});
   const RegionSampler::Goal goal{-1.0, 64};
   const auto first = sampler.sample({crossed, {}}, goal, counts_);
   (void)sampler.sample({{0.25f, 0.25f, 0.5f}, {}}, goal, counts_);

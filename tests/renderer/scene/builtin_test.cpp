@@ -19,14 +19,6 @@ namespace {
 
 using builtin::Blob;
 
-std::uint64_t triangles_of(const Scene& scene) {
-  std::uint64_t count = 0;
-  for (const Instance& instance : scene.instances) {
-    count += scene.meshes.at(instance.mesh).triangles.size();
-  }
-  return count;
-}
-
 struct PositionHash {
   std::size_t operator()(const std::array<std::uint32_t, 3>& bits) const {
     return (bits[0] * 73856093u) ^ (bits[1] * 19349663u) ^ (bits[2] * 83492791u);
@@ -99,11 +91,15 @@ void expect_normals_agree(const Mesh& mesh) {
 bool is_sheet(const std::string& scene, const std::string& mesh) {
   static const std::map<std::string, std::set<std::string>> sheets{
       {"office", {"floor", "ceiling", "walls", "sky", "lawn"}},
+      {"office-metal", {"floor", "ceiling", "walls", "sky", "lawn"}},
       {"primitives", {"plane", "disk"}},
       {"primitives-ball", {"plane", "disk"}},
       {"primitives-linear", {"plane", "disk"}},
       {"primitives-rectangle", {"plane", "disk"}},
+      {"solids", {"plane"}},
       {"house", {"ground", "window pane"}},
+      {"house-textured", {"ground", "window pane"}},
+      {"house-mirror", {"mirror", "window pane"}},
       {"fence", {"ground"}},
       {"boxes", {"ground"}},
       {"mixed", {"ground"}},
@@ -131,18 +127,22 @@ class BuiltinSceneTest : public testing::TestWithParam<std::string> {
 TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
   static const std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> range{
       {"office", {5'000, 40'000}},
-      {"primitives", {10'000, 60'000}},
-      {"primitives-ball", {10'000, 60'000}},
-      {"primitives-linear", {10'000, 60'000}},
-      {"primitives-rectangle", {10'000, 60'000}},
+      {"office-metal", {5'000, 40'000}},
+      {"primitives", {14, 14}},
+      {"primitives-ball", {14, 14}},
+      {"primitives-linear", {14, 14}},
+      {"primitives-rectangle", {14, 14}},
+      {"solids", {2, 2}},
       {"house", {2'600, 3'000}},
+      {"house-textured", {3'800, 4'100}},
+      {"house-mirror", {2'600, 3'000}},
       {"fence", {10'000, 80'000}},
       {"boxes", {200, 900}},
       {"mixed", {45'000, 55'000}},
       {"dense", {1'190'000, 1'210'000}}};
   const Scene scene = make(GetParam());
-  EXPECT_GE(triangles_of(scene), range.at(GetParam()).first);
-  EXPECT_LE(triangles_of(scene), range.at(GetParam()).second);
+  EXPECT_GE(scene.instanced_triangles(), range.at(GetParam()).first);
+  EXPECT_LE(scene.instanced_triangles(), range.at(GetParam()).second);
   EXPECT_EQ(scene.name, GetParam());
   EXPECT_EQ(scene.source, "builtin:" + GetParam());
 }
@@ -215,6 +215,10 @@ TEST_P(BuiltinSceneTest, IsLitAndTheSameEveryTime) {
     EXPECT_EQ(first.meshes[i].positions, second.meshes[i].positions);
     EXPECT_EQ(first.meshes[i].triangles, second.meshes[i].triangles);
   }
+  ASSERT_EQ(first.images.size(), second.images.size());
+  for (std::size_t i = 0; i < first.images.size(); ++i) {
+    EXPECT_EQ(first.images[i].rgba, second.images[i].rgba) << first.images[i].name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
@@ -224,8 +228,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
                            return name;
                          });
 
-TEST(BuiltinScenes, AreTenWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 10u);
+TEST(BuiltinScenes, AreFourteenWithOfficeFirst) {
+  ASSERT_EQ(builtin_scenes().size(), 14u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }

@@ -1,6 +1,7 @@
 #include "renderer/scene/export/gltf_writer.h"
 #include "renderer/scene/load.h"
 #include "tests/renderer/scene/light_checks.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,11 +21,7 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-std::string read_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using test::content_of;
 
 std::uint32_t u32(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -137,10 +134,14 @@ Scene rich_scene() {
   full.double_sided = true;
   full.ior = 1.33f;
   full.transmission = 0.9f;
+  full.specular = 0.4f;
+  full.specular_color = {1.0f, 0.5f, 2.0f};
+  full.dfr = Dfr{{{{0.1, 0.9, 2.0}, {0.2, 1.0 / 3.0, 2.5}, {0.0, 1.0, 32.0}}}, 0.125};
   Material flat;
   flat.name = "flat";
   flat.unlit = true;
   flat.alpha_mode = AlphaMode::blend;
+  flat.dfr = Dfr{{{{0.05, 1.0, 64.0}, {0.05, 1.0, 64.0}, {0.05, 1.0, 64.0}}}, 0.0};
   scene.materials = {full, flat};
 
   Mesh mesh = triangle();
@@ -194,7 +195,7 @@ Scene rich_scene() {
 
 TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   ASSERT_TRUE(export_gltf(rich_scene(), path("rich.glb")));
-  const Parsed file = parse_glb(read_file(path("rich.glb")));
+  const Parsed file = parse_glb(content_of(path("rich.glb")));
   const json& root = file.root;
   EXPECT_EQ(root["asset"]["version"], "2.0");
   EXPECT_EQ(root["asset"]["generator"], "ASOS");
@@ -215,9 +216,10 @@ TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   EXPECT_EQ(position["max"], json::array({1.0f, 1.0f, 1.0f / 3.0f}));
   EXPECT_EQ(primitive["attributes"].size(), 6u);
 
-  const json used = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                     "KHR_materials_ior",   "KHR_materials_transmission",
-                     "KHR_materials_unlit", "KHR_texture_transform"};
+  const json used = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
+                     "KHR_materials_ior",          "KHR_materials_specular",
+                     "KHR_materials_transmission", "KHR_materials_unlit",
+                     "KHR_texture_transform"};
   EXPECT_EQ(root["extensionsUsed"], used);
   EXPECT_FALSE(root.contains("extensionsRequired"));
 
@@ -227,7 +229,7 @@ TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
 
 TEST_F(ExportTest, GltfHoldsItsBufferAsDataUri) {
   ASSERT_TRUE(export_gltf(rich_scene(), path("rich.GLTF")));
-  const json root = json::parse(read_file(path("rich.GLTF")));
+  const json root = json::parse(content_of(path("rich.GLTF")));
   const std::string uri = root["buffers"][0]["uri"];
   const std::string prefix = "data:application/octet-stream;base64,";
   ASSERT_TRUE(uri.starts_with(prefix));
@@ -241,7 +243,7 @@ TEST_F(ExportTest, EmptySceneIsValid) {
   scene.meshes[0].name = "nothing";
   scene.instances = {{"place of nothing", 0, glm::dmat4(1.0)}};
   ASSERT_TRUE(export_gltf(scene, path("empty.glb")));
-  const Parsed file = parse_glb(read_file(path("empty.glb")));
+  const Parsed file = parse_glb(content_of(path("empty.glb")));
   for (const char* list : {"meshes", "buffers", "bufferViews", "accessors", "materials", "images",
                            "textures", "cameras", "extensionsUsed", "extensions"}) {
     EXPECT_FALSE(file.root.contains(list)) << list << " must not be there rather than be empty";
@@ -255,7 +257,7 @@ TEST_F(ExportTest, BrightEmissionGoesIntoTheStrength) {
   scene.materials[0].emissive = {8.0f, 4.0f, 0.0f};
   scene.materials[0].emissive_strength = 3.0f;
   ASSERT_TRUE(export_gltf(scene, path("bright.glb")));
-  const json root = parse_glb(read_file(path("bright.glb"))).root;
+  const json root = parse_glb(content_of(path("bright.glb"))).root;
   EXPECT_EQ(root["materials"][0]["emissiveFactor"], json::array({1.0f, 0.5f, 0.0f}));
   EXPECT_EQ(root["materials"][0]["extensions"]["KHR_materials_emissive_strength"],
             (json{{"emissiveStrength", 24.0f}}));
@@ -297,6 +299,11 @@ TEST_F(ExportTest, BrokenScenesAreRefusedByName) {
   refused([&](Scene& s) { s.instances[1].mesh = 9; }, "instance 1 'b'");
   refused([&](Scene& s) { s.instances[2].world_from_mesh[3].x = INFINITY; }, "instance 2 'c'");
   refused([&](Scene& s) { s.materials[0].roughness = nan; }, "material 0 'full'");
+  refused([&](Scene& s) { s.materials[0].dfr->rgb[1].min = 1.5; }, "defocusing ratio");
+  refused([&](Scene& s) { s.materials[1].dfr->rgb[2].exponent = nan; }, "defocusing exponent");
+  refused([&](Scene& s) { s.materials[0].dfr->perturbation = -1; }, "perturbation");
+  refused([&](Scene& s) { s.materials[0].specular = 2; }, "specular factor");
+  refused([&](Scene& s) { s.materials[0].specular_color.g = -1; }, "specular colour");
   refused([&](Scene& s) { s.materials[1].base_color_texture.texture = 5; }, "texture 5");
   refused([&](Scene& s) { s.materials[0].base_color_texture.uv_transform[1].x += 1; }, "shear");
   refused([&](Scene& s) { s.images[0].rgba.pop_back(); }, "image 0 'checks'");
@@ -324,11 +331,11 @@ TEST_F(ExportTest, UnwritablePathsNameFileAndReason) {
 
 TEST_F(ExportTest, FailureKeepsTheOldFile) {
   ASSERT_TRUE(export_gltf(rich_scene(), path("kept.glb")));
-  const std::string before = read_file(path("kept.glb"));
+  const std::string before = content_of(path("kept.glb"));
   Scene broken = rich_scene();
   broken.meshes[0].positions[0].x = std::numeric_limits<float>::infinity();
   EXPECT_FALSE(export_gltf(broken, path("kept.glb")));
-  EXPECT_EQ(read_file(path("kept.glb")), before);
+  EXPECT_EQ(content_of(path("kept.glb")), before);
 }
 
 /// A locale that writes commas and groups digits, without needing one to be installed.
@@ -344,7 +351,7 @@ TEST_F(ExportTest, NumbersDoNotDependOnTheLocale) {
   const Result<void> result = export_gltf(rich_scene(), path("commas.gltf"));
   std::locale::global(before);
   ASSERT_TRUE(result);
-  EXPECT_EQ(read_file(path("plain.gltf")), read_file(path("commas.gltf")));
+  EXPECT_EQ(content_of(path("plain.gltf")), content_of(path("commas.gltf")));
 }
 
 void expect_equal(const TextureUse& a, const TextureUse& b) {
@@ -371,6 +378,9 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.unlit, b.unlit);
   EXPECT_EQ(a.ior, b.ior);
   EXPECT_EQ(a.transmission, b.transmission);
+  EXPECT_EQ(a.specular, b.specular);
+  EXPECT_EQ(a.specular_color, b.specular_color);
+  EXPECT_EQ(a.dfr, b.dfr);
   expect_equal(a.base_color_texture, b.base_color_texture);
   expect_equal(a.metallic_roughness_texture, b.metallic_roughness_texture);
   expect_equal(a.normal_texture, b.normal_texture);

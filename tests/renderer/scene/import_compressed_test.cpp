@@ -12,12 +12,6 @@ namespace {
 
 using test::GltfBuilder;
 using test::load_in_time;
-using test::TemporaryFolder;
-
-Result<Scene> load(const GltfBuilder& builder) {
-  const TemporaryFolder folder;
-  return load_in_time(folder.write("test.glb", builder.glb()));
-}
 
 /// The corner points of all triangles, in order.
 std::vector<glm::vec3> corners(const Scene& scene) {
@@ -62,7 +56,7 @@ GltfBuilder meshopt_square() {
 }
 
 TEST(ImportCompressed, DecodesMeshopt) {
-  const Result<Scene> scene = load(meshopt_square());
+  const Result<Scene> scene = load_in_time(meshopt_square());
   ASSERT_TRUE(scene) << scene.error().message();
   const std::vector<glm::vec3> expected{{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
                                         {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -72,7 +66,7 @@ TEST(ImportCompressed, DecodesMeshopt) {
 TEST(ImportCompressed, MeshoptThatClaimsTooMuchIsRefused) {
   GltfBuilder b = meshopt_square();
   b.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["count"] = 2'000'000'000;
-  const Result<Scene> scene = load(b);
+  const Result<Scene> scene = load_in_time(b);
   ASSERT_FALSE(scene);
   EXPECT_NE(scene.error().reason.find("cannot hold"), std::string::npos) << scene.error().message();
 }
@@ -80,7 +74,7 @@ TEST(ImportCompressed, MeshoptThatClaimsTooMuchIsRefused) {
 TEST(ImportCompressed, BrokenMeshoptIsNamed) {
   GltfBuilder b = meshopt_square();
   b.bin[0] = '\x11';
-  const Result<Scene> scene = load(b);
+  const Result<Scene> scene = load_in_time(b);
   ASSERT_FALSE(scene);
   EXPECT_NE(scene.error().reason.find("meshopt data cannot be decoded"), std::string::npos)
       << scene.error().message();
@@ -113,7 +107,7 @@ GltfBuilder draco_square(int method) {
 TEST(ImportCompressed, DecodesDraco) {
   for (const int method : {static_cast<int>(draco::MESH_SEQUENTIAL_ENCODING),
                            static_cast<int>(draco::MESH_EDGEBREAKER_ENCODING)}) {
-    const Result<Scene> scene = load(draco_square(method));
+    const Result<Scene> scene = load_in_time(draco_square(method));
     ASSERT_TRUE(scene) << scene.error().message();
     ASSERT_EQ(scene->instanced_triangles(), 2u);
     double area = 0.0;
@@ -129,7 +123,7 @@ TEST(ImportCompressed, DecodesDraco) {
 TEST(ImportCompressed, DracoThatClaimsMoreThanIsDeclaredIsRefused) {
   GltfBuilder b = draco_square(draco::MESH_SEQUENTIAL_ENCODING);
   b.json["accessors"][1]["count"] = 3;
-  const Result<Scene> scene = load(b);
+  const Result<Scene> scene = load_in_time(b);
   ASSERT_FALSE(scene);
   EXPECT_NE(scene.error().reason.find("claims 2 faces where 1"), std::string::npos)
       << scene.error().message();
@@ -143,7 +137,7 @@ TEST(ImportCompressed, BrokenStreamsAreSurvived) {
       for (const char value : {'\0', '\x7f', '\xff'}) {
         GltfBuilder b = whole;
         b.bin[at] = value;
-        const Result<Scene> scene = load(b);
+        const Result<Scene> scene = load_in_time(b);
         if (scene) {
           EXPECT_LE(scene->instanced_triangles(), 2u);
         } else {

@@ -23,8 +23,17 @@ GltfBuilder textured() {
   b.json["images"] = {{{"uri", test::small_png}}};
   b.json["samplers"] = {{{"wrapS", 33071}}};
   b.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
-  b.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
-                          {"normalTexture", {{"index", 0}}}}};
+  b.json["extensionsUsed"] = {"KHR_materials_ior", "KHR_materials_specular"};
+  b.json["materials"] = {
+      {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+       {"normalTexture", {{"index", 0}}},
+       {"extensions",
+        {{"KHR_materials_ior", {{"ior", 1.3}}},
+         {"KHR_materials_specular",
+          {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 2}}}}}},
+       {"extras",
+        {{"asos_dfr",
+          {{"min", 0.2}, {"max", {0.5, 1, 0.9}}, {"exponent", 8}, {"perturbation", 0.1}}}}}}};
   return b;
 }
 
@@ -86,6 +95,18 @@ void check(const Result<Scene>& scene, const std::string& path) {
     EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
     for (const glm::vec3 p : mesh.positions) {
       ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    }
+  }
+  for (const Material& m : scene->materials) {
+    EXPECT_TRUE(m.ior == 0.0f || (m.ior >= 1.0f && std::isfinite(m.ior)));
+    EXPECT_TRUE(m.specular >= 0.0f && m.specular <= 1.0f);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_TRUE(m.specular_color[c] >= 0.0f && std::isfinite(m.specular_color[c]));
+    if (!m.dfr) continue;
+    EXPECT_TRUE(m.dfr->perturbation >= 0.0 && m.dfr->perturbation <= 1.0);
+    for (const DfrCurve& curve : m.dfr->rgb) {
+      EXPECT_TRUE(curve.min >= 0.0 && curve.min <= 1.0 && curve.max >= 0.0 && curve.max <= 1.0);
+      EXPECT_TRUE(curve.exponent >= 0.0 && std::isfinite(curve.exponent));
     }
   }
   for (const Light& light : scene->lights) EXPECT_EQ(gltf::light_fault(light), "") << light.name;

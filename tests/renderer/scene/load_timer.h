@@ -1,6 +1,8 @@
 #pragma once
 
 #include "renderer/scene/load.h"
+#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +23,12 @@ inline Result<Scene> load_in_time(const std::string& path, const LoadOptions& op
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_LT(seconds, longest_load_seconds) << path;
   return scene;
+}
+
+/// The same for a file that holds what was built, named test.glb.
+inline Result<Scene> load_in_time(const GltfBuilder& builder) {
+  const TemporaryFolder folder;
+  return load_in_time(folder.write("test.glb", builder.glb()));
 }
 
 }  // namespace asos::test

@@ -10,6 +10,12 @@
 namespace asos {
 namespace {
 
+Hit on_triangle(std::uint32_t triangle) {
+  Hit hit;
+  hit.triangle = triangle;
+  return hit;
+}
+
 struct Plane {
   glm::vec3 point;
   glm::vec3 normal;
@@ -70,7 +76,7 @@ TEST(Footprint, InATrianglesCoordinatesGivesThePatchBack) {
   test::add_triangle(world, {1, 2, 3}, {4, 2.5f, 2}, {0.5f, 6, 4}, Material{});
   const glm::vec3 e1(3, 0.5f, -1);
   const glm::vec3 e2(-0.5f, 4, 1);
-  const Footprint f = footprint_on(world, 0, {0.25f * e1 - 0.5f * e2, 2.0f * e2});
+  const Footprint f = footprint_on(world, on_triangle(0), {0.25f * e1 - 0.5f * e2, 2.0f * e2});
   EXPECT_NEAR(f.right.x, 0.25f, 1e-6f);
   EXPECT_NEAR(f.right.y, -0.5f, 1e-6f);
   EXPECT_NEAR(f.down.x, 0.0f, 1e-6f);
@@ -85,14 +91,14 @@ TEST(Footprint, IsAPointWhereItCannotBeKnown) {
   test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Material{});
   test::add_triangle(world, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, Material{});
   const Patch good{{0.1f, 0, 0}, {0, 0.1f, 0}};
-  EXPECT_FALSE(footprint_on(world, 0, good).point());
-  EXPECT_TRUE(footprint_on(world, 1, good).point());  // no area
+  EXPECT_FALSE(footprint_on(world, on_triangle(0), good).point());
+  EXPECT_TRUE(footprint_on(world, on_triangle(1), good).point());  // no area
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    EXPECT_TRUE(footprint_on(world, 0, {{bad, 0, 0}, {0, 0.1f, 0}}).point());
+    EXPECT_TRUE(footprint_on(world, on_triangle(0), {{bad, 0, 0}, {0, 0.1f, 0}}).point());
     const Patch far = patch_on_plane({true, {0, 0, -1}, {0.01f, 0, 0}, {0, 0.01f, 0}}, {0, 0, -1},
                                      bad, {0, 0, 1}, 1.0f);
-    EXPECT_TRUE(footprint_on(world, 0, far).point());
+    EXPECT_TRUE(footprint_on(world, on_triangle(0), far).point());
   }
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "renderer/geometry/ray.h"
+#include "renderer/lights/prepared_light.h"
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace asos {
+
+/// Lights of some area that no surface of the scene shows, by index into World::lights: rays for
+/// the viewer go through them, but what is mirrored shows them, for they are its highlights (CGF'98
+/// section 5.1). A light is shown by its own part, and by an emissive stand-in around its middle.
+using BareLights = std::vector<std::uint32_t>;
+[[nodiscard]] BareLights find_bare_lights(const World& world);
+
+/// Where a ray meets a light, and the radiance that it sends back.
+struct LightHit {
+  float t = 0.0f;
+  glm::vec3 radiance{0.0f};
+};
+/// Between the ray's ends, on the side that shines; nothing for lights without an area.
+[[nodiscard]] std::optional<LightHit> meet_light(const PreparedLight& light, const Ray& ray);
+
+/// The outlines of such a light as seen from `apex`, or from infinitely far towards `direction`:
+/// closed chains of points. Circles have `circle_points` of them.
+inline constexpr int circle_points = 128;
+[[nodiscard]] std::vector<std::vector<glm::dvec3>> light_outlines(const PreparedLight& light,
+                                                                  std::optional<glm::dvec3> apex,
+                                                                  glm::dvec3 direction);
+
+}  // namespace asos

@@ -1,0 +1,136 @@
+#include "renderer/methods/eye_caster.h"
+#include "renderer/reflections/mirror_surface.h"
+#include "renderer/shading/unevenness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+// Whether one sample can stand for what a leaf looks like.
+
+namespace asos {
+
+Unevenness EyeCaster::uneven(SampleId sample, double share, const LeafRegion& region) const {
+  const Hit& hit = hits_[sample];
+  if (!hit.valid() || !std::isfinite(most_uneven_)) return Unevenness::none;
+  const bool shading =
+      shading_error(sample, share, region) > most_uneven_ || mirrors_too_widely(sample, region);
+  if (extended_lights_ && !even_around(sample, region)) {
+    if (shadow_uneven(sample, region)) return Unevenness::shadow;
+    // What is split for its shading need not have its shadows found again for each part.
+    if (shading && region.sides.empty() && opaque(sample) && nearly_flat(sample, share)) {
+      even_.push_back({surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction),
+                       region.square, std::vector<double>(shader_.lights().size(), -1.0)});
+    }
+  }
+  return shading ? Unevenness::shading : Unevenness::none;
+}
+
+// Of what is not bounded, nor in shadow.
+float EyeCaster::shading_error(SampleId sample, double share, const LeafRegion& region) const {
+  const Hit& hit = hits_[sample];
+  const Ray& ray = rays_[sample];
+  const Patch patch = patch_of(sample, share);
+  return midpoint_error(scene_.world, hit, ray.at(hit.t), -ray.direction, patch) +
+         bump_error(sample, region) + light_error(sample, region);
+}
+
+// Whether a curved mirror spreads the region's corner rays too far for one reflected pyray (CGF'98
+// sections 5.2.1 to 5.2.4).
+bool EyeCaster::mirrors_too_widely(SampleId sample, const LeafRegion& region) const {
+  if (viewer_.bounces >= shader_.reflections() || settings_.curved_mirror == CurvedMirror::tangent)
+    return false;
+  const Hit& hit = hits_[sample];
+  const Material& material = scene_.world.material_of(hit.triangle);
+  const bool mirror =
+      material.dfr || static_cast<double>(material.roughness) <= settings_.roughest_mirror;
+  if (!mirror || material.unlit) return false;
+  const SurfacePoint point =
+      surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction);
+  const float side = region.square.side * static_cast<float>(block_.width);
+  const IncidentPyray pyray = pyray_around(spacing_, rays_[sample], hit.t, side);
+  const MirrorSurface surface = mirror_surface(scene_.world, hit, point, pyray, true);
+  if (!surface.bent()) return false;
+  return settings_.curved_mirror == CurvedMirror::supersample ||
+         reflected_angle(pyray, surface) > glm::radians(settings_.mirror_angle);
+}
+
+// Whether a leaf would be split further for its shading, were there any levels left.
+bool EyeCaster::uneven_at_last(SampleId sample, double share, const LeafRegion& region) const {
+  const float finest = std::ldexp(1.0f, -settings_.max_level) / static_cast<float>(block_.width);
+  return settings_.max_level > 0 && std::isfinite(most_uneven_) && !region.marginal &&
+         hits_[sample].valid() && region.square.side < 1.5f * finest &&
+         shading_error(sample, share, region) > most_uneven_;
+}
+
+// Whether the surface leaves its plane by little, beside the patch: what lies closer to a bent
+// surface than that is not looked at for its shadows' edges (ShadowPyrays::midpoint_error).
+bool EyeCaster::nearly_flat(SampleId sample, double share) const {
+  const Hit& hit = hits_[sample];
+  const Patch patch = patch_of(sample, share);
+  const float size = std::min(glm::length(patch.right), glm::length(patch.down));
+  return 4.0 * scene_.features.departure(hit.triangle, glm::dvec3(rays_[sample].at(hit.t)), size) <
+         static_cast<double>(size);
+}
+
+// The even patch of the sample's surface that the region is a part of.
+EvenPatch* EyeCaster::even_around(SampleId sample, const LeafRegion& region) const {
+  const Square& s = region.square;
+  const float u = s.centre_u(), v = s.centre_v();
+  for (EvenPatch& even : even_) {
+    const Square& all = even.square;
+    if (u > all.u && u < all.u + all.side && v > all.v && v < all.v + all.side &&
+        surface(sample) == scene_.features.sheet(even.middle.triangle))
+      return &even;
+  }
+  return nullptr;
+}
+
+// The patch around the sample that holds all of the leaf: what is long and thin, or away from its
+// sample, may have a shadow's edge at its far end.
+Patch EyeCaster::patch_around(SampleId sample, const LeafRegion& region) const {
+  glm::vec2 farthest(0.0f);
+  region.for_each_side([&](const Side& side) {
+    farthest = glm::max(farthest, glm::abs(side.from - points_[sample]));
+  });
+  const float per_pixel = 2.0f * static_cast<float>(block_.width);
+  Patch patch = patch_of(sample, 1.0);
+  patch.right *= farthest.x * per_pixel;
+  patch.down *= farthest.y * per_pixel;
+  return patch;
+}
+
+// How light from what has a size falls off across a leaf.
+float EyeCaster::light_error(SampleId sample, const LeafRegion& region) const {
+  const Hit& hit = hits_[sample];
+  if (!extended_lights_ || scene_.world.material_of(hit.triangle).unlit) return 0.0f;
+  const Patch patch = patch_around(sample, region);
+  const SurfacePoint point =
+      surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction);
+  float error = 0.0f;
+  for (const PreparedLight& light : shader_.lights())
+    if (light.extended()) error += falloff_error(light, receiver_at(point), patch);
+  return error;
+}
+
+bool EyeCaster::shadow_uneven(SampleId sample, const LeafRegion& region) const {
+  const Hit& hit = hits_[sample];
+  const Material& material = scene_.world.material_of(hit.triangle);
+  if (material.unlit) return false;
+  const Patch patch = patch_around(sample, region);
+  const SurfacePoint point =
+      surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction);
+  const glm::vec3 c = glm::clamp(glm::vec3(material.base_color), 0.0f, 1.0f);
+  const float reflected = std::max({c.x, c.y, c.z}) * std::numbers::inv_pi_v<float>;
+  float error = 0.0f;
+  const auto lights = shader_.lights();
+  for (std::uint32_t i = 0; i < lights.size() && !(error > most_uneven_); ++i) {
+    if (!lights[i].casts_shadows || !lights[i].extended()) continue;
+    const CountForLight count(counts_, i);
+    error += shadows_.midpoint_error(lights[i], i, point, patch, reflected, counts_);
+  }
+  return error > most_uneven_;
+}
+
+}  // namespace asos

@@ -1,0 +1,134 @@
+#include "renderer/rays/face_geometry.h"
+
+#include "renderer/geometry/face_crossings.h"
+
+#include <cmath>
+#include <limits>
+
+namespace asos::tracing {
+namespace {
+
+const ShapeFace& face_of(const Group& group, unsigned primitive) {
+  return group.world->face(group.triangle(primitive));
+}
+
+float below(double x) {
+  return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+}
+
+float above(double x) {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+void bound_face(const RTCBoundsFunctionArguments* args) {
+  const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
+  const FaceBounds box = bounds_of(face_of(group, args->primID));
+  const double scale = group.scale;
+  // Embree works out distances to boxes in single precision: a face in a plane needs a box that has
+  // some thickness.
+  const glm::dvec3 pad = 4e-7 * (glm::abs(box.lo) + glm::abs(box.hi) + (box.hi - box.lo));
+  RTCBounds& out = *args->bounds_o;
+  out.lower_x = below((box.lo.x - pad.x) * scale);
+  out.lower_y = below((box.lo.y - pad.y) * scale);
+  out.lower_z = below((box.lo.z - pad.z) * scale);
+  out.upper_x = above((box.hi.x + pad.x) * scale);
+  out.upper_y = above((box.hi.y + pad.y) * scale);
+  out.upper_z = above((box.hi.z + pad.z) * scale);
+}
+
+/// Offers `accept(ray, hit)` where a ray meets the face, the nearest first, until one is taken.
+/// `ray.tfar` is that of the hit meanwhile.
+template <typename Accept>
+void offer(const Group& group, unsigned primitive, float scale, RTCRay& ray, Accept accept) {
+  const ShapeFace& face = face_of(group, primitive);
+  const double per_scale = 1.0 / static_cast<double>(scale);
+  const FaceCrossings met = cross(face, per_scale * glm::dvec3(ray.org_x, ray.org_y, ray.org_z),
+                                  glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));
+  const float far = ray.tfar;
+  for (int i = 0; i < met.count; ++i) {
+    const auto t = static_cast<float>(met.t[i] * static_cast<double>(scale));
+    if (!(t > ray.tnear && t <= far)) continue;
+    const glm::dvec2 uv = face_coordinates(face, met.unit[i]);
+    RTCHit hit{};
+    hit.u = static_cast<float>(uv.x);
+    hit.v = static_cast<float>(uv.y);
+    ray.tfar = t;
+    if (accept(ray, hit)) return;
+    ray.tfar = far;
+  }
+}
+
+void fill(RTCHit& hit, unsigned geometry, unsigned primitive, const RTCIntersectContext* context) {
+  hit.geomID = geometry;
+  hit.primID = primitive;
+  hit.instID[0] = context->instID[0];
+}
+
+RTCFilterFunctionNArguments filter_arguments(int* valid, void* user, RTCIntersectContext* context,
+                                             RTCRay& ray, RTCHit& hit) {
+  RTCFilterFunctionNArguments args;
+  args.valid = valid;
+  args.geometryUserPtr = user;
+  args.context = context;
+  args.ray = reinterpret_cast<RTCRayN*>(&ray);
+  args.hit = reinterpret_cast<RTCHitN*>(&hit);
+  args.N = 1;
+  return args;
+}
+
+void intersect_face(const RTCIntersectFunctionNArguments* args) {
+  const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
+  const float scale = reinterpret_cast<const Context*>(args->context)->scale;
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    RTCRay one = rtcGetRayFromRayN(rays, args->N, i);
+    offer(group, args->primID, scale, one, [&](RTCRay& ray, RTCHit& hit) {
+      fill(hit, args->geomID, args->primID, args->context);
+      int valid = -1;
+      const auto filtered =
+          filter_arguments(&valid, args->geometryUserPtr, args->context, ray, hit);
+      rtcFilterIntersection(args, &filtered);
+      if (valid != -1) return false;
+      RTCRayN_tfar(rays, args->N, i) = ray.tfar;
+      RTCHitN_u(hits, args->N, i) = hit.u;
+      RTCHitN_v(hits, args->N, i) = hit.v;
+      RTCHitN_primID(hits, args->N, i) = hit.primID;
+      RTCHitN_geomID(hits, args->N, i) = hit.geomID;
+      RTCHitN_instID(hits, args->N, i, 0) = hit.instID[0];
+      return true;
+    });
+  }
+}
+
+void occlude_face(const RTCOccludedFunctionNArguments* args) {
+  const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
+  const float scale = reinterpret_cast<const Context*>(args->context)->scale;
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    RTCRay one = rtcGetRayFromRayN(args->ray, args->N, i);
+    offer(group, args->primID, scale, one, [&](RTCRay& ray, RTCHit& hit) {
+      fill(hit, args->geomID, args->primID, args->context);
+      int valid = -1;
+      const auto filtered =
+          filter_arguments(&valid, args->geometryUserPtr, args->context, ray, hit);
+      rtcFilterOcclusion(args, &filtered);
+      if (valid != -1) return false;
+      RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
+      return true;
+    });
+  }
+}
+
+}  // namespace
+
+void set_faces(RTCGeometry geometry, Group& group) {
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.triangles.size()));
+  rtcSetGeometryUserData(geometry, &group);
+  rtcSetGeometryBoundsFunction(geometry, bound_face, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect_face);
+  rtcSetGeometryOccludedFunction(geometry, occlude_face);
+}
+
+}  // namespace asos::tracing

@@ -1,0 +1,68 @@
+#include "renderer/reflections/mirror_surface.h"
+
+#include <cmath>
+
+namespace asos {
+namespace {
+
+// A shading normal this close to the triangle's is the triangle's.
+constexpr float same_normal = 1.0f - 1e-6f;
+
+// The plane of the triangle through one of its corners, which rounding has not moved.
+void take_plane(const World& world, const Hit& hit, MirrorSurface& surface) {
+  const glm::uvec3 v = world.triangles[hit.triangle];
+  const glm::dvec3 p0(world.positions[v.x]);
+  const glm::dvec3 n =
+      glm::cross(glm::dvec3(world.positions[v.y]) - p0, glm::dvec3(world.positions[v.z]) - p0);
+  const double length = glm::length(n);
+  if (!(length > 0.0)) return;
+  const glm::dvec3 unit = glm::dot(n, surface.normal) < 0.0 ? -n / length : n / length;
+  surface.position -= glm::dot(surface.position - p0, unit) * unit;
+  surface.normal = surface.geometric = unit;
+}
+
+}  // namespace
+
+MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePoint& point,
+                             const IncidentPyray& pyray, bool bent) {
+  MirrorSurface surface;
+  surface.position = glm::dvec3(point.position);
+  surface.normal = glm::dvec3(point.shading_normal);
+  surface.geometric = glm::dvec3(point.geometric_normal);
+  surface.clearance = static_cast<double>(clear_height(point));
+  if (!world.is_face(hit.triangle) &&
+      glm::dot(point.shading_normal, point.geometric_normal) > same_normal)
+    take_plane(world, hit, surface);
+  if (!bent) return surface;
+  const MirrorPatch patch = patch_of(pyray, surface.geometric);
+  const NormalSpread turn = normal_turn(world, hit, {glm::vec3(patch.right), glm::vec3(patch.down)},
+                                        point.shading_normal);
+  surface.turn_right = glm::dvec3(turn.right);
+  surface.turn_down = glm::dvec3(turn.down);
+  return surface;
+}
+
+IncidentPyray pyray_around(const PixelSpacing& spacing, const Ray& ray, float t, float side) {
+  IncidentPyray pyray;
+  const glm::dvec3 direction(ray.direction);
+  const double ahead = glm::dot(direction, glm::dvec3(spacing.forward));
+  pyray.perspective = spacing.perspective;
+  pyray.axis = spacing.perspective ? direction / ahead : direction;
+  pyray.right = static_cast<double>(side) * glm::dvec3(spacing.right);
+  pyray.down = static_cast<double>(side) * glm::dvec3(spacing.down);
+  pyray.distance = static_cast<double>(spacing.start + t) * (spacing.perspective ? ahead : 1.0);
+  return pyray;
+}
+
+PixelSpacing spacing_of(const MirroredPyray& pyray, float side) {
+  PixelSpacing spacing;
+  spacing.perspective = pyray.picture.perspective;
+  spacing.forward = glm::vec3(pyray.picture.forward);
+  spacing.right = glm::vec3(pyray.picture.right / static_cast<double>(side));
+  spacing.down = glm::vec3(pyray.picture.down / static_cast<double>(side));
+  spacing.start =
+      std::isfinite(pyray.apex_distance) ? static_cast<float>(pyray.apex_distance) : 0.0f;
+  return spacing;
+}
+
+}  // namespace asos

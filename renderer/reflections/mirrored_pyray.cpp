@@ -1,0 +1,166 @@
+#include "renderer/reflections/mirrored_pyray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+// Mirrored directions rise at least so much, of their length, above the surface.
+constexpr double least_rise = 1.0 / 1024.0;
+// A patch seen more steeply is no longer than one seen so: as patch_on_plane has it.
+constexpr double steepest = 1.0 / 64.0;
+
+struct MirroredEdges {
+  glm::dvec3 axis;  // unit
+  glm::dvec3 right, down;
+};
+
+glm::dvec3 across(glm::dvec3 v, glm::dvec3 unit_axis) {
+  return v - glm::dot(v, unit_axis) * unit_axis;
+}
+
+// How the reflected direction changes along an edge of the pyray: the derivative of D - 2 (D.N) N.
+glm::dvec3 mirrored_edge(glm::dvec3 axis, glm::dvec3 edge, glm::dvec3 normal, glm::dvec3 turn) {
+  const double along = glm::dot(axis, normal);
+  return edge - 2.0 * ((glm::dot(edge, normal) + glm::dot(axis, turn)) * normal + along * turn);
+}
+
+MirroredEdges mirrored_edges(const IncidentPyray& pyray, const MirrorSurface& surface) {
+  MirroredEdges edges;
+  const double length = glm::length(pyray.axis);
+  const glm::dvec3 none(0.0);
+  edges.axis = mirrored_direction(surface, pyray.axis);
+  edges.right = mirrored_edge(pyray.axis, pyray.perspective ? pyray.right : none, surface.normal,
+                              surface.turn_right) /
+                length;
+  edges.down = mirrored_edge(pyray.axis, pyray.perspective ? pyray.down : none, surface.normal,
+                             surface.turn_down) /
+               length;
+  return edges;
+}
+
+// An edge made longer by the lobe, which is turned like it.
+glm::dvec3 widened(glm::dvec3 edge, glm::dvec3 lobe_axis, double width) {
+  return edge + (glm::dot(edge, lobe_axis) < 0.0 ? -width : width) * lobe_axis;
+}
+
+double share_of(glm::dvec3 edge, glm::dvec3 wide) {
+  const double length = glm::length(wide);
+  return length > 0.0 ? std::min(1.0, glm::length(edge) / length) : 1.0;
+}
+
+bool finite(glm::dvec3 v) {
+  return std::isfinite(v.x + v.y + v.z);
+}
+
+// Where the rays through the patch, continued backwards, come nearest to each other: the distance s
+// for which the patch's edges, less s times what the directions change by, are least.
+double nearest_apex(const MirrorPatch& patch, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 down) {
+  const glm::dvec3 a = across(right, axis), b = across(down, axis);
+  return (glm::dot(across(patch.right, axis), a) + glm::dot(across(patch.down, axis), b)) /
+         (glm::dot(a, a) + glm::dot(b, b));
+}
+
+std::optional<MirroredPyray> parallel(const MirroredEdges& edges, const MirrorPatch& patch,
+                                      const MirrorSurface& surface) {
+  MirroredPyray out;
+  PyrayPicture& p = out.picture;
+  p.perspective = false;
+  p.forward = edges.axis;
+  p.right = across(patch.right, edges.axis);
+  p.down = across(patch.down, edges.axis);
+  const double back = glm::length(patch.right) + glm::length(patch.down);
+  p.apex = surface.position - back * edges.axis;
+  p.corner = p.forward - 0.5 * (p.right + p.down);
+  out.apex_distance = std::numeric_limits<double>::infinity();
+  if (!finite(p.right) || !finite(p.down) || p.right == glm::dvec3(0.0)) return std::nullopt;
+  return out;
+}
+
+std::optional<MirroredPyray> diverging(const MirroredEdges& edges, double apex_distance,
+                                       const MirrorLobe& lobe, const MirrorSurface& surface) {
+  MirroredPyray out;
+  PyrayPicture& p = out.picture;
+  const glm::dvec3 right = widened(edges.right, lobe.right, lobe.width);
+  const glm::dvec3 down = widened(edges.down, lobe.down, lobe.width);
+  out.sharp_share = {share_of(edges.right, right), share_of(edges.down, down)};
+  out.apex_distance = apex_distance;
+  const glm::dvec3 face = glm::cross(right, down);
+  p.forward = glm::normalize(glm::dot(face, edges.axis) < 0.0 ? -face : face);
+  const double ahead = 1.0 / glm::dot(p.forward, edges.axis);
+  p.right = ahead * right;
+  p.down = ahead * down;
+  p.apex = surface.position - apex_distance * edges.axis;
+  p.corner = ahead * edges.axis - 0.5 * (p.right + p.down);
+  if (!finite(p.forward) || !finite(p.corner) || !finite(p.apex)) return std::nullopt;
+  return out;
+}
+
+}  // namespace
+
+glm::dvec3 mirrored_direction(const MirrorSurface& surface, glm::dvec3 direction) {
+  glm::dvec3 d = glm::normalize(glm::reflect(direction, surface.normal));
+  const double rise = glm::dot(d, surface.geometric);
+  if (rise < least_rise) d = glm::normalize(d + (least_rise - rise) * surface.geometric);
+  return d;
+}
+
+MirrorLobe lobe_around(const MirrorSurface& surface, glm::dvec3 mirrored, glm::dvec3 picture_right,
+                       double width) {
+  const glm::dvec3 right = across(glm::reflect(picture_right, surface.normal), mirrored);
+  MirrorLobe lobe;
+  lobe.right = glm::normalize(right);
+  lobe.down = glm::cross(mirrored, lobe.right);
+  lobe.width = width;
+  return lobe;
+}
+
+MirrorPatch patch_of(const IncidentPyray& pyray, glm::dvec3 normal) {
+  const glm::dvec3 unit = glm::normalize(pyray.axis);
+  const double cosine = glm::dot(normal, unit);
+  const double safe = std::copysign(std::max(std::abs(cosine), steepest), cosine);
+  const double scale = pyray.perspective ? pyray.distance : 1.0;
+  const auto moved = [&](glm::dvec3 edge) {
+    return scale * (edge - unit * (glm::dot(normal, edge) / safe));
+  };
+  return {moved(pyray.right), moved(pyray.down)};
+}
+
+std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSurface& surface,
+                                      const MirrorLobe& lobe) {
+  const MirroredEdges edges = mirrored_edges(pyray, surface);
+  const MirrorPatch patch = patch_of(pyray, surface.geometric);
+  const bool sharp = !(lobe.width > 0.0);
+  std::optional<MirroredPyray> out;
+  if (sharp && !surface.bent()) {
+    out = pyray.perspective
+              ? diverging(edges, pyray.distance * glm::length(pyray.axis), lobe, surface)
+              : parallel(edges, patch, surface);
+  } else {
+    const double apex =
+        nearest_apex(patch, edges.axis, widened(edges.right, lobe.right, lobe.width),
+                     widened(edges.down, lobe.down, lobe.width));
+    if (apex > 0.0 && std::isfinite(apex)) {
+      out = diverging(edges, apex, lobe, surface);
+    } else if (surface.bent()) {
+      MirrorSurface plane = surface;
+      plane.turn_right = plane.turn_down = glm::dvec3(0.0);
+      return mirrored(pyray, plane, lobe);
+    }
+  }
+  if (!out) return std::nullopt;
+  const double height = glm::dot(surface.geometric, surface.position) + surface.clearance;
+  out->picture.beyond = {surface.geometric, height};
+  return out;
+}
+
+double reflected_angle(const IncidentPyray& pyray, const MirrorSurface& surface) {
+  const MirroredEdges edges = mirrored_edges(pyray, surface);
+  const double diagonal =
+      std::max(glm::length(edges.right + edges.down), glm::length(edges.right - edges.down));
+  return 2.0 * std::atan(0.5 * diagonal);
+}
+
+}  // namespace asos

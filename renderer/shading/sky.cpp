@@ -1,0 +1,151 @@
+#include "renderer/shading/sky.h"
+
+#include "renderer/lights/light_math.h"
+#include "renderer/shading/dfr.h"
+#include "renderer/shading/environment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace asos {
+namespace {
+
+constexpr double sqrt2 = std::numbers::sqrt2;
+
+/// A patch is looked at in parts of no more than this, in radians, and as wide as they are high,
+/// unless that would be more than so many a side.
+constexpr double widest_part = 0.25;
+constexpr int most_parts = 8;
+constexpr int most_parts_of_long = 16;
+
+std::string colours(glm::vec3 zenith, glm::vec3 horizon) {
+  const auto text = [](glm::vec3 c) { return fmt::format("{},{},{}", c.x, c.y, c.z); };
+  return zenith == horizon ? text(zenith) : text(zenith) + ":" + text(horizon);
+}
+
+/// How far a step turns a direction, and how far it lifts it.
+struct Across {
+  double length;
+  double up;
+};
+
+Across across(glm::dvec3 direction, glm::dvec3 step) {
+  const glm::dvec3 turn = step - glm::dot(step, direction) * direction;
+  return {glm::length(turn), turn.y};
+}
+
+/// The mean of max(0, x) over x from `middle` - `half_range` to `middle` + `half_range`.
+double mean_above_0(double middle, double half_range) {
+  if (std::abs(middle) >= half_range) return std::max(0.0, middle);
+  return (middle + half_range) * (middle + half_range) / (4.0 * half_range);
+}
+
+struct Parts {
+  int right;
+  int down;
+};
+
+Parts parts_of(double right, double down) {
+  if (!std::isfinite(right + down)) return {1, 1};
+  const double least = std::max(
+      {std::min(right, down), right / most_parts_of_long, down / most_parts_of_long, 1e-12});
+  const auto parts = [&](double length) {
+    const int by_shape = static_cast<int>(std::ceil(length / least - 1e-6));
+    const int by_size =
+        static_cast<int>(std::ceil(std::min(length / widest_part, 1.0 * most_parts)));
+    return std::max({1, by_shape, by_size});
+  };
+  return {parts(right), parts(down)};
+}
+
+}  // namespace
+
+Sky::Sky(glm::vec3 zenith, glm::vec3 horizon)
+    : zenith_(zenith), horizon_(horizon), name_(colours(zenith, horizon)) {}
+
+Sky::Sky(SkyMap map, double turn_deg, std::string name)
+    : map_(std::make_shared<const SkyMap>(std::move(map))),
+      turn_cos_(std::cos(turn_deg * std::numbers::pi / 180.0)),
+      turn_sin_(std::sin(turn_deg * std::numbers::pi / 180.0)),
+      name_(turn_deg == 0.0 ? std::move(name)
+                            : fmt::format("{}, turned by {} degrees", name, turn_deg)) {}
+
+glm::dvec3 Sky::in_map(glm::dvec3 d) const {
+  return {turn_cos_ * d.x - turn_sin_ * d.z, d.y, turn_sin_ * d.x + turn_cos_ * d.z};
+}
+
+glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) const {
+  if (!map_ && zenith_ == horizon_) return zenith_;
+  const glm::dvec3 middle(direction), r(right), s(down);
+  const Parts n = parts_of(across(middle, r).length, across(middle, s).length);
+  return mean_of_parts({middle, r, s}, n.right, n.down);
+}
+
+glm::vec3 Sky::around(glm::vec3 direction, float width) const {
+  if (!map_ && zenith_ == horizon_) return zenith_;
+  constexpr int parts = 3;
+  const glm::dvec3 middle(direction);
+  const glm::dvec3 right = any_perpendicular(middle);
+  const double w = static_cast<double>(width);
+  return mean_of_parts({middle, w * right, w * glm::cross(middle, right)}, parts, parts);
+}
+
+glm::dvec3 Sky::mean_of_parts(const Directions& all, int across_right, int across_down) const {
+  glm::dvec3 sum(0.0);
+  const glm::dvec3 right = all.right / static_cast<double>(across_right);
+  const glm::dvec3 down = all.down / static_cast<double>(across_down);
+  for (int j = 0; j < across_down; ++j) {
+    for (int i = 0; i < across_right; ++i) {
+      const glm::dvec3 p = all.middle + (i + 0.5 - 0.5 * across_right) * right +
+                           (j + 0.5 - 0.5 * across_down) * down;
+      const double length = glm::length(p);
+      if (length == 0.0) continue;
+      sum += part_mean(p / length, right / length, down / length);
+    }
+  }
+  return sum / (1.0 * across_right * across_down);
+}
+
+glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
+  const Across r = across(direction, right), s = across(direction, down);
+  // A square, or a range of heights, of the variance of the part.
+  if (map_) return map_->mean(in_map(direction), std::hypot(r.length, s.length) / sqrt2);
+  const double half_range = 0.5 * std::hypot(r.up, s.up);
+  return horizon_ + mean_above_0(direction.y, half_range) * (zenith_ - horizon_);
+}
+
+glm::vec3 Sky::ambient(glm::vec3 normal) const {
+  if (map_) return sky_visibility * map_->irradiance_over_pi(in_map(normal));
+  if (zenith_ == horizon_) return sky_visibility * glm::vec3(zenith_);
+  // The integral over the sphere of the product of two clamped cosines whose axes are theta apart
+  // is 2/3 (sin(theta) + (pi - theta) cos(theta)) (the arc-cosine kernel of Cho and Saul 2009).
+  const glm::dvec3 n(normal);
+  const double theta = std::atan2(std::hypot(n.x, n.z), n.y);
+  const double share = 2.0 / (3.0 * std::numbers::pi) *
+                       (std::sin(theta) + (std::numbers::pi - theta) * std::cos(theta));
+  return sky_visibility * glm::vec3(horizon_ + share * (zenith_ - horizon_));
+}
+
+glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* spacing, float side) {
+  if (!sky) return background_radiance;
+  // Parallel rays all see one point of what is infinitely far away.
+  if (!spacing || !spacing->perspective) return sky->radiance(direction);
+  const float scale = side * glm::dot(direction, spacing->forward);
+  return sky->radiance(direction, scale * spacing->right, scale * spacing->down);
+}
+
+glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
+                        glm::vec3 to_viewer) {
+  if (!sky) return ambient_radiance * (seen.diffuse + seen.specular);
+  const glm::vec3 diffuse = sky->ambient(normal) * seen.diffuse;
+  if (seen.specular == glm::vec3(0.0f)) return diffuse;
+  const glm::vec3 mirrored = glm::reflect(-to_viewer, normal);
+  const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));
+  return diffuse + sky_visibility * sky->around(mirrored, width) * seen.specular;
+}
+
+}  // namespace asos

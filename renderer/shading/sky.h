@@ -1,0 +1,78 @@
+#pragma once
+
+#include "renderer/result.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/footprint.h"
+#include "renderer/shading/sky_map.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+
+namespace asos {
+
+/// What surrounds a scene, infinitely far away: linear radiance by direction. +Y is up. Immutable.
+class Sky {
+ public:
+  /// The same radiance from everywhere.
+  explicit Sky(glm::vec3 radiance) : Sky(radiance, radiance) {}
+  /// From the horizon to the zenith linear in the sine of the elevation; below the horizon as at
+  /// the horizon.
+  Sky(glm::vec3 zenith, glm::vec3 horizon);
+  /// An equirectangular picture that is turned about +Y, counter-clockwise as seen from above; at 0
+  /// its middle is at -Z. `name` is its file's.
+  Sky(SkyMap map, double turn_deg, std::string name);
+
+  /// The mean over the directions `direction` + a `right` + b `down`, a and b from -1/2 to 1/2, all
+  /// weighing the same, of a unit direction; steps of 0: at a point. Exact for constant skies;
+  /// within a few thousandths for gradients. Patches of steps of up to 5 are resolved.
+  [[nodiscard]] glm::vec3 radiance(glm::vec3 direction, glm::vec3 right = glm::vec3(0.0f),
+                                   glm::vec3 down = glm::vec3(0.0f)) const;
+
+  /// The mean over the square of this width around a unit direction, within a few hundredths: for
+  /// the lobes of surfaces.
+  [[nodiscard]] glm::vec3 around(glm::vec3 direction, float width) const;
+
+  /// The irradiance over pi of a surface with this unit normal, times sky_visibility.
+  [[nodiscard]] glm::vec3 ambient(glm::vec3 normal) const;
+
+  /// As on the command line, "R,G,B:R,G,B" or the file, and by how much it is turned.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  struct Directions {
+    glm::dvec3 middle, right, down;
+  };
+  [[nodiscard]] glm::dvec3 mean_of_parts(const Directions& all, int across_right,
+                                         int across_down) const;
+  [[nodiscard]] glm::dvec3 in_map(glm::dvec3 direction) const;
+  [[nodiscard]] glm::dvec3 part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const;
+
+  glm::dvec3 zenith_{0.0};
+  glm::dvec3 horizon_{0.0};
+  std::shared_ptr<const SkyMap> map_;
+  double turn_cos_ = 1.0;
+  double turn_sin_ = 0.0;
+  std::string name_;
+};
+
+/// The sky of a file: .hdr (Radiance) or .exr, linear, twice as wide as it is high. Errors name the
+/// file: it cannot be read, has other proportions or more than 2^26 texels, or texels that are not
+/// finite or are negative, which are counted.
+[[nodiscard]] Result<std::shared_ptr<const Sky>> read_sky(const std::string& path,
+                                                          double turn_deg = 0.0);
+
+// What shading asks for. Without a sky, null, it is the neutral one of environment.h.
+
+/// Radiance of the background around a unit direction, averaged over a square of `side` pixels
+/// where there is a `spacing`.
+[[nodiscard]] glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* spacing,
+                                   float side);
+
+/// What a surface reflects of the sky towards the viewer: diffusely, and by its lobe around the
+/// mirrored direction. Not occluded but for sky_visibility.
+[[nodiscard]] glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
+                                      glm::vec3 to_viewer);
+
+}  // namespace asos

@@ -1,0 +1,219 @@
+#include "renderer/shading/sky_map.h"
+
+#include "renderer/shading/texture_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace asos {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The irradiance is found from texels of some 3 degrees, and kept for normals 6 degrees apart.
+constexpr int irradiance_source_rows = 64;
+constexpr int irradiance_rows = 32;
+
+struct Place {
+  double u;
+  double v;
+};
+
+Place place_of(glm::dvec3 d) {
+  // atan2 rather than acos, which is inaccurate near the poles.
+  return {0.5 + std::atan2(d.x, -d.z) / (2.0 * pi), std::atan2(std::hypot(d.x, d.z), d.y) / pi};
+}
+
+/// Rows of even numbers of columns, without texels yet.
+template <typename ColumnsOf>
+SkyRows empty_rows(int rows, const ColumnsOf& columns_of) {
+  SkyRows level;
+  level.start.push_back(0);
+  for (int r = 0; r < rows; ++r)
+    level.start.push_back(level.start.back() + static_cast<std::uint32_t>(columns_of(r)));
+  level.texels.reserve(level.start.back());
+  return level;
+}
+
+SkyRows reduced_rows(int rows, int most_columns) {
+  if (rows == 1) return empty_rows(1, [](int) { return 1; });
+  return empty_rows(rows, [&](int r) {
+    const double square = 2.0 * rows * std::sin(pi * (r + 0.5) / rows);
+    return std::clamp(static_cast<int>(std::lround(square)), 1, most_columns);
+  });
+}
+
+/// The sum, over u from `lo` to `hi` turns, of a row.
+glm::dvec3 row_integral(const SkyRows& level, int row, double lo, double hi) {
+  const int n = level.columns(row);
+  const glm::vec3* texels = level.texels.data() + level.start[static_cast<std::size_t>(row)];
+  const double from = lo * n, to = hi * n;
+  const int last = std::min(n, static_cast<int>(std::ceil(to)));
+  glm::dvec3 sum(0.0);
+  for (int i = static_cast<int>(from); i < last; ++i)
+    sum += std::max(0.0, std::min(to, i + 1.0) - std::max(from, static_cast<double>(i))) *
+           glm::dvec3(texels[i]);
+  return sum / static_cast<double>(n);
+}
+
+void find_poles(SkyRows& level) {
+  level.zenith = row_integral(level, 0, 0.0, 1.0);
+  level.nadir = row_integral(level, level.rows() - 1, 0.0, 1.0);
+}
+
+/// Fills `coarse` with means of `fine` by solid angle.
+void fill_with_means(const SkyRows& fine, SkyRows& coarse) {
+  const int rows = coarse.rows();
+  const double ratio = static_cast<double>(fine.rows()) / rows;
+  const auto height_at = [&](double fine_row) { return std::cos(pi * fine_row / fine.rows()); };
+  for (int r = 0; r < rows; ++r) {
+    const double from = r * ratio, to = (r + 1) * ratio;
+    const int last = std::min(fine.rows(), static_cast<int>(std::ceil(to)));
+    const int n = coarse.columns(r);
+    for (int i = 0; i < n; ++i) {
+      const double lo = static_cast<double>(i) / n, hi = static_cast<double>(i + 1) / n;
+      glm::dvec3 sum(0.0);
+      double weight = 0.0;
+      for (int k = static_cast<int>(from); k < last; ++k) {
+        const double share =
+            height_at(std::max(from, static_cast<double>(k))) - height_at(std::min(to, k + 1.0));
+        sum += share * row_integral(fine, k, lo, hi);
+        weight += share * (hi - lo);
+      }
+      coarse.texels.emplace_back(sum / weight);
+    }
+  }
+  find_poles(coarse);
+}
+
+/// A texel's radiance, its solid angle, and the mean of its directions, which is no unit vector:
+/// with it the cosine to a normal is exact where all of the texel is above the horizon.
+struct SkyPatch {
+  glm::dvec3 radiance;
+  glm::dvec3 direction;
+  double solid_angle;
+};
+
+std::vector<SkyPatch> patches_of(const SkyRows& level) {
+  std::vector<SkyPatch> patches;
+  for (int r = 0; r < level.rows(); ++r) {
+    const double t0 = pi * r / level.rows(), t1 = pi * (r + 1) / level.rows();
+    const double height = std::cos(t0) - std::cos(t1);
+    const double s0 = std::sin(t0), s1 = std::sin(t1);
+    const double mean_cosine = 0.5 * (s1 * s1 - s0 * s0) / height;
+    const double mean_sine =
+        (0.5 * (t1 - t0) - 0.25 * (std::sin(2.0 * t1) - std::sin(2.0 * t0))) / height;
+    const int n = level.columns(r);
+    const double across = n > 1 ? mean_sine * std::sin(pi / n) / (pi / n) : 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2.0 * pi * ((i + 0.5) / n - 0.5);
+      patches.push_back({level.texels[level.start[static_cast<std::size_t>(r)] + i],
+                         {across * std::sin(angle), mean_cosine, -across * std::cos(angle)},
+                         2.0 * pi * height / n});
+    }
+  }
+  return patches;
+}
+
+glm::dvec3 irradiance_over_pi_of(const std::vector<SkyPatch>& patches, glm::dvec3 normal) {
+  glm::dvec3 sum(0.0);
+  double weight = 0.0;
+  for (const SkyPatch& patch : patches) {
+    const double w = patch.solid_angle * std::max(0.0, glm::dot(normal, patch.direction));
+    sum += w * patch.radiance;
+    weight += w;
+  }
+  // The weights add up to pi but for texels on the horizon: divided by their sum, a constant sky
+  // stays what it is.
+  return sum / weight;
+}
+
+SkyRows find_irradiance(const SkyRows& level) {
+  const std::vector<SkyPatch> patches = patches_of(level);
+  SkyRows found = empty_rows(irradiance_rows, [](int) { return 2 * irradiance_rows; });
+  for (int r = 0; r < irradiance_rows; ++r) {
+    const double theta = pi * (r + 0.5) / irradiance_rows;
+    for (int i = 0; i < 2 * irradiance_rows; ++i) {
+      const double angle = 2.0 * pi * ((i + 0.5) / (2 * irradiance_rows) - 0.5);
+      found.texels.emplace_back(
+          irradiance_over_pi_of(patches, {std::sin(theta) * std::sin(angle), std::cos(theta),
+                                          -std::sin(theta) * std::cos(angle)}));
+    }
+  }
+  // Not their neighbours' mean: floors and ceilings are what there is most of.
+  found.zenith = irradiance_over_pi_of(patches, {0, 1, 0});
+  found.nadir = irradiance_over_pi_of(patches, {0, -1, 0});
+  return found;
+}
+
+}  // namespace
+
+glm::vec3 SkyRows::at(double u, double v) const {
+  if (!std::isfinite(u) || !std::isfinite(v))
+    return glm::vec3(std::numeric_limits<float>::quiet_NaN());
+  const double turns = u - std::floor(u);
+  const auto along_row = [&](int row) {
+    const int n = columns(row);
+    const glm::vec3* const texel = texels.data() + start[static_cast<std::size_t>(row)];
+    const double x = turns * n - 0.5;
+    const double left = std::floor(x);
+    const int i = (static_cast<int>(left) + n) % n;
+    return glm::mix(glm::dvec3(texel[i]), glm::dvec3(texel[(i + 1) % n]), x - left);
+  };
+  const double y = v * rows() - 0.5;
+  const double last = rows() - 1.0;
+  if (y < 0.0) return glm::mix(zenith, along_row(0), 1.0 + 2.0 * y);
+  if (y >= last) return glm::mix(along_row(rows() - 1), nadir, std::min(1.0, 2.0 * (y - last)));
+  const int row = static_cast<int>(y);
+  return glm::mix(along_row(row), along_row(row + 1), y - row);
+}
+
+SkyMap::SkyMap(int width, int height, std::vector<glm::vec3> texels) {
+  levels_.push_back(empty_rows(height, [&](int) { return width; }));
+  levels_.front().texels = std::move(texels);
+  find_poles(levels_.front());
+  for (int rows = height; rows >= 1; rows /= 2) {
+    SkyRows level = reduced_rows(rows, width);
+    fill_with_means(levels_.back(), level);
+    levels_.push_back(std::move(level));
+  }
+  const auto source = std::find_if(levels_.begin() + 1, levels_.end(), [](const SkyRows& level) {
+    return level.rows() <= irradiance_source_rows;
+  });
+  irradiance_ = find_irradiance(*source);
+}
+
+glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
+  const auto [u, v] = place_of(direction);
+  const SkyRows& picture = levels_.front();
+  if (!(side > 0.0)) return picture.at(u, v);
+  // In heights of the picture's rows. Below one, rows near the poles go over to fewer columns.
+  const double texel = static_cast<double>(texel_share) * side * picture.rows() / pi;
+  if (texel < 1.0) {
+    const glm::dvec3 sharp = picture.at(u, v);
+    return glm::mix(sharp, glm::dvec3(levels_[1].at(u, v)), texel);
+  }
+  const double level = std::min(std::log2(texel), static_cast<double>(levels_.size() - 2));
+  const auto finer = static_cast<std::size_t>(level);
+  const std::size_t coarser = std::min(finer + 1, levels_.size() - 2);
+  return glm::mix(glm::dvec3(levels_[1 + finer].at(u, v)),
+                  glm::dvec3(levels_[1 + coarser].at(u, v)), level - static_cast<double>(finer));
+}
+
+glm::vec3 SkyMap::irradiance_over_pi(glm::dvec3 normal) const {
+  const auto [u, v] = place_of(normal);
+  return irradiance_.at(u, v);
+}
+
+std::size_t SkyMap::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const SkyRows& level : levels_)
+    bytes += level.texels.capacity() * sizeof(glm::vec3) +
+             level.start.capacity() * sizeof(std::uint32_t);
+  return bytes;
+}
+
+}  // namespace asos

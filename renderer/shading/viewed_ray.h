@@ -1,0 +1,24 @@
+#pragma once
+
+#include "renderer/geometry/ray.h"
+#include "renderer/shading/footprint.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// A ray whose radiance is asked for, and what it stands for: it comes from the eye, or was
+/// reflected.
+struct ViewedRay {
+  Ray ray;            ///< unit direction
+  Hit hit;            ///< its nearest; invalid: the background
+  float side = 0.0f;  ///< of the square around it, in pixels of `spacing`; 0: a point
+  const PixelSpacing* spacing = nullptr;  ///< of the picture; null: of the eye's
+  /// How wide a pyray is, one unit ahead (2 tan(beta / 2)): a pixel, and the lobes of the blurred
+  /// reflections on its way. What a defocusing ratio widens.
+  float width = 0.0f;
+  int bounces = 0;          ///< reflections on its way
+  float throughput = 1.0f;  ///< the most that the picture gets of its radiance, by colour
+};
+
+}  // namespace asos

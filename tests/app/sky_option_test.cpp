@@ -1,0 +1,76 @@
+#include "renderer/film/image_io.h"
+#include "tests/app/run_asos.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+using test::AsosRun;
+using test::contains;
+using test::run_asos;
+using test::operator+;
+
+class SkyOption : public testing::Test {
+ protected:
+  /// Looks straight up from above the scene: nothing but sky.
+  [[nodiscard]] AsosRun render(const std::string& name, const std::vector<std::string>& words) {
+    return run_asos(std::vector<std::string>{"render", "builtin:boxes", "-o", folder_.file(name),
+                                             "--size", "8x8", "--look-at", "0,900,0,0.1,2000,-1"} +
+                    words);
+  }
+  [[nodiscard]] glm::vec3 pixel(const std::string& name) const {
+    const Result<ExrImage> image = read_exr(folder_.file(name));
+    return image ? image->film.radiance[image->film.index(4, 4)] : glm::vec3(-1.0f);
+  }
+  [[nodiscard]] std::string picture(const std::string& name, glm::vec3 colour) const {
+    Film film(16, 8);
+    film.radiance.assign(128, colour);
+    EXPECT_TRUE(write_exr(folder_.file(name), film, {}));
+    return folder_.file(name);
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(SkyOption, IsWhatIsSeenAroundTheScene) {
+  EXPECT_EQ(render("neutral.exr", {"--sky", "neutral"}).exit_code, 0);
+  EXPECT_EQ(pixel("neutral.exr"), glm::vec3(0.35f));
+  EXPECT_EQ(render("colour.exr", {"--sky", "0.25,0.5,2"}).exit_code, 0);
+  EXPECT_EQ(pixel("colour.exr"), glm::vec3(0.25f, 0.5f, 2));
+  EXPECT_EQ(render("gradient.exr", {"--sky", "0,0,1:1,1,1"}).exit_code, 0);
+  EXPECT_LT(pixel("gradient.exr").r, 0.2f);
+  EXPECT_NEAR(pixel("gradient.exr").b, 1.0f, 1e-6f);
+  const std::string file = picture("a sky.exr", {1, 0.5f, 0.125f});
+  EXPECT_EQ(render("file.exr", {"--sky", file, "--sky-turn", "45"}).exit_code, 0);
+  EXPECT_EQ(pixel("file.exr"), glm::vec3(1, 0.5f, 0.125f));
+  const Result<ExrImage> image = read_exr(folder_.file("file.exr"));
+  ASSERT_TRUE(image);
+  bool named = false;
+  for (const auto& [key, value] : image->attributes)
+    named |= key == "asos.sky" && value == file + ", turned by 45 degrees";
+  EXPECT_TRUE(named) << "the picture says what its sky was";
+}
+
+TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
+  const std::string bad = picture("bad.exr", {1, std::numeric_limits<float>::quiet_NaN(), 1});
+  const std::string missing = folder_.file("missing.hdr");
+  for (const std::string& file : {bad, missing}) {
+    const AsosRun run = render("x.exr", {"--sky", file});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_TRUE(contains(run.err, file));
+    const AsosRun trace =
+        run_asos({"trace", "builtin:boxes", "--size", "8x8", "--pixel", "4,4", "--sky", file});
+    EXPECT_EQ(trace.exit_code, 1);
+    EXPECT_TRUE(contains(trace.err, file));
+  }
+  EXPECT_TRUE(
+      contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,257 @@
+#include "renderer/shading/sky.h"
+
+#include "renderer/sampling/random.h"
+#include "renderer/shading/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+using Radiance = std::function<double(glm::dvec3)>;
+
+glm::dvec3 direction_of(double u, double v) {
+  const double angle = 2.0 * std::numbers::pi * (u - 0.5);
+  return {std::sin(std::numbers::pi * v) * std::sin(angle), std::cos(std::numbers::pi * v),
+          -std::sin(std::numbers::pi * v) * std::cos(angle)};
+}
+
+SkyMap map_of(int height, const Radiance& radiance) {
+  std::vector<glm::vec3> texels;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 2 * height; ++x)
+      texels.emplace_back(
+          static_cast<float>(radiance(direction_of((x + 0.5) / (2 * height), (y + 0.5) / height))));
+  return {2 * height, height, std::move(texels)};
+}
+
+SkyMap noise_map(int height) {
+  std::uint64_t bits = 1;
+  return map_of(height, [&](glm::dvec3) { return unit_pair(bits = mix_bits(bits)).u; });
+}
+
+struct Patch3 {
+  glm::vec3 direction;
+  glm::vec3 right;
+  glm::vec3 down;
+};
+
+/// A patch anywhere, every fourth across a pole, of sides from 1/4 to 1 of `size`.
+Patch3 random_patch(int index, double size) {
+  const auto r = [&](int k) { return unit_pair(pixel_random(index, k, 7)); };
+  const double v =
+      index % 4 == 0 ? 0.1 * size * r(0).u : std::acos(1.0 - 2.0 * r(0).u) / std::numbers::pi;
+  const glm::dvec3 d = direction_of(r(0).v, v);
+  const glm::dvec3 a =
+      glm::normalize(glm::cross(d, glm::dvec3(r(1).u - 0.5, r(1).v - 0.5, r(2).u - 0.5)));
+  return {d, (0.25 + 0.75 * r(2).v) * size * a, (0.25 + 0.75 * r(3).u) * size * glm::cross(d, a)};
+}
+
+double brute_force(const Radiance& radiance, const Patch3& patch) {
+  constexpr int n = 64;
+  double sum = 0.0;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      sum += radiance(glm::normalize(glm::dvec3(patch.direction) +
+                                     ((i + 0.5) / n - 0.5) * glm::dvec3(patch.right) +
+                                     ((j + 0.5) / n - 0.5) * glm::dvec3(patch.down)));
+  return sum / (n * n);
+}
+
+double mean_of(const Sky& sky, const Patch3& patch) {
+  return static_cast<double>(sky.radiance(patch.direction, patch.right, patch.down).g);
+}
+
+/// Of a surface under the sky, over pi.
+double irradiance(const Radiance& radiance, glm::dvec3 normal) {
+  constexpr int n = 400;
+  double sum = 0.0;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < 2 * n; ++i) {
+      const double v = (j + 0.5) / n;
+      const glm::dvec3 d = direction_of((i + 0.5) / (2 * n), v);
+      sum += radiance(d) * std::max(0.0, glm::dot(d, normal)) * std::sin(std::numbers::pi * v);
+    }
+  }
+  return sum * (std::numbers::pi / n) * (std::numbers::pi / n) / std::numbers::pi;
+}
+
+TEST(Sky, OfOneColourIsThatEverywhere) {
+  const glm::vec3 c(0.3f, 0.7f, 12.5f);
+  std::vector<glm::vec3> texels(128 * 64, c);
+  const Sky constant(c);
+  const Sky map(SkyMap(128, 64, std::move(texels)), 33.0, "map");
+  for (int i = 0; i < 64; ++i) {
+    const Patch3 p = random_patch(i, i % 2 ? 0.05 : 1.0);
+    EXPECT_EQ(constant.radiance(p.direction), c);
+    EXPECT_EQ(constant.radiance(p.direction, p.right, p.down), c);
+    EXPECT_EQ(constant.ambient(p.direction), sky_visibility * c);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_FLOAT_EQ(map.radiance(p.direction)[k], c[k]);
+      EXPECT_FLOAT_EQ(map.radiance(p.direction, p.right, p.down)[k], c[k]);
+      EXPECT_FLOAT_EQ(map.ambient(p.direction)[k], sky_visibility * c[k]);
+    }
+  }
+}
+
+TEST(Sky, WithoutOneIsNeutral) {
+  EXPECT_EQ(background(nullptr, {0, 0, -1}, nullptr, 1.0f), background_radiance);
+  const ViewedMaterial seen{glm::vec3(0.5f), glm::vec3(0.1f), glm::vec3(0.04f), 0.5f};
+  EXPECT_EQ(reflected_sky(nullptr, seen, {0, 1, 0}, {0, 1, 0}),
+            ambient_radiance * (seen.diffuse + seen.specular));
+  const Sky same{glm::vec3(sky_radiance)};
+  EXPECT_FLOAT_EQ(reflected_sky(&same, seen, {0, 1, 0}, {0.6f, 0.8f, 0}).r,
+                  reflected_sky(nullptr, seen, {0, 1, 0}, {0.6f, 0.8f, 0}).r);
+}
+
+TEST(Sky, GradientLightsSurfacesByItsClosedForm) {
+  const Sky sky(glm::vec3(4.0f), glm::vec3(1.0f));
+  const auto ambient = [&](glm::vec3 n) {
+    return static_cast<double>(sky.ambient(n).r / sky_visibility);
+  };
+  EXPECT_NEAR(ambient({0, 1, 0}), 1.0 + 3.0 * 2.0 / 3.0, 1e-6);
+  EXPECT_NEAR(ambient({1, 0, 0}), 1.0 + 3.0 * 2.0 / (3.0 * std::numbers::pi), 1e-6);
+  EXPECT_NEAR(ambient({0, -1, 0}), 1.0, 1e-6);
+  const Radiance radiance = [](glm::dvec3 d) { return 1.0 + 3.0 * std::max(0.0, d.y); };
+  for (double v : {0.1, 0.3, 0.7}) {
+    const glm::dvec3 n = direction_of(0.2, v);
+    EXPECT_NEAR(ambient(n), irradiance(radiance, n), 1e-4) << v;
+  }
+}
+
+TEST(Sky, GradientsMeanIsThatOfItsPatch) {
+  const Sky sky(glm::vec3(1.0f), glm::vec3(0.0f));
+  const Radiance radiance = [](glm::dvec3 d) { return std::max(0.0, d.y); };
+  for (int i = 0; i < 200; ++i) {
+    const Patch3 p = random_patch(i, i % 2 ? 0.1 : 1.0);
+    // The midpoint rule's error in parts of a quarter: at most that of a kink in one row of four.
+    EXPECT_NEAR(mean_of(sky, p), brute_force(radiance, p), 0.004) << i;
+  }
+}
+
+TEST(Sky, MapsMeanIsThatOfItsPatch) {
+  const Radiance radiance = [](glm::dvec3 d) {
+    return 1.0 + 0.4 * d.x + 0.3 * d.y * d.z + 0.3 * d.z * d.z * d.x;
+  };
+  const Sky sky(map_of(128, radiance), 0.0, "map");
+  for (int i = 0; i < 400; ++i) {
+    const Patch3 p = random_patch(i, i % 3 == 0 ? 0.02 : i % 3 == 1 ? 0.2 : 2.0);
+    EXPECT_NEAR(mean_of(sky, p), brute_force(radiance, p), 0.004) << i;
+    EXPECT_NEAR(static_cast<double>(sky.radiance(p.direction).g), radiance(p.direction), 0.001)
+        << i;
+  }
+}
+
+TEST(Sky, LobesSeeTheMeanAroundADirection) {
+  const Radiance radiance = [](glm::dvec3 d) { return 1.0 + 0.5 * d.x + 0.3 * d.y * d.z; };
+  const Sky sky(map_of(64, radiance), 0.0, "map");
+  for (int i = 0; i < 100; ++i) {
+    Patch3 p = random_patch(i, 1.0);
+    const float width = 0.05f * static_cast<float>(i);
+    p.right = width * glm::normalize(p.right);
+    p.down = width * glm::normalize(p.down);
+    EXPECT_NEAR(static_cast<double>(sky.around(p.direction, width).g), brute_force(radiance, p),
+                0.05)
+        << width;
+  }
+}
+
+TEST(Sky, MapsMeanAveragesWhatAPatchHolds) {
+  // A fine pattern of known mean everywhere: rows of 0 and 1 in turn.
+  int texel = 0;
+  const Sky sky(map_of(256, [&](glm::dvec3) { return texel++ / 512 % 2; }), 0.0, "map");
+  for (int i = 0; i < 200; ++i)
+    EXPECT_NEAR(mean_of(sky, random_patch(4 * i + 1, 1.0)), 0.5, 0.02) << i;
+}
+
+TEST(Sky, MapHasNoSeamAndNoPoles) {
+  const Sky sky(noise_map(32), 0.0, "map");
+  for (double side : {0.0, 0.03, 0.2, 0.7}) {
+    const auto at = [&](glm::dvec3 d) {
+      const glm::dvec3 right = glm::normalize(glm::cross(d, glm::dvec3(0.3, 0.2, 0.9)));
+      return mean_of(sky, {d, side * right, side * glm::cross(d, right)});
+    };
+    for (int i = 1; i < 20; ++i)
+      EXPECT_NEAR(at(direction_of(1e-7, i / 20.0)), at(direction_of(1.0 - 1e-7, i / 20.0)), 1e-4);
+    for (double pole : {1e-7, 1.0 - 1e-7})
+      for (int i = 0; i < 20; ++i)
+        EXPECT_NEAR(at(direction_of(i / 20.0, pole)), at(direction_of(0.33, pole)), 1e-3) << side;
+  }
+}
+
+TEST(Sky, WhatIsNoDirectionSeesNoNumber) {
+  const Sky map(noise_map(32), 0.0, "map");
+  const Sky gradient(glm::vec3(1), glm::vec3(0));
+  const glm::vec3 nan(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_TRUE(std::isnan(map.radiance(nan).r));
+  EXPECT_TRUE(std::isnan(map.radiance(nan, glm::vec3(0.1f), nan).r));
+  EXPECT_TRUE(std::isnan(map.ambient(nan).r));
+  EXPECT_TRUE(std::isnan(gradient.radiance(nan).r));
+  EXPECT_TRUE(std::isnan(gradient.ambient(nan).r));
+}
+
+TEST(Sky, TurnsCounterClockwise) {
+  const Sky straight(noise_map(32), 0.0, "map");
+  const Sky turned(noise_map(32), 90.0, "map");
+  for (int i = 0; i < 20; ++i) {
+    const glm::vec3 d = random_patch(i, 1.0).direction;
+    // Seen from above, with -Z up in the plan and +X right: from ahead to the left.
+    const glm::vec3 from(d.z, d.y, -d.x);
+    EXPECT_NEAR(turned.radiance(from).r, straight.radiance(d).r, 1e-4f);
+    EXPECT_NEAR(turned.ambient(from).r, straight.ambient(d).r, 1e-5f);
+  }
+  EXPECT_EQ(straight.name(), "map");
+  EXPECT_EQ(turned.name(), "map, turned by 90 degrees");
+  EXPECT_EQ(Sky(glm::vec3(0.25f), glm::vec3(1, 0, 2)).name(), "0.25,0.25,0.25:1,0,2");
+}
+
+TEST(Sky, MapsPlacesAreThoseOfACameraAlongMinusZ) {
+  // Bright where it should be: ahead, right, above.
+  for (const glm::dvec3 towards :
+       {glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
+    const Sky sky(map_of(64, [&](glm::dvec3 d) { return glm::dot(d, towards) > 0.9 ? 1.0 : 0.0; }),
+                  0.0, "map");
+    EXPECT_EQ(sky.radiance(towards).r, 1.0f);
+    EXPECT_EQ(sky.radiance(-towards).r, 0.0f);
+  }
+}
+
+TEST(Sky, OneBrightRowLightsByItsClosedForm) {
+  constexpr int height = 64;
+  for (int row : {0, 5, 20, 31}) {
+    std::vector<glm::vec3> texels(2 * height * height, glm::vec3(0.0f));
+    std::fill_n(texels.begin() + 2 * height * row, 2 * height, glm::vec3(50.0f));
+    const Sky sky(SkyMap(2 * height, height, std::move(texels)), 0.0, "row");
+    const double s0 = std::sin(std::numbers::pi * row / height),
+                 s1 = std::sin(std::numbers::pi * (row + 1) / height);
+    // The integral of cos sin over the row, times 2 pi / pi.
+    const double up = 50.0 * (s1 * s1 - s0 * s0);
+    EXPECT_NEAR(static_cast<double>(sky.ambient({0, 1, 0}).r / sky_visibility), up, 1e-5 * up)
+        << row;
+    EXPECT_EQ(sky.ambient({0, -1, 0}).r, 0.0f) << "lights nothing from above";
+    EXPECT_NEAR(sky.radiance(direction_of(0.3, (row + 0.5) / height)).r, 50.0f, 1e-4f);
+  }
+}
+
+TEST(Sky, MapsIrradianceIsThatOfAllItsTexels) {
+  const Radiance radiance = [](glm::dvec3 d) {
+    return 0.2 + 5.0 * std::pow(std::max(0.0, glm::dot(d, glm::dvec3(0.6, 0.48, 0.64))), 40.0);
+  };
+  const Sky sky(map_of(256, radiance), 0.0, "map");
+  double brightest = 0.0;
+  for (int i = 0; i < 30; ++i)
+    brightest = std::max(brightest, irradiance(radiance, random_patch(i, 1.0).direction));
+  for (int i = 0; i < 30; ++i) {
+    const glm::dvec3 n = random_patch(i, 1.0).direction;
+    EXPECT_NEAR(static_cast<double>(sky.ambient(n).r / sky_visibility), irradiance(radiance, n),
+                0.003 * brightest);
+  }
+}
+
+}  // namespace
+}  // namespace asos

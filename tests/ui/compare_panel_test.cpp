@@ -1,0 +1,151 @@
+#include "tests/ui/panels_fixture.h"
+#include "ui/frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class ComparePanelTest : public PanelsTest {
+ protected:
+  ComparePanelTest() {
+    rig.click("section/Compare");
+    rig.frame();
+  }
+  Frames& frames() { return rig.content().state().frames; }
+  /// Stores the picture, and renders another one: without antialiasing.
+  void store_and_change() {
+    rig.click("Store frame");
+    rig.frame();
+    ASSERT_EQ(frames().stored.size(), 1u);
+    settings().max_level = 0;
+    settings().leaf = Leaf::point;
+    EXPECT_TRUE(restarted());
+    ASSERT_NE(rig.previewer().film().radiance, frames().stored[0].film.radiance);
+  }
+  template <typename Expected>
+  void expect_area(const Expected& expected) {
+    rig.move_to({-10.0f, -10.0f});
+    rig.frame();
+    const Film& film = rig.previewer().film();
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    int wrong = 0;
+    for (int y = 0; y < film.height; ++y) {
+      for (int x = 0; x < film.width; ++x)
+        wrong +=
+            pixels[static_cast<std::size_t>(y * rig.size().x + x)] != expected(x, film.index(x, y));
+    }
+    EXPECT_EQ(wrong, 0);
+  }
+  [[nodiscard]] glm::u8vec3 now(std::size_t i) {
+    return display_bytes(rig.previewer().film().radiance[i], 0.0f);
+  }
+  [[nodiscard]] glm::u8vec3 then(std::size_t i) {
+    return display_bytes(frames().stored[0].film.radiance[i], 0.0f);
+  }
+};
+
+TEST_F(ComparePanelTest, FlipShowsTheStoredFrame) {
+  store_and_change();
+  rig.click("Compare/Flip");
+  expect_area([&](int, std::size_t i) { return then(i); });
+  rig.key(Key::x);
+  expect_area([&](int, std::size_t i) { return now(i); });
+  rig.key(Key::x);
+  expect_area([&](int, std::size_t i) { return then(i); });
+  rig.click("Stored shown");
+  expect_area([&](int, std::size_t i) { return now(i); });
+  rig.click("Compare/Off");
+  expect_area([&](int, std::size_t i) { return now(i); });
+  EXPECT_FALSE(restarted());
+}
+
+TEST_F(ComparePanelTest, AWipeShowsBoth) {
+  store_and_change();
+  rig.click("Compare/Wipe");
+  rig.frame();
+  const int width = rig.previewer().film().width;
+  const auto beside = [&](int line) {
+    rig.move_to({-10.0f, -10.0f});
+    rig.frame();
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    int wrong = 0;
+    for (int y = 0; y < rig.previewer().film().height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        if (std::abs(x - line) <= 2) continue;  // the line itself
+        const std::size_t i = rig.previewer().film().index(x, y);
+        wrong +=
+            pixels[static_cast<std::size_t>(y * rig.size().x + x)] != (x < line ? now(i) : then(i));
+      }
+    }
+    return wrong;
+  };
+  EXPECT_EQ(beside(static_cast<int>(std::round(0.5f * static_cast<float>(width)))), 0);
+  const Controls::Placed line = rig.control("Wipe line");
+  const std::uint64_t revision = rig.previewer().camera().revision();
+  rig.drag(line.centre(), {80.0f, line.centre().y});
+  EXPECT_EQ(rig.previewer().camera().revision(), revision) << "no orbit";
+  EXPECT_EQ(beside(80), 0);
+  slide("Wipe", 0.3f, 0.75f);
+  EXPECT_NEAR(frames().wipe, 0.75f, 0.02f);
+}
+
+TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
+  store_and_change();
+  rig.click("Compare/Difference");
+  rig.frame();
+  slide("Scale", 0.5f, 0.75f);
+  const float scale = std::exp2(frames().scale_stops);
+  EXPECT_NEAR(frames().scale_stops, -2.5f, 0.2f);
+  int different = 0;
+  expect_area([&](int, std::size_t i) {
+    const float d = difference_of(rig.previewer().film().radiance[i],
+                                  frames().stored[0].film.radiance[i], 0.0f);
+    different += d > 0.0f;
+    return difference_colour(d / scale);
+  });
+  EXPECT_GT(different, 50);
+  EXPECT_TRUE(rig.content().controls().all().contains("Difference legend"));
+}
+
+TEST_F(ComparePanelTest, EightFramesAreKept) {
+  for (int i = 0; i < 9; ++i) rig.key(Key::s);
+  ASSERT_EQ(frames().stored.size(), Frames::most);
+  EXPECT_EQ(frames().stored.back().name, "H");
+  rig.click("Frame/C");
+  EXPECT_EQ(frames().chosen, 2);
+  rig.click("Remove frame");
+  rig.click("Store frame");
+  ASSERT_EQ(frames().stored.size(), Frames::most);
+  EXPECT_EQ(frames().stored.back().name, "C") << "the letter that was free";
+  for (int i = 0; i < 9; ++i) rig.click("Remove frame");
+  EXPECT_TRUE(frames().stored.empty());
+}
+
+TEST_F(ComparePanelTest, AFrameOfAnotherSizeHasNoDifference) {
+  store_and_change();
+  rig.click("Compare/Difference");
+  rig.resize({720, 1000});
+  ASSERT_TRUE(rig.settle());
+  expect_area([&](int, std::size_t i) { return now(i); });
+}
+
+TEST(Frames, ColoursGetBrighterWithTheDifference) {
+  int before = -1;
+  for (int i = 0; i <= 64; ++i) {
+    const glm::u8vec3 c = difference_colour(static_cast<float>(i) / 64.0f);
+    const int brightness = 2 * c.x + 5 * c.y + c.z;
+    EXPECT_GT(brightness, before);
+    before = brightness;
+  }
+  EXPECT_EQ(difference_colour(0.0f), glm::u8vec3(0));
+  EXPECT_EQ(difference_colour(7.0f), glm::u8vec3(255));
+  EXPECT_EQ(difference_of({1, 0, 0}, {1, 0, 2}, 0.0f), 1.0f) << "above white counts as white";
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,115 @@
+#include "ui/edit_history.h"
+
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class EditHistoryTest : public PanelsTest {
+ protected:
+  void rest() {
+    for (int i = 0; i < 40; ++i) rig.frame();
+  }
+  void undo() { rig.chord(Key::ctrl, Key::z); }
+  void redo() {
+    rig.content().input().add(KeyChanged{Key::shift, true});
+    rig.chord(Key::ctrl, Key::z);
+    rig.content().input().add(KeyChanged{Key::shift, false});
+    rig.frame();
+  }
+};
+
+TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
+  const double eps = settings().eps;
+  slide("EPS", 0.5f, 0.9f);
+  const double second = settings().eps;
+  rest();
+  rig.click("Jitter");
+  rest();
+  EXPECT_TRUE(settings().jitter);
+  undo();
+  EXPECT_FALSE(settings().jitter);
+  EXPECT_EQ(settings().eps, second);
+  undo();
+  EXPECT_EQ(settings().eps, eps) << "a drag is one step";
+  EXPECT_TRUE(restarted());
+  undo();
+  EXPECT_EQ(settings().eps, eps) << "nothing more to take back";
+  redo();
+  EXPECT_EQ(settings().eps, second);
+  redo();
+  EXPECT_TRUE(settings().jitter);
+  undo();
+  rig.click("Leaf/Point");
+  rest();
+  redo();
+  EXPECT_FALSE(settings().jitter) << "a new step ends what could be done again";
+  EXPECT_EQ(settings().leaf, Leaf::point);
+}
+
+TEST_F(EditHistoryTest, TheCameraGoesBackExactly) {
+  const glm::dmat4 first = rig.previewer().camera().camera().world_from_camera;
+  rig.drag({200, 200}, {260, 180});
+  const glm::dmat4 second = rig.previewer().camera().camera().world_from_camera;
+  // Turns of the wheel that follow quickly are one step.
+  rest();
+  rig.wheel({200, 200}, 1.0f);
+  rig.wheel({200, 200}, 1.0f);
+  rest();
+  undo();
+  EXPECT_EQ(rig.previewer().camera().camera().world_from_camera, second);
+  undo();
+  EXPECT_EQ(rig.previewer().camera().camera().world_from_camera, first);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(EditHistoryTest, LightsAndDisplayGoBack) {
+  const std::size_t lights = rig.previewer().lights().size();
+  rig.click("Add light");
+  rest();
+  slide("Exposure", 0.5f, 0.7f);
+  EXPECT_GT(display().exposure_ev, 1.0f);
+  undo();  // at once: the step ends with it
+  EXPECT_EQ(display().exposure_ev, 0.0f);
+  EXPECT_EQ(rig.previewer().lights().size(), lights + 1);
+  undo();
+  EXPECT_EQ(rig.previewer().lights().size(), lights);
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(rig.previewer().scene()->world.lights.size(), lights);
+  redo();
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(rig.previewer().scene()->world.lights.size(), lights + 1);
+}
+
+TEST_F(EditHistoryTest, AnotherSceneAndAnotherSizeAreNoSteps) {
+  slide("EPS", 0.5f, 0.9f);
+  const double eps = settings().eps;
+  rest();
+  rig.resize({700, 1000});
+  EXPECT_TRUE(rig.settle());
+  const int width = settings().width;
+  undo();
+  EXPECT_NE(settings().eps, eps);
+  EXPECT_EQ(settings().width, width) << "the window's";
+  redo();
+  rig.previewer().open("grating");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "grating"; }));
+  rest();
+  undo();
+  EXPECT_EQ(settings().eps, eps);
+}
+
+TEST_F(EditHistoryTest, AnIdleWindowSleepsAfterAStep) {
+  slide("EPS", 0.5f, 0.9f);
+  EXPECT_TRUE(rig.settle());
+  rig.move_to({-10.0f, -10.0f});
+  rest();
+  EXPECT_FALSE(rig.content().seconds_to_redraw().has_value());
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,160 @@
+#include "ui/edited_light.h"
+
+#include "renderer/lights/prepared_light.h"
+#include "renderer/scene/gltf/light_fault.h"
+#include "tests/support/tiny_scene.h"
+#include "ui/new_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace asos {
+namespace {
+
+constexpr std::array all_kinds{LightKind::point,       LightKind::sphere, LightKind::spot,
+                               LightKind::directional, LightKind::linear, LightKind::rectangle,
+                               LightKind::disk,        LightKind::polygon};
+static_assert(all_kinds.size() == light_kind_count);
+
+const SceneSize unit_scene{glm::dvec3(0.0), 1.0};
+
+Light small_ball() {
+  Light light;
+  light.position = {3, 4, 0};
+  light.radius = 0.01;
+  light.intensity = 40.0f;
+  return light;
+}
+
+// What a surface in the middle that faces the light gets of it.
+double irradiance_in_the_middle(const Light& light) {
+  const glm::dvec3 up =
+      light.type == Light::Type::directional ? -light.direction : glm::normalize(light.position);
+  const glm::vec3 e = unshadowed_irradiance(prepare_light(light), {glm::dvec3(0.0), up, up});
+  return static_cast<double>(e.x);
+}
+
+TEST(EditedLight, AnotherKindIsSoundAndAsBright) {
+  for (const LightKind from : all_kinds) {
+    const Light first = as_kind(small_ball(), from, unit_scene);
+    for (const LightKind to : all_kinds) {
+      const Light light = as_kind(first, to, unit_scene);
+      EXPECT_EQ(kind_of(light), to);
+      EXPECT_EQ(gltf::light_fault(light), "")
+          << static_cast<int>(from) << " to " << static_cast<int>(to);
+      if (from == LightKind::directional) continue;  // which has no place to be kept
+      // A line is not seen quite square on.
+      EXPECT_NEAR(irradiance_in_the_middle(light), 40.0 / 25.0, 40.0 / 25.0 * 0.01)
+          << static_cast<int>(from) << " to " << static_cast<int>(to);
+    }
+  }
+}
+
+TEST(EditedLight, SizeIsKeptFromKindToKind) {
+  const Light disk = as_kind(small_ball(), LightKind::disk, unit_scene);
+  EXPECT_DOUBLE_EQ(disk.radius, 0.01);
+  const Light sun = as_kind(disk, LightKind::directional, unit_scene);
+  EXPECT_NEAR(sun.angular_diameter_rad, 2.0 * std::atan(0.01 / 5.0), 1e-12);
+  EXPECT_EQ(as_kind(small_ball(), LightKind::point, unit_scene).radius, 0.0);
+}
+
+TEST(EditedLight, OutlinesHaveTheirAreas) {
+  Light light = as_kind(small_ball(), LightKind::polygon, unit_scene);
+  set_polygon_radius(light, 2.0);
+  EXPECT_NEAR(polygon_radius(light), 2.0, 1e-12);
+  const double star = 10.0 * 0.5 * 2.0 * 0.8 * std::sin(std::numbers::pi / 5.0);
+  for (const auto& [shape, area] : {std::pair{PolygonShape::hexagon, 6.0 * std::sqrt(3.0)},
+                                    std::pair{PolygonShape::triangle, 3.0 * std::sqrt(3.0)},
+                                    std::pair{PolygonShape::star, star},
+                                    std::pair{PolygonShape::frame, 2.0 * 4.0 * (1.0 - 0.36)}}) {
+    set_polygon_shape(light, shape);
+    EXPECT_NEAR(area_of(light), area, 1e-9);
+    EXPECT_NEAR(prepare_light(light).area, area, 1e-9);
+    EXPECT_EQ(gltf::light_fault(light), "");
+  }
+}
+
+TEST(EditedLight, TurnsAreWhatWasAskedFor) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> angle(-3.1, 3.1), height(-1.5, 1.5);
+  for (const LightKind kind : {LightKind::rectangle, LightKind::polygon, LightKind::spot}) {
+    Light light = as_kind(small_ball(), kind, unit_scene);
+    const double area = area_of(light);
+    for (int i = 0; i < 100; ++i) {
+      LightTurn turn{angle(random), height(random), angle(random)};
+      if (kind == LightKind::spot) turn.roll_rad = 0.0;
+      turn_light(light, turn);
+      const LightTurn got = turn_of(light);
+      EXPECT_NEAR(got.azimuth_rad, turn.azimuth_rad, 1e-9);
+      EXPECT_NEAR(got.elevation_rad, turn.elevation_rad, 1e-9);
+      EXPECT_NEAR(got.roll_rad, turn.roll_rad, 1e-9);
+      ASSERT_EQ(gltf::light_fault(light), "");
+    }
+    EXPECT_NEAR(area_of(light), area, 1e-9 * area);
+  }
+}
+
+TEST(EditedLight, ALineRunsWhereItIsTurnedTo) {
+  Light light = as_kind(small_ball(), LightKind::linear, unit_scene);
+  turn_light(light, {0.5 * std::numbers::pi, 0.0, 0.0});
+  EXPECT_NEAR(glm::normalize(light.half_u).x, 1.0, 1e-12);
+  turn_light(light, {0.0, 0.5 * std::numbers::pi, 0.0});
+  EXPECT_NEAR(glm::normalize(light.half_u).y, 1.0, 1e-12);
+}
+
+TEST(EditedLight, TidyingKeepsThePower) {
+  Light light = as_kind(small_ball(), LightKind::polygon, unit_scene);
+  light.color = {4, 2, 1};
+  const double area = area_of(light);
+  light.position = light.outlines[0][1];
+  const glm::vec3 power = light.color * light.intensity;
+  tidy_light(light);
+  EXPECT_EQ(light.color * light.intensity, power);
+  EXPECT_EQ(light.color.x, 1.0f);
+  EXPECT_NEAR(polygon_radius(light), 0.01, 1e-9) << "around its middle";
+  EXPECT_NEAR(area_of(light), area, 1e-15);
+}
+
+TEST(NewLights, MakeAWhiteSurfaceHalfWhite) {
+  const Light light = new_light({0, 6, 0}, {0, 0, 0}, 3.0);
+  EXPECT_EQ(kind_of(light), LightKind::sphere);
+  EXPECT_NEAR(irradiance_in_the_middle(light) / std::numbers::pi, 0.5, 0.02);
+}
+
+// A box's face: two triangles of one part, whose other faces are left out.
+TEST(NewLights, AFaceBecomesALightOfItsOutline) {
+  World world;
+  std::vector<test::TinyVertex> corners;
+  for (const glm::vec3 p : {glm::vec3(0, 0, 0), glm::vec3(2, 0, 0), glm::vec3(2, 3, 0),
+                            glm::vec3(0, 3, 0), glm::vec3(0, 0, -1), glm::vec3(2, 0, -1)})
+    corners.push_back({p, {0, 0, 1}, {0, 0}});
+  test::add_part(world, corners, {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 1}}, Material{});
+  world.parts[0].name = "box";
+  const auto scene = test::make_render_scene(world);
+  for (const double side : {5.0, -5.0}) {
+    const auto light = light_on_face(*scene, 1, {0, 0, side});
+    ASSERT_TRUE(light.has_value());
+    EXPECT_EQ(light->name, "face of box");
+    EXPECT_NEAR(area_of(*light), 6.0, 1e-6);
+    EXPECT_NEAR(light->direction.z, side > 0.0 ? 1.0 : -1.0, 1e-9) << "to the viewer";
+    EXPECT_GT(light->position.z * side, 0.0) << "before the surface";
+    EXPECT_NEAR(light->position.z, 0.0, 0.01);
+    EXPECT_EQ(gltf::light_fault(*light), "");
+  }
+  const auto floor = light_on_face(*scene, 2, {0, 5, 0});
+  ASSERT_TRUE(floor.has_value());
+  EXPECT_NEAR(area_of(*floor), 2.0, 1e-6);
+}
+
+TEST(NewLights, ATriangleWithoutAreaBecomesNone) {
+  World world;
+  test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Material{});
+  test::add_triangle(world, {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, Material{});
+  EXPECT_FALSE(light_on_face(*test::make_render_scene(world), 1, {0, 0, 5}).has_value());
+}
+
+}  // namespace
+}  // namespace asos

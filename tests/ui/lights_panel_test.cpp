@@ -1,0 +1,265 @@
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+// The lights' panel and their marks in the picture.
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class LightsPanelTest : public PanelsTest {
+ protected:
+  LightsPanelTest() {
+    open("point light");
+    rig.click("Light/1");
+    rig.frame();
+  }
+
+  void open(const std::string& source) {
+    rig.previewer().open(source);
+    EXPECT_TRUE(rig.frames_until(
+        [&] { return rig.previewer().scene() && rig.previewer().scene()->source == source; }));
+    EXPECT_TRUE(rig.settle());
+    (void)restarted();
+  }
+  [[nodiscard]] const Light& light(std::size_t i = 0) { return rig.previewer().lights()[i].light; }
+  [[nodiscard]] const World& world() { return rig.previewer().scene()->world; }
+  void drag_number(const std::string& name, float pixels) {
+    const glm::vec2 from = rig.control(name).centre();
+    rig.drag(from, from + glm::vec2(pixels, 0.0f));
+  }
+  void type_into(const std::string& name, const std::string& text) {
+    (void)rig.control(name);  // scrolls there: with Ctrl the wheel would do something else
+    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.click(name);
+    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.frame();
+    rig.chord(Key::ctrl, Key::a);
+    rig.type(text);
+    rig.key(Key::enter);
+  }
+};
+
+TEST_F(LightsPanelTest, TheTypeIsSwitchedAmongAllKinds) {
+  const char* names[] = {"Sphere",    "Spot", "Direction", "Line",
+                         "Rectangle", "Disk", "Polygon",   "Point"};
+  const LightKind kinds[] = {LightKind::sphere,  LightKind::spot,      LightKind::directional,
+                             LightKind::linear,  LightKind::rectangle, LightKind::disk,
+                             LightKind::polygon, LightKind::point};
+  const FeatureSet* features = &rig.previewer().scene()->features;
+  for (int i = 0; i < 8; ++i) {
+    rig.click(std::string("Type/") + names[i]);
+    EXPECT_EQ(kind_of(light()), kinds[i]) << names[i];
+    EXPECT_TRUE(restarted()) << names[i];
+    ASSERT_EQ(world().lights.size(), 1u);
+    EXPECT_EQ(kind_of(world().lights[0]), kinds[i]) << "in the scene that is rendered";
+  }
+  EXPECT_EQ(features, &rig.previewer().scene()->features) << "nothing was built again";
+}
+
+TEST_F(LightsPanelTest, NumbersAreDraggedAndTyped) {
+  const float before = light().intensity;
+  drag_number("Intensity", 40.0f);
+  EXPECT_GT(light().intensity, 1.2f * before);
+  EXPECT_TRUE(restarted());
+  type_into("Intensity", "12.5");
+  EXPECT_EQ(light().intensity, 12.5f);
+  type_into("Intensity", "-3");
+  EXPECT_EQ(light().intensity, 0.0f) << "no negative light";
+  type_into("Position/y", "1.75");
+  EXPECT_NEAR(light().position.y + world().origin.y, 1.75, 1e-9);
+  drag_number("Position/x", 30.0f);
+  EXPECT_GT(light().position.x, 0.01);
+  drag_number("Position/z", -30.0f);
+  EXPECT_LT(light().position.z + world().origin.z, 1.99);
+}
+
+TEST_F(LightsPanelTest, EveryKindHasItsSizes) {
+  const auto size_of = [&](const char* type, const char* control, const char* typed) {
+    rig.click(std::string("Type/") + type);
+    // Rows for soft shadows come and go with the scene.
+    ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().relighting(); }));
+    for (int i = 0; i < 3; ++i) rig.frame();
+    type_into(control, typed);
+  };
+  size_of("Sphere", "Radius", "0.25");
+  EXPECT_DOUBLE_EQ(light().radius, 0.25);
+  size_of("Line", "Length", "3");
+  EXPECT_NEAR(glm::length(light().half_u), 1.5, 1e-12);
+  size_of("Rectangle", "Width", "0.5");
+  type_into("Height", "0.75");
+  EXPECT_NEAR(glm::length(light().half_u), 0.25, 1e-12);
+  EXPECT_NEAR(glm::length(light().half_v), 0.375, 1e-12);
+  size_of("Disk", "Radius", "0.125");
+  EXPECT_DOUBLE_EQ(light().radius, 0.125);
+  size_of("Direction", "Sun's angle", "2");
+  EXPECT_NEAR(glm::degrees(light().angular_diameter_rad), 2.0, 1e-5);
+  size_of("Spot", "Cone", "30");
+  EXPECT_NEAR(glm::degrees(light().outer_cone_rad), 30.0, 1e-5);
+  type_into("Full inside", "99");
+  EXPECT_NEAR(light().inner_cone_rad, light().outer_cone_rad, 1e-6) << "inside the cone";
+  size_of("Polygon", "Radius", "0.4");
+  EXPECT_NEAR(polygon_radius(light()), 0.4, 1e-12);
+  const std::size_t hexagon = light().outlines[0].size();
+  for (const auto& [name, corners] : {std::pair{"Star", 10u}, std::pair{"Three", 3u},
+                                      std::pair{"Frame", 4u}, std::pair{"Six", 6u}}) {
+    rig.click(std::string("Outline/") + name);
+    EXPECT_EQ(light().outlines[0].size(), corners) << name;
+  }
+  EXPECT_EQ(hexagon, 6u);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(LightsPanelTest, LightsAreTurned) {
+  rig.click("Type/Rectangle");
+  rig.frame();
+  type_into("Azimuth", "90");
+  type_into("Elevation", "0");
+  EXPECT_NEAR(light().direction.x, 1.0, 1e-6);
+  type_into("Roll", "90");
+  EXPECT_NEAR(std::abs(glm::normalize(light().half_u).y), 1.0, 1e-6);
+  rig.click("Two-sided");
+  EXPECT_TRUE(light().two_sided);
+  rig.click("Shadowing");
+  EXPECT_FALSE(light().casts_shadows);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(LightsPanelTest, ColoursAreBytes) {
+  // The first of the three fields.
+  const Controls::Placed at = rig.control("Colour");
+  const glm::vec2 red(glm::mix(at.lo.x, at.hi.x, 0.1f), at.centre().y);
+  rig.drag(red, red - glm::vec2(60.0f, 0.0f));
+  EXPECT_LT(light().color.x, 0.9f);
+  EXPECT_EQ(light().color.y, 1.0f);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
+  rig.click("Light on/1");
+  EXPECT_TRUE(restarted());
+  EXPECT_TRUE(world().lights.empty());
+  EXPECT_EQ(rig.previewer().lights().size(), 1u);
+  rig.click("Light on/1");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(world().lights.size(), 1u);
+
+  rig.click("Add light");
+  rig.frame();
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(world().lights.size(), 2u);
+  EXPECT_EQ(rig.content().state().lights.selected, 1);
+  rig.click("Light/1");
+  EXPECT_EQ(rig.content().state().lights.selected, 0);
+  rig.click("Light/1");
+  EXPECT_EQ(rig.content().state().lights.selected, -1) << "a second click puts it by";
+  rig.click("Light/1");
+  rig.click("Remove light");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(world().lights.size(), 1u);
+  EXPECT_EQ(kind_of(light()), LightKind::sphere) << "the one that was added is left";
+  rig.click("Reset lights");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(kind_of(light()), LightKind::point);
+  rig.click("Light/1");
+  rig.click("Remove light");
+  EXPECT_TRUE(restarted());
+  EXPECT_TRUE(world().lights.empty()) << "black, as asked for, and no rig";
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Intensity"));
+  EXPECT_FALSE(rig.content().controls().all().contains("Remove light"));
+  rig.click("Add light");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(world().lights.size(), 1u);
+}
+
+TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
+  rig.click("Face to light");
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Light error")) << "nothing was clicked yet";
+  const PixelRect area = rig.content().picture_rect();
+  rig.move_to({area.width / 2, area.height / 2});
+  rig.press(MouseButton::left);
+  rig.release(MouseButton::left);
+  ASSERT_TRUE(rig.content().state().picked.has_value());
+  EXPECT_FALSE(restarted()) << "a click turns nothing";
+  rig.click("Face to light");
+  EXPECT_TRUE(restarted());
+  ASSERT_EQ(rig.previewer().lights().size(), 2u);
+  EXPECT_EQ(light(1).type, Light::Type::polygon);
+  // The triangle (-1, -0.9), (0.9, -0.8), (0.1, 1).
+  EXPECT_NEAR(area_of(light(1)), 0.5 * (1.9 * 1.9 - 0.1 * 1.1), 1e-5);
+  EXPECT_NEAR(light(1).direction.z, 1.0, 1e-6);
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Light error"));
+}
+
+TEST_F(LightsPanelTest, AMarkInThePictureMovesItsLight) {
+  type_into("Position/y", "0.2");
+  (void)restarted();
+  const glm::dvec3 before = light().position;
+  const Controls::Placed mark = rig.control("Mark/1");
+  const glm::dmat4 camera = rig.previewer().camera().camera().world_from_camera;
+  rig.drag(mark.centre(), mark.centre() + glm::vec2(40.0f, 20.0f));
+  EXPECT_EQ(rig.previewer().camera().camera().world_from_camera, camera) << "no orbit";
+  const glm::dvec3 moved = light().position - before;
+  // The light is 1 before the eye at z = 3, whose field of view is the default's.
+  const double metres_per_pixel =
+      2.0 * std::tan(0.5 * Camera{}.fov_y_rad) / rig.previewer().film().height;
+  EXPECT_NEAR(moved.x, 40.0 * metres_per_pixel, 1e-4);
+  EXPECT_NEAR(moved.y, -20.0 * metres_per_pixel, 1e-4);
+  EXPECT_NEAR(moved.z, 0.0, 1e-6);
+  EXPECT_TRUE(restarted());
+  rig.frame();
+  EXPECT_NEAR(rig.control("Mark/1").centre().x, mark.centre().x + 40.0f, 1.0f);
+  rig.key(Key::escape);
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Mark/1")) << "put by";
+  rig.click("Light/1");
+  rig.frame();
+  rig.click("Marks");
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Mark/1"));
+}
+
+TEST_F(LightsPanelTest, ADoubleClickResets) {
+  const auto double_click = [&](const std::string& name) {
+    rig.move_to(rig.control(name).centre());
+    for (int i = 0; i < 2; ++i) {
+      rig.press(MouseButton::left);
+      rig.release(MouseButton::left);
+    }
+    for (int i = 0; i < 30; ++i) rig.frame();
+  };
+  const float intensity = light().intensity;
+  const glm::dvec3 position = light().position;
+  drag_number("Intensity", 50.0f);
+  drag_number("Position/x", 50.0f);
+  EXPECT_NE(light().intensity, intensity);
+  double_click("Intensity");
+  EXPECT_EQ(light().intensity, intensity);
+  // A vector is reset by its name, which stands left of its fields.
+  const Controls::Placed x = rig.control("Position/x");
+  rig.move_to({x.lo.x - 40.0f, x.centre().y});
+  for (int i = 0; i < 2; ++i) {
+    rig.press(MouseButton::left);
+    rig.release(MouseButton::left);
+  }
+  EXPECT_NEAR(glm::distance(light().position, position), 0.0, 1e-12);
+  rig.content().state().display.exposure_ev = 2.0f;
+  double_click("Exposure");
+  EXPECT_EQ(display().exposure_ev, 0.0f);
+  settings().max_level = 5;
+  double_click("MAX");
+  EXPECT_EQ(settings().max_level, RenderSettings{}.max_level);
+  settings().eps = 0.5;
+  double_click("EPS");
+  EXPECT_EQ(settings().eps, RenderSettings{}.eps);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,170 @@
+#include "tests/ui/panels_fixture.h"
+#include "ui/pixel_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class PixelPanelTest : public PanelsTest {
+ protected:
+  /// A pixel that the red triangle's left edge cuts, which nothing else is near.
+  [[nodiscard]] glm::ivec2 cut_pixel() {
+    const Film& film = rig.previewer().film();
+    // A little above the middle of a picture that shows 2.8 units from top to bottom: there the
+    // edge lies well within, and the grey triangle does not yet begin.
+    const int y = film.height / 2 - film.height / 28;
+    for (int x = 1; x + 1 < film.width; ++x) {
+      const float share = film.radiance[film.index(x, y)].x;
+      if (film.split_level[film.index(x, y)] > 0 && share > 0.3f && share < 0.7f) return {x, y};
+    }
+    ADD_FAILURE() << "no edge";
+    return {0, 0};
+  }
+  void click(glm::ivec2 pixel) {
+    rig.move_to(glm::vec2(pixel) + 0.5f);
+    rig.press(MouseButton::left);
+    rig.release(MouseButton::left);
+  }
+  void pick(glm::ivec2 pixel) {
+    click(pixel);
+    ASSERT_EQ(rig.content().state().picked, pixel);
+    ASSERT_TRUE(
+        rig.frames_until([&] { return rig.content().controls().all().contains("Subdivision"); }));
+    rig.move_to({-10.0f, -10.0f});
+    for (int i = 0; i < 5; ++i) rig.frame();
+  }
+  [[nodiscard]] glm::u8vec3 at(const std::vector<glm::u8vec3>& pixels, glm::ivec2 p) const {
+    return pixels[static_cast<std::size_t>(p.y * rig.size().x + p.x)];
+  }
+};
+
+TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
+  const glm::ivec2 pixel = cut_pixel();
+  const Film& film = rig.previewer().film();
+  const glm::vec3 mean = film.radiance[film.index(pixel.x, pixel.y)];
+  const glm::vec3 sky = film.radiance[film.index(pixel.x - 5, pixel.y)];
+  const float covered = (mean.x - sky.x) / (1.0f - sky.x);
+  pick(pixel);
+  const Controls::Placed square = rig.control("Subdivision");
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  const glm::u8vec3 red(255, 0, 0), background = display_bytes(sky, 0.0f);
+  int reds = 0, backgrounds = 0;
+  for (int y = static_cast<int>(square.lo.y) + 2; y < static_cast<int>(square.hi.y) - 2; ++y) {
+    for (int x = static_cast<int>(square.lo.x) + 2; x < static_cast<int>(square.hi.x) - 2; ++x) {
+      reds += at(pixels, {x, y}) == red;
+      backgrounds += at(pixels, {x, y}) == background;
+    }
+  }
+  // The rest is boundary lines and samples.
+  const float area = (square.hi.x - square.lo.x) * (square.hi.y - square.lo.y);
+  EXPECT_GT(static_cast<float>(reds + backgrounds), 0.85f * area);
+  EXPECT_NEAR(static_cast<float>(reds) / static_cast<float>(reds + backgrounds), covered, 0.04f);
+  EXPECT_TRUE(rig.content().controls().all().contains("Verdict"));
+  EXPECT_FALSE(restarted()) << "looking at a pixel renders nothing again";
+}
+
+TEST_F(PixelPanelTest, HoveringACellTellsOfIt) {
+  pick(cut_pixel());
+  const std::vector<glm::u8vec3> before = rig.pixels();
+  const Controls::Placed square = rig.control("Subdivision");
+  rig.move_to(square.centre());
+  rig.frame();
+  EXPECT_NE(rig.pixels(), before);
+}
+
+TEST_F(PixelPanelTest, ItClosesByKeyAndByButton) {
+  const glm::ivec2 pixel = cut_pixel();
+  pick(pixel);
+  rig.key(Key::escape);
+  EXPECT_FALSE(rig.content().state().picked.has_value());
+  EXPECT_FALSE(rig.content().state().quit);
+  pick(pixel);
+  rig.click("Close pixel");
+  EXPECT_FALSE(rig.content().state().picked.has_value());
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Subdivision"));
+}
+
+TEST_F(PixelPanelTest, ADragPicksNothing) {
+  rig.drag({200, 200}, {240, 220});
+  EXPECT_FALSE(rig.content().state().picked.has_value());
+}
+
+TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
+  const glm::ivec2 pixel = cut_pixel();
+  pick(pixel);
+  // The lines are smoothed, so that hardly a pixel has their very colour.
+  const auto yellow = [](glm::u8vec3 c) { return c.x - c.z > 80 && c.y - c.z > 80; };
+  const auto outlines = [&] {
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    int count = 0;
+    const PixelRect area = rig.content().picture_rect();
+    for (int y = 0; y < area.height; ++y)
+      for (int x = 0; x < area.width; ++x) count += yellow(at(pixels, {x, y}));
+    return count;
+  };
+  ASSERT_TRUE(yellow(split_cause_colour(SplitCause::outline)));
+  const int before = outlines();
+  rig.click("Boundaries");
+  ASSERT_TRUE(rig.frames_until([&] { return outlines() > before + 100; })) << "the triangles'";
+  EXPECT_FALSE(restarted());
+}
+
+TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
+  const glm::ivec2 pixel = cut_pixel();
+  pick(pixel);
+  rig.drag({300, 800}, {360, 820});
+  EXPECT_TRUE(restarted());
+  PixelInspector inspector;
+  ASSERT_TRUE(rig.frames_until([&] {
+    inspector.update(rig.previewer(), pixel, false);
+    return inspector.report() != nullptr && !inspector.busy();
+  }));
+  const PixelReport& report = *inspector.report();
+  const Film& film = rig.previewer().film();
+  EXPECT_EQ(report.trace.radiance, film.radiance[film.index(pixel.x, pixel.y)])
+      << "bit for bit what the picture shows";
+  double weights = 0.0;
+  for (const PixelTraceCell& cell : report.trace.cells)
+    for (const PixelTraceSample& sample : cell.samples) weights += sample.weight;
+  EXPECT_NEAR(weights, 1.0, 1e-6);
+  EXPECT_FALSE(report.verdict().empty());
+}
+
+TEST_F(PixelPanelTest, AnIdleWindowSleepsWithAPixelPicked) {
+  pick(cut_pixel());
+  EXPECT_TRUE(rig.settle());
+  for (int i = 0; i < 60; ++i) rig.frame();
+  EXPECT_FALSE(rig.content().seconds_to_redraw().has_value());
+}
+
+TEST(PixelReport, TheSmallestCellIsFound) {
+  PixelReport report;
+  const auto add = [&](int level, glm::vec2 corner, CellFate fate) {
+    PixelTraceCell& cell = report.trace.cells.emplace_back();
+    cell.level = level;
+    cell.corner = corner;
+    cell.side = std::ldexp(1.0f, -level);
+    cell.fate = fate;
+  };
+  add(0, {0, 0}, CellFate::split);
+  for (int i = 0; i < 4; ++i)
+    add(1, {0.5f * static_cast<float>(i % 2), i < 2 ? 0.0f : 0.5f}, CellFate::uniform);
+  EXPECT_EQ(report.cell_at({0.1f, 0.1f}), 1u);
+  EXPECT_EQ(report.cell_at({0.9f, 0.1f}), 2u);
+  EXPECT_EQ(report.cell_at({0.1f, 0.9f}), 3u);
+  EXPECT_EQ(report.cell_at({0.9f, 0.9f}), 4u);
+  EXPECT_EQ(report.verdict().substr(0, 8), "Resolved");
+  report.trace.cells.back().fate = CellFate::finest;
+  report.trace.unresolved_area = 0.25;
+  EXPECT_EQ(report.verdict(), "Stopped at MAX: 25.00 % of the pixel stays undecided.");
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,328 @@
+#include "ui/edited_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Where a light shines to, with what is right of it and above it: orthonormal.
+struct Basis {
+  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
+};
+
+// Built from the angles alone, so that nothing fails at the poles.
+Basis basis_of(const LightTurn& t) {
+  const double sa = std::sin(t.azimuth_rad), ca = std::cos(t.azimuth_rad);
+  const double se = std::sin(t.elevation_rad), ce = std::cos(t.elevation_rad);
+  const double sr = std::sin(t.roll_rad), cr = std::cos(t.roll_rad);
+  const glm::dvec3 right(ca, 0.0, -sa), up(-sa * se, ce, -ca * se);
+  return {cr * right + sr * up, cr * up - sr * right, {sa * ce, se, ca * ce}};
+}
+
+glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback) {
+  const double length = glm::length(v);
+  return length > 0.0 && std::isfinite(length) ? v / length : fallback;
+}
+
+bool is_flat(Light::Type type) {
+  return type == Light::Type::rectangle || type == Light::Type::disk ||
+         type == Light::Type::polygon;
+}
+
+bool has_direction(const Light& light) {
+  return is_flat(light.type) || light.type == Light::Type::spot ||
+         light.type == Light::Type::directional;
+}
+
+glm::dvec3 forward_of(const Light& light) {
+  return light.type == Light::Type::linear ? unit_or(light.half_u, {1, 0, 0})
+                                           : unit_or(light.direction, {0, 0, -1});
+}
+
+/// The side by which a roll is told; zero where the light looks the same however it is rolled.
+glm::dvec3 side_of(const Light& light) {
+  if (light.type == Light::Type::rectangle) return light.half_u;
+  if (light.type == Light::Type::polygon && !light.outlines.empty() &&
+      !light.outlines.front().empty())
+    return light.outlines.front().front() - light.position;
+  return glm::dvec3(0.0);
+}
+
+double outline_area(const std::vector<glm::dvec3>& outline, glm::dvec3 direction) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    sum += glm::cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
+  return 0.5 * glm::dot(sum, direction);
+}
+
+/// What one unit of a light's intensity is in candela, straight ahead and from afar.
+double candela_per_unit(const Light& light, double distance) {
+  if (light.type == Light::Type::directional) return distance * distance;
+  return is_flat(light.type) ? area_of(light) : 1.0;
+}
+
+/// Half of what a light measures across; 0 for one of no size.
+double half_size(const Light& light, double distance) {
+  switch (light.type) {
+    case Light::Type::directional:
+      return distance * std::tan(0.5 * light.angular_diameter_rad);
+    case Light::Type::linear:
+      return glm::length(light.half_u);
+    case Light::Type::rectangle:
+      return std::sqrt(glm::length(light.half_u) * glm::length(light.half_v));
+    case Light::Type::polygon:
+      return polygon_radius(light);
+    case Light::Type::point:
+    case Light::Type::spot:
+    case Light::Type::disk:
+      break;
+  }
+  return light.radius;
+}
+
+Light::Type type_of(LightKind kind) {
+  switch (kind) {
+    case LightKind::spot:
+      return Light::Type::spot;
+    case LightKind::directional:
+      return Light::Type::directional;
+    case LightKind::linear:
+      return Light::Type::linear;
+    case LightKind::rectangle:
+      return Light::Type::rectangle;
+    case LightKind::disk:
+      return Light::Type::disk;
+    case LightKind::polygon:
+      return Light::Type::polygon;
+    case LightKind::point:
+    case LightKind::sphere:
+      break;
+  }
+  return Light::Type::point;
+}
+
+/// Counter-clockwise, the first corner at the right: a light's roll is told by its first corner.
+/// Every other corner is at `inner`.
+std::vector<glm::dvec2> ring(int corners, double radius, double inner) {
+  std::vector<glm::dvec2> outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * pi * i / corners;
+    const double r = i % 2 == 0 ? radius : inner;
+    outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return outline;
+}
+
+std::vector<std::vector<glm::dvec2>> outlines_of(PolygonShape shape) {
+  std::vector<glm::dvec2> hole = ring(4, 0.6, 0.6);
+  switch (shape) {
+    case PolygonShape::hexagon:
+      return {ring(6, 1.0, 1.0)};
+    case PolygonShape::star:
+      return {ring(10, 1.0, 0.4)};
+    case PolygonShape::frame:
+      std::reverse(hole.begin(), hole.end());
+      return {ring(4, 1.0, 1.0), hole};
+    case PolygonShape::triangle:
+      break;
+  }
+  return {ring(3, 1.0, 1.0)};
+}
+
+void lay_outlines(Light& light, const Basis& basis, PolygonShape shape, double radius) {
+  light.outlines.clear();
+  for (const auto& flat : outlines_of(shape)) {
+    auto& outline = light.outlines.emplace_back();
+    for (const glm::dvec2 p : flat)
+      outline.push_back(light.position + radius * (p.x * basis.right + p.y * basis.up));
+  }
+}
+
+void give_shape(Light& light, LightKind kind, const Basis& basis, double half) {
+  light.radius = 0.0;
+  light.angular_diameter_rad = 0.0;
+  light.half_u = light.half_v = glm::dvec3(0.0);
+  light.outlines.clear();
+  switch (kind) {
+    case LightKind::sphere:
+    case LightKind::disk:
+      light.radius = half;
+      break;
+    case LightKind::linear:
+      light.half_u = half * basis.right;
+      break;
+    case LightKind::rectangle:
+      light.half_u = half * basis.right;
+      light.half_v = half * basis.up;
+      break;
+    case LightKind::polygon:
+      lay_outlines(light, basis, PolygonShape::hexagon, half);
+      break;
+    case LightKind::point:
+    case LightKind::spot:
+    case LightKind::directional:
+      break;
+  }
+}
+
+}  // namespace
+
+SceneSize SceneSize::of(const Box& bounds) {
+  if (bounds.empty()) return {};
+  const glm::dvec3 lo(bounds.lo), hi(bounds.hi);
+  const double radius = 0.5 * glm::length(hi - lo);
+  return {0.5 * (lo + hi), radius > 0.0 ? radius : 1.0};
+}
+
+double area_of(const Light& light) {
+  if (light.type == Light::Type::disk) return pi * light.radius * light.radius;
+  if (light.type == Light::Type::rectangle)
+    return 4.0 * glm::length(light.half_u) * glm::length(light.half_v);
+  if (light.type != Light::Type::polygon) return 0.0;
+  double area = 0.0;
+  for (const auto& outline : light.outlines) area += outline_area(outline, light.direction);
+  return std::abs(area);
+}
+
+LightKind kind_of(const Light& light) {
+  switch (light.type) {
+    case Light::Type::spot:
+      return LightKind::spot;
+    case Light::Type::directional:
+      return LightKind::directional;
+    case Light::Type::linear:
+      return LightKind::linear;
+    case Light::Type::rectangle:
+      return LightKind::rectangle;
+    case Light::Type::disk:
+      return LightKind::disk;
+    case Light::Type::polygon:
+      return LightKind::polygon;
+    case Light::Type::point:
+      break;
+  }
+  return light.radius > 0.0 ? LightKind::sphere : LightKind::point;
+}
+
+Light as_kind(const Light& light, LightKind kind, const SceneSize& scene) {
+  if (kind_of(light) == kind) return light;
+  Light other = light;
+  constexpr double away = 1.5;  // radii of the scene, for what comes from infinitely far
+  if (light.type == Light::Type::directional)
+    other.position = scene.middle - away * scene.radius * forward_of(light);
+  if (!has_direction(light)) other.direction = unit_or(scene.middle - other.position, {0, -1, 0});
+  const double distance = std::max(glm::distance(other.position, scene.middle), 0.1 * scene.radius);
+
+  constexpr double usual_size = 0.1;  // radii of the scene
+  double half = half_size(light, distance);
+  if (!(half > 0.0)) half = usual_size * scene.radius;
+  other.type = type_of(kind);
+  Light facing = other;
+  facing.type = Light::Type::spot;  // turned by its direction alone
+  LightTurn turn = turn_of(facing);
+  if (light.type == Light::Type::rectangle) turn = turn_of(light);
+  give_shape(other, kind, basis_of(turn), half);
+  if (kind == LightKind::directional && half_size(light, distance) > 0.0)
+    other.angular_diameter_rad = 2.0 * std::atan(half / distance);
+  const double candela = static_cast<double>(light.intensity) * candela_per_unit(light, distance);
+  other.intensity = static_cast<float>(candela / candela_per_unit(other, distance));
+  return other;
+}
+
+LightTurn turn_of(const Light& light) {
+  const glm::dvec3 forward = forward_of(light), side = side_of(light);
+  const double horizontal = std::hypot(forward.x, forward.z);
+  LightTurn turn;
+  turn.elevation_rad = std::atan2(forward.y, horizontal);
+  if (horizontal > 1e-9) {
+    turn.azimuth_rad = std::atan2(forward.x, forward.z);
+  } else if (side != glm::dvec3(0.0)) {
+    turn.azimuth_rad = std::atan2(-side.z, side.x);
+  }
+  const Basis level = basis_of(turn);
+  if (side != glm::dvec3(0.0))
+    turn.roll_rad = std::atan2(glm::dot(side, level.up), glm::dot(side, level.right));
+  return turn;
+}
+
+void turn_light(Light& light, const LightTurn& turn) {
+  const Basis from = basis_of(turn_of(light)), to = basis_of(turn);
+  const glm::dmat3 rotation = glm::dmat3(to.right, to.up, to.forward) *
+                              glm::transpose(glm::dmat3(from.right, from.up, from.forward));
+  if (light.type == Light::Type::linear) {
+    light.half_u = glm::length(light.half_u) * to.forward;
+    return;
+  }
+  light.direction = to.forward;
+  // By their lengths: turned again and again, the sides would cease to be square.
+  if (light.type == Light::Type::rectangle) {
+    light.half_u = glm::length(light.half_u) * to.right;
+    light.half_v = glm::length(light.half_v) * to.up;
+  }
+  for (auto& outline : light.outlines) {
+    for (glm::dvec3& p : outline) p = light.position + rotation * (p - light.position);
+  }
+}
+
+void move_light(Light& light, glm::dvec3 by) {
+  light.position += by;
+  for (auto& outline : light.outlines) {
+    for (glm::dvec3& p : outline) p += by;
+  }
+}
+
+double polygon_radius(const Light& light) {
+  double radius = 0.0;
+  for (const auto& outline : light.outlines) {
+    for (const glm::dvec3& p : outline) radius = std::max(radius, glm::distance(p, light.position));
+  }
+  return radius;
+}
+
+void set_polygon_radius(Light& light, double radius) {
+  const double old = polygon_radius(light);
+  if (!(old > 0.0) || !(radius > 0.0)) return;
+  for (auto& outline : light.outlines) {
+    for (glm::dvec3& p : outline) p = light.position + (radius / old) * (p - light.position);
+  }
+}
+
+void set_polygon_shape(Light& light, PolygonShape shape) {
+  const double radius = polygon_radius(light);
+  lay_outlines(light, basis_of(turn_of(light)), shape, radius);
+}
+
+void tidy_light(Light& light) {
+  const float brightest = std::max({light.color.x, light.color.y, light.color.z});
+  if (brightest > 1.0f) {
+    light.color /= brightest;
+    light.intensity *= brightest;
+  }
+  if (light.type != Light::Type::polygon || light.outlines.empty() ||
+      light.outlines.front().empty())
+    return;
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& p : light.outlines.front()) sum += p;
+  light.position = sum / static_cast<double>(light.outlines.front().size());
+}
+
+EditedLight EditedLight::of(Light light) {
+  tidy_light(light);
+  return {light, true, light};
+}
+
+std::vector<Light> lights_on(const std::vector<EditedLight>& lights) {
+  std::vector<Light> on;
+  for (const EditedLight& edited : lights) {
+    if (edited.on) on.push_back(edited.light);
+  }
+  return on;
+}
+
+}  // namespace asos

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "renderer/scene/world.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace asos {
+
+/// A light as the window edits it: one that is off is left out of the scene.
+struct EditedLight {
+  Light light;
+  bool on = true;
+  Light original;  ///< as it came; what a double click goes back to
+
+  /// Tidied.
+  [[nodiscard]] static EditedLight of(Light light);
+};
+
+/// What the window calls a light: Light's types, and a ball told from a point.
+enum class LightKind { point, sphere, spot, directional, linear, rectangle, disk, polygon };
+inline constexpr std::size_t light_kind_count = 8;
+
+[[nodiscard]] LightKind kind_of(const Light& light);
+
+/// What sizes and distances are measured by.
+struct SceneSize {
+  glm::dvec3 middle{0.0};
+  double radius = 1.0;  ///< above 0
+
+  /// Of a box; an empty one counts as the unit ball.
+  [[nodiscard]] static SceneSize of(const Box& bounds);
+};
+
+/// The light as another kind: in the same place, turned the same way, of about the same size, and
+/// as bright as before in the scene's middle if that lies straight ahead of it.
+[[nodiscard]] Light as_kind(const Light& light, LightKind kind, const SceneSize& scene);
+
+/// Of the side that shines: flat lights, 0 for others.
+[[nodiscard]] double area_of(const Light& light);
+
+/// How a light is turned: where it shines to (linear: where it runs to) as compass angle from +Z to
+/// +X and height above the horizon, and how far it is rolled about that. At a pole the roll counts
+/// as compass angle.
+struct LightTurn {
+  double azimuth_rad = 0.0;
+  double elevation_rad = 0.0;
+  double roll_rad = 0.0;
+};
+[[nodiscard]] LightTurn turn_of(const Light& light);
+void turn_light(Light& light, const LightTurn& turn);
+
+/// Moves it with its outlines.
+void move_light(Light& light, glm::dvec3 by);
+
+/// The distance of a polygon's farthest corner from its position, and the way to change it.
+[[nodiscard]] double polygon_radius(const Light& light);
+void set_polygon_radius(Light& light, double radius);
+
+/// Outlines that a polygon may be given.
+enum class PolygonShape { triangle, hexagon, star, frame };
+inline constexpr std::size_t polygon_shape_count = 4;
+void set_polygon_shape(Light& light, PolygonShape shape);
+
+/// Brings a file's light into the form that the window edits: a colour of 1 at most, and a
+/// polygon's position in its middle. It shines as before.
+void tidy_light(Light& light);
+
+/// The lights that are on.
+[[nodiscard]] std::vector<Light> lights_on(const std::vector<EditedLight>& lights);
+
+}  // namespace asos

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "renderer/film/film.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// A picture that was put by, to compare with.
+struct StoredFrame {
+  std::string name;     ///< "A" to "H"
+  std::string summary;  ///< how it was made, in a line
+  Film film;
+};
+
+/// How a stored frame is shown beside the current picture.
+enum class Comparison { none, wipe, flip, difference };
+
+/// Pictures put by, `most` at most, and how one of them is compared.
+struct Frames {
+  static constexpr std::size_t most = 8;
+
+  std::vector<StoredFrame> stored;
+  std::uint64_t revision = 0;  ///< grows when `stored` changes
+  int chosen = 0;
+  Comparison comparison = Comparison::none;
+  float wipe = 0.5f;          ///< share of the picture's width that shows the current picture
+  bool flipped = false;       ///< the stored frame is shown
+  float scale_stops = -4.0f;  ///< the largest difference that is told, 2^scale_stops
+
+  // Which comparison `rmse` is of.
+  struct Measured {
+    std::uint64_t restarts = 0;  ///< of the picture
+    std::uint64_t revision = 0;
+    int chosen = -1;
+    bool operator==(const Measured&) const = default;
+  };
+  Measured measured;
+  double rmse = 0.0;
+
+  /// Puts a picture by; false where there are `most` already.
+  bool store(const Film& film, std::string summary);
+  void remove(int index);
+  /// The one to compare with; null where nothing is compared.
+  [[nodiscard]] const StoredFrame* compared() const;
+};
+
+/// The largest difference of two colours in any channel, of display intensity at an exposure: 0 to
+/// 1.
+[[nodiscard]] float difference_of(glm::vec3 a, glm::vec3 b, float exposure_ev);
+/// The difference image's colour of a share of its scale: black at 0, white at 1 and above.
+[[nodiscard]] glm::u8vec3 difference_colour(float share);
+
+}  // namespace asos

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace asos {
+
+/// Whether the outcome of a request that a newer one overtook while it was worked on still counts.
+enum class Overtaken { dropped, kept };
+
+/// Works on the newest request on a thread of its own; requests that a newer one replaces before
+/// they are begun are never worked on. The destructor waits for work that runs. `work` runs on the
+/// thread, and so does `wake`, which is called when an outcome waits; `wake` may be empty.
+template <typename Request, typename Outcome>
+class LatestJob {
+ public:
+  using Work = std::function<Outcome(const Request&)>;
+
+  LatestJob(Work work, std::function<void()> wake, Overtaken overtaken)
+      : work_(std::move(work)),
+        wake_(std::move(wake)),
+        overtaken_(overtaken),
+        thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+  void ask(Request request) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (overtaken_ == Overtaken::dropped) outcome_.reset();
+      request_ = std::move(request);
+    }
+    requested_.notify_one();
+  }
+
+  /// The newest outcome, once.
+  [[nodiscard]] std::optional<Outcome> take_outcome() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(outcome_, std::nullopt);
+  }
+
+  /// Whether a request waits or is worked on, or an outcome has not been taken.
+  [[nodiscard]] bool pending() const {
+    const std::scoped_lock lock(mutex_);
+    return request_ || working_ || outcome_;
+  }
+
+ private:
+  void run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      std::optional<Request> request;
+      {
+        std::unique_lock lock(mutex_);
+        if (!requested_.wait(lock, stop, [this] { return request_.has_value(); })) return;
+        request = std::exchange(request_, std::nullopt);
+        working_ = true;
+      }
+      Outcome outcome = work_(*request);
+      {
+        const std::scoped_lock lock(mutex_);
+        working_ = false;
+        if (request_ && overtaken_ == Overtaken::dropped) continue;
+        outcome_ = std::move(outcome);
+      }
+      if (wake_) wake_();
+    }
+  }
+
+  Work work_;
+  std::function<void()> wake_;
+  Overtaken overtaken_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any requested_;
+  std::optional<Request> request_;  // not begun
+  bool working_ = false;
+  std::optional<Outcome> outcome_;
+  std::jthread thread_;  // last: stops before what it uses goes
+};
+
+}  // namespace asos

@@ -1,0 +1,140 @@
+#include "renderer/methods/names.h"
+#include "renderer/study/measures.h"
+#include "ui/panels/panels.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr std::array comparisons{
+    Controls::Option{"Off", "The current picture alone."},
+    Controls::Option{"Wipe",
+                     "The current picture at the left, the stored frame at the right of a line."},
+    Controls::Option{"Flip", "One in place of the other. Key: X."},
+    Controls::Option{"Difference",
+                     "By how much they differ in display intensity, the largest channel, on an "
+                     "absolute scale."},
+};
+
+std::string summary_of(const Previewer& previewer) {
+  const RenderSettings& s = previewer.rendered_settings();
+  const Progress progress = previewer.progress();
+  std::string text = name_in(method_names, s.method);
+  const bool asos = s.method == Method::asos || s.method == Method::asos_published;
+  text += asos ? fmt::format(", EPS {:.4g}, MAX {}", s.eps, s.max_level)
+               : fmt::format(", {} samples", s.spp);
+  return text + fmt::format(", {} x {}, {:.0f} % in {:.2f} s", s.width, s.height,
+                            100.0 * progress.fraction, progress.seconds);
+}
+
+std::string scale_words(float stops) {
+  return stops >= 0.0f ? std::string("1") : fmt::format("1/{:.3g}", std::exp2(-stops));
+}
+
+void difference_legend(Controls& controls, const std::string& most) {
+  const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  constexpr int steps = 64;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (int i = 0; i < steps; ++i) {
+    const glm::u8vec3 c = difference_colour((static_cast<float>(i) + 0.5f) / steps);
+    draw.AddRectFilled({corner.x + width * static_cast<float>(i) / steps, corner.y},
+                       {corner.x + width * static_cast<float>(i + 1) / steps, corner.y + 0.9f * em},
+                       IM_COL32(c.x, c.y, c.z, 255));
+  }
+  const float right = corner.x + width - ImGui::CalcTextSize(most.c_str()).x;
+  draw.AddText({corner.x, corner.y + em}, theme::packed(theme::dim_text), "0");
+  draw.AddText({right, corner.y + em}, theme::packed(theme::dim_text), most.c_str());
+  ImGui::Dummy({width, 2.2f * em});
+  controls.placed("Difference legend",
+                  "Black: no difference. White: as much as the scale tells, or more.");
+}
+
+/// Told anew when the picture is finished or another frame is chosen.
+void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
+  const StoredFrame& frame = frames.stored[static_cast<std::size_t>(frames.chosen)];
+  const Film& film = previewer.film();
+  const bool same = frame.film.width == film.width && frame.film.height == film.height;
+  std::string words = "another size";
+  if (same && !previewer.progress().finished) words = "when finished";
+  if (same && previewer.progress().finished) {
+    const Frames::Measured now{previewer.restarts(), frames.revision, frames.chosen};
+    if (!(now == frames.measured)) {
+      frames.measured = now;
+      frames.rmse = root_mean_square(film, frame.film, false);
+    }
+    words = fmt::format("{:.3g}", frames.rmse);
+  }
+  controls.row("RMSE", words,
+               "Root mean square difference of the finished picture and the stored frame, of "
+               "linear values.");
+}
+
+void comparison_controls(Controls& controls, Frames& frames) {
+  int mode = static_cast<int>(frames.comparison);
+  if (controls.options("Compare", comparisons, mode, {true, 0})) {
+    frames.comparison = static_cast<Comparison>(mode);
+    frames.flipped = frames.comparison == Comparison::flip;
+  }
+  switch (frames.comparison) {
+    case Comparison::none:
+      break;
+    case Comparison::wipe:
+      controls.slider("Wipe", "Where the line is, in percent of the picture's width.", frames.wipe,
+                      {0.0f, 1.0f, 0.5f},
+                      [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
+      break;
+    case Comparison::flip:
+      controls.checkbox("Stored shown", "Show the stored frame in place of the picture. Key: X.",
+                        frames.flipped, false);
+      break;
+    case Comparison::difference:
+      controls.slider("Scale",
+                      "The difference of display intensity, 0 to 1, that shows as white; 1/256 is "
+                      "one step of an 8-bit picture.",
+                      frames.scale_stops, {-10.0f, 0.0f, -4.0f}, scale_words);
+      difference_legend(controls, scale_words(frames.scale_stops));
+      break;
+  }
+}
+
+}  // namespace
+
+void compare_panel(Controls& controls, const Previewer& previewer, Frames& frames) {
+  if (!previewer.scene() || !controls.section("Compare", false)) return;
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const bool full = frames.stored.size() >= Frames::most;
+  if (controls.button("Store frame",
+                      full ? "There are eight frames: remove one first."
+                           : "Put the picture by as it is, to compare with. Key: S.",
+                      width))
+    store_frame(frames, previewer);
+  ImGui::SameLine();
+  if (controls.button("Remove frame", "Forget the chosen frame.", width))
+    frames.remove(frames.chosen);
+  if (frames.stored.empty()) return;
+
+  std::vector<Controls::Option> options;
+  for (const StoredFrame& frame : frames.stored)
+    options.push_back({frame.name.c_str(), frame.summary.c_str()});
+  controls.options("Frame", options, frames.chosen);
+  controls.row("Made by", frames.stored[static_cast<std::size_t>(frames.chosen)].summary,
+               "How the chosen frame was rendered.");
+  error_row(controls, previewer, frames);
+  comparison_controls(controls, frames);
+}
+
+bool store_frame(Frames& frames, const Previewer& previewer) {
+  return frames.store(previewer.film(), summary_of(previewer));
+}
+
+}  // namespace asos

@@ -1,0 +1,270 @@
+#include "ui/panels/light_editor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+namespace asos {
+
+namespace {
+
+constexpr std::array kind_options{
+    Controls::Option{"Point", "A point: sharp shadows. Its intensity is in candela."},
+    Controls::Option{"Sphere", "A shining ball: soft shadows. Its intensity is in candela."},
+    Controls::Option{"Spot", "A point, or a ball, that shines into a cone. In candela."},
+    Controls::Option{"Direction",
+                     "Light that comes from infinitely far, all one way; with an angle it is a "
+                     "sun. Its intensity is the illuminance of what faces it, in lux."},
+    Controls::Option{"Line",
+                     "A straight shining line. Its intensity is that of the whole, seen square on, "
+                     "in candela."},
+    Controls::Option{"Rectangle", "A flat rectangle that shines one way. In nits."},
+    Controls::Option{"Disk", "A flat disk that shines one way. In nits."},
+    Controls::Option{"Polygon",
+                     "A flat outline, which may have a hole, that shines one way. In nits."},
+};
+static_assert(kind_options.size() == light_kind_count);
+
+constexpr std::array outline_options{
+    Controls::Option{"Three", "An outline of three equal sides."},
+    Controls::Option{"Six", "An outline of six equal sides."},
+    Controls::Option{"Star", "A star of five points: an outline that is not convex."},
+    Controls::Option{"Frame", "A square with a square hole."},
+};
+static_assert(outline_options.size() == polygon_shape_count);
+
+const char* intensity_unit(LightKind kind) {
+  switch (kind) {
+    case LightKind::directional:
+      return "lx";
+    case LightKind::rectangle:
+    case LightKind::disk:
+    case LightKind::polygon:
+      return "nit";
+    case LightKind::point:
+    case LightKind::sphere:
+    case LightKind::spot:
+    case LightKind::linear:
+      break;
+  }
+  return "cd";
+}
+
+std::string metres(double length) {
+  return fmt::format("{:.4g} m", length);
+}
+
+/// One light's controls. Each returns nothing and notes whether it changed the light.
+class LightEditor {
+ public:
+  LightEditor(Controls& controls, EditedLight& edited, const SceneSize& scene, glm::dvec3 origin)
+      : controls_(controls),
+        edited_(edited),
+        light_(edited.light),
+        same_kind_(kind_of(edited.original) == kind_of(edited.light)),
+        scene_(scene),
+        origin_(origin) {}
+
+  /// Whether anything was changed.
+  bool run() {
+    kind();
+    brightness();
+    size();
+    place();
+    turn();
+    flags();
+    return changed_;
+  }
+
+ private:
+  /// What a double click goes back to: the light as it came, if it was of this kind.
+  [[nodiscard]] std::optional<double> original(double value) const {
+    return same_kind_ ? std::optional(value) : std::nullopt;
+  }
+
+  void kind() {
+    int chosen = static_cast<int>(kind_of(light_));
+    if (!controls_.options("Type", kind_options, chosen, {false, std::nullopt})) return;
+    light_ = as_kind(light_, static_cast<LightKind>(chosen), scene_);
+    changed_ = true;
+  }
+
+  void brightness() {
+    changed_ |= controls_.colour("Colour",
+                                 "Of the light: red, green and blue as sRGB, 0 to 255; the "
+                                 "brightest part is what the intensity tells. Click the patch for "
+                                 "a picker.",
+                                 light_.color, edited_.original.color);
+    double intensity = static_cast<double>(light_.intensity);
+    constexpr double most = 1e12, step = 1e-3;
+    const char* unit = intensity_unit(kind_of(light_));
+    if (controls_.number(
+            "Intensity",
+            "How bright: candela (cd) for points, balls and lines, lux (lx) for directions, nits "
+            "(cd per square metre) for flat lights. Drag: one percent a pixel. Ctrl+click to type "
+            "a value.",
+            intensity,
+            {{0.0, most, original(static_cast<double>(edited_.original.intensity))}, step, true},
+            [&](double value) { return fmt::format("{:.4g} {}", value, unit); })) {
+      light_.intensity = static_cast<float>(intensity);
+      changed_ = true;
+    }
+  }
+
+  /// A length above 0.
+  bool length(const char* name, const char* tooltip, double& value, double reset) {
+    const double least = 1e-5 * scene_.radius, most = 1e3 * scene_.radius;
+    const bool edited = controls_.number(
+        name, tooltip, value, {{least, most, original(reset)}, 1e-4 * scene_.radius, true}, metres);
+    changed_ |= edited;
+    return edited;
+  }
+
+  void half_side(const char* name, const char* tooltip, glm::dvec3& half, glm::dvec3 reset) {
+    double side = 2.0 * glm::length(half);
+    if (side > 0.0 && length(name, tooltip, side, 2.0 * glm::length(reset)))
+      half *= side / (2.0 * glm::length(half));
+  }
+
+  bool degrees(const char* name, const char* tooltip, double& angle_rad,
+               Controls::Range<float> at) {
+    float angle = static_cast<float>(glm::degrees(angle_rad));
+    if (!controls_.slider(name, tooltip, angle, at,
+                          [](float value) { return fmt::format("{:.1f}°", value); }))
+      return false;
+    angle_rad = glm::radians(static_cast<double>(angle));
+    changed_ = true;
+    return true;
+  }
+
+  void size() {
+    const Light& old = edited_.original;
+    switch (kind_of(light_)) {
+      case LightKind::point:
+        break;
+      case LightKind::sphere:
+      case LightKind::disk:
+        length("Radius",
+               "Half of what the light measures across, in metres. Larger: softer "
+               "shadows. Ctrl+click to type a value.",
+               light_.radius, old.radius);
+        break;
+      case LightKind::linear:
+        half_side("Length", "From end to end, in metres. Ctrl+click to type a value.",
+                  light_.half_u, old.half_u);
+        break;
+      case LightKind::rectangle:
+        half_side("Width", "Of the rectangle, in metres. Ctrl+click to type a value.",
+                  light_.half_u, old.half_u);
+        half_side("Height", "Of the rectangle, in metres. Ctrl+click to type a value.",
+                  light_.half_v, old.half_v);
+        break;
+      case LightKind::polygon:
+        polygon();
+        break;
+      case LightKind::spot:
+        cone();
+        break;
+      case LightKind::directional:
+        degrees("Sun's angle",
+                "How wide the sun looks, in degrees: 0 gives sharp shadows; the real one is half a "
+                "degree wide.",
+                light_.angular_diameter_rad, {0.0f, 90.0f, 0.0f});
+        break;
+    }
+  }
+
+  void polygon() {
+    int shape = -1;
+    if (controls_.options("Outline", outline_options, shape)) {
+      set_polygon_shape(light_, static_cast<PolygonShape>(shape));
+      changed_ = true;
+    }
+    double radius = polygon_radius(light_);
+    if (radius > 0.0 &&
+        length("Radius",
+               "From the middle to the farthest corner, in metres. Ctrl+click to type a "
+               "value.",
+               radius, polygon_radius(edited_.original)))
+      set_polygon_radius(light_, radius);
+  }
+
+  void cone() {
+    constexpr float widest = 89.9f;
+    if (degrees("Cone", "Half of the cone's opening, in degrees: outside there is no light of it.",
+                light_.outer_cone_rad, {0.1f, widest, 45.0f}))
+      light_.inner_cone_rad = std::min(light_.inner_cone_rad, light_.outer_cone_rad);
+    degrees("Full inside",
+            "Half of the inner cone's opening, in degrees: inside the light is full, and from "
+            "there to the cone it fades.",
+            light_.inner_cone_rad,
+            {0.0f, static_cast<float>(glm::degrees(light_.outer_cone_rad)), 0.0f});
+  }
+
+  void place() {
+    if (light_.type == Light::Type::directional) return;
+    glm::dvec3 position = light_.position + origin_;
+    if (!controls_.vector("Position",
+                          "Of the light's middle: x, y (up) and z, in metres. Drag, Ctrl+click to "
+                          "type, or drag the light's mark in the picture.",
+                          position, 2e-3 * scene_.radius, edited_.original.position + origin_))
+      return;
+    move_light(light_, position - origin_ - light_.position);
+    changed_ = true;
+  }
+
+  void turn() {
+    const LightKind kind = kind_of(light_);
+    if (kind == LightKind::point || kind == LightKind::sphere) return;
+    LightTurn turn = turn_of(light_);
+    const LightTurn old = same_kind_ ? turn_of(edited_.original) : LightTurn{};
+    const auto reset = [](double rad) { return static_cast<float>(glm::degrees(rad)); };
+    bool turned = degrees("Azimuth",
+                          "The compass angle of where the light shines to, or a line runs to, in "
+                          "degrees: 0 along +z, 90 along +x.",
+                          turn.azimuth_rad, {-180.0f, 180.0f, reset(old.azimuth_rad)});
+    turned |= degrees("Elevation",
+                      "How far above the horizon the light shines, in degrees: -90 is straight "
+                      "down.",
+                      turn.elevation_rad, {-90.0f, 90.0f, reset(old.elevation_rad)});
+    if (kind == LightKind::rectangle || kind == LightKind::polygon)
+      turned |= degrees("Roll", "How far the outline is turned in its plane, in degrees.",
+                        turn.roll_rad, {-180.0f, 180.0f, reset(old.roll_rad)});
+    if (turned) turn_light(light_, turn);
+  }
+
+  void flags() {
+    const LightKind kind = kind_of(light_);
+    if (kind == LightKind::rectangle || kind == LightKind::disk || kind == LightKind::polygon)
+      changed_ |= controls_.checkbox("Two-sided", "The light shines both ways.", light_.two_sided,
+                                     edited_.original.two_sided);
+    changed_ |= controls_.checkbox("Shadowing",
+                                   "Surfaces shut this light out. Without it, it shines through "
+                                   "everything.",
+                                   light_.casts_shadows, edited_.original.casts_shadows);
+  }
+
+  Controls& controls_;
+  EditedLight& edited_;
+  Light& light_;
+  bool same_kind_;
+  const SceneSize& scene_;
+  glm::dvec3 origin_;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+const char* light_kind_name(LightKind kind) {
+  return kind_options[static_cast<std::size_t>(kind)].name;
+}
+
+bool edit_light(Controls& controls, EditedLight& edited, const SceneSize& scene,
+                glm::dvec3 origin) {
+  return LightEditor(controls, edited, scene, origin).run();
+}
+
+}  // namespace asos

@@ -1,0 +1,196 @@
+#include "ui/panels/overlays.h"
+#include "ui/theme.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr float mark_radius_em = 0.4f;
+constexpr std::size_t most_marks = 64;
+
+using Outline = std::vector<glm::dvec3>;
+
+Outline circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
+  constexpr int corners = 48;
+  Outline outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    outline.push_back(middle + std::cos(angle) * u + std::sin(angle) * v);
+  }
+  return outline;
+}
+
+/// What a light looks like, as closed outlines; a ball as its outline for the viewer.
+std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
+  const glm::dvec3 right(camera.world_from_camera[0]), up(camera.world_from_camera[1]);
+  const glm::dvec3 p = light.position;
+  switch (light.type) {
+    case Light::Type::rectangle:
+      return {{p - light.half_u - light.half_v, p + light.half_u - light.half_v,
+               p + light.half_u + light.half_v, p - light.half_u + light.half_v}};
+    case Light::Type::polygon:
+      return light.outlines;
+    case Light::Type::linear:
+      return {{p - light.half_u, p + light.half_u}};
+    case Light::Type::disk: {
+      const glm::dvec3 n = light.direction;
+      const glm::dvec3 axis = std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+      const glm::dvec3 u = glm::normalize(glm::cross(n, axis));
+      return {circle(p, light.radius * u, light.radius * glm::cross(n, u))};
+    }
+    case Light::Type::point:
+    case Light::Type::spot:
+      if (light.radius > 0.0) return {circle(p, light.radius * right, light.radius * up)};
+      break;
+    case Light::Type::directional:
+      break;
+  }
+  return {};
+}
+
+/// Between world, picture and window.
+class Projection {
+ public:
+  Projection(const Previewer& previewer, const PictureView& view, const PictureArea& area)
+      : frame_(previewer.view().frame(0.0, 0.0, previewer.film().width, previewer.film().height)),
+        size_(previewer.film().width, previewer.film().height),
+        view_(view),
+        area_(area) {}
+
+  /// Homogeneous; in front of the viewer where z is above 0.
+  [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const { return frame_.homogeneous(p); }
+  [[nodiscard]] bool visible(glm::dvec3 h) const { return frame_.parallel() || h.z > 0.0; }
+
+  [[nodiscard]] ImVec2 window(glm::dvec3 h) const {
+    const FramePoint p = frame_.project(h);
+    const glm::vec2 pixel(glm::dvec2(p.u, p.v) * size_);
+    const glm::vec2 at = area_.rect.lo + (view_.offset() + pixel * view_.scale()) / area_.scale;
+    return {at.x, at.y};
+  }
+  /// How far something moves whose mark goes by so much in the window, along the picture's plane.
+  [[nodiscard]] glm::dvec3 moved(glm::dvec3 p, glm::vec2 by) const {
+    const FramePoint from = frame_.project(homogeneous(p));
+    const glm::dvec2 share = glm::dvec2(by * area_.scale / view_.scale()) / size_;
+    return frame_.world({from.u + share.x, from.v + share.y, from.q}) - frame_.world(from);
+  }
+
+  /// A straight line, clipped in front of the viewer.
+  void line(ImDrawList& draw, glm::dvec3 a, glm::dvec3 b, std::uint32_t colour) const {
+    glm::dvec3 from = homogeneous(a), to = homogeneous(b);
+    if (!frame_.parallel()) {
+      const double least = 1e-6 * std::max(std::abs(from.z), std::abs(to.z));
+      if (from.z < least && to.z < least) return;
+      const auto clipped = [&](glm::dvec3 h, glm::dvec3 other) {
+        return h.z >= least ? h : glm::mix(h, other, (least - h.z) / (other.z - h.z));
+      };
+      const glm::dvec3 start = clipped(from, to);
+      to = clipped(to, from);
+      from = start;
+    }
+    draw.AddLine(window(from), window(to), colour, 1.5f);
+  }
+
+ private:
+  Frame frame_;
+  glm::dvec2 size_;
+  const PictureView& view_;
+  const PictureArea& area_;
+};
+
+/// The outline, and a stroke to where it shines to, as long as it looks a few marks long.
+void draw_outline(const Projection& projection, const Light& light, const Camera& camera) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const std::uint32_t colour = theme::packed(theme::warning);
+  for (const Outline& outline : outlines_of(light, camera)) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      projection.line(draw, outline[i], outline[(i + 1) % outline.size()], colour);
+  }
+  const glm::dvec3 eye(camera.world_from_camera[3]);
+  const double stroke = camera.type == Camera::Type::perspective
+                            ? 0.1 * glm::distance(light.position, eye)
+                            : 0.1 * camera.height;
+  const bool aimed = light.type != Light::Type::point && light.type != Light::Type::linear;
+  if (aimed)
+    projection.line(draw, light.position, light.position + stroke * light.direction, colour);
+}
+
+/// Dragging moves the light; a click selects it.
+void mark(Controls& controls, Previewer& previewer, LightChoice& choice,
+          const Projection& projection, std::size_t index) {
+  const EditedLight& edited = previewer.lights()[index];
+  const glm::dvec3 h = projection.homogeneous(edited.light.position);
+  if (!projection.visible(h)) return;
+  const ImVec2 at = projection.window(h);
+  const float r = mark_radius_em * ImGui::GetFontSize();
+  const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  if (!(at.x > lo.x + r && at.y > lo.y + r && at.x < lo.x + size.x - r && at.y < lo.y + size.y - r))
+    return;
+  const bool selected = choice.selected == static_cast<int>(index);
+  ImGui::SetCursorScreenPos({at.x - 1.5f * r, at.y - 1.5f * r});
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::InvisibleButton("light mark", {3.0f * r, 3.0f * r});
+  ImGui::PopID();
+  controls.placed(
+      "Mark/" + std::to_string(index + 1),
+      selected ? "Drag to move the light along the picture." : "Click to select this light.",
+      Controls::Use::edits);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  draw.AddCircleFilled(at, r, theme::packed(0x141414, 0.8f));
+  draw.AddCircleFilled(
+      at, 0.7f * r,
+      theme::packed(selected || lit ? theme::warning : theme::dim_text, edited.on ? 1.0f : 0.35f));
+  if (ImGui::IsItemActivated()) choice.selected = static_cast<int>(index);
+  const ImVec2 by = ImGui::GetIO().MouseDelta;
+  if (!ImGui::IsItemActive() || (by.x == 0.0f && by.y == 0.0f)) return;
+  const glm::dvec3 way = projection.moved(edited.light.position, {by.x, by.y});
+  move_light(previewer.edit_lights()[index].light, way);
+}
+
+}  // namespace
+
+void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
+                 const PictureView& view, const PictureArea& area) {
+  if (!choice.show_marks || choice.selected < 0 || !previewer.scene() || view.scale() <= 0.0f ||
+      previewer.film().width <= 0)
+    return;
+  const std::vector<EditedLight>& lights = previewer.lights();
+  if (lights.empty()) return;
+  const Projection projection(previewer, view, area);
+  const auto chosen = static_cast<std::size_t>(choice.selected);
+  if (chosen < lights.size() && lights[chosen].light.type != Light::Type::directional)
+    draw_outline(projection, lights[chosen].light, previewer.camera().camera());
+  for (std::size_t i = 0; i < std::min(lights.size(), most_marks); ++i) {
+    // A sun is nowhere.
+    if (lights[i].light.type != Light::Type::directional)
+      mark(controls, previewer, choice, projection, i);
+  }
+}
+
+void wipe_line(Controls& controls, Frames& frames, const PictureView& view, const Film& film,
+               const PictureArea& area) {
+  const float width = view.scale() * static_cast<float>(film.width) / area.scale;
+  if (frames.comparison != Comparison::wipe || !frames.compared() || width <= 0.0f) return;
+  const float left = area.rect.lo.x + view.offset().x / area.scale;
+  const float x = left + frames.wipe * width;
+  const float grip = 0.4f * ImGui::GetFontSize();
+  const float top = area.rect.lo.y, bottom = area.rect.lo.y + area.rect.size.y;
+  ImGui::SetCursorScreenPos({x - grip, top});
+  ImGui::InvisibleButton("wipe", {2.0f * grip, bottom - top});
+  controls.placed("Wipe line", "Drag the line.", Controls::Use::edits);
+  const bool held = ImGui::IsItemActive();
+  if (held) frames.wipe = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.0f, 1.0f);
+  const bool lit = held || ImGui::IsItemHovered();
+  ImGui::GetWindowDrawList()->AddLine({x, top}, {x, bottom},
+                                      theme::packed(lit ? theme::accent_bright : 0xffffff), 1.5f);
+}
+
+}  // namespace asos

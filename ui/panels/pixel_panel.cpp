@@ -1,0 +1,260 @@
+#include "renderer/film/split_map.h"
+#include "renderer/methods/names.h"
+#include "ui/panels/overlays.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace asos {
+
+namespace {
+
+constexpr float pixel_width_em = 24.0f;
+
+std::uint32_t kind_colour(FeatureKind kind) {
+  SplitCause cause = SplitCause::outline;
+  if (kind == FeatureKind::crease || kind == FeatureKind::seam) cause = SplitCause::crease;
+  if (kind == FeatureKind::intersection) cause = SplitCause::intersection;
+  const glm::u8vec3 c = split_cause_colour(cause);
+  return IM_COL32(c.x, c.y, c.z, 255);
+}
+
+std::uint32_t shown_colour(glm::vec3 radiance, float exposure_ev) {
+  const glm::u8vec3 c = display_bytes(radiance, exposure_ev);
+  return IM_COL32(c.x, c.y, c.z, 255);
+}
+
+std::string number(float value) {
+  return fmt::format("{:.5g}", value);
+}
+
+std::string colour_words(glm::vec3 c) {
+  return number(c.x) + "  " + number(c.y) + "  " + number(c.z);
+}
+
+void values(Controls& controls, const Film& film, const Frames& frames,
+            const DisplaySettings& display, glm::ivec2 pixel) {
+  const std::size_t i = film.index(pixel.x, pixel.y);
+  const glm::vec3 radiance = film.radiance[i];
+  const glm::u8vec3 bytes = display_bytes(radiance, display.exposure_ev);
+  controls.row("Linear", colour_words(radiance),
+               "Red, green and blue of the pixel as rendered: 1 is white at exposure 0.");
+  controls.row("As shown", fmt::format("{} {} {}", bytes.x, bytes.y, bytes.z),
+               "The bytes on the screen, 0 to 255.");
+  for (const StoredFrame& frame : frames.stored) {
+    const std::string name = "Against " + frame.name;
+    if (pixel.x >= frame.film.width || pixel.y >= frame.film.height ||
+        frame.film.width != film.width || frame.film.height != film.height) {
+      controls.row(name.c_str(), "another size", "The stored frame has no such pixel.");
+      continue;
+    }
+    const glm::vec3 d = radiance - frame.film.radiance[i];
+    controls.row(name.c_str(), fmt::format("{:+.5f} {:+.5f} {:+.5f}", d.x, d.y, d.z),
+                 "Linear value minus that of the stored frame.");
+  }
+}
+
+/// The pixel's square on the screen.
+struct PixelCanvas {
+  ImVec2 corner;
+  float side;
+
+  [[nodiscard]] ImVec2 at(glm::vec2 place) const {
+    return {corner.x + place.x * side, corner.y + place.y * side};
+  }
+};
+
+void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
+               float exposure_ev) {
+  constexpr int grid = PixelReport::grid;
+  const auto place = [](int x, int y) { return glm::vec2(x, y) / static_cast<float>(grid); };
+  for (int y = 0; y < grid; ++y) {
+    // Neighbours of one colour in one piece.
+    for (int begin = 0; begin < grid;) {
+      const glm::vec3 seen = report.seen[static_cast<std::size_t>(y * grid + begin)];
+      int end = begin + 1;
+      while (end < grid && report.seen[static_cast<std::size_t>(y * grid + end)] == seen) ++end;
+      draw.AddRectFilled(canvas.at(place(begin, y)), canvas.at(place(end, y + 1)),
+                         shown_colour(seen, exposure_ev));
+      begin = end;
+    }
+  }
+}
+
+void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report) {
+  for (const PixelTraceCell& cell : report.trace.cells) {
+    const bool undecided = cell.fate == CellFate::finest || cell.fate == CellFate::stopped ||
+                           cell.fate == CellFate::saturated;
+    draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
+                 undecided ? theme::packed(theme::alarm) : IM_COL32(128, 128, 128, 150));
+  }
+  for (const PixelTraceCell& cell : report.trace.cells) {
+    // Deeper cells tell the same boundaries again.
+    if (cell.fate == CellFate::split || cell.fate == CellFate::uneven) continue;
+    draw.PushClipRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side), true);
+    for (const PixelTraceBoundary& b : cell.boundaries) {
+      draw.AddLine(canvas.at(b.from), canvas.at(b.to), IM_COL32(0, 0, 0, 255), 4.0f);
+      draw.AddLine(canvas.at(b.from), canvas.at(b.to), kind_colour(b.kind), 2.0f);
+    }
+    draw.PopClipRect();
+  }
+}
+
+void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
+                  float exposure_ev) {
+  std::size_t count = 0;
+  for (const PixelTraceCell& cell : report.trace.cells) count += cell.samples.size();
+  const float radius = count > 200 ? 2.0f : 3.5f;
+  for (const PixelTraceCell& cell : report.trace.cells) {
+    for (const PixelTraceSample& sample : cell.samples) {
+      draw.AddCircleFilled(canvas.at(sample.at), radius + 1.5f, IM_COL32(0, 0, 0, 255), 12);
+      draw.AddCircleFilled(canvas.at(sample.at), radius + 0.7f, IM_COL32(255, 255, 255, 255), 12);
+      draw.AddCircleFilled(canvas.at(sample.at), radius - 0.8f,
+                           shown_colour(sample.radiance, exposure_ev), 12);
+    }
+  }
+}
+
+void cell_tooltip(const PixelTraceCell& cell) {
+  const double area = 100.0 * std::ldexp(1.0, -2 * cell.level);
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(
+      fmt::format("Cell of level {}: {:.4g} % of the pixel", cell.level, area).c_str());
+  ImGui::TextUnformatted(words_of(cell.fate));
+  ImGui::TextDisabled("%s", fmt::format("{} boundaries, {} groups not told apart, {} hidden",
+                                        cell.boundaries.size(), cell.clusters, cell.hidden)
+                                .c_str());
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(most, cell.samples.size()); ++i) {
+    const PixelTraceSample& sample = cell.samples[i];
+    ImGui::TextDisabled("%s", fmt::format("sample {}: {:.4g} %, {}", i + 1, 100.0 * sample.weight,
+                                          colour_words(sample.radiance))
+                                  .c_str());
+  }
+  if (cell.samples.size() > most)
+    ImGui::TextDisabled("%s", fmt::format("and {} more", cell.samples.size() - most).c_str());
+  ImGui::EndTooltip();
+}
+
+void tree(Controls& controls, const PixelReport& report, const DisplaySettings& display) {
+  const float side = ImGui::GetContentRegionAvail().x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const PixelCanvas canvas{corner, side};
+  ImGui::InvisibleButton("tree", {side, side});
+  controls.placed("Subdivision", nullptr);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw_seen(draw, canvas, report, display.exposure_ev);
+  draw_cells(draw, canvas, report);
+  draw_samples(draw, canvas, report, display.exposure_ev);
+  draw.AddRect(corner, {corner.x + side, corner.y + side}, theme::packed(theme::line));
+  if (!ImGui::IsItemHovered()) return;
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const glm::vec2 place((pointer.x - corner.x) / side, (pointer.y - corner.y) / side);
+  const PixelTraceCell& cell = report.trace.cells[report.cell_at(place)];
+  draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
+               theme::packed(theme::accent_bright), 0.0f, 0, 3.0f);
+  cell_tooltip(cell);
+}
+
+/// The papers' table: for each level the object that could change most.
+void level_table(Controls& controls, const PixelReport& report) {
+  if (report.trace.levels.empty() ||
+      !ImGui::BeginTable("levels", 6, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
+    return;
+  for (const char* head : {"K", "M", "in", "out", "L", "object"}) ImGui::TableSetupColumn(head);
+  ImGui::TableHeadersRow();
+  for (std::size_t i = 0; i < report.trace.levels.size(); ++i) {
+    const LevelTally& level = report.trace.levels[i];
+    ObjectTally most;
+    for (const ObjectTally& object : level.objects) {
+      if (object.change(level.level) > most.change(level.level)) most = object;
+    }
+    ImGui::TableNextRow();
+    for (const auto count : {static_cast<std::uint32_t>(level.level), level.marginal, most.in,
+                             most.out, most.larger()}) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(std::to_string(count).c_str());
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(report.level_object[i].c_str());
+  }
+  ImGui::EndTable();
+  controls.placed("Levels",
+                  "The papers' table. K: level. M: marginal cells. Of the object whose share could "
+                  "still change most: marginal cells whose middle hits it (in) and misses it "
+                  "(out), and L, the larger of the two.");
+}
+
+}  // namespace
+
+void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
+                 const PixelReport* report, const PictureArea& area) {
+  const Film& film = previewer.film();
+  if (!state.picked || state.picked->x >= film.width || state.picked->y >= film.height) return;
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(pixel_width_em * em, area.rect.size.x - em);
+  const float most_height = area.rect.size.y - em;
+  if (width < 8.0f * em || most_height < 8.0f * em) return;
+  ImGui::SetNextWindowPos({area.rect.lo.x + 0.5f * em, area.rect.lo.y + 0.5f * em});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, most_height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::Begin("pixel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoNav);
+  const glm::ivec2 pixel = *state.picked;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fmt::format("Pixel {}, {}", pixel.x, pixel.y).c_str());
+  constexpr const char* close = "Close pixel";
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(close).x -
+                  2.0f * ImGui::GetStyle().FramePadding.x);
+  const bool closed = controls.button(close, "Close this view. Key: Esc.");
+  values(controls, film, state.frames, state.display, pixel);
+  if (report && !report->trace.cells.empty()) {
+    tree(controls, *report, state.display);
+    ImGui::TextWrapped("%s", report->verdict().c_str());
+    controls.placed("Verdict", nullptr);
+    level_table(controls, *report);
+    if (report->settings.method != Method::asos &&
+        report->settings.method != Method::asos_published)
+      ImGui::TextDisabled("As ASOS splits it; the picture is by another method.");
+  }
+  controls.checkbox("Boundaries",
+                    "Draw the boundaries of the hit list into the picture: all that the search "
+                    "finds for the whole view, those behind surfaces, too.",
+                    state.show_boundaries, false);
+  if (report && state.show_boundaries && !report->all_boundaries)
+    ImGui::TextDisabled(
+        "%s", fmt::format("The first {} are shown.", PixelReport::most_boundaries).c_str());
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  if (closed) state.picked.reset();
+}
+
+void picked_mark(const PixelReport* report, const UiState& state, const PictureArea& area) {
+  if (!state.picked || state.view.scale() <= 0.0f) return;
+  const auto window = [&](glm::vec2 pixel) {
+    const glm::vec2 at =
+        area.rect.lo + (state.view.offset() + pixel * state.view.scale()) / area.scale;
+    return ImVec2{at.x, at.y};
+  };
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (report && state.show_boundaries) {
+    for (const PictureBoundary& b : report->boundaries)
+      draw.AddLine(window(b.from), window(b.to), kind_colour(b.kind));
+  }
+  // Around the pixel, at least so large that it is found.
+  const ImVec2 lo = window(*state.picked), hi = window(*state.picked + 1);
+  const float grow = std::max(1.0f, 0.5f * (9.0f - (hi.x - lo.x)));
+  draw.AddRect({lo.x - grow - 1.0f, lo.y - grow - 1.0f}, {hi.x + grow + 1.0f, hi.y + grow + 1.0f},
+               IM_COL32(0, 0, 0, 255));
+  draw.AddRect({lo.x - grow, lo.y - grow}, {hi.x + grow, hi.y + grow}, theme::packed(0xffffff));
+}
+
+}  // namespace asos

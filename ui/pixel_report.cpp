@@ -1,0 +1,183 @@
+#include "ui/pixel_report.h"
+
+#include "renderer/pyray/hit_list.h"
+#include "ui/previewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace asos {
+
+namespace {
+
+/// Whether the straight way from p to q crosses a boundary.
+bool crosses(glm::vec2 p, glm::vec2 q, const PixelTraceBoundary& b) {
+  const auto side = [](glm::vec2 from, glm::vec2 to, glm::vec2 point) {
+    const glm::vec2 d = to - from, e = point - from;
+    return d.x * e.y - d.y * e.x > 0.0f;
+  };
+  return side(b.from, b.to, p) != side(b.from, b.to, q) && side(p, q, b.from) != side(p, q, b.to);
+}
+
+/// What a place in a cell counts as: the sample with the fewest boundaries between, of those the
+/// nearest.
+glm::vec3 seen_at(const PixelTraceCell& cell, glm::vec2 place) {
+  glm::vec3 radiance(0.0f);
+  auto best = std::pair(std::numeric_limits<std::ptrdiff_t>::max(), 0.0f);
+  for (const PixelTraceSample& sample : cell.samples) {
+    const auto between = std::count_if(cell.boundaries.begin(), cell.boundaries.end(),
+                                       [&](const auto& b) { return crosses(place, sample.at, b); });
+    const glm::vec2 away = sample.at - place;
+    const auto cost = std::pair(between, glm::dot(away, away));
+    if (cost >= best) continue;
+    best = cost;
+    radiance = sample.radiance;
+  }
+  return radiance;
+}
+
+/// The part that a sheet belongs to.
+std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
+  if (sheet == ObjectTally::clusters) return "small boundaries";
+  const World& world = scene.world;
+  for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+    if (scene.features.sheet(t) != sheet) continue;
+    const std::uint32_t part = world.triangle_part[t];
+    return world.parts[part].name.empty() ? fmt::format("part {}", part + 1)
+                                          : world.parts[part].name;
+  }
+  return "a shape";
+}
+
+std::string strongest_object(const RenderScene& scene, const LevelTally& level) {
+  const auto strongest = std::max_element(
+      level.objects.begin(), level.objects.end(),
+      [&](const auto& a, const auto& b) { return a.change(level.level) < b.change(level.level); });
+  return strongest == level.objects.end() ? "" : object_name(scene, strongest->object);
+}
+
+/// All boundaries that the hit list of the whole picture holds, whether something hides them or
+/// not.
+void find_boundaries(const RenderScene& scene, const View& view, PixelReport& report) {
+  const glm::vec2 size(static_cast<float>(view.width()), static_cast<float>(view.height()));
+  const Square whole;
+  HitLists lists;
+  // What is smaller than a quarter of a pixel needs no line of its own.
+  lists.reset(scene.features, view.frame(0.0, 0.0, view.width(), view.height()),
+              0.25f / std::max(size.x, size.y));
+  HitLists::List open, found;
+  lists.refine(whole, {}, lists.root(), open);
+  for (const std::uint32_t i : open) {
+    report.all_boundaries = lists.tell_apart(i, whole, 0.25f / std::max(size.x, size.y),
+                                             PixelReport::most_boundaries, found) &&
+                            report.all_boundaries;
+    if (!report.all_boundaries) break;
+  }
+  for (const std::uint32_t i : found) {
+    if (report.boundaries.size() >= PixelReport::most_boundaries) break;
+    const Segment& s = lists.segment(i);
+    report.boundaries.push_back({glm::vec2(s.u0, s.v0) * size, glm::vec2(s.u1, s.v1) * size,
+                                 lists.kind(i).value_or(FeatureKind::open)});
+  }
+}
+
+}  // namespace
+
+const char* words_of(CellFate fate) {
+  switch (fate) {
+    case CellFate::uniform:
+      return "no visible boundary: one sample";
+    case CellFate::cut:
+      return "cut along its boundaries";
+    case CellFate::uneven:
+      return "shaded too unevenly: split";
+    case CellFate::split:
+      return "marginal: split";
+    case CellFate::stopped:
+      return "marginal, but the rule held: one sample";
+    case CellFate::finest:
+      return "marginal at MAX: one sample";
+    case CellFate::saturated:
+      return "saturated: a sample for each finest cell";
+    case CellFate::by_samples:
+      break;
+  }
+  return "split for what its samples show";
+}
+
+std::string PixelReport::verdict() const {
+  const auto any = [&](CellFate fate) {
+    return std::any_of(trace.cells.begin(), trace.cells.end(),
+                       [&](const PixelTraceCell& cell) { return cell.fate == fate; });
+  };
+  const double unresolved = 100.0 * trace.unresolved_area;
+  if (trace.missed)
+    return "Split although no boundary is near: its neighbours show other surfaces.";
+  if (any(CellFate::finest))
+    return fmt::format("Stopped at MAX: {:.2f} % of the pixel stays undecided.", unresolved);
+  if (any(CellFate::stopped))
+    return fmt::format("Stopped by the rule: {:.2f} % of the pixel is undecided, EPS allows it.",
+                       unresolved);
+  if (any(CellFate::saturated))
+    return "Saturated: so many boundaries that the finest samples were taken at once.";
+  if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::uniform)
+    return "Not split: no visible boundary, one sample tells all.";
+  if (any(CellFate::uneven))
+    return "Resolved: parts were split because they are shaded unevenly, not for boundaries.";
+  return "Resolved: every cell has no visible boundary or was cut along its boundaries.";
+}
+
+std::size_t PixelReport::cell_at(glm::vec2 place) const {
+  std::size_t found = 0;
+  // A level comes after the other, so the last one is the smallest.
+  for (std::size_t i = 0; i < trace.cells.size(); ++i) {
+    const PixelTraceCell& cell = trace.cells[i];
+    const glm::vec2 in = place - cell.corner;
+    if (in.x >= 0.0f && in.y >= 0.0f && in.x < cell.side && in.y < cell.side) found = i;
+  }
+  return found;
+}
+
+PixelInspector::PixelInspector() : job_(work, {}, Overtaken::kept) {}
+
+void PixelInspector::update(const Previewer& previewer, std::optional<glm::ivec2> picked,
+                            bool boundaries) {
+  if (std::optional<PixelReport> report = job_.take_outcome()) report_ = std::move(*report);
+  const RenderSettings& settings = previewer.rendered_settings();
+  const bool inside = picked && picked->x < settings.width && picked->y < settings.height;
+  if (!inside || !previewer.scene() || previewer.restarts() == 0) {
+    report_.reset();
+    asked_ = {};
+    return;
+  }
+  const Asked wanted{previewer.scene(), previewer.camera().revision(), settings, picked,
+                     boundaries};
+  if (report_ && report_->pixel != *picked) report_.reset();
+  if (wanted == asked_) return;
+  asked_ = wanted;
+  job_.ask({previewer.shared_scene(), previewer.camera().camera(), settings, *picked, boundaries});
+}
+
+PixelReport PixelInspector::work(const Request& request) {
+  const RenderScene& scene = *request.scene;
+  const View view(request.camera, request.settings.width, request.settings.height,
+                  radius_around_origin(scene.world.bounds));
+  PixelReport report;
+  report.pixel = request.pixel;
+  report.settings = as_published(request.settings);
+  report.trace = trace_pixel(scene, view, request.settings, request.pixel.x, request.pixel.y);
+  for (const LevelTally& level : report.trace.levels)
+    report.level_object.push_back(strongest_object(scene, level));
+  for (int y = 0; y < PixelReport::grid; ++y) {
+    for (int x = 0; x < PixelReport::grid; ++x) {
+      const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(PixelReport::grid);
+      report.seen.push_back(seen_at(report.trace.cells[report.cell_at(place)], place));
+    }
+  }
+  if (request.with_boundaries) find_boundaries(scene, view, report);
+  return report;
+}
+
+}  // namespace asos

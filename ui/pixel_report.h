@@ -1,0 +1,84 @@
+#pragma once
+
+#include "renderer/methods/pixel_trace.h"
+#include "renderer/methods/render_scene.h"
+#include "ui/latest_job.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+class Previewer;
+
+/// A boundary as it lies in the picture, in pixels.
+struct PictureBoundary {
+  glm::vec2 from{0.0f};
+  glm::vec2 to{0.0f};
+  FeatureKind kind = FeatureKind::open;
+};
+
+/// How a pixel was split, made ready to be drawn, and the boundaries around.
+struct PixelReport {
+  /// Places across the pixel, each way, for which `seen` tells what they count as.
+  static constexpr int grid = 48;
+
+  glm::ivec2 pixel{0};
+  PixelTrace trace;
+  RenderSettings settings;
+  std::vector<glm::vec3> seen;            ///< linear, grid * grid, row by row
+  std::vector<std::string> level_object;  ///< the object of largest change, one a level
+  /// Of the whole picture's hit list, where they were asked for; `most_boundaries` at most.
+  std::vector<PictureBoundary> boundaries;
+  bool all_boundaries = true;  ///< false: there are more
+  static constexpr std::size_t most_boundaries = 20'000;
+
+  /// Why the splitting stopped, in a sentence.
+  [[nodiscard]] std::string verdict() const;
+  /// The smallest cell at a place of the pixel, 0 to 1 each way: index into trace.cells.
+  [[nodiscard]] std::size_t cell_at(glm::vec2 place) const;
+};
+
+[[nodiscard]] const char* words_of(CellFate fate);
+
+/// Traces the picked pixel on a thread of its own, again whenever what it depends on has changed.
+/// All members are for one thread.
+class PixelInspector {
+ public:
+  PixelInspector();
+
+  /// Call once a frame. `boundaries`: whether those of the picture are wanted.
+  void update(const Previewer& previewer, std::optional<glm::ivec2> picked, bool boundaries);
+  /// Of the picked pixel, maybe of an older view; null where there is none.
+  [[nodiscard]] const PixelReport* report() const { return report_ ? &*report_ : nullptr; }
+  [[nodiscard]] bool busy() const { return job_.pending(); }
+
+ private:
+  struct Request {
+    std::shared_ptr<const RenderScene> scene;
+    Camera camera;
+    RenderSettings settings;
+    glm::ivec2 pixel{0};
+    bool with_boundaries = false;
+  };
+  struct Asked {
+    const RenderScene* scene = nullptr;
+    std::uint64_t camera_revision = 0;
+    RenderSettings settings;
+    std::optional<glm::ivec2> pixel;
+    bool boundaries = false;
+    bool operator==(const Asked&) const = default;
+  };
+  [[nodiscard]] static PixelReport work(const Request& request);
+
+  Asked asked_;
+  std::optional<PixelReport> report_;
+  LatestJob<Request, PixelReport> job_;
+};
+
+}  // namespace asos

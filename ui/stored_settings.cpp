@@ -1,0 +1,111 @@
+#include "ui/stored_settings.h"
+
+#include "renderer/film/image_io.h"
+#include "renderer/methods/names.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+
+namespace asos {
+
+namespace {
+
+using SettingsJson = nlohmann::ordered_json;
+
+void read(const SettingsJson& json, const char* key, bool& value) {
+  if (const auto at = json.find(key); at != json.end() && at->is_boolean()) value = at->get<bool>();
+}
+
+void read(const SettingsJson& json, const char* key, float lo, float hi, float& value) {
+  const auto at = json.find(key);
+  if (at == json.end() || !at->is_number()) return;
+  const auto number = at->get<double>();
+  if (number >= static_cast<double>(lo) && number <= static_cast<double>(hi))
+    value = static_cast<float>(number);
+}
+
+StoredSettings settings_of(const SettingsJson& json) {
+  StoredSettings s;
+  constexpr float ev = DisplaySettings::exposure_limit_ev;
+  read(json, "exposure_ev", -ev, ev, s.display.exposure_ev);
+  read(json, "split_dimming", 0.0f, 1.0f, s.display.split_dimming);
+  read(json, "show_split_map", s.display.show_split_map);
+  if (const auto at = json.find("split_colours"); at != json.end() && at->is_string()) {
+    for (const auto& named : split_map_names)
+      if (at->get<std::string>() == named.name) s.display.split_colours = named.value;
+  }
+  read(json, "show_panel", s.show_panel);
+  read(json, "show_marks", s.show_marks);
+  read(json, "watch", s.watch);
+  const auto recent = json.find("recent");
+  if (recent == json.end() || !recent->is_array()) return s;
+  for (const SettingsJson& path : *recent) {
+    if (path.is_string() && s.recent.size() < StoredSettings::most_recent)
+      s.recent.push_back(path.get<std::string>());
+  }
+  return s;
+}
+
+}  // namespace
+
+void StoredSettings::add_recent(const std::string& source) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(source, error);
+  if (error || !std::filesystem::is_regular_file(path, error)) return;
+  const std::string name = path.lexically_normal().string();
+  std::erase(recent, name);
+  recent.insert(recent.begin(), name);
+  if (recent.size() > most_recent) recent.resize(most_recent);
+}
+
+std::filesystem::path settings_path() {
+  const auto folder = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return std::filesystem::path(value ? value : "");
+  };
+  // The specification says that relative ones do not count.
+  if (const auto config = folder("XDG_CONFIG_HOME"); config.is_absolute())
+    return config / "asos" / "window.json";
+  if (const auto home = folder("HOME"); home.is_absolute())
+    return home / ".config" / "asos" / "window.json";
+  return {};
+}
+
+Result<StoredSettings> load_settings(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path.empty() || !std::filesystem::exists(path, error)) return StoredSettings{};
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) return unexpected(Error{path.string(), "cannot be read"});
+  const SettingsJson json = SettingsJson::parse(text, nullptr, false);
+  if (!json.is_object()) return unexpected(Error{path.string(), "is no JSON object"});
+  return settings_of(json);
+}
+
+Result<void> save_settings(const std::filesystem::path& path, const StoredSettings& settings) {
+  if (path.empty()) return unexpected(Error{"settings", "there is no folder for them"});
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  if (error) return unexpected(Error{path.parent_path().string(), error.message()});
+  const SettingsJson json{
+      {"exposure_ev", settings.display.exposure_ev},
+      {"split_dimming", settings.display.split_dimming},
+      {"show_split_map", settings.display.show_split_map},
+      {"split_colours", name_in(split_map_names, settings.display.split_colours)},
+      {"show_panel", settings.show_panel},
+      {"show_marks", settings.show_marks},
+      {"watch", settings.watch},
+      {"recent", settings.recent}};
+  // Paths need not be Unicode.
+  const std::string text = json.dump(2, ' ', false, SettingsJson::error_handler_t::replace) + "\n";
+  return write_file_atomically(path.string(), {text.begin(), text.end()});
+}
+
+}  // namespace asos
