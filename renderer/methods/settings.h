@@ -79,7 +79,7 @@ struct RenderSettings {
   int reflections = 4;  ///< bounces that mirror-like surfaces are followed for, 0 to 64
   /// Rougher surfaces show the sky's mean and lights' highlights instead of what they reflect, 0
   /// to 1.
-  double roughest_mirror = 0.6;
+  double roughest_mirror = 0.35;
   /// How all that mirrors blurs, instead of what its material says.
   std::optional<Dfr> dfr;
   CurvedMirror curved_mirror = CurvedMirror::approximate;

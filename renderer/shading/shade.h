@@ -38,7 +38,7 @@ struct ShadingSettings {
   const Sky* sky = nullptr;                 ///< what surrounds the world; null: the neutral one
   const BareLights* bare_lights = nullptr;  ///< that reflections show; null: none
   int reflections = 0;                      ///< bounces that are followed
-  float roughest_mirror = 0.6f;             ///< see RenderSettings
+  float roughest_mirror = 0.35f;            ///< see RenderSettings
   const Dfr* dfr = nullptr;                 ///< of all that mirrors; null: as the materials say
 };
 
