@@ -1,5 +1,7 @@
 #include "app/camera_choice.h"
 
+#include "app/turntable.h"
+
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
@@ -36,6 +38,8 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
                 count == 0 ? std::string("the scene has no cameras")
                            : fmt::format("the scene's cameras are numbered 0 to {}", count - 1)});
     camera = world.cameras[static_cast<std::size_t>(*choice.index)];
+  } else if (choice.given) {
+    camera = *choice.given;
   } else {
     camera = count > 0 ? world.cameras.front() : default_camera(world, aspect_ratio);
   }
@@ -44,6 +48,12 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
       return tl::unexpected(
           Error{"--fov", "the chosen camera is orthographic and has no field of view"});
     camera.fov_y_rad = *choice.fov_y_deg * glm::pi<double>() / 180.0;
+  }
+  if (choice.turn) {
+    glm::dvec3 middle = 0.5 * (glm::dvec3(world.bounds.lo) + glm::dvec3(world.bounds.hi));
+    if (world.bounds.empty()) middle = glm::dvec3(0.0);
+    if (choice.look_at) middle = choice.look_at->target - world.origin;
+    camera = turned_camera(camera, middle, choice.turn->frame, choice.turn->count);
   }
   return camera;
 }

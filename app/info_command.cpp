@@ -1,5 +1,6 @@
 #include "app/command.h"
 #include "app/exit_code.h"
+#include "app/picture_options.h"
 #include "app/scene_argument.h"
 #include "app/scene_info.h"
 #include "renderer/methods/render_scene.h"
@@ -15,13 +16,15 @@ namespace {
 
 struct InfoArguments {
   std::string scene;
+  NeedsChoice needs = NeedsChoice::scene;
   bool json = false;
 };
 
 int run_info(const InfoArguments& arguments, const Streams& streams) {
   Result<Scene> scene = open_scene_argument(arguments.scene);
   // All of what a render would do first, for what a scene does not need is known only then.
-  const auto ready = scene.and_then([](const Scene& opened) { return prepare(opened); });
+  const auto ready = scene.and_then(
+      [&](const Scene& opened) { return prepare(opened, forced_by(arguments.needs)); });
   if (!ready) {
     streams.err << "asos: " << ready.error().message() << "\n";
     return exit_bad_input;
@@ -42,8 +45,11 @@ Command add_info_command(CLI::App& program) {
   CLI::App* parser = program.add_subcommand(
       "info", "Say what a scene holds, what is unsupported and what is left out");
   add_scene_argument(*parser, arguments->scene, true);
+  add_needs_option(*parser, arguments->needs);
   parser->add_flag("--json", arguments->json, "Answer in JSON");
-  parser->footer("Examples:\n  asos info model.glb\n  asos info builtin:office --json");
+  parser->footer(
+      "Examples:\n  asos info model.glb\n  asos info builtin:office --json\n"
+      "  asos info model.glb --needs all   # what it takes when nothing is left out");
   return {parser, [arguments](const Streams& streams) { return run_info(*arguments, streams); }};
 }
 

@@ -1,7 +1,6 @@
 #include "app/picture_files.h"
 
 #include "renderer/film/image_io.h"
-#include "renderer/methods/names.h"
 
 #include <cerrno>
 #include <cstring>
@@ -25,9 +24,11 @@ Result<void> write_text(const std::string& path, const std::string& text) {
 
 Result<void> write_split_map(const std::string& path, const Film& film, const RenderReport& report,
                              SplitMapColours colours) {
-  ImageText text = picture_metadata(report);
-  text.emplace_back("asos.split_map_colours", name_in(split_map_names, colours));
-  return write_split_map_png(path, film, {colours, report.settings.max_level}, text);
+  RenderReport of_map = report;
+  PictureDisplay& display = of_map.description.display;
+  display = {display.exposure_ev, true, colours, 1.0f};
+  return write_split_map_png(path, film, {colours, report.description.settings.max_level},
+                             picture_metadata(of_map));
 }
 
 }  // namespace
@@ -49,8 +50,9 @@ Result<OutputPlan> plan_outputs(const RenderArguments& arguments) {
 Result<void> write_outputs(const OutputPlan& plan, const Film& film, const RenderReport& report) {
   const ImageText text = picture_metadata(report);
   Result<void> written = plan.picture.commit([&](const std::string& path) {
-    return has_extension(path, ".exr") ? write_exr(path, film, text)
-                                       : write_png(path, film, report.exposure_ev, text);
+    return has_extension(path, ".exr")
+               ? write_exr(path, film, text)
+               : write_png(path, film, report.description.display.exposure_ev, text);
   });
   if (written && plan.split_map)
     written = plan.split_map->commit([&](const std::string& path) {

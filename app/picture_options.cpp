@@ -3,7 +3,6 @@
 #include "app/option.h"
 #include "app/scene_argument.h"
 #include "renderer/methods/names.h"
-#include "renderer/shading/sky.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +20,7 @@ auto number(double lo, double hi, bool open = false) {
   return [=](const std::string& text) { return parse_number(text, lo, hi, open); };
 }
 
-void add_reflection_options(CLI::App& app, RenderSettings& settings) {
+void add_mirror_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--reflections", "N",
                     "Bounces that mirror-like surfaces are followed for, 0 (none) to 64",
                     whole(0, RenderSettings::max_reflections),
@@ -38,6 +37,9 @@ void add_reflection_options(CLI::App& app, RenderSettings& settings) {
       "(MAX - MIN) sin(alpha)^N at the angle of incidence alpha (CGF'98 section 5.1)",
       [](const std::string& text) { return parse_dfr(text); },
       [&](const Dfr& dfr) { settings.dfr = dfr; });
+}
+
+void add_curved_mirror_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--curved-mirror", "NAME",
              "How curved surfaces reflect a pyray: approximate (the nearest pyramid), tangent (by "
              "the tangent plane), supersample (split to MAX first) or adaptive (split where it "
@@ -48,6 +50,15 @@ void add_reflection_options(CLI::App& app, RenderSettings& settings) {
                     "wider ones are split",
                     number(0, 180), [&](double a) { settings.mirror_angle = a; })
       ->default_str(fmt::format("{}", settings.mirror_angle));
+}
+
+void add_texture_resolution(CLI::App& app, RenderSettings& settings) {
+  add_parsed_option(app, "--tr", "N",
+                    "TR, 1 to 8: asos takes N x N jittered samples of a pixel of textured surface "
+                    "that no boundary passes through (CGF'98 section 3.2)",
+                    whole(1, RenderSettings::max_texture_resolution),
+                    [&](int n) { settings.texture_resolution = n; })
+      ->default_str(std::to_string(settings.texture_resolution));
 }
 
 // What only the methods that ASOS is compared with have.
@@ -103,6 +114,12 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
                     "Pixels along the side of the fat pyrays that fetch boundaries: 2, 4, 8 or 16",
                     whole(2, 16), [&](int n) { settings.fat = n; })
       ->default_str(std::to_string(settings.fat));
+  add_parsed_option(
+      app, "--filter-width", "W",
+      "Side, in pixels, of the square around its middle that a pixel is the mean of: 1 "
+      "to 4; of asos, uniform, stochastic and sobol (CGF'98 section 3)",
+      number(1, RenderSettings::max_filter_width), [&](double w) { settings.filter_width = w; })
+      ->default_str(fmt::format("{}", settings.filter_width));
   app.add_flag("--jitter", settings.jitter,
                "Jitter the samples of cells that stay unresolved at MAX");
   add_parsed_option(
@@ -116,12 +133,7 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
              "for (footprint) or looked up at its ray's hit (point)",
              texture_filter_names, settings.texture_filter);
-  add_parsed_option(app, "--tr", "N",
-                    "TR, 1 to 8: asos takes N x N jittered samples of a pixel of textured surface "
-                    "that no boundary passes through (CGF'98 section 3.2)",
-                    whole(1, RenderSettings::max_texture_resolution),
-                    [&](int n) { settings.texture_resolution = n; })
-      ->default_str(std::to_string(settings.texture_resolution));
+  add_texture_resolution(app, settings);
   app.add_flag("!--no-shading-refinement", settings.refine_shading,
                "Do not split what is shaded unevenly, only what boundaries cross");
   app.add_flag("!--no-culling", settings.cull,
@@ -141,7 +153,8 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              "Irradiance of lights of some size: physical (closed forms) or published (I A cos "
              "theta with inverse square at each leaf)",
              light_rule_names, settings.light_rule);
-  add_reflection_options(app, settings);
+  add_mirror_options(app, settings);
+  add_curved_mirror_options(app, settings);
   add_parsed_option(
       app, "--seed", "N",
       "Of the scrambling of sobol, mitchell, whitted and average: other seeds, other noise",
@@ -158,13 +171,34 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments) {
                     "What surrounds the scene and lights it from all sides: neutral (grey), R,G,B "
                     "(linear), R,G,B:R,G,B (zenith:horizon), or FILE.hdr or FILE.exr "
                     "(equirectangular)",
-                    parse_sky, [&](SkyChoice sky) { arguments.sky = std::move(sky); })
+                    parse_sky,
+                    [&](SkyChoice sky) {
+                      sky.turn_deg = arguments.sky.turn_deg;
+                      arguments.sky = std::move(sky);
+                    })
       ->default_str("neutral");
   add_parsed_option(app, "--sky-turn", "DEG",
                     "Turns a sky from a file about the vertical, counter-clockwise as seen from "
                     "above, -360 to 360 degrees",
-                    number(-360, 360), [&](double degrees) { arguments.sky_turn_deg = degrees; })
+                    number(-360, 360), [&](double degrees) { arguments.sky.turn_deg = degrees; })
       ->default_str("0");
+}
+
+// The camera, but for what is shown of its picture.
+void add_camera_choice(CLI::App& app, CameraChoice& camera) {
+  CLI::Option* index = add_parsed_option(
+      app, "--camera", "N",
+      "The file's N-th camera, from 0 [its first, or else one that frames all]",
+      whole(0, std::numeric_limits<int>::max()), [&](int n) { camera.index = n; });
+  add_parsed_option(
+      app, "--look-at", "ex,ey,ez,tx,ty,tz",
+      "From the eye at ex,ey,ez to the target tx,ty,tz, in the file's units, +Y up",
+      [](const std::string& text) { return parse_look_at(text); },
+      [&](LookAt look) { camera.look_at = look; })
+      ->excludes(index);
+  add_parsed_option(app, "--fov", "DEG",
+                    "Full vertical field of view in degrees, between 0 and 180 [the camera's]",
+                    number(0, 180, true), [&](double degrees) { camera.fov_y_deg = degrees; });
 }
 
 }  // namespace
@@ -179,27 +213,11 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
       ->default_str(fmt::format("{}x{}", settings.width, settings.height));
   add_method_options(app, settings);
   add_sky_options(app, arguments);
-  add_choice(app, "--needs", "WHAT",
-             "What is kept and done: scene (what the scene needs) or all (everything, which takes "
-             "longer for the same picture)",
-             needs_names, arguments.needs);
+  add_needs_option(app, arguments.needs);
 }
 
 void add_camera_options(CLI::App& app, PictureArguments& arguments) {
-  CameraChoice& camera = arguments.camera;
-  CLI::Option* index = add_parsed_option(
-      app, "--camera", "N",
-      "The file's N-th camera, from 0 [its first, or else one that frames all]",
-      whole(0, std::numeric_limits<int>::max()), [&](int n) { camera.index = n; });
-  add_parsed_option(
-      app, "--look-at", "ex,ey,ez,tx,ty,tz",
-      "From the eye at ex,ey,ez to the target tx,ty,tz, in the file's units, +Y up",
-      [](const std::string& text) { return parse_look_at(text); },
-      [&](LookAt look) { camera.look_at = look; })
-      ->excludes(index);
-  add_parsed_option(app, "--fov", "DEG",
-                    "Full vertical field of view in degrees, between 0 and 180 [the camera's]",
-                    number(0, 180, true), [&](double degrees) { camera.fov_y_deg = degrees; });
+  add_camera_choice(app, arguments.camera);
   add_parsed_option(app, "--exposure", "EV",
                     "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness",
                     number(-32, 32),
@@ -212,16 +230,27 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
       [&](PixelRect crop) { arguments.settings.crop = crop; });
 }
 
+void add_needs_option(CLI::App& app, NeedsChoice& needs) {
+  add_choice(app, "--needs", "WHAT",
+             "What is kept and done: scene (what the scene needs) or all (everything, which takes "
+             "longer for the same picture)",
+             needs_names, needs);
+}
+
+void add_look_options(CLI::App& app, PictureArguments& arguments) {
+  add_camera_choice(app, arguments.camera);
+  add_sky_options(app, arguments);
+  add_mirror_options(app, arguments.settings);
+  add_texture_resolution(app, arguments.settings);
+  add_needs_option(app, arguments.needs);
+}
+
 Result<RenderSettings> with_sky(const PictureArguments& arguments) {
-  RenderSettings settings = arguments.settings;
-  if (const auto& colours = arguments.sky.colours) {
-    settings.sky = std::make_shared<const Sky>(colours->zenith, colours->horizon);
-  } else if (!arguments.sky.file.empty()) {
-    const auto sky = read_sky(arguments.sky.file, arguments.sky_turn_deg);
-    if (!sky) return tl::unexpected(sky.error());
-    settings.sky = *sky;
-  }
-  return settings;
+  return make_sky(arguments.sky).map([&](std::shared_ptr<const Sky> sky) {
+    RenderSettings settings = arguments.settings;
+    settings.sky = std::move(sky);
+    return settings;
+  });
 }
 
 }  // namespace asos

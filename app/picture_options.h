@@ -3,8 +3,11 @@
 #include "app/camera_choice.h"
 #include "app/values.h"
 #include "renderer/methods/settings.h"
+#include "renderer/picture/picture_description.h"
+#include "renderer/result.h"
 #include "renderer/scene/needs.h"
 
+#include <optional>
 #include <string>
 
 namespace CLI {
@@ -18,10 +21,13 @@ struct PictureArguments {
   std::string scene = "builtin:office";
   RenderSettings settings;
   CameraChoice camera;
-  SkyChoice sky;  ///< until open_sky makes it settings.sky
-  double sky_turn_deg = 0.0;
+  SkyChoice sky;  ///< until with_sky makes it settings.sky
   float exposure_ev = 0.0f;
   NeedsChoice needs = NeedsChoice::scene;
+
+  std::string from_file;                   ///< a picture whose settings these are; empty: none
+  std::optional<PictureDescription> from;  ///< what it says
+  std::optional<Error> from_error;         ///< why it says nothing
 };
 
 // Each adds options that fill `arguments`, which has to outlive the parser.
@@ -30,6 +36,11 @@ struct PictureArguments {
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required);
 /// Where it is seen from, how bright it is shown, and which part of it.
 void add_camera_options(CLI::App& app, PictureArguments& arguments);
+/// What is kept of a scene and done although it does not need it.
+void add_needs_option(CLI::App& app, NeedsChoice& needs);
+/// Of those above, what decides on the true picture of a scene, and TR: for commands that choose
+/// methods and their quality by themselves.
+void add_look_options(CLI::App& app, PictureArguments& arguments);
 
 /// The settings with the sky that was asked for, which is read where it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/picture_options.h"
+#include "app/turntable.h"
 #include "renderer/film/split_map.h"
 
+#include <optional>
 #include <string>
 
 namespace asos {
@@ -11,7 +13,8 @@ namespace asos {
 struct RenderArguments {
   PictureArguments picture;
   std::string output;
-  std::string split_map;  ///< empty: not asked for
+  std::optional<FrameRange> frames;  ///< of a turn around the scene, one file each
+  std::string split_map;             ///< empty: not asked for
   SplitMapColours split_map_by = SplitMapColours::level;
   std::string stats_file;  ///< empty: not asked for
   bool quiet = false;

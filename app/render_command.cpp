@@ -1,6 +1,7 @@
 #include "app/camera_choice.h"
 #include "app/command.h"
 #include "app/exit_code.h"
+#include "app/from_option.h"
 #include "app/interrupt.h"
 #include "app/option.h"
 #include "app/picture_files.h"
@@ -24,13 +25,16 @@ namespace {
 constexpr const char* render_footer =
     "The picture is of the whole camera's view; --crop renders a part of it, pixel for pixel the\n"
     "same. PNG is what the window shows; EXR holds linear radiance, which --exposure does not\n"
-    "change. Both carry the settings, times and statistics as text.\n"
+    "change. Both carry the settings, times and statistics as text, and --from renders such a\n"
+    "picture again.\n"
     "\n"
     "Examples:\n"
     "  asos render builtin:office -o office.png --size 1920x1080 --max 4\n"
     "  asos render model.glb -o model.exr --look-at 4,2,4,0,1,0 --fov 40 --stats model.json\n"
     "  asos render builtin:fence -o fence.png --crop 320,180,64,48 --split-map levels.png\n"
     "  asos render builtin:boxes -o rival.png --method stochastic --spp 64\n"
+    "  asos render --from office.png -o larger.png --size 3840x2160\n"
+    "  asos render builtin:boxes -o turn.png --frames 0-29/120   # a quarter of a turn\n"
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
@@ -40,6 +44,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 // Everything about the command line that can be wrong without opening anything.
 void check(const RenderArguments& arguments) {
+  if (arguments.picture.from_error) return;  // which is told later, as bad input
+  if (arguments.picture.scene.empty()) throw CLI::RequiredError("SCENE (or --from)");
   const RenderSettings& settings = arguments.picture.settings;
   const PixelRect crop = settings.crop;
   if (!is_picture_path(arguments.output))
@@ -66,6 +72,19 @@ tl::unexpected<Error> interrupted_error() {
   return tl::unexpected(Error{"render", "interrupted"});
 }
 
+// What of the saved picture is not overridden: its lights belong to its scene alone.
+PictureDescription wanted_picture(const PictureArguments& wanted) {
+  PictureDescription picture = wanted.from.value_or(PictureDescription{});
+  picture.needs = wanted.needs;
+  if (picture.scene != wanted.scene) picture.lights.reset();
+  return picture;
+}
+
+Error scene_error(const PictureArguments& wanted, const Error& error) {
+  if (!wanted.from || wanted.from->scene != wanted.scene) return error;
+  return scene_of_picture_error(wanted.from_file, error);
+}
+
 Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& outputs,
                             ProgressBar& bar, const InterruptGuard& interrupt) {
   PictureArguments wanted = arguments.picture;
@@ -74,21 +93,20 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   wanted.settings = *std::move(settings);
   RenderReport report;
   report.scene = wanted.scene;
-  report.settings = wanted.settings;
-  report.exposure_ev = wanted.exposure_ev;
 
   // Open the scene
   bar.say(fmt::format("Loading {} ...", wanted.scene));
   const auto started = std::chrono::steady_clock::now();
   Result<Scene> scene = open_scene_argument(wanted.scene);
-  if (!scene) return tl::unexpected(scene.error());
+  if (!scene) return tl::unexpected(scene_error(wanted, scene.error()));
   report.load_seconds = seconds_since(started);
   if (interrupt.interrupted()) return interrupted_error();
 
   // Make it ready to render; what the author wrote is not needed any more
   bar.say("Building ...");
   const auto loaded = std::chrono::steady_clock::now();
-  const auto prepared = prepare(*scene, forced_by(wanted.needs));
+  const PictureDescription picture = wanted_picture(wanted);
+  const auto prepared = prepare(*scene, picture);
   if (!prepared) return tl::unexpected(prepared.error());
   *scene = Scene{};
   const RenderScene& ready = **prepared;
@@ -97,36 +115,41 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   report.build_seconds = seconds_since(loaded);
   report.triangles = ready.world.triangles.size();
   report.feature_edges = ready.features.counts();
-  report.needs = ready.needs;
-  report.needs_choice = wanted.needs;
+  report.needs = needs_of(ready, wanted.settings);
   for (const Light& light : ready.world.lights) report.lights.push_back({light.name, light.type});
 
   // Render
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
+  if (wanted.from) wanted.camera.given = picture.camera_from(ready.world.origin);
   const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  report.camera = camera->name;
-  const std::optional<RenderedPicture> picture =
+  report.description =
+      describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f});
+  const std::optional<RenderedPicture> rendered =
       run_render_job({*prepared, *camera, wanted.settings, false}, bar, interrupt);
-  if (!picture) return interrupted_error();
-  report.threads = picture->threads;
-  report.statistics = picture->statistics;
-  report.render_seconds = picture->seconds;
+  if (!rendered) return interrupted_error();
+  report.threads = rendered->threads;
+  report.statistics = rendered->statistics;
+  report.render_seconds = rendered->seconds;
   report.memory_mb = peak_memory_mb();
 
-  const Result<void> written = write_outputs(outputs, picture->film, report);
+  const Result<void> written = write_outputs(outputs, rendered->film, report);
   if (!written) return tl::unexpected(written.error());
   return report;
 }
 
-int run_render(const RenderArguments& arguments, const Streams& streams) {
+int run_picture(const RenderArguments& arguments, const Streams& streams) {
   const InterruptGuard interrupt;
   ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
-  const Result<RenderReport> report = check_picture_fits(arguments.picture.settings)
-                                          .and_then([&] { return plan_outputs(arguments); })
-                                          .and_then([&](const OutputPlan& outputs) {
-                                            return render(arguments, outputs, bar, interrupt);
-                                          });
+  const std::optional<Error>& no_picture = arguments.picture.from_error;
+  const Result<void> given =
+      no_picture ? Result<void>(tl::unexpected(*no_picture)) : Result<void>();
+  const Result<RenderReport> report =
+      given.and_then([&] { return check_picture_fits(arguments.picture.settings); })
+          .and_then([&] { return plan_outputs(arguments); })
+          .and_then([&](const OutputPlan& outputs) {
+            return render(arguments, outputs, bar, interrupt);
+          });
   bar.wipe();
   if (!report) {
     if (interrupt.interrupted()) {
@@ -136,6 +159,10 @@ int run_render(const RenderArguments& arguments, const Streams& streams) {
     streams.err << "asos: " << report.error().message() << "\n";
     return exit_bad_input;
   }
+  const auto& from = arguments.picture.from;
+  if (!arguments.quiet && from && from->display.split_map)
+    streams.err << "asos: note: " << arguments.picture.from_file
+                << " shows the split map over the picture, which is rendered without it\n";
   if (!arguments.quiet)
     streams.out << fmt::format(
         "Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s.\n",
@@ -144,16 +171,43 @@ int run_render(const RenderArguments& arguments, const Streams& streams) {
   return exit_ok;
 }
 
+std::string path_of_frame(const std::string& path, const CameraTurn& turn) {
+  return path.empty() ? path : frame_path(path, turn.frame, turn.count);
+}
+
+// Each as if it were asked for alone, so that frames can be rendered anywhere and in any order.
+int run_render(const RenderArguments& arguments, const Streams& streams) {
+  if (!arguments.frames) return run_picture(arguments, streams);
+  for (int frame = arguments.frames->first; frame <= arguments.frames->last; ++frame) {
+    const CameraTurn turn{frame, arguments.frames->count};
+    RenderArguments one = arguments;
+    one.picture.camera.turn = turn;
+    one.output = path_of_frame(arguments.output, turn);
+    one.split_map = path_of_frame(arguments.split_map, turn);
+    one.stats_file = path_of_frame(arguments.stats_file, turn);
+    if (const int code = run_picture(one, streams); code != exit_ok) return code;
+  }
+  return exit_ok;
+}
+
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
   const auto arguments = std::make_shared<RenderArguments>();
   CLI::App* parser = program.add_subcommand("render", "Render a scene to a PNG or an EXR file");
+  arguments->picture.scene.clear();
+  add_from_option(*parser, arguments->picture);
   add_picture_options(*parser, arguments->picture, true);
+  parser->get_option("SCENE")->required(false);  // as --from names one
   parser->add_option("-o,--output", arguments->output, "Picture to write; the ending decides")
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
+  add_parsed_option(
+      *parser, "--frames", "A-B/N",
+      "Frames A to B (or one, or with N alone all) of a turn of N frames around what the camera is "
+      "told to look at, or the scene's middle: OUT-000.png and so on",
+      parse_frames, [arguments](FrameRange frames) { arguments->frames = frames; });
   CLI::Option* split_map = parser
                                ->add_option("--split-map", arguments->split_map,
                                             "Also write the split map, in the window's colours")

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/picture_options.h"
 #include "renderer/features/feature_set.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/statistics.h"
+#include "renderer/picture/picture_description.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
 
@@ -26,18 +26,15 @@ struct RenderReport {
   std::string scene;  ///< as named on the command line
   std::uint64_t triangles = 0;
   FeatureCounts feature_edges;
-  RenderSettings settings;
+  PictureDescription description;
   std::vector<ReportedLight> lights;  ///< in the order of World::lights
   int threads = 0;                    ///< that worked
-  std::string camera;
-  float exposure_ev = 0.0f;
   RenderStatistics statistics;
   double load_seconds = 0.0;   ///< reading the file or making the built-in scene
   double build_seconds = 0.0;  ///< flattening, and the hierarchies of rays and boundaries
   double render_seconds = 0.0;
   double memory_mb = 0.0;  ///< the process's peak, in 10^6 bytes
   SceneNeeds needs;        ///< of the scene, and those that were forced
-  NeedsChoice needs_choice = NeedsChoice::scene;
 };
 
 /// The statistics as the --stats file has them.
@@ -46,7 +43,8 @@ struct RenderReport {
 /// The same as the text of a file, valid UTF-8 whatever the scene's path is made of.
 [[nodiscard]] std::string statistics_text(const RenderReport& report);
 
-/// The same for a PNG's text chunks and an EXR's attributes: keys and values.
+/// What a PNG's text chunks and an EXR's attributes say: how the picture can be made again, and the
+/// statistics.
 [[nodiscard]] ImageText picture_metadata(const RenderReport& report);
 
 /// The most memory that this process has held, in 10^6 bytes.

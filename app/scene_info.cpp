@@ -138,6 +138,8 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
           {"meshes", scene.meshes.size()},
           {"instances", scene.instances.size()},
           {"triangles", scene.instanced_triangles()},
+          {"shapes", std::count_if(scene.instances.begin(), scene.instances.end(),
+                                   [](const Instance& i) { return i.shape >= 0; })},
           {"materials", scene.materials.size()},
           {"textures", scene.textures.size()},
           {"images", scene.images.size()},
@@ -148,6 +150,7 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
           {"lines_not_drawn", notes.lines_not_drawn},
           {"unsupported_extensions", notes.unsupported_extensions},
           {"warnings", notes.warnings},
+          {"memory_mb", ready.memory_mb},
           {"left_out", left_out_json(ready.needs)}};
 }
 
@@ -158,6 +161,8 @@ std::string scene_info_text(const Json& info) {
     text += fmt::format("Name:       {}\n", name);
   text += fmt::format("Geometry:   {} triangles, in {} instances of {} meshes\n",
                       number("triangles"), number("instances"), number("meshes"));
+  if (number("shapes") > 0)
+    text += fmt::format("Shapes:     {} of the instances are analytic\n", number("shapes"));
   text += bounds_line(info["bounds"]);
   text += fmt::format("Materials:  {}, with {} textures of {} images\n", number("materials"),
                       number("textures"), number("images"));
@@ -172,6 +177,8 @@ std::string scene_info_text(const Json& info) {
     text += fmt::format("Not drawn:  {} line segments\n", number("lines_not_drawn"));
   if (!info["unsupported_extensions"].empty())
     text += fmt::format("Unsupported extensions: {}\n", list(info["unsupported_extensions"]));
+  text += fmt::format("Memory:     {:.1f} MB of geometry, textures and hierarchies\n",
+                      info["memory_mb"].get<double>());
   if (!info["left_out"].empty()) text += "Left out, because it is not needed:\n";
   for (const Json& left_out : info["left_out"]) text += left_out_line(left_out);
   for (const Json& warning : info["warnings"])

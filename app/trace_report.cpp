@@ -1,6 +1,6 @@
 #include "app/trace_report.h"
 
-#include "renderer/methods/names.h"
+#include "renderer/picture/settings_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -97,18 +97,6 @@ class Namer {
   std::map<std::uint32_t, std::uint32_t> count_;           // of a part's sheets
 };
 
-Json settings_json(const RenderSettings& s) {
-  return {{"method", name_in(method_names, s.method)},
-          {"max_level", s.max_level},
-          {"eps", s.eps},
-          {"rule", name_in(rule_names, s.rule)},
-          {"detect", name_in(detection_names, s.detect)},
-          {"leaf", name_in(leaf_names, s.leaf)},
-          {"jitter", s.jitter},
-          {"fat", s.fat},
-          {"shadows", s.shadows}};
-}
-
 Json level_json(const LevelTally& level, const Namer& namer) {
   Json objects = Json::array();
   for (const ObjectTally& object : level.objects) {
@@ -186,10 +174,12 @@ std::string head_text(const Json& trace) {
                                  trace["size"][0].get<int>(), trace["size"][1].get<int>());
   if (const std::string camera = text_of(trace["camera"]); !camera.empty())
     text += fmt::format(", camera {}", camera);
-  text += fmt::format("\n{}: MAX {}, EPS {:.4g}, {} rule, detection by the {}, {} leaves{}\n",
+  const double width = s["filter_width"].get<double>();
+  text += fmt::format("\n{}: MAX {}, EPS {:.4g}, {} rule, detection by the {}, {} leaves{}{}\n",
                       text_of(s["method"]), s["max_level"].get<int>(), s["eps"].get<double>(),
                       text_of(s["rule"]), text_of(s["detect"]), text_of(s["leaf"]),
-                      s["jitter"].get<bool>() ? ", jittered" : "");
+                      s["jitter"].get<bool>() ? ", jittered" : "",
+                      width > 1.0 ? fmt::format(", filter {:.4g} pixels wide", width) : "");
   text += fmt::format("Colour {} (linear), unresolved area {:.4g}\n",
                       colour_text(trace["radiance"]), trace["unresolved_area"].get<double>());
   if (trace["missed_split"].get<bool>())

@@ -121,7 +121,8 @@ Result<Dfr> parse_dfr(std::string_view text) {
 
 Result<SkyChoice> parse_sky(std::string_view text) {
   if (text == "neutral") return SkyChoice{};
-  if (text.ends_with(".hdr") || text.ends_with(".exr")) return SkyChoice{{}, std::string(text)};
+  if (text.ends_with(".hdr") || text.ends_with(".exr"))
+    return SkyChoice{{}, std::string(text), 0.0};
   constexpr float brightest = 1e6f;
   const std::size_t colon = text.find(':');
   const auto zenith = read_list<float, 3>(text.substr(0, colon), ',');
@@ -137,7 +138,7 @@ Result<SkyChoice> parse_sky(std::string_view text) {
         return refuse(text, fmt::format("colours have to be from 0 to {}", brightest));
   const auto& z = *zenith;
   const auto& h = *horizon;
-  return SkyChoice{SkyChoice::Colours{{z[0], z[1], z[2]}, {h[0], h[1], h[2]}}, ""};
+  return SkyChoice{SkyChoice::Colours{{z[0], z[1], z[2]}, {h[0], h[1], h[2]}}, "", 0.0};
 }
 
 }  // namespace asos

@@ -3,6 +3,7 @@
 #include "renderer/geometry/view.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
+#include "renderer/shading/sky_choice.h"
 
 #include <glm/glm.hpp>
 
@@ -24,16 +25,6 @@ struct PictureSize {
 struct LookAt {
   glm::dvec3 eye{0.0};
   glm::dvec3 target{0.0};
-};
-
-/// What surrounds a scene, as it is asked for: nothing but the neutral grey, two colours, a file.
-struct SkyChoice {
-  struct Colours {
-    glm::vec3 zenith{0.0f};
-    glm::vec3 horizon{0.0f};
-  };
-  std::optional<Colours> colours;
-  std::string file;  ///< empty: none
 };
 
 /// A finite number from lo to hi; with `open`, strictly between them.

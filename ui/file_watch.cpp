@@ -2,38 +2,35 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace asos {
 
-std::optional<FileWatch::Stamp> FileWatch::stamp_of(const std::string& source) {
+FileStamp FileStamp::of(const std::string& path) {
   std::error_code error;
-  Stamp stamp;
-  stamp.written = std::filesystem::last_write_time(source, error);
-  if (error) return std::nullopt;
-  stamp.size = std::filesystem::file_size(source, error);
-  return error ? std::nullopt : std::optional(stamp);
+  State state;
+  state.written = std::filesystem::last_write_time(path, error);
+  if (!error) state.size = std::filesystem::file_size(path, error);
+  return {path, error ? std::nullopt : std::optional(state)};
 }
 
-bool FileWatch::changed(const std::string& source, double now_seconds) {
-  if (source != source_) {
-    source_ = source;
-    known_ = seen_ = stamp_of(source);
-    looked_seconds_ = now_seconds;
-    return false;
-  }
-  if (now_seconds - looked_seconds_ < period_seconds) return false;
+bool FileWatch::changed(const std::vector<FileStamp>& read, double now_seconds) {
+  if (looked_seconds_ && now_seconds - *looked_seconds_ < period_seconds) return false;
   looked_seconds_ = now_seconds;
-  const std::optional<Stamp> stamp = stamp_of(source);
-  const bool still = stamp == seen_;
-  seen_ = stamp;
-  // A file that is gone, as while it is being replaced, is not worth a message.
-  if (!stamp || !still || stamp == known_) return false;
-  known_ = stamp;
-  return true;
+  std::vector<FileStamp> found;
+  bool gone = false;
+  for (const FileStamp& stamp : read) {
+    found.push_back(FileStamp::of(stamp.path));
+    // As while it is being replaced.
+    gone = gone || (stamp.state && !found.back().state);
+  }
+  const bool still = found == seen_;
+  seen_ = std::move(found);
+  return still && !gone && seen_ != read;
 }
 
 double FileWatch::seconds_to_look(double now_seconds) const {
-  return std::max(0.0, looked_seconds_ + period_seconds - now_seconds);
+  return looked_seconds_ ? std::max(0.0, *looked_seconds_ + period_seconds - now_seconds) : 0.0;
 }
 
 }  // namespace asos

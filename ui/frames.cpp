@@ -1,7 +1,6 @@
 #include "ui/frames.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -39,21 +38,6 @@ const StoredFrame* Frames::compared() const {
 float difference_of(glm::vec3 a, glm::vec3 b, float exposure_ev) {
   const glm::vec3 d = glm::abs(display_rgb(a, exposure_ev) - display_rgb(b, exposure_ev));
   return std::max({d.x, d.y, d.z});
-}
-
-glm::u8vec3 difference_colour(float share) {
-  // From black over violet and orange to white, ever brighter, so that it reads without colour too.
-  constexpr std::array<std::array<float, 3>, 5> stops{
-      {{0, 0, 0}, {87, 16, 110}, {188, 55, 84}, {249, 142, 9}, {255, 255, 255}}};
-  const float at = std::clamp(std::isfinite(share) ? share : 1.0f, 0.0f, 1.0f) * 4.0f;
-  const auto index = static_cast<std::size_t>(std::min(3.0f, std::floor(at)));
-  const float part = at - static_cast<float>(index);
-  glm::u8vec3 colour;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float value = stops[index][k] + part * (stops[index + 1][k] - stops[index][k]);
-    colour[static_cast<int>(k)] = static_cast<std::uint8_t>(value + 0.5f);
-  }
-  return colour;
 }
 
 }  // namespace asos

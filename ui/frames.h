@@ -53,7 +53,5 @@ struct Frames {
 /// The largest difference of two colours in any channel, of display intensity at an exposure: 0 to
 /// 1.
 [[nodiscard]] float difference_of(glm::vec3 a, glm::vec3 b, float exposure_ev);
-/// The difference image's colour of a share of its scale: black at 0, white at 1 and above.
-[[nodiscard]] glm::u8vec3 difference_colour(float share);
 
 }  // namespace asos

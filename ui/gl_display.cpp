@@ -81,9 +81,7 @@ void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
   // By level or cause. What has a colour hides the picture; the others only dim it, so that colours
   // match the legend.
   const SplitMapKey key{split_colours_, max_level_};
-  const std::size_t last = split_colours_ == SplitMapColours::cause
-                               ? split_cause_count - 1
-                               : static_cast<std::size_t>(max_level_);
+  const std::size_t last = key.last();
   std::array<glm::u8vec4, 256> colours;
   for (std::size_t i = 0; i <= last; ++i)
     colours[i] = glm::u8vec4(key.colour(static_cast<std::uint8_t>(i)), i > 0 ? 255 : 0);
@@ -134,10 +132,9 @@ void GlDisplay::convert_compared(const Film& film, const StoredFrame& frame,
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
       const glm::vec3 stored = frame.film.radiance[i];
       const glm::u8vec3 colour =
-          compared_.difference
-              ? difference_colour(per_scale *
-                                  difference_of(stored, film.radiance[i], compared_.exposure_ev))
-              : tone_.bytes(stored);
+          compared_.difference ? heat_colour(per_scale * difference_of(stored, film.radiance[i],
+                                                                       compared_.exposure_ev))
+                               : tone_.bytes(stored);
       compared_layer_.at(i) = glm::u8vec4(colour, 255);
     }
   }

@@ -38,6 +38,31 @@ glm::vec3 seen_at(const PixelTraceCell& cell, glm::vec2 place) {
   return radiance;
 }
 
+/// What each place of a grid counts as. A cell that was split has no samples of its own.
+std::vector<glm::vec3> seen_grid(const std::vector<PixelTraceCell>& cells) {
+  std::vector<glm::vec3> seen;
+  if (cells.empty()) return seen;
+  for (int y = 0; y < PixelReport::grid; ++y) {
+    for (int x = 0; x < PixelReport::grid; ++x) {
+      const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(PixelReport::grid);
+      seen.push_back(seen_at(cells[cell_at(cells, place)], place));
+    }
+  }
+  return seen;
+}
+
+std::string name_of_pyray(const RenderScene& scene, const PixelTracePyray& pyray) {
+  const double from = 100.0 * pyray.weight;
+  const std::size_t count = pyray.cells.size();
+  const std::string cells = fmt::format("{} cell{}", count, count == 1 ? "" : "s");
+  if (pyray.kind == LoggedPyray::Kind::mirror)
+    return fmt::format("mirror {}, of {:.3g} %: {}", pyray.bounces + 1, from, cells);
+  const std::string& name = scene.world.lights[pyray.light].name;
+  return fmt::format("{}, of {:.3g} %: {:.0f} % lit, {}",
+                     name.empty() ? fmt::format("light {}", pyray.light + 1) : name, from,
+                     100.0 * static_cast<double>(pyray.result.x), cells);
+}
+
 /// The part that a sheet belongs to.
 std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
   if (sheet == ObjectTally::clusters) return "small boundaries";
@@ -129,11 +154,11 @@ std::string PixelReport::verdict() const {
   return "Resolved: every cell has no visible boundary or was cut along its boundaries.";
 }
 
-std::size_t PixelReport::cell_at(glm::vec2 place) const {
+std::size_t cell_at(const std::vector<PixelTraceCell>& cells, glm::vec2 place) {
   std::size_t found = 0;
   // A level comes after the other, so the last one is the smallest.
-  for (std::size_t i = 0; i < trace.cells.size(); ++i) {
-    const PixelTraceCell& cell = trace.cells[i];
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const PixelTraceCell& cell = cells[i];
     const glm::vec2 in = place - cell.corner;
     if (in.x >= 0.0f && in.y >= 0.0f && in.x < cell.side && in.y < cell.side) found = i;
   }
@@ -170,11 +195,10 @@ PixelReport PixelInspector::work(const Request& request) {
   report.trace = trace_pixel(scene, view, request.settings, request.pixel.x, request.pixel.y);
   for (const LevelTally& level : report.trace.levels)
     report.level_object.push_back(strongest_object(scene, level));
-  for (int y = 0; y < PixelReport::grid; ++y) {
-    for (int x = 0; x < PixelReport::grid; ++x) {
-      const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(PixelReport::grid);
-      report.seen.push_back(seen_at(report.trace.cells[report.cell_at(place)], place));
-    }
+  report.seen = seen_grid(report.trace.cells);
+  for (const PixelTracePyray& pyray : report.trace.pyrays) {
+    report.pyray_seen.push_back(seen_grid(pyray.cells));
+    report.pyray_names.push_back(name_of_pyray(scene, pyray));
   }
   if (request.with_boundaries) find_boundaries(scene, view, report);
   return report;

@@ -31,8 +31,10 @@ struct PixelReport {
   glm::ivec2 pixel{0};
   PixelTrace trace;
   RenderSettings settings;
-  std::vector<glm::vec3> seen;            ///< linear, grid * grid, row by row
-  std::vector<std::string> level_object;  ///< the object of largest change, one a level
+  std::vector<glm::vec3> seen;                     ///< linear, grid * grid, row by row
+  std::vector<std::vector<glm::vec3>> pyray_seen;  ///< the same of each of trace.pyrays
+  std::vector<std::string> pyray_names;            ///< and what each is, in a few words
+  std::vector<std::string> level_object;           ///< the object of largest change, one a level
   /// Of the whole picture's hit list, where they were asked for; `most_boundaries` at most.
   std::vector<PictureBoundary> boundaries;
   bool all_boundaries = true;  ///< false: there are more
@@ -40,9 +42,10 @@ struct PixelReport {
 
   /// Why the splitting stopped, in a sentence.
   [[nodiscard]] std::string verdict() const;
-  /// The smallest cell at a place of the pixel, 0 to 1 each way: index into trace.cells.
-  [[nodiscard]] std::size_t cell_at(glm::vec2 place) const;
 };
+
+/// The smallest of the cells at a place of their square, 0 to 1 each way: an index. There is one.
+[[nodiscard]] std::size_t cell_at(const std::vector<PixelTraceCell>& cells, glm::vec2 place);
 
 [[nodiscard]] const char* words_of(CellFate fate);
 

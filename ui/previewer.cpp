@@ -4,6 +4,7 @@
 #include "renderer/scene/load.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace asos {
@@ -56,9 +57,20 @@ double subject_distance(const RenderScene& scene, const Camera& camera) {
   return *middle;
 }
 
-/// The scene as it was prepared, before its lights were edited.
-const RenderScene& built_scene(const RenderScene& scene) {
-  return scene.built_from ? *scene.built_from : scene;
+/// Of linear values clipped to 0 to 1, summed over pixels and colours.
+double squared_difference(const Film& film, const FinishedTile& tile) {
+  double sum = 0.0;
+  for (int y = 0; y < tile.rect.height; ++y) {
+    for (int x = 0; x < tile.rect.width; ++x) {
+      const auto from = static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.rect.width) +
+                        static_cast<std::size_t>(x);
+      const glm::vec3 before = film.radiance[film.index(tile.rect.x + x, tile.rect.y + y)];
+      const glm::vec3 d =
+          glm::clamp(tile.radiance[from], 0.0f, 1.0f) - glm::clamp(before, 0.0f, 1.0f);
+      sum += static_cast<double>(glm::dot(d, d));
+    }
+  }
+  return sum;
 }
 
 LoadFunction load_or_default(LoadFunction load) {
@@ -69,14 +81,11 @@ LoadFunction load_or_default(LoadFunction load) {
 }  // namespace
 
 Previewer::Previewer(Hooks hooks, RenderSettings settings)
-    : settings_(settings),
+    : first_settings_(settings),
+      settings_(settings),
       session_(hooks.wake),
       loader_(load_or_default(std::move(hooks.load)), hooks.wake, hooks.forced),
-      relighter_(
-          [](const Relight& r) {
-            return Relit{r.scene, with_lights(r.scene, r.lights)};
-          },
-          hooks.wake, Overtaken::kept) {
+      relighter_(relit, hooks.wake, Overtaken::kept) {
   settings_.crop = {};  // The window shows whole pictures.
 }
 
@@ -113,8 +122,15 @@ void Previewer::set_picture_size(int width, int height, double now_seconds) {
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   // What waits for the first picture goes on with the next tiles: look again at once.
   if (out_of_date() || relighting()) return 0.0;
-  if (!pending_size_) return std::nullopt;
-  return std::max(0.0, pending_size_->since_seconds + size_rest_seconds - now_seconds);
+  std::optional<double> due;
+  if (pending_size_)
+    due = std::max(0.0, pending_size_->since_seconds + size_rest_seconds - now_seconds);
+  const Progress progress = session_.progress();
+  if (progress.running && limits_.seconds > 0.0) {
+    const double left = std::max(0.0, limits_.seconds - progress.seconds);
+    due = std::min(due.value_or(left), left);
+  }
+  return due;
 }
 
 void Previewer::update(double now_seconds) {
@@ -123,62 +139,41 @@ void Previewer::update(double now_seconds) {
   relight_if_edited();
   take_tiles();
   restart_if_changed(now_seconds);
+  rest_or_go_on();
 }
 
-std::vector<EditedLight>& Previewer::edit_lights() {
-  ++lights_revision_;
-  return lights_;
-}
-
-bool Previewer::relighting() const {
-  return lights_asked_for_ != lights_revision_ || relighter_.pending();
-}
-
-void Previewer::reset_lights() {
-  if (!scene_) return;
-  lights_.clear();
-  for (const Light& light : built_scene(*scene_).world.lights)
-    lights_.push_back(EditedLight::of(light));
-  ++lights_revision_;
-}
-
-void Previewer::relight_if_edited() {
-  if (std::optional<Relit> relit = relighter_.take_outcome()) {
-    // Another scene may have been opened meanwhile.
-    const bool current = scene_ && &built_scene(*scene_) == &built_scene(*relit->from);
-    if (current && relit->scene) scene_ = std::move(*relit->scene);
-    if (current && !relit->scene) error_ = relit->scene.error();
+void Previewer::rest_or_go_on() {
+  if (rest_ == Rest::stopped) return;
+  const Progress progress = session_.progress();
+  const std::optional<double> rmse = estimated_rmse();
+  Rest rest = Rest::none;
+  if (paused_) {
+    rest = Rest::paused;
+  } else if (limits_.seconds > 0.0 && progress.seconds >= limits_.seconds) {
+    rest = Rest::time;
+  } else if (limits_.rmse > 0.0 && rmse && *rmse <= limits_.rmse) {
+    rest = Rest::quality;
   }
-  if (!scene_ || lights_asked_for_ == lights_revision_) return;
-  lights_asked_for_ = lights_revision_;
-  relighter_.ask({scene_, lights_on(lights_)});
+  if (rest == rest_) return;
+  rest_ = rest;
+  rest == Rest::none ? session_.resume() : session_.pause();
 }
 
-bool Previewer::same_as(const Edits& edits) const {
-  RenderSettings sized = edits.settings;
-  sized.width = settings_.width;
-  sized.height = settings_.height;
-  return settings_ == sized && camera_.revision() == edits.camera.revision() &&
-         lights_revision_ == edits.lights_revision;
+void Previewer::stop() {
+  session_.cancel();
+  if (rendered_.scene && !session_.progress().finished) rest_ = Rest::stopped;
 }
 
-Previewer::Edits Previewer::edits() const {
-  return {settings_, camera_, chosen_camera_, lights_, lights_revision_};
+void Previewer::start_again() {
+  rendered_ = {};
 }
 
-void Previewer::restore(const Edits& edits) {
-  const int width = settings_.width, height = settings_.height;
-  settings_ = edits.settings;
-  settings_.width = width;
-  settings_.height = height;
-  if (camera_.revision() != edits.camera.revision()) {
-    camera_.restore(edits.camera);
-    chosen_camera_ = edits.chosen_camera;
-  }
-  if (lights_revision_ != edits.lights_revision) {
-    lights_ = edits.lights;
-    ++lights_revision_;
-  }
+std::optional<double> Previewer::estimated_rmse() const {
+  const auto pixels = static_cast<std::int64_t>(film_.width) * film_.height;
+  if (pixels_finished_ == 0) return std::nullopt;
+  const double left = static_cast<double>(pixels - pixels_finished_) / static_cast<double>(pixels);
+  return std::sqrt(std::max(0.0, left) * corrected_ /
+                   (3.0 * static_cast<double>(pixels_finished_)));
 }
 
 void Previewer::settle_size(double now_seconds) {
@@ -192,19 +187,43 @@ void Previewer::accept(LoadOutcome outcome) {
   if (!outcome.scene) {
     error_ = outcome.scene.error();
     reload_failed_ = std::exchange(keep_view_, false);
+    if (reload_failed_) files_ = std::move(outcome.files);
     return;
   }
+  files_ = std::move(outcome.files);
   scene_ = std::move(*outcome.scene);
   load_seconds_ = outcome.load_seconds;
   ++scenes_opened_;
   reset_lights();
-  lights_asked_for_ = lights_revision_;  // it has them
-  if (!std::exchange(keep_view_, false)) choose_camera(scene_->world.cameras.empty() ? -1 : 0);
+  reset_dfrs();
+  lights_asked_for_ = lights_of_scene_ = lights_revision_;  // it has them
+  dfrs_asked_for_ = dfrs_revision_;
+  const bool keep_view = std::exchange(keep_view_, false);
+  if (outcome.picture) {
+    take_over(*outcome.picture);
+  } else if (!keep_view) {
+    choose_camera(scene_->world.cameras.empty() ? -1 : 0);
+  }
   if (const Result<void> able = check_method(*scene_, settings_); !able) {
     error_ = able.error();
     error_->reason += "; ASOS takes its place";
     settings_.method = Method::asos;
   }
+}
+
+// The scene has the picture's lights already.
+void Previewer::take_over(const PictureDescription& picture) {
+  lights_.clear();
+  for (const Light& light : scene_->world.lights) lights_.push_back(EditedLight::of(light));
+  RenderSettings settings = picture.settings;
+  settings.crop = {};
+  settings.width = settings_.width;
+  settings.height = settings_.height;
+  settings.threads = settings_.threads;
+  settings_ = std::move(settings);
+  opened_display_ = picture.display;
+  chosen_camera_ = -1;
+  take_over(picture.camera_from(scene_->world.origin));
 }
 
 void Previewer::choose_camera(int index) {
@@ -214,7 +233,11 @@ void Previewer::choose_camera(int index) {
   chosen_camera_ = from_file ? index : -1;
   const Camera camera = from_file ? world.cameras[static_cast<std::size_t>(index)]
                                   : default_camera(world, aspect_ratio());
+  take_over(camera);
+}
 
+void Previewer::take_over(const Camera& camera) {
+  const World& world = scene_->world;
   // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
   const double radius = radius_of(world.bounds);
   camera_.set(camera, radius, radius);
@@ -254,7 +277,8 @@ bool Previewer::out_of_date() const {
 }
 
 bool Previewer::first_picture_pending() const {
-  return rendered_.scene && session_.progress().running &&
+  const Progress progress = session_.progress();
+  return rendered_.scene && (progress.running || progress.paused) &&
          pixels_taken_ < static_cast<std::int64_t>(film_.width) * film_.height;
 }
 
@@ -269,10 +293,14 @@ void Previewer::restart_if_changed(double now_seconds) {
   if (!out_of_date() || should_wait(now_seconds)) return;
   // The old scene may go only when no worker uses it any more, which restart sees to.
   session_.restart({scene_, camera_.camera(), settings_, true});
-  rendered_ = {scene_, camera_.revision(), settings_};
+  rendered_ = {scene_, camera_.revision(), settings_, camera_.camera()};
   ++restarts_;
   restarted_seconds_ = now_seconds;
   pixels_taken_ = 0;
+  corrected_ = 0.0;
+  pixels_finished_ = 0;
+  rest_ = rest_ == Rest::paused ? Rest::paused : Rest::none;
+  if (rest_ == Rest::none) session_.resume();
   if (film_.width != settings_.width || film_.height != settings_.height) {
     film_ = stretched(film_, settings_.width, settings_.height);
     changed_ = {{0, 0, film_.width, film_.height}};
@@ -281,10 +309,18 @@ void Previewer::restart_if_changed(double now_seconds) {
 
 void Previewer::take_tiles() {
   for (const FinishedTile& tile : session_.take_finished()) {
+    if (!tile.coarse) {
+      corrected_ += squared_difference(film_, tile);
+      pixels_finished_ += static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
+    }
     film_.put(tile);
     changed_.push_back(tile.rect);
     pixels_taken_ += static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
   }
+}
+
+PictureDescription Previewer::description(const PictureDisplay& display) const {
+  return describe(*rendered_.scene, rendered_.camera, rendered_.settings, display);
 }
 
 double Previewer::aspect_ratio() const {

@@ -1,6 +1,10 @@
 #include "ui/scene_loader.h"
 
+#include "renderer/scene/source_files.h"
+
+#include <cctype>
 #include <exception>
+#include <filesystem>
 #include <utility>
 
 namespace asos {
@@ -11,19 +15,49 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+bool is_picture(const std::string& source) {
+  std::string ending = std::filesystem::path(source).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".png" || ending == ".exr";
+}
+
+Result<PictureDescription> read_picture(const std::string& source) {
+  auto picture = read_description(source);
+  if (!picture) return picture;
+  auto sky = make_sky(picture->sky);
+  if (!sky) return unexpected(sky.error());
+  picture->settings.sky = *std::move(sky);
+  return picture;
+}
+
+void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds& forced) {
+  const auto start = std::chrono::steady_clock::now();
+  if (is_picture(outcome.source)) {
+    Result<PictureDescription> picture = read_picture(outcome.source);
+    if (!picture) {
+      outcome.scene = unexpected(picture.error());
+      return;
+    }
+    outcome.picture = *std::move(picture);
+  }
+  const std::string& source = outcome.picture ? outcome.picture->scene : outcome.source;
+  for (const std::string& file : source_files(source)) outcome.files.push_back(FileStamp::of(file));
+  const Result<Scene> scene = load(source);
+  outcome.load_seconds = seconds_since(start);
+  if (!scene) {
+    outcome.scene = unexpected(
+        outcome.picture ? scene_of_picture_error(outcome.source, scene.error()) : scene.error());
+  } else {
+    outcome.scene = outcome.picture ? prepare(*scene, *outcome.picture) : prepare(*scene, forced);
+  }
+}
+
 LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
                              const std::string& source) {
-  LoadOutcome outcome{source, std::shared_ptr<const RenderScene>(), 0.0};
+  LoadOutcome outcome{source, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
   // Memory can run out anywhere in a large scene; that is an error to show, not an end.
   try {
-    const auto start = std::chrono::steady_clock::now();
-    const Result<Scene> scene = load(source);
-    outcome.load_seconds = seconds_since(start);
-    if (scene) {
-      outcome.scene = prepare(*scene, forced);
-    } else {
-      outcome.scene = unexpected(scene.error());
-    }
+    load_into(outcome, load, forced);
   } catch (const std::bad_alloc&) {
     outcome.scene = unexpected(Error{source, "not enough memory to load this scene"});
   } catch (const std::exception& e) {

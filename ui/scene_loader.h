@@ -1,7 +1,9 @@
 #pragma once
 
 #include "renderer/methods/render_scene.h"
+#include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
+#include "ui/file_watch.h"
 #include "ui/latest_job.h"
 
 #include <chrono>
@@ -9,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asos {
 
@@ -17,14 +20,18 @@ using LoadFunction = std::function<Result<Scene>(const std::string& source)>;
 
 /// A scene made ready to render, or the error in its place.
 struct LoadOutcome {
-  std::string source;
+  std::string source;  ///< as asked for
   Result<std::shared_ptr<const RenderScene>> scene;
   double load_seconds = 0.0;  ///< reading the file, without building the hierarchies
+  /// Where the source was a saved picture: what it says, with the sky made. `scene` is its scene in
+  /// its lights.
+  std::optional<PictureDescription> picture;
+  std::vector<FileStamp> files;  ///< that the scene is read from, as they were before
 };
 
-/// Loads and prepares scenes on a thread of its own. A newer request replaces an older one: the
-/// older outcome is dropped, even where its loading has begun. The destructor waits for a load
-/// that runs.
+/// Loads and prepares scenes, and those of saved pictures (.png, .exr), on a thread of its own. A
+/// newer request replaces an older one: the older outcome is dropped, even where its loading has
+/// begun. The destructor waits for a load that runs.
 class SceneLoader {
  public:
   /// `wake` is called from the loader's thread when an outcome waits. `forced`: see prepare.

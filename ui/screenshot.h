@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/image_io.h"
+#include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
 
 #include <filesystem>
@@ -18,14 +19,21 @@ struct DisplaySettings;
 /// cannot be part of a name becomes "_".
 [[nodiscard]] std::string screenshot_stem(const std::string& source);
 
-/// What a saved picture says about itself: scene, camera, settings, time and statistics, in the
-/// words of the command line's pictures.
+/// FOLDER/NAME-001, or the next number that no picture has.
+[[nodiscard]] std::string free_stem(const std::filesystem::path& folder, const std::string& name);
+
+/// What a saved picture says about itself: how it can be made again, time and statistics. Only with
+/// a picture.
 [[nodiscard]] ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display);
 
-/// Writes `image` as STEM-001.png in `folder`, or the next number that is free, and returns the
-/// path.
+/// What of the display a picture keeps, and the way back. What is out of the window's range becomes
+/// its nearest end.
+[[nodiscard]] PictureDisplay described(const DisplaySettings& display);
+void show_as(const PictureDisplay& described, DisplaySettings& display);
+
+/// Writes `image` as a PNG under the next free name, and returns the path.
 [[nodiscard]] Result<std::string> save_screenshot(const RgbImage& image,
                                                   const std::filesystem::path& folder,
-                                                  const std::string& stem);
+                                                  const std::string& name);
 
 }  // namespace asos

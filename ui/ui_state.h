@@ -1,9 +1,14 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/panels/check_panel.h"
+#include "ui/panels/equal_time_panel.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/reflections_panel.h"
+#include "ui/panels/sky_panel.h"
 #include "ui/panels/study_panel.h"
 #include "ui/picture_view.h"
+#include "ui/save_choice.h"
 
 #include <glm/glm.hpp>
 
@@ -19,7 +24,12 @@ struct UiState {
   PictureView view;
   StudyChoice study;
   LightChoice lights;
+  ReflectionChoice reflections;
+  SkyEdit sky;
+  CheckChoice check;
+  EqualTimeChoice equal_time;
   std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
+  int picked_pyray = -1;             ///< of the pixel's, that is looked at; -1: the pixel itself
   bool show_boundaries = false;      ///< of the hit list, in the picture
   Frames frames;
   bool show_panel = true;
@@ -29,6 +39,7 @@ struct UiState {
   bool show_open = false;
   std::string open_path;  ///< typed into the open dialog
   bool screenshot_requested = false;
+  SaveChoice save;
   bool quit = false;
   std::string message;  ///< in the status line, until `message_until_seconds`
   double message_until_seconds = 0.0;

@@ -1,5 +1,7 @@
 #include "ui/window_content.h"
 
+#include "renderer/picture/picture_text.h"
+#include "ui/gl/read_framebuffer.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/study_panel.h"
 #include "ui/screenshot.h"
@@ -24,6 +26,7 @@ constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoNav;
 constexpr double message_seconds = 6.0;
 constexpr int frames_to_settle = 3;
+constexpr double dialog_fades_seconds = 0.3;
 // Seldom: what drawing takes is counted as the study's.
 constexpr double study_redraw_seconds = 0.5;
 
@@ -66,8 +69,9 @@ void WindowContent::draw(const FrameInput& in) {
   ImGui::SetCurrentContext(context_);
   if (!input_.empty() || state_.screenshot_requested) settling_frames_ = frames_to_settle;
   settling_frames_ = std::max(0, settling_frames_ - 1);
+  take_outcomes();
   previewer_.update(in.time_seconds);
-  update_study(study_, previewer_);
+  update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
       in.framebuffer_size.y <= 0) {
     previewer_.set_picture_size(0, 0, in.time_seconds);
@@ -84,13 +88,23 @@ void WindowContent::draw(const FrameInput& in) {
   // What the widgets changed takes effect in this frame, before it is shown.
   previewer_.set_picture_size(picture_rect_.width, picture_rect_.height, in.time_seconds);
   previewer_.update(in.time_seconds);
-  update_study(study_, previewer_);
+  update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
+  check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm);
   const std::vector<PixelRect> changed = previewer_.take_changed();
   display_.update(previewer_.film(), changed, state_.display, previewer_.settings().max_level);
   display_.update_compared(previewer_.film(), changed, state_.frames);
   if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
+  keep_saving();
   present(in);
+  save_window(in);
+}
+
+// What other threads found out.
+void WindowContent::take_outcomes() {
+  update_sky(previewer_.settings(), state_.sky, sky_reader_);
+  update_equal_time(previewer_, state_.equal_time, equal_time_, state_.frames);
+  forecast_.update();
 }
 
 void WindowContent::begin_frame(const FrameInput& in) {
@@ -139,6 +153,7 @@ void WindowContent::lay_out(const FrameInput& in) {
               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                   ImGuiWindowFlags_NoScrollWithMouse);
   const PictureArea shown{picture, scale.y};
+  check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_.film(), shown);
@@ -155,10 +170,15 @@ void WindowContent::lay_out(const FrameInput& in) {
 
   if (panel_width > 0.0f)
     panel_window({{picture_size.x, 0.0f}, {window.x - picture_size.x, window.y}});
-  pixel_panel(controls_, previewer_, state_, inspector_.report(), shown);
+  pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
   notices(controls_, previewer_, picture);
   help_overlay(state_, picture);
   open_dialog(controls_, state_, previewer_);
+  const Film& film = previewer_.film();
+  if (state_.save.show && state_.save.stem.empty() && previewer_.scene())
+    state_.save.stem = free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->source));
+  save_dialog(controls_, state_.save, {film.width, film.height});
+  saving_notice(controls_, picture_job_, picture);
 }
 
 StoredSettings WindowContent::stored_settings() const {
@@ -183,8 +203,9 @@ void WindowContent::follow_files(double now_seconds) {
     stored.add_recent(scene->source);
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
+    if (const auto opened = previewer_.take_opened_display()) show_as(*opened, state_.display);
   }
-  if (state_.watch && !previewer_.loading() && watch_.changed(scene->source, now_seconds))
+  if (state_.watch && !previewer_.loading() && watch_.changed(previewer_.files(), now_seconds))
     previewer_.reload();
 }
 
@@ -215,6 +236,9 @@ void WindowContent::panel_window(const WindowRect& rect) {
                        width)) {
     state_.screenshot_requested = true;
   }
+  if (controls_.button("Save as...",
+                       "Save as EXR, at another size, or with the window. Key: Ctrl+S.", width))
+    state_.save.show = true;
   // A built-in scene never changes.
   if (scene && !scene->source.starts_with("builtin:")) {
     if (controls_.button("Reload", "Load the file again; the view stays. Key: R.", width))
@@ -227,19 +251,30 @@ void WindowContent::panel_window(const WindowRect& rect) {
                      Controls::Use::edits);
   }
   if (scene) warnings_panel(controls_, scene->notes);
-  antialiasing_panel(controls_, previewer_.settings(), scene);
+  antialiasing_panel(controls_, previewer_, forecast_);
+  refinement_panel(controls_, previewer_);
   lights_panel(controls_, previewer_, state_.lights, state_.picked);
   shadows_panel(controls_, previewer_.settings(), scene);
+  reflections_panel(controls_, previewer_, state_.reflections, state_.picked);
+  sky_panel(controls_, previewer_.settings(), state_.sky, sky_reader_);
   compare_panel(controls_, previewer_, state_.frames);
+  equal_time_panel(controls_, previewer_, state_.equal_time, equal_time_, state_.frames);
+  check_panel(controls_, previewer_, state_.check, check_);
   display_panel(controls_, state_.display, previewer_.settings().max_level);
   camera_panel(controls_, previewer_);
   if (scene) {
     statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings(), *scene,
                      previewer_.progress().fraction);
     study_panel(controls_, state_.study, study_, previewer_);
-    scene_panel(controls_, *scene, previewer_.load_seconds());
+    scene_panel(controls_, *scene, previewer_.rendered_settings(), previewer_.load_seconds());
   }
   ImGui::Spacing();
+  if (controls_.button("Reset scene settings",
+                       "Everything that the picture is rendered with back to how it was at first: "
+                       "method, lights, shadows, reflections, sky and materials. The view stays. "
+                       "Ctrl+Z brings it back.",
+                       -1.0f))
+    previewer_.reset_settings();
   if (controls_.button("Forget settings",
                        "Back to how the window was at first: display, panel, and no recent files. "
                        "The scene and what it is rendered with stay.",
@@ -276,6 +311,50 @@ void WindowContent::take_screenshot() {
   say(saved ? "Saved " + *saved : "Not saved: " + saved.error().message());
 }
 
+// Begins what the dialog was asked for, and tells what has come of it.
+void WindowContent::keep_saving() {
+  if (std::exchange(state_.save.asked, false)) begin_saving();
+  if (const auto outcome = picture_job_.take_outcome())
+    say(*outcome ? "Saved " + **outcome : "Not saved: " + outcome->error().message());
+}
+
+void WindowContent::begin_saving() {
+  const SaveChoice choice = state_.save;
+  state_.save.stem.clear();
+  if (!previewer_.scene() || display_.width() <= 0) {
+    say("There is no picture to save yet");
+    return;
+  }
+  if (choice.what != SaveChoice::What::picture) {
+    window_to_save_ = choice;
+    save_window_seconds_ = time_seconds_ + dialog_fades_seconds;
+    settling_frames_ = frames_to_settle;
+    return;
+  }
+  Snapshot snapshot = previewer_.rendered_snapshot();
+  if (choice.size.x > 0) {
+    snapshot.settings.width = choice.size.x;
+    snapshot.settings.height = choice.size.y;
+  }
+  DisplaySettings plain;
+  plain.exposure_ev = state_.display.exposure_ev;
+  const ImageText text =
+      picture_text(describe(*snapshot.scene, snapshot.camera, snapshot.settings, described(plain)));
+  picture_job_.start({std::move(snapshot), choice.path(), plain.exposure_ev, text});
+}
+
+// What the framebuffer shows, once the dialog has faded from it.
+void WindowContent::save_window(const FrameInput& in) {
+  if (!window_to_save_ || in.time_seconds < save_window_seconds_) return;
+  const SaveChoice choice = *std::exchange(window_to_save_, std::nullopt);
+  PixelRect area{0, 0, in.framebuffer_size.x, in.framebuffer_size.y};
+  if (choice.what == SaveChoice::What::seen) area = picture_rect_;
+  const RgbImage image{area.width, area.height, read_framebuffer(area, in.framebuffer_size.y),
+                       screenshot_text(previewer_, state_.display)};
+  const Result<void> written = write_png(choice.path(), image);
+  say(written ? "Saved " + choice.path() : "Not saved: " + written.error().message());
+}
+
 void WindowContent::say(std::string message) {
   state_.message = std::move(message);
   state_.message_until_seconds = time_seconds_ + message_seconds;
@@ -288,11 +367,13 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
   if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
   if (flying()) also(0.0);
-  if (inspector_.busy()) also(0.02);
+  if (inspector_.busy() || sky_reader_.busy() || forecast_.busy()) also(0.02);
+  if (check_.pending() || equal_time_.pending()) also(0.1);
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (previewer_.loading()) also(0.1);
+  if (previewer_.loading() || picture_job_.state()) also(0.1);
+  if (window_to_save_) also(std::max(0.0, save_window_seconds_ - time_seconds_));
   if (previewer_.progress().running) also(0.25);
   if (study_.busy()) also(study_redraw_seconds);
   return due;

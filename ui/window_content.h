@@ -2,12 +2,16 @@
 
 #include "renderer/result.h"
 #include "ui/edit_history.h"
+#include "ui/equal_time.h"
 #include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/overlays.h"
+#include "ui/picture_job.h"
 #include "ui/previewer.h"
+#include "ui/split_check.h"
+#include "ui/split_forecast.h"
 #include "ui/stored_settings.h"
 #include "ui/ui_state.h"
 #include "ui/view_study.h"
@@ -56,16 +60,21 @@ class WindowContent {
   void apply(const StoredSettings& stored);
   [[nodiscard]] const Controls& controls() const { return controls_; }
   [[nodiscard]] const ViewStudy& study() const { return study_; }
+  [[nodiscard]] const PictureJob& picture_job() const { return picture_job_; }
   /// The area of the framebuffer that shows the picture, from the top left.
   [[nodiscard]] PixelRect picture_rect() const { return picture_rect_; }
 
  private:
   WindowContent(Previewer& previewer, GlDisplay display, ImGuiContext* context);
+  void take_outcomes();
   void begin_frame(const FrameInput& in);
   void lay_out(const FrameInput& in);
   void panel_window(const WindowRect& rect);
   void present(const FrameInput& in);
   void take_screenshot();
+  void keep_saving();
+  void begin_saving();
+  void save_window(const FrameInput& in);
   void take_back();
   void follow_files(double now_seconds);
   void say(std::string message);
@@ -79,7 +88,14 @@ class WindowContent {
   ViewStudy study_;
   EditHistory history_;
   PixelInspector inspector_;
+  SkyReader sky_reader_;
+  SplitForecast forecast_;
+  SplitCheck check_;
+  EqualTimeJob equal_time_;
   FileWatch watch_;
+  PictureJob picture_job_;
+  std::optional<SaveChoice> window_to_save_;  // once the dialog is gone
+  double save_window_seconds_ = 0.0;
   std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;
   glm::vec2 scales_{0.0f};  // of text and of its raster, that the font was made for

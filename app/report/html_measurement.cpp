@@ -72,8 +72,8 @@ and error. Rivals are always taken at their best; for ASOS every setting is list
 <li><strong>Regions</strong>: found with ASOS at MAX 4 and EPS 1/256, the first that holds. Outlines:
 pixels split for an outline, a crease, an intersection, a cut-out, or that were never resolved.
 Penumbrae: split at a shadow's edge, or a light of some size is partly hidden from what the pixel's
-centre shows. Reflections: surfaces with a roughness below 0.35, of which this program shows the
-highlights. Textures: textured surfaces.</li>
+centre shows. Reflections: split at an edge that a mirror shows, or the centre shows a surface that
+mirrors (metals before penumbrae, others after). Textures: textured surfaces.</li>
 </ul>
 )html";
 

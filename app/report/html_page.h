@@ -23,6 +23,8 @@ struct SceneFigures {
 
 // Its sections, in their order.
 [[nodiscard]] std::string html_summary(const StudyReport& report);
+/// The part of the summary that says where ASOS does not win.
+[[nodiscard]] std::string html_losses(const StudyReport& report);
 [[nodiscard]] std::string html_scene(const SceneReport& scene, const SceneFigures& figures,
                                      std::size_t number, Embedder& embed);
 /// A scene's pictures, error maps and split maps, two of them under a slider.

@@ -9,19 +9,22 @@ namespace {
 
 std::string facts_text(const SceneReport& scene) {
   std::string text = fmt::format(
-      "<p>{} triangles, {} lights. Reference: {} samples a pixel, noise {} RMSE; errors below the "
-      "floor of {} (twice the noise) are hardly known, marked, and not compared.{}</p>\n",
-      count_text(scene.facts.triangles), scene.facts.lights,
+      "<p>{} triangles, {} lights, {:.1f} MB. Reference: {} samples a pixel, noise {} RMSE; errors "
+      "below the floor of {} (twice the noise) are hardly known, marked, and not compared.{}</p>\n",
+      count_text(scene.facts.triangles), scene.facts.lights, scene.facts.memory_mb,
       count_text(static_cast<std::uint64_t>(scene.samples)), error_text(scene.study.noise),
       error_text(scene.study.floor),
       scene.quiet ? " The noise is at most a quarter of the smallest error."
                   : " The reference's budget ended before its noise was a quarter of the smallest "
                     "error.");
   if (!scene.facts.left_out.empty()) {
-    std::vector<std::string> words;
-    for (const std::string& word : scene.facts.left_out) words.push_back(escaped(word));
-    text += "<p class=\"note\">Left out, because the scene does not need it: " + list_text(words) +
-            ".</p>\n";
+    std::string items;
+    for (const std::string& word : scene.facts.left_out)
+      items += "<li>" + escaped(word) + "</li>\n";
+    text += fmt::format(
+        "<details><summary>Left out, because nothing needs it: {} features, with what that "
+        "saves</summary>\n<ul class=\"note\">\n{}</ul>\n</details>\n",
+        scene.facts.left_out.size(), items);
   }
   return text;
 }

@@ -31,6 +31,8 @@ td.win { color: #0b5a2b; }
 td.loss { background: #fbe9e2; font-weight: 600; }
 td.under, tr.under td { color: #777; font-style: italic; }
 tr.first td { border-top: 2px solid #bbb; }
+summary { cursor: pointer; color: #333; font-size: .9rem; margin: .4rem 0; }
+a { color: #0b4a8b; }
 figure { margin: .8rem 0; }
 figcaption { font-size: .85rem; color: #444; }
 img { max-width: 100%; }

@@ -2,11 +2,13 @@
 
 #include "app/output_file.h"
 #include "renderer/film/image_io.h"
+#include "renderer/methods/names.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -16,6 +18,48 @@ namespace fs = std::filesystem;
 namespace {
 
 using json = nlohmann::ordered_json;
+
+template <typename T>
+json json_or_null(const std::optional<T>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+template <typename T>
+std::optional<T> value_or_none(const json& j) {
+  if (j.is_null()) return std::nullopt;
+  return j.get<T>();
+}
+
+json plan_dfr_json(const std::optional<Dfr>& dfr) {
+  if (!dfr) return nullptr;
+  json j{{"perturbation", dfr->perturbation}, {"rgb", json::array()}};
+  for (const DfrCurve& c : dfr->rgb) j["rgb"].push_back({c.min, c.max, c.exponent});
+  return j;
+}
+
+std::optional<Dfr> plan_dfr_of(const json& j) {
+  if (j.is_null()) return std::nullopt;
+  Dfr dfr;
+  dfr.perturbation = j.at("perturbation").get<double>();
+  for (std::size_t i = 0; i < dfr.rgb.size(); ++i) {
+    const auto curve = j.at("rgb").at(i).get<std::array<double, 3>>();
+    dfr.rgb[i] = {curve[0], curve[1], curve[2]};
+  }
+  return dfr;
+}
+
+/// Of a report that is put together from its jobs the sky itself is not asked for any more.
+StudyLook plan_look_of(const json& j) {
+  StudyLook look;
+  look.camera = {value_or_none<int>(j.at("camera")),
+                 value_or_none<std::array<double, 6>>(j.at("look_at")),
+                 value_or_none<double>(j.at("fov"))};
+  look.sky = j.at("sky").get<std::string>();
+  look.reflections = j.at("reflections").get<int>();
+  look.roughest_mirror = j.at("roughest_mirror").get<double>();
+  look.dfr = plan_dfr_of(j.at("dfr"));
+  return look;
+}
 
 StudyPlan plan_of(const json& j) {
   StudyPlan plan;
@@ -27,6 +71,9 @@ StudyPlan plan_of(const json& j) {
   plan.budget_seconds = j.at("budget_seconds").get<double>();
   plan.threads = j.at("threads").get<int>();
   plan.paper = j.at("paper").get<bool>();
+  plan.look = plan_look_of(j);
+  plan.texture_resolution = j.at("texture_resolution").get<int>();
+  plan.needs = j.at("needs") == "all" ? NeedsChoice::all : NeedsChoice::scene;
   return plan;
 }
 
@@ -51,7 +98,7 @@ JobRecord record_of(const json& j, const Job& job) {
   record.picture_hash = j.at("picture_hash").get<std::string>();
   if (job.kind == JobKind::regions) {
     const json& scene = j.at("scene");
-    record.scene = {scene.at("triangles").get<std::uint64_t>(),
+    record.scene = {scene.at("triangles").get<std::uint64_t>(), scene.at("memory_mb").get<double>(),
                     scene.at("lights").get<std::size_t>(),
                     scene.at("left_out").get<std::vector<std::string>>()};
   }
@@ -123,7 +170,16 @@ json plan_json(const StudyPlan& plan) {
           {"repetitions", plan.repetitions},
           {"budget_seconds", plan.budget_seconds},
           {"threads", plan.threads},
-          {"paper", plan.paper}};
+          {"paper", plan.paper},
+          {"camera", json_or_null(plan.look.camera.index)},
+          {"look_at", json_or_null(plan.look.camera.look_at)},
+          {"fov", json_or_null(plan.look.camera.fov_y_deg)},
+          {"sky", plan.look.sky},
+          {"reflections", plan.look.reflections},
+          {"roughest_mirror", plan.look.roughest_mirror},
+          {"dfr", plan_dfr_json(plan.look.dfr)},
+          {"texture_resolution", plan.texture_resolution},
+          {"needs", name_in(needs_names, plan.needs)}};
 }
 
 json machine_json(const Machine& machine) {
@@ -157,6 +213,7 @@ Result<void> write_record(const StudyPlan& plan, const JobRecord& record) {
          {"picture_hash", record.picture_hash}};
   if (record.job.kind == JobKind::regions)
     j["scene"] = {{"triangles", record.scene.triangles},
+                  {"memory_mb", record.scene.memory_mb},
                   {"lights", record.scene.lights},
                   {"left_out", record.scene.left_out}};
   const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + "\n";

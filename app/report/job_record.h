@@ -18,6 +18,7 @@ namespace asos {
 /// What a report tells of a scene.
 struct SceneFacts {
   std::uint64_t triangles = 0;
+  double memory_mb = 0.0;  ///< of geometry, textures and hierarchies
   std::size_t lights = 0;
   std::vector<std::string> left_out;  ///< what the scene does not need
 };

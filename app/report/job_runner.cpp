@@ -35,26 +35,36 @@ Snapshot snapshot_for(const Job& job, std::shared_ptr<const RenderScene> scene,
   return {std::move(scene), camera, job.rung.settings, false};
 }
 
+CameraChoice choice_of(const StudyCamera& camera) {
+  CameraChoice choice;
+  choice.index = camera.index;
+  choice.fov_y_deg = camera.fov_y_deg;
+  if (const auto& at = camera.look_at)
+    choice.look_at = LookAt{{(*at)[0], (*at)[1], (*at)[2]}, {(*at)[3], (*at)[4], (*at)[5]}};
+  return choice;
+}
+
 }  // namespace
 
 JobRunner::JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop)
     : plan_(std::move(plan)), folder_(std::move(jobs_folder)), stop_(std::move(stop)) {}
 
-Result<void> JobRunner::open(const std::string& name) {
-  if (scene_ && open_scene_ == name) return {};
+Result<void> JobRunner::open(const StudyScene& subject) {
+  if (scene_ && open_subject_ == subject) return {};
+  const std::string& source = subject.source;
   scene_.reset();  // before the next one takes memory
-  const Result<Scene> scene = open_scene_argument(name);
+  const Result<Scene> scene = open_scene_argument(source);
   if (!scene) return tl::unexpected(scene.error());
-  auto ready = prepare(*scene);
+  auto ready = prepare(*scene, forced_by(plan_.needs));
   if (!ready) return tl::unexpected(ready.error());
   if ((*ready)->world.surface_count() == 0)
-    return tl::unexpected(Error{name, "the scene is empty: there is nothing to compare"});
-  const auto camera =
-      choose_camera((*ready)->world, {}, static_cast<double>(plan_.width) / plan_.height);
+    return tl::unexpected(Error{source, "the scene is empty: there is nothing to compare"});
+  const auto camera = choose_camera((*ready)->world, choice_of(subject.look.camera),
+                                    static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
   scene_ = *std::move(ready);
   camera_ = *camera;
-  open_scene_ = name;
+  open_subject_ = subject;
   return {};
 }
 
@@ -75,7 +85,7 @@ Result<void> JobRunner::write_picture(const JobRecord& record, const Film& film)
 }
 
 Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
-  if (const auto opened = open(job.scene); !opened) return tl::unexpected(opened.error());
+  if (const auto opened = open(job.subject); !opened) return tl::unexpected(opened.error());
   if (const auto fits = check_method(*scene_, job.rung.settings); !fits)
     return tl::unexpected(fits.error());
   const bool may_be_cut = job.kind == JobKind::reference && job.pass > 0;
@@ -101,8 +111,8 @@ Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
     record.pyrays = pyrays_of(rendered->statistics);
     record.rejected_samples = rendered->statistics.rejected_samples;
     record.picture_hash = hash_of(rendered->film);
-    record.scene = {scene_->world.triangles.size(), scene_->world.lights.size(),
-                    scene_->needs.left_out()};
+    record.scene = {scene_->world.triangles.size(), scene_->memory_mb, scene_->world.lights.size(),
+                    needs_of(*scene_, job.rung.settings).left_out()};
     if (const auto written = write_picture(record, rendered->film); !written)
       return tl::unexpected(written.error());
   }

@@ -23,14 +23,14 @@ class JobRunner {
   [[nodiscard]] Result<JobRecord> run(const Job& job, double seconds);
 
  private:
-  [[nodiscard]] Result<void> open(const std::string& scene);
+  [[nodiscard]] Result<void> open(const StudyScene& subject);
   [[nodiscard]] Result<void> write_picture(const JobRecord& record, const Film& film) const;
 
   StudyPlan plan_;
   std::string folder_;
   std::function<bool()> stop_;
   Machine machine_ = this_machine();
-  std::string open_scene_;
+  StudyScene open_subject_;
   std::shared_ptr<const RenderScene> scene_;
   Camera camera_;
 };

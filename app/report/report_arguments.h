@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/picture_options.h"
 #include "renderer/study/plan.h"
 
 #include <cstddef>
@@ -11,7 +12,8 @@ namespace asos {
 
 /// What `asos report` was asked for.
 struct ReportArguments {
-  StudyPlan plan;
+  StudyPlan plan;                  ///< complete once `look` has been taken into it
+  PictureArguments look;           ///< how its scenes look: what add_look_options fills
   std::string output;              ///< a folder
   bool list_jobs = false;          ///< say what there is to do, and do nothing
   std::optional<std::size_t> job;  ///< run this one alone

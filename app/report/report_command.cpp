@@ -38,6 +38,7 @@ constexpr const char* report_footer =
     "  asos report builtin:boxes -o boxes --size 320x180\n"
     "  asos report model.glb builtin:office -o both --budget 600 --methods asos,sobol\n"
     "  asos report --suite paper -o paper --size 640x480\n"
+    "  asos report bike.glb -o bike --sky studio.hdr --reflections 2 --tr 2\n"
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
@@ -54,9 +55,25 @@ class Journal {
   std::size_t count_;
 };
 
+/// Opens the sky, where there is one in a file.
+Result<void> take_look(ReportArguments& arguments) {
+  const auto settings = with_sky(arguments.look);
+  if (!settings) return tl::unexpected(settings.error());
+  StudyPlan& plan = arguments.plan;
+  plan.look = look_of(*settings);
+  plan.look.camera.index = arguments.look.camera.index;
+  plan.look.camera.fov_y_deg = arguments.look.camera.fov_y_deg;
+  if (const auto& look = arguments.look.camera.look_at)
+    plan.look.camera.look_at = {look->eye.x,    look->eye.y,    look->eye.z,
+                                look->target.x, look->target.y, look->target.z};
+  plan.texture_resolution = settings->texture_resolution;
+  plan.needs = arguments.look.needs;
+  return {};
+}
+
 Result<void> check_scenes(const StudyPlan& plan) {
-  for (const std::string& scene : scenes_of(plan))
-    if (const auto there = check_scene_argument(scene); !there)
+  for (const StudyScene& scene : scenes_of(plan))
+    if (const auto there = check_scene_argument(scene.source); !there)
       return tl::unexpected(there.error());
   RenderSettings settings;
   settings.width = plan.width;
@@ -95,7 +112,8 @@ Result<void> run_all(const ReportArguments& arguments, const std::vector<Job>& j
   JobRunner runner(arguments.plan, folder, [&] { return interrupt.interrupted(); });
   Journal journal(bar, jobs.size());
   JobRecords done{arguments.plan, jobs, {}};
-  for (const std::string& scene : scenes_of(arguments.plan)) {
+  for (const StudyScene& subject : scenes_of(arguments.plan)) {
+    const std::string scene = subject.name();
     for (const Job& job : jobs) {
       if (job.scene != scene || job.kind == JobKind::reference) continue;
       journal.begin(job);
@@ -143,11 +161,11 @@ Result<std::string> run(const ReportArguments& arguments, const std::vector<Job>
   return make_report({arguments.output}, arguments.output);
 }
 
-int run_report(const ReportArguments& arguments, const Streams& streams) {
+int run_report(ReportArguments arguments, const Streams& streams) {
   std::vector<Job> jobs;
   if (arguments.merge.empty()) {
-    if (const auto there = check_scenes(arguments.plan); !there)
-      return fail(streams, there.error());
+    const auto ready = check_scenes(arguments.plan).and_then([&] { return take_look(arguments); });
+    if (!ready) return fail(streams, ready.error());
     auto made = make_jobs(arguments.plan);
     if (!made) return fail(streams, made.error());
     jobs = *std::move(made);
@@ -237,6 +255,7 @@ Command add_report_command(CLI::App& program) {
   CLI::App* parser =
       program.add_subcommand("report", "Measure error against run time, ASOS beside other methods");
   add_study_options(*parser, arguments->plan);
+  add_look_options(*parser, arguments->look);
   parser->add_option("-o,--output", arguments->output, "Folder to write to")->type_name("DIR");
   parser->add_flag("--list-jobs", arguments->list_jobs, "List the jobs of the report, one a line");
   add_parsed_option(

@@ -1,6 +1,6 @@
 #include "app/report/report_data.h"
 
-#include "renderer/study/paper_cases.h"
+#include "renderer/picture/settings_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,6 +33,7 @@ json point_json(const StudyPoint& p) {
   json j{{"method", p.rung.method},
          {"setting", p.rung.setting},
          {"curve", p.rung.curve},
+         {"settings", settings_json(p.rung.settings)},
          {"seconds", p.seconds()},
          {"spread", p.spread()},
          {"wall_seconds", p.wall_seconds()},
@@ -95,24 +96,33 @@ void add_comparisons(const SceneStudy& study, json& report) {
                                 {"points", slope.points}});
 }
 
+json ratio_or_null(double ratio) {
+  return ratio > 0.0 ? json(ratio) : json(nullptr);
+}
+
 json paper_json(const StudyReport& report) {
   json rows = json::array();
   for (const PaperRow& row : paper_rows(report)) {
-    json j{{"figure", row.figure}, {"image", row.image}, {"settings", row.settings}};
-    j["published_ratio"] = row.published_ratio > 0.0 ? json(row.published_ratio) : json(nullptr);
-    if (!row.missing.empty()) {
-      j["not_in_this_program_yet"] = row.missing;
-    } else {
-      j["scene"] = row.scene;
-      j["method"] = row.method;
-      j["seconds"] = row.asos_seconds;
-      j["rmse"] = row.asos_rmse;
-      j["ratio"] = row.ratio() > 0.0 ? json(row.ratio()) : json(nullptr);
-      if (row.rival_spp > 0) {
-        j["stochastic_spp"] = row.rival_spp;
-        j["stochastic_seconds"] = row.rival_seconds;
-        j["stochastic_rmse"] = row.rival_rmse;
-      }
+    const PaperCase& published = *row.published;
+    json j{{"figure", published.figure},
+           {"image", published.image},
+           {"settings", published.settings},
+           {"published_minutes", published.asos_minutes},
+           {"published_ratio", ratio_or_null(row.published_ratio())},
+           {"scene", row.scene},
+           {"method", row.method},
+           {"seconds", row.asos_seconds},
+           {"rmse", row.asos_rmse},
+           {"under_floor", row.under_floor},
+           {"ratio", ratio_or_null(row.ratio())}};
+    if (published.rival_spp > 0) {
+      j["stochastic_spp"] = published.rival_spp;
+      j["stochastic_seconds"] = row.rival_seconds;
+      j["stochastic_rmse"] = row.rival_rmse;
+    }
+    if (row.equal_error) {
+      j["ratio_at_equal_error"] = row.equal_error->speedup;
+      j["reading"] = name_of(row.equal_error->reading);
     }
     rows.push_back(std::move(j));
   }
@@ -132,21 +142,27 @@ const StudyPoint* point_at(const SceneReport& scene, const std::string& method,
   return nullptr;
 }
 
-void add_measured(const StudyReport& report, PaperRow row, const char* scene_name, int max_level,
-                  double eps, std::vector<PaperRow>& rows) {
-  const SceneReport* scene = scene_called(report, scene_name);
+void add_measured(const StudyReport& report, const PaperCase& published,
+                  std::vector<PaperRow>& rows) {
+  const std::string name = scene_of(published).name();
+  const SceneReport* scene = scene_called(report, name);
   if (!scene) return;
-  row.scene = scene_name;
   for (const char* method : {"asos", "asos-published"}) {
-    const StudyPoint* asos =
-        point_at(*scene, method, fmt::format("MAX {} EPS {}", max_level, eps_text(eps)));
+    const StudyPoint* asos = point_at(*scene, method, asos_rung(published, method, {}).setting);
     if (!asos) continue;
+    PaperRow row;
+    row.published = &published;
+    row.scene = name;
     row.method = method;
     row.asos_seconds = asos->seconds();
     row.asos_rmse = asos->measures.rmse;
-    const StudyPoint* rival = point_at(*scene, "stochastic", fmt::format("{} spp", row.rival_spp));
-    row.rival_seconds = rival ? rival->seconds() : 0.0;
-    row.rival_rmse = rival ? rival->measures.rmse : 0.0;
+    row.under_floor = asos->under_floor;
+    row.equal_error = at_equal_error(scene->study, *asos, "stochastic");
+    const std::string spp = sampling_rung("stochastic", {}, published.rival_spp).setting;
+    if (const StudyPoint* rival = point_at(*scene, "stochastic", spp)) {
+      row.rival_seconds = rival->seconds();
+      row.rival_rmse = rival->measures.rmse;
+    }
     rows.push_back(row);
   }
 }
@@ -200,39 +216,7 @@ json report_json(const StudyReport& report) {
 std::vector<PaperRow> paper_rows(const StudyReport& report) {
   std::vector<PaperRow> rows;
   if (!report.plan.paper) return rows;
-  for (const PaperCase& published : paper_cases) {
-    PaperRow row{published.figure,
-                 published.image,
-                 published.settings,
-                 0.0,
-                 published.missing,
-                 "",
-                 "",
-                 0.0,
-                 0.0,
-                 published.rival_spp,
-                 0.0,
-                 0.0};
-    if (published.rival_minutes > 0.0)
-      row.published_ratio = published.rival_minutes / published.asos_minutes;
-    if (row.missing.empty())
-      add_measured(report, row, published.scene, published.max_level, published.eps, rows);
-    else
-      rows.push_back(row);
-  }
-  const PaperRow plain{"-",
-                       "House without texture resampling (not a case of the paper)",
-                       "MAX 2, EPS 0",
-                       0.0,
-                       "",
-                       "",
-                       "",
-                       0.0,
-                       0.0,
-                       16,
-                       0.0,
-                       0.0};
-  add_measured(report, plain, plain_house, 2, 0.0, rows);
+  for (const PaperCase& published : paper_cases) add_measured(report, published, rows);
   return rows;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "app/report/study_report.h"
+#include "renderer/study/paper_cases.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,19 +21,20 @@ namespace asos {
 
 /// A published case beside what was measured here.
 struct PaperRow {
-  const char* figure;
-  const char* image;
-  const char* settings;
-  double published_ratio = 0.0;  ///< 0: none was published
-  std::string missing;           ///< what the program lacks for it; empty: measured
+  const PaperCase* published = nullptr;
   std::string scene;
   std::string method;  ///< asos or asos-published
   double asos_seconds = 0.0;
   double rival_seconds = 0.0;  ///< stochastic sampling at the paper's samples; 0: none
-  int rival_spp = 0;
   double asos_rmse = 0.0;
   double rival_rmse = 0.0;
+  bool under_floor = false;               ///< the error of ASOS is hardly known
+  std::optional<EqualError> equal_error;  ///< beside stochastic sampling at its best
 
+  /// Of stochastic sampling's time to that of ASOS; 0: none was published, or can be told.
+  [[nodiscard]] double published_ratio() const {
+    return published->rival_minutes / published->asos_minutes;
+  }
   [[nodiscard]] double ratio() const {
     return rival_seconds > 0.0 && asos_seconds > 0.0 ? rival_seconds / asos_seconds : 0.0;
   }

@@ -178,8 +178,8 @@ Result<StudyReport> assemble(const JobRecords& jobs) {
     if (report.first.empty() || record.when < report.first) report.first = record.when;
     report.last = std::max(report.last, record.when);
   }
-  for (const std::string& name : scenes_of(jobs.plan)) {
-    auto scene = assemble_scene(jobs, name);
+  for (const StudyScene& place : scenes_of(jobs.plan)) {
+    auto scene = assemble_scene(jobs, place.name());
     if (!scene) return tl::unexpected(scene.error());
     report.scenes.push_back(*std::move(scene));
   }

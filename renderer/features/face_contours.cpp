@@ -7,7 +7,7 @@ namespace asos {
 namespace {
 
 constexpr int around = 256;
-constexpr int along = 128;
+constexpr int steps_along = 128;
 constexpr int bisections = 40;
 
 class Contours {
@@ -16,7 +16,7 @@ class Contours {
 
   std::vector<FaceCrossing> find() {
     std::vector<double> low = row(0), high;
-    for (int v = 0; v < along; ++v) {
+    for (int v = 0; v < steps_along; ++v) {
       high = row(v + 1);
       for (int u = 0; u < around; ++u) cut({u, v}, low, high);
       low.swap(high);
@@ -31,7 +31,7 @@ class Contours {
 
   [[nodiscard]] glm::dvec3 point(double u, double v) const {
     // The seam is one line, whichever side it is met from.
-    return face_point(face_, u == around ? 0.0 : u / around, v / along).position;
+    return face_point(face_, u == around ? 0.0 : u / around, v / steps_along).position;
   }
   // Its equation, above 0 outside.
   [[nodiscard]] double outside(glm::dvec3 p) const {

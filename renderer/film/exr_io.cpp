@@ -1,128 +1,177 @@
 #include "renderer/film/image_io.h"
+#include "renderer/film/image_text.h"
+#include "renderer/film/part_file.h"
+#include "renderer/film/picture_writer.h"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <iterator>
-#include <limits>
-#include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
-#include <tinyexr.h>
+#include <utility>
 
 namespace asos {
 namespace {
 
-constexpr std::size_t max_pixels = std::size_t{1} << 29;
+constexpr std::int64_t max_pixels = std::int64_t{1} << 29;
+constexpr std::size_t longest_name = 255;
 
-/// tinyexr's error message, freed.
-std::string take_message(const char* message, const char* fallback) {
-  const std::string text = message ? message : fallback;
-  if (message) FreeEXRErrorMessage(message);
+// OpenEXR reports errors by exceptions; none leaves this file.
+
+class PartStream : public Imf::OStream {
+ public:
+  explicit PartStream(const PartFile& file) : Imf::OStream("picture"), file_(file) {}
+  void write(const char bytes[], int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (std::fwrite(bytes, 1, size, file_.stream()) != size)
+      throw std::runtime_error(file_.write_error().reason);
+  }
+  std::uint64_t tellp() override { return static_cast<std::uint64_t>(std::ftell(file_.stream())); }
+  void seekp(std::uint64_t at) override {
+    if (std::fseek(file_.stream(), static_cast<long>(at), SEEK_SET) != 0)
+      throw std::runtime_error(file_.write_error().reason);
+  }
+
+ private:
+  const PartFile& file_;
+};
+
+class BytesStream : public Imf::IStream {
+ public:
+  explicit BytesStream(const std::vector<std::uint8_t>& bytes)
+      : Imf::IStream("picture"), bytes_(bytes) {}
+  bool read(char to[], int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (size > bytes_.size() - at_) throw std::runtime_error("it ends too early");
+    std::memcpy(to, bytes_.data() + at_, size);
+    at_ += size;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t at) override {
+    if (at > bytes_.size()) throw std::runtime_error("it ends too early");
+    at_ = at;
+  }
+
+ private:
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t at_ = 0;
+};
+
+/// The slices of red, green and blue of rows that begin at `first_row`.
+Imf::FrameBuffer slices(const glm::vec3* radiance, const Imath::V2i& first, std::int64_t width,
+                        std::int64_t rows) {
+  Imf::FrameBuffer buffer;
+  for (int c = 0; c < 3; ++c) {
+    const float* channel = &radiance->x + c;
+    buffer.insert(std::string(1, "RGB"[c]),
+                  Imf::Slice::Make(Imf::FLOAT, channel, first, width, rows, sizeof(glm::vec3),
+                                   sizeof(glm::vec3) * static_cast<std::size_t>(width)));
+  }
+  return buffer;
+}
+
+Imf::Header header_of(PictureSizePx size, const ImageText& attributes) {
+  Imf::Header header(size.width, size.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const char* channel : {"R", "G", "B"})
+    header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+  for (const auto& [key, value] : attributes) header.insert(key, Imf::StringAttribute(value));
+  return header;
+}
+
+class ExrWriter : public PictureWriter {
+ public:
+  ExrWriter(PartFile file, std::string path, PictureSizePx size, const ImageText& attributes)
+      : file_(std::move(file)), path_(std::move(path)), size_(size), stream_(file_) {
+    output_.emplace(stream_, header_of(size, attributes), 0);
+  }
+
+  [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance) override {
+    const int rows = static_cast<int>(radiance.size() / static_cast<std::size_t>(size_.width));
+    if (rows == 0) return {};
+    try {
+      output_->setFrameBuffer(
+          slices(radiance.data(), {0, output_->currentScanLine()}, size_.width, rows));
+      output_->writePixels(rows);
+    } catch (const std::exception& e) {
+      return unexpected(Error{path_, fmt::format("could not be written: {}", e.what())});
+    }
+    return {};
+  }
+  [[nodiscard]] Result<void> finish() override {
+    output_.reset();  // writes where its rows are
+    return file_.commit();
+  }
+
+ private:
+  PartFile file_;
+  std::string path_;
+  PictureSizePx size_;
+  PartStream stream_;
+  std::optional<Imf::OutputFile> output_;
+};
+
+ImageText attributes_of(const Imf::Header& header) {
+  ImageText text;
+  for (auto at = header.begin(); at != header.end(); ++at)
+    if (const auto* value = dynamic_cast<const Imf::StringAttribute*>(&at.attribute()))
+      text.emplace_back(at.name(), value->value());
   return text;
 }
 
-/// The attributes in tinyexr's form. Values stay the caller's strings: tinyexr only reads them.
-Result<std::vector<EXRAttribute>> to_attributes(const std::string& path, const ImageText& text) {
-  if (text.size() > TINYEXR_MAX_CUSTOM_ATTRIBUTES) {
-    return unexpected(Error{path, "too many attributes for an EXR"});
-  }
-  std::vector<EXRAttribute> attributes;
-  for (const auto& [key, value] : text) {
-    EXRAttribute attribute{};
-    const bool long_value = value.size() > std::size_t{std::numeric_limits<int>::max()};
-    if (key.empty() || key.size() >= sizeof attribute.name || key.find('\0') != std::string::npos ||
-        long_value) {
-      return unexpected(Error{path, "attribute \"" + key + "\" is not valid"});
-    }
-    std::memcpy(attribute.name, key.data(), key.size());
-    std::memcpy(attribute.type, "string", 6);
-    attribute.value = reinterpret_cast<unsigned char*>(const_cast<char*>(value.data()));
-    attribute.size = static_cast<int>(value.size());
-    attributes.push_back(attribute);
-  }
-  return attributes;
+// Without OpenEXR's own mention of a file.
+tl::unexpected<Error> unreadable(const std::string& path, const std::exception& e) {
+  const std::string_view what = e.what();
+  const std::size_t head = what.find("\". ");
+  return unexpected(
+      Error{path, fmt::format("is no EXR that can be read: {}",
+                              head == std::string_view::npos ? what : what.substr(head + 3))});
 }
-
-struct FreeBytes {
-  void operator()(unsigned char* p) const { std::free(p); }
-};
-
-/// Owns what tinyexr parsed.
-struct Parsed {
-  EXRHeader header;
-  EXRImage image;
-
-  Parsed() {
-    InitEXRHeader(&header);
-    InitEXRImage(&image);
-  }
-  Parsed(const Parsed&) = delete;
-  Parsed& operator=(const Parsed&) = delete;
-  ~Parsed() {
-    FreeEXRImage(&image);
-    FreeEXRHeader(&header);
-  }
-
-  /// The plane of a channel, or null.
-  [[nodiscard]] const float* channel(std::string_view name) const {
-    for (int i = 0; i < header.num_channels; ++i) {
-      if (header.channels[i].name == name) {
-        return reinterpret_cast<const float*>(image.images[i]);
-      }
-    }
-    return nullptr;
-  }
-};
 
 }  // namespace
 
-Result<void> write_exr(const std::string& path, const Film& film, const ImageText& text) {
-  const std::size_t pixels = film.radiance.size();
-  if (pixels == 0) return unexpected(Error{path, "the picture is empty"});
-  if (pixels > max_pixels) return unexpected(Error{path, "the picture is too big"});
-  auto attributes = to_attributes(path, text);
-  if (!attributes) return unexpected(attributes.error());
-
-  // Channels lie in planes, in the order of their names.
-  std::array<std::vector<float>, 3> planes;  // B, G, R
-  std::array<unsigned char*, 3> plane_starts{};
-  std::array<EXRChannelInfo, 3> channels{};
-  std::array<int, 3> types{TINYEXR_PIXELTYPE_FLOAT, TINYEXR_PIXELTYPE_FLOAT,
-                           TINYEXR_PIXELTYPE_FLOAT};
-  for (std::size_t c = 0; c < 3; ++c) {
-    planes[c].reserve(pixels);
-    for (const glm::vec3& radiance : film.radiance) {
-      planes[c].push_back(radiance[2 - static_cast<int>(c)]);
-    }
-    plane_starts[c] = reinterpret_cast<unsigned char*>(planes[c].data());
-    channels[c].name[0] = "BGR"[c];
+Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, PictureSizePx size,
+                                                       const ImageText& attributes) {
+  if (size.width <= 0 || size.height <= 0) return unexpected(Error{path, "the picture is empty"});
+  for (const auto& [key, value] : attributes)
+    if (key.empty() || key.size() > longest_name || key.find('\0') != std::string::npos)
+      return unexpected(Error{path, "attribute \"" + key + "\" is not valid"});
+  Result<PartFile> file = PartFile::create(path);
+  if (!file) return unexpected(file.error());
+  try {
+    return std::make_unique<ExrWriter>(std::move(*file), path, size, attributes);
+  } catch (const std::exception& e) {
+    return unexpected(Error{path, fmt::format("could not be written: {}", e.what())});
   }
-  EXRImage image;
-  InitEXRImage(&image);
-  image.num_channels = 3;
-  image.images = plane_starts.data();
-  image.width = film.width;
-  image.height = film.height;
-  EXRHeader header;
-  InitEXRHeader(&header);
-  header.num_channels = 3;
-  header.channels = channels.data();
-  header.pixel_types = types.data();
-  header.requested_pixel_types = types.data();
-  header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
-  header.num_custom_attributes = static_cast<int>(attributes->size());
-  header.custom_attributes = attributes->data();
+}
 
-  unsigned char* memory = nullptr;
-  const char* message = nullptr;
-  const std::size_t size = SaveEXRImageToMemory(&image, &header, &memory, &message);
-  const std::unique_ptr<unsigned char, FreeBytes> owner(memory);
-  if (size == 0 || !memory) {
-    return unexpected(Error{path, take_message(message, "the picture could not be encoded")});
+Result<void> write_exr(const std::string& path, const Film& film, const ImageText& attributes) {
+  auto writer = make_exr_writer(path, {film.width, film.height}, attributes);
+  if (!writer) return unexpected(writer.error());
+  return (*writer)->add_rows(film.radiance).and_then([&] { return (*writer)->finish(); });
+}
+
+Result<ImageText> exr_text(const std::string& path, const std::vector<std::uint8_t>& file) {
+  try {
+    BytesStream stream(file);
+    const Imf::InputFile input(stream, 0);
+    return attributes_of(input.header());
+  } catch (const std::exception& e) {
+    return unreadable(path, e);
   }
-  return write_file_atomically(path, {memory, memory + size});
 }
 
 Result<ExrImage> read_exr(const std::string& path) {
@@ -130,41 +179,26 @@ Result<ExrImage> read_exr(const std::string& path) {
   if (!stream) return unexpected(Error{path, "cannot be opened"});
   const std::vector<std::uint8_t> file((std::istreambuf_iterator<char>(stream)),
                                        std::istreambuf_iterator<char>());
-  EXRVersion version;
-  if (ParseEXRVersionFromMemory(&version, file.data(), file.size()) != TINYEXR_SUCCESS ||
-      version.multipart || version.non_image || version.tiled) {
-    return unexpected(Error{path, "is not a plain EXR"});
+  try {
+    BytesStream bytes(file);
+    Imf::InputFile input(bytes, 0);
+    const Imf::Header& header = input.header();
+    for (const char* channel : {"R", "G", "B"})
+      if (!header.channels().findChannel(channel))
+        return unexpected(Error{path, "has no R, G and B channels"});
+    const Imath::Box2i window = header.dataWindow();
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    if (width > max_pixels / height) return unexpected(Error{path, "the picture is too big"});
+    ExrImage read;
+    read.film = Film(static_cast<int>(width), static_cast<int>(height));
+    input.setFrameBuffer(slices(read.film.radiance.data(), window.min, width, height));
+    input.readPixels(window.min.y, window.max.y);
+    read.attributes = attributes_of(header);
+    return read;
+  } catch (const std::exception& e) {
+    return unreadable(path, e);
   }
-  Parsed parsed;
-  const char* message = nullptr;
-  if (ParseEXRHeaderFromMemory(&parsed.header, &version, file.data(), file.size(), &message) !=
-      TINYEXR_SUCCESS) {
-    return unexpected(Error{path, take_message(message, "its header cannot be read")});
-  }
-  for (int i = 0; i < parsed.header.num_channels; ++i) {
-    parsed.header.requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
-  }
-  if (LoadEXRImageFromMemory(&parsed.image, &parsed.header, file.data(), file.size(), &message) !=
-      TINYEXR_SUCCESS) {
-    return unexpected(Error{path, take_message(message, "its picture cannot be read")});
-  }
-
-  const float* r = parsed.channel("R");
-  const float* g = parsed.channel("G");
-  const float* b = parsed.channel("B");
-  if (!r || !g || !b) return unexpected(Error{path, "has no R, G and B channels"});
-  ExrImage read;
-  read.film = Film(parsed.image.width, parsed.image.height);
-  for (std::size_t i = 0; i < read.film.radiance.size(); ++i) {
-    read.film.radiance[i] = {r[i], g[i], b[i]};
-  }
-  for (int i = 0; i < parsed.header.num_custom_attributes; ++i) {
-    const EXRAttribute& a = parsed.header.custom_attributes[i];
-    if (std::string_view(a.type) != "string") continue;
-    read.attributes.emplace_back(a.name, std::string(reinterpret_cast<const char*>(a.value),
-                                                     static_cast<std::size_t>(a.size)));
-  }
-  return read;
 }
 
 }  // namespace asos

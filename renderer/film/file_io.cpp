@@ -1,21 +1,15 @@
 #include "renderer/film/image_io.h"
+#include "renderer/film/part_file.h"
 
 #include <fmt/format.h>
 
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <system_error>
 #include <unistd.h>
 
 namespace asos {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 Error system_error(const std::string& path, const char* what, int code) {
   return {path, fmt::format("{} ({})", what, std::generic_category().message(code))};
@@ -23,29 +17,50 @@ Error system_error(const std::string& path, const char* what, int code) {
 
 }  // namespace
 
-Result<void> write_file_atomically(const std::string& path,
-                                   const std::vector<std::uint8_t>& bytes) {
+void PartFile::Drop::operator()(std::FILE* file) const {
+  std::fclose(file);
+  std::remove(name.c_str());
+}
+
+Result<PartFile> PartFile::create(const std::string& path) {
   // The name beside it is this process's and this call's own.
   static std::atomic<unsigned> serial{0};
-  const std::string beside = fmt::format("{}.{}-{}.part", path, ::getpid(), serial++);
-  File file(std::fopen(beside.c_str(), "wbx"));
+  PartFile part;
+  part.path_ = path;
+  part.beside_ = fmt::format("{}.{}-{}.part", path, ::getpid(), serial++);
+  std::FILE* file = std::fopen(part.beside_.c_str(), "wbx");
   if (!file) return unexpected(system_error(path, "cannot be written", errno));
+  part.file_ = std::unique_ptr<std::FILE, Drop>(file, Drop{part.beside_});
+  return part;
+}
 
-  const bool wrote = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                     std::fflush(file.get()) == 0;
-  int code = errno;
-  const bool closed = std::fclose(file.release()) == 0;
-  if (wrote && !closed) code = errno;
-  if (!wrote || !closed) {
-    std::remove(beside.c_str());
-    return unexpected(system_error(path, "could not be written to the end", code));
+Error PartFile::write_error() const {
+  return system_error(path_, "could not be written to the end", errno);
+}
+
+Result<void> PartFile::commit() {
+  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()) != 0)
+    return unexpected(write_error());
+  if (std::fclose(file_.release()) != 0) {
+    const Error error = write_error();
+    std::remove(beside_.c_str());
+    return unexpected(error);
   }
-  if (std::rename(beside.c_str(), path.c_str()) != 0) {
-    code = errno;
-    std::remove(beside.c_str());
-    return unexpected(system_error(path, "cannot be replaced", code));
+  if (std::rename(beside_.c_str(), path_.c_str()) != 0) {
+    const int code = errno;
+    std::remove(beside_.c_str());
+    return unexpected(system_error(path_, "cannot be replaced", code));
   }
   return {};
+}
+
+Result<void> write_file_atomically(const std::string& path,
+                                   const std::vector<std::uint8_t>& bytes) {
+  Result<PartFile> file = PartFile::create(path);
+  if (!file) return unexpected(file.error());
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file->stream()) != bytes.size())
+    return unexpected(file->write_error());
+  return file->commit();
 }
 
 }  // namespace asos

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -58,7 +59,9 @@ Film::Film(int w, int h)
       height(std::max(h, 0)),
       radiance(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec3(0.0f)),
       split_level(radiance.size(), 0),
-      cause(radiance.size(), SplitCause::none) {}
+      cause(radiance.size(), SplitCause::none),
+      rays(radiance.size(), 0.0f),
+      seconds(radiance.size(), 0.0f) {}
 
 void Film::put(const FinishedTile& tile) {
   // What lies outside the picture is left out; a tile whose arrays are too short is not a tile.
@@ -81,6 +84,13 @@ void Film::put(const FinishedTile& tile) {
     std::copy_n(tile.radiance.begin() + from, x1 - x0, radiance.begin() + to);
     std::copy_n(tile.split_level.begin() + from, x1 - x0, split_level.begin() + to);
     std::copy_n(tile.cause.begin() + from, x1 - x0, cause.begin() + to);
+    for (const auto& [told, kept] : {std::pair(&tile.rays, &rays), {&tile.seconds, &seconds}}) {
+      if (told->size() < pixels) {
+        std::fill_n(kept->begin() + to, x1 - x0, 0.0f);
+      } else {
+        std::copy_n(told->begin() + from, x1 - x0, kept->begin() + to);
+      }
+    }
   }
 }
 

@@ -17,16 +17,24 @@ struct FinishedTile {
   std::vector<glm::vec3> radiance;        ///< linear
   std::vector<std::uint8_t> split_level;  ///< deepest level that the pixel split to; 0: not split
   std::vector<SplitCause> cause;          ///< why; methods other than ASOS tell none
+  /// What it cost: the rays of all kinds that were cast for it, and the seconds of its worker's
+  /// processor. What pixels share, in the smallest piece that is told apart, is spread over them
+  /// evenly. Or empty: not told, as of coarse passes.
+  std::vector<float> rays;
+  std::vector<float> seconds;
+  bool coarse = false;  ///< better pixels follow
 };
 
-/// A whole picture: linear radiance and the split map by level and by cause, row-major from the top
-/// left.
+/// A whole picture: linear radiance, the split map by level and by cause, and what each pixel cost,
+/// 0 where that is not told; row-major from the top left.
 struct Film {
   int width = 0;
   int height = 0;
   std::vector<glm::vec3> radiance;
   std::vector<std::uint8_t> split_level;
   std::vector<SplitCause> cause;
+  std::vector<float> rays;
+  std::vector<float> seconds;
 
   Film() = default;
   Film(int w, int h);

@@ -37,8 +37,8 @@ struct RgbImage {
 [[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,
                                                SplitMapKey key, const ImageText& text = {});
 
-/// Linear radiance as 32-bit floats, ZIP-compressed, with `attributes` as string attributes (at
-/// most 128; keys of 1 to 255 bytes).
+/// Linear radiance as 32-bit floats, ZIP-compressed, with `attributes` as string attributes (keys
+/// of 1 to 255 bytes, each once), which come back in the order of their keys.
 [[nodiscard]] Result<void> write_exr(const std::string& path, const Film& film,
                                      const ImageText& attributes);
 
@@ -49,6 +49,10 @@ struct ExrImage {
   ImageText attributes;
 };
 [[nodiscard]] Result<ExrImage> read_exr(const std::string& path);
+
+/// What a PNG's text chunks or an EXR's string attributes say; which of both it is, is told by its
+/// first bytes. Errors: cannot be read, is neither, its text is damaged.
+[[nodiscard]] Result<ImageText> read_image_text(const std::string& path);
 
 /// Writes `bytes` to `path` by way of a file beside it. For every file that the program makes.
 [[nodiscard]] Result<void> write_file_atomically(const std::string& path,

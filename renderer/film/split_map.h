@@ -7,24 +7,36 @@
 
 namespace asos {
 
-/// What the split map's colours tell of a pixel.
-enum class SplitMapColours { level, cause };
+/// What the split map's colours tell of a pixel: the deepest level, why it was split, the rays that
+/// were cast for it, and the time that it took.
+enum class SplitMapColours { level, cause, rays, time };
+
+/// The absolute scales of rays and time: logarithmic, from the first to the last.
+struct CostScale {
+  double first;
+  double last;
+  /// 0 at `first` or below, 1 at `last` or above.
+  [[nodiscard]] double share(double value) const;
+};
+inline constexpr CostScale rays_scale{1.0, 4096.0};
+inline constexpr CostScale seconds_scale{1e-7, 1e-2};  ///< of one processor
+[[nodiscard]] const CostScale& cost_scale(SplitMapColours colours);
+
+/// Black at 0 over violet and orange to white at 1 and above, ever brighter: sRGB bytes.
+[[nodiscard]] glm::u8vec3 heat_colour(float share);
 
 /// How a split map is coloured, in the window and in files.
 struct SplitMapKey {
   SplitMapColours colours = SplitMapColours::level;
   int max_level = 0;  ///< of the scale of levels
 
-  /// What is told of a pixel: its level, or its cause's number.
-  [[nodiscard]] std::uint8_t value(const Film& film, std::size_t pixel) const {
-    return colours == SplitMapColours::cause ? static_cast<std::uint8_t>(film.cause[pixel])
-                                             : film.split_level[pixel];
-  }
-  /// The colour of such a value, sRGB bytes: that of `split_cause_colour` or `split_colour`.
-  [[nodiscard]] glm::u8vec3 colour(std::uint8_t value) const {
-    return colours == SplitMapColours::cause ? split_cause_colour(static_cast<SplitCause>(value))
-                                             : split_colour(value, max_level);
-  }
+  /// What is told of a pixel: its level, its cause's number, or where on the scale of 1 to 255 its
+  /// cost lies. 0: nothing is told, and its colour is black.
+  [[nodiscard]] std::uint8_t value(const Film& film, std::size_t pixel) const;
+  /// The largest that has a colour of its own.
+  [[nodiscard]] std::uint8_t last() const;
+  /// The colour of such a value, sRGB bytes.
+  [[nodiscard]] glm::u8vec3 colour(std::uint8_t value) const;
 };
 
 }  // namespace asos

@@ -38,6 +38,8 @@ struct RenderStatistics {
   /// ASOS: pixels by their cause; those with none are not counted.
   std::array<std::uint64_t, split_cause_count> pixels_by_cause{};
 
+  /// Of all kinds.
+  [[nodiscard]] std::uint64_t rays() const { return eye_rays + shadow_rays + reflection_rays; }
   /// Counts shadow rays to a light, here and with that light.
   void count_shadow_ray(std::uint32_t light, std::uint64_t rays = 1);
   /// The same for pyrays that were subdivided; their rays are counted apart.

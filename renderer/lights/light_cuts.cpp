@@ -8,6 +8,8 @@
 namespace asos {
 namespace {
 
+using LightShape = PreparedLight::Shape;
+
 // Triangles that are next to each other in a mesh are so in space: their box saves looking at each.
 constexpr std::size_t run_length = 64;
 // Pieces are kept this far beside the rectangle around a light, in half edges, so that they are
@@ -49,7 +51,6 @@ std::optional<Piece> clipped(const Piece& piece, double reach) {
 class CutLight {
  public:
   explicit CutLight(const Light& light) : light_(prepare_light(light)) {
-    using LightShape = PreparedLight::Shape;
     flat_ = (light_.shape == LightShape::polygon || light_.shape == LightShape::disk) &&
             light.casts_shadows;
     if (!flat_) return;

@@ -57,15 +57,15 @@ bool surrounds(const Outline2& outer, const Outline2& inner) {
   return 2 * static_cast<std::size_t>(count) > inner.size();
 }
 
-struct Box {
+struct TurnedBox {
   glm::dvec2 low{std::numeric_limits<double>::infinity()};
   glm::dvec2 high{-std::numeric_limits<double>::infinity()};
 
   [[nodiscard]] double area() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
-Box box_along(const Outline2& corners, glm::dvec2 axis) {
-  Box box;
+TurnedBox box_along(const Outline2& corners, glm::dvec2 axis) {
+  TurnedBox box;
   for (const glm::dvec2& p : corners) {
     const glm::dvec2 turned(glm::dot(axis, p), axis.x * p.y - axis.y * p.x);
     box.low = glm::min(box.low, turned);
@@ -143,7 +143,7 @@ bool prepare_polygon(const std::vector<std::vector<glm::dvec3>>& outlines, glm::
   const glm::dvec3 turned_x = axis.x * x_axis + axis.y * y_axis;
   y_axis = axis.x * y_axis - axis.y * x_axis;
   x_axis = turned_x;
-  Box box;
+  TurnedBox box;
   for (Outline2& corners : flat) {
     for (glm::dvec2& p : corners) {
       p = {glm::dot(axis, p), axis.x * p.y - axis.y * p.x};

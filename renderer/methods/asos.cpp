@@ -17,6 +17,7 @@ void copy_part(const FinishedTile& part, FinishedTile& block) {
     std::copy_n(part.radiance.begin() + from, part.rect.width, block.radiance.begin() + to);
     std::copy_n(part.split_level.begin() + from, part.rect.width, block.split_level.begin() + to);
     std::copy_n(part.cause.begin() + from, part.rect.width, block.cause.begin() + to);
+    std::copy_n(part.rays.begin() + from, part.rect.width, block.rays.begin() + to);
   }
 }
 
@@ -35,6 +36,7 @@ BlockResult render_block_asos(const RenderScene& scene, const View& view,
   result.tile.radiance.resize(pixels);
   result.tile.split_level.resize(pixels);
   result.tile.cause.resize(pixels);
+  result.tile.rays.resize(pixels);
   for (int y = 0; y < block.height; y += fat) {
     for (int x = 0; x < block.width; x += fat) {
       const PixelRect part{block.x + x, block.y + y, std::min(fat, block.width - x),

@@ -37,9 +37,9 @@ double depth_on(const HalfPlane& h, glm::dvec2 p) {
   return std::abs(d) <= on_line ? 0.0 : d;
 }
 
-enum class Side { inside, outside, both };
+enum class WhichSide { inside, outside, both };
 
-Side side_of(const ConvexPolygon& polygon, const HalfPlane& h) {
+WhichSide side_of(const ConvexPolygon& polygon, const HalfPlane& h) {
   bool in = false;
   bool out = false;
   for (const glm::dvec2& p : polygon) {
@@ -47,8 +47,8 @@ Side side_of(const ConvexPolygon& polygon, const HalfPlane& h) {
     in |= d > 0.0;
     out |= d < 0.0;
   }
-  if (in && out) return Side::both;
-  return in ? Side::inside : Side::outside;
+  if (in && out) return WhichSide::both;
+  return in ? WhichSide::inside : WhichSide::outside;
 }
 
 /// The parts of a polygon on either side of a line that crosses it; both have the same corners on
@@ -84,11 +84,11 @@ ConvexPolygon corners_of(const FrameRectangle& r) {
 
 bool keep_inside(ConvexPolygon& polygon, const HalfPlane& h) {
   switch (side_of(polygon, h)) {
-    case Side::inside:
+    case WhichSide::inside:
       return true;
-    case Side::outside:
+    case WhichSide::outside:
       return false;
-    case Side::both:
+    case WhichSide::both:
       polygon = cut(polygon, h).inside;
       break;
   }
@@ -103,22 +103,22 @@ bool clip_to(ConvexPolygon& polygon, const Facet& facet) {
 /// Where `first` lies in front of `second`: everywhere, nowhere, or in a half-plane. Swapping the
 /// two gives the exact complement.
 struct Precedence {
-  Side side = Side::both;
+  WhichSide side = WhichSide::both;
   HalfPlane where;
 };
 Precedence precedence(const Facet& first, const Facet& second) {
   const glm::dvec3 d = first.nearness - second.nearness;
   const auto size = [](glm::dvec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
   if (size(d) <= same_plane * (size(first.nearness) + size(second.nearness)))
-    return {first.triangle < second.triangle ? Side::inside : Side::outside, {}};
-  return {Side::both, scaled(d)};
+    return {first.triangle < second.triangle ? WhichSide::inside : WhichSide::outside, {}};
+  return {WhichSide::both, scaled(d)};
 }
 
 /// Whether a facet lies in front of another in all of a polygon.
 bool hides(const Facet& nearer, const Facet& farther, const ConvexPolygon& polygon) {
   const Precedence order = precedence(nearer, farther);
-  const Side side = order.side == Side::both ? side_of(polygon, order.where) : order.side;
-  return side == Side::inside;
+  const WhichSide side = order.side == WhichSide::both ? side_of(polygon, order.where) : order.side;
+  return side == WhichSide::inside;
 }
 
 }  // namespace
@@ -234,7 +234,7 @@ void ExactVisibility::drop_hidden(const FrameRectangle& cell) {
     const Facet& facet = facets_[f.facet];
     const bool covers =
         std::all_of(facet.inside.begin(), facet.inside.end(),
-                    [&](const HalfPlane& h) { return side_of(corners, h) == Side::inside; });
+                    [&](const HalfPlane& h) { return side_of(corners, h) == WhichSide::inside; });
     if (covers && (!cover || facet.q(middle) > cover->q(middle))) cover = &facet;
   }
   if (!cover) return;
@@ -251,8 +251,8 @@ void ExactVisibility::resolve(const FrameRectangle& cell, const std::vector<Frag
     for (const Fragment& other : fragments) {
       if (&other == &f || pieces_.empty()) continue;
       const Precedence order = precedence(facets_[other.facet], facets_[f.facet]);
-      if (order.side == Side::outside) continue;
-      subtract(facets_[other.facet], order.side == Side::both ? &order.where : nullptr);
+      if (order.side == WhichSide::outside) continue;
+      subtract(facets_[other.facet], order.side == WhichSide::both ? &order.where : nullptr);
     }
     emit(f.facet);
   }
@@ -269,7 +269,7 @@ void ExactVisibility::subtract(const Facet& nearer, const HalfPlane* where) {
   rest_.clear();
   for (ConvexPolygon& piece : pieces_) {
     const bool apart = std::any_of(lines.begin(), lines.end(), [&](const HalfPlane& h) {
-      return side_of(piece, h) == Side::outside;
+      return side_of(piece, h) == WhichSide::outside;
     });
     if (apart || !cut_away(piece, lines)) rest_.push_back(std::move(piece));
   }
@@ -282,9 +282,9 @@ bool ExactVisibility::cut_away(const ConvexPolygon& piece, std::span<const HalfP
   const std::size_t before = rest_.size();
   ConvexPolygon inner = piece;
   for (const HalfPlane& h : lines) {
-    const Side side = side_of(inner, h);
-    if (side == Side::inside) continue;
-    if (side == Side::outside) {
+    const WhichSide side = side_of(inner, h);
+    if (side == WhichSide::inside) continue;
+    if (side == WhichSide::outside) {
       rest_.resize(before);
       return false;
     }

@@ -4,7 +4,6 @@
 #include "renderer/sampling/random.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -34,19 +33,15 @@ ShadowSettings shadow_settings(const RenderScene& scene, const RenderSettings& s
   return shadows;
 }
 
+// Of a place to a 2^16th of the block: its last bits are rounding, which the scene's scale decides.
 std::uint64_t seed_of(glm::vec2 at, PixelRect block) {
   const auto bits = [](float x) {
-    return static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(x));
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::lround(x * 65536.0f)));
   };
   const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x))
                                   << 32 |
                               static_cast<std::uint32_t>(block.y);
   return mix_bits(mix_bits(place) ^ (bits(at.x) << 32 | bits(at.y)));
-}
-
-// The side, in pixels, of the square that a leaf stands for, whatever its shape.
-float side_of(double weight) {
-  return static_cast<float>(std::sqrt(weight));
 }
 
 }  // namespace
@@ -88,11 +83,18 @@ Caster::SampleId EyeCaster::probe(std::span<const glm::vec2> points) {
   constexpr std::size_t run = 1024;
   for (std::size_t i = first; i < rays_.size() && !cancelled(); i += run) {
     const std::size_t count = std::min(run, rays_.size() - i);
-    scene_.rays.closest(std::span(rays_).subspan(i, count), std::span(hits_).subspan(i, count),
-                        faces_);
+    const std::span rays = std::span(rays_).subspan(i, count);
+    const std::span hits = std::span(hits_).subspan(i, count);
+    scene_.rays.closest(rays, hits, faces_);
+    if (viewer_.mirror) pass_mirror(*viewer_.mirror, scene_.world, scene_.rays, faces_, rays, hits);
   }
   counts_.eye_rays += points.size();
   return static_cast<SampleId>(first);
+}
+
+// The side, in pixels, of the square that a leaf stands for, whatever its shape.
+float EyeCaster::side_of(double weight) const {
+  return viewer_.pixel * static_cast<float>(std::sqrt(weight));
 }
 
 Ray EyeCaster::ray_through(glm::vec2 p) const {
@@ -177,9 +179,9 @@ float EyeCaster::bump_error(SampleId sample, const LeafRegion& region) const {
 
 glm::vec3 EyeCaster::shade(SampleId sample, double weight, const LeafRegion& region,
                            RenderStatistics& counts) {
-  const float pixel = 1.0f / static_cast<float>(block_.width);
-  shadows_.set_leaf(
-      {region, pixel, seed_of(points_[sample], block_), weight, even_around(sample, region)});
+  const float root = viewer_.pixel / static_cast<float>(block_.width);
+  shadows_.set_leaf({region, root, seed_of(points_[sample], block_), weight,
+                     divided_ ? divided_ : even_around(sample, region)});
   leaf_ = {region, weight, seed_of(points_[sample], block_), points_[sample]};
   return shader_.radiance(viewer_.viewed(rays_[sample], hits_[sample], side_of(weight)), *this,
                           counts);
@@ -193,6 +195,7 @@ bool EyeCaster::reflect(const Reflection& reflection, glm::vec3& radiance,
                         RenderStatistics& counts) {
   const ReflectedPyrays pyrays{scene_, viewer_, settings_, frame_, block_, work_, stop_};
   const Mirrored mirrored = pyrays.trace(reflection, leaf_, counts);
+  if (!mirrored.followed) return false;
   radiance += mirrored.radiance;
   met_mirror_edge_ |= mirrored.split;
   return true;

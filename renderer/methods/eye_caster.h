@@ -77,6 +77,9 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
   /// Whether a boundary split what one of a root's leaves mirrors.
   [[nodiscard]] bool mirror_cut(std::uint32_t root) const { return sums_[root].mirror_cut; }
 
+  /// Rays of all kinds that were cast for a root's leaves, beside the leaves' own.
+  [[nodiscard]] std::uint64_t rays_of_leaves(std::uint32_t root) const { return sums_[root].rays; }
+
   /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
   /// counted.
   [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
@@ -95,6 +98,7 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
     double weight = 0.0;
     bool shadow_cut = false;
     bool mirror_cut = false;
+    std::uint64_t rays = 0;
   };
 
   [[nodiscard]] glm::vec3 shade(SampleId sample, double weight, const LeafRegion& region,
@@ -103,6 +107,7 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
   [[nodiscard]] float bump_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
   [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
+  void finish_leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region);
   std::uint32_t add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
                             double weight);
   glm::vec3 add_leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region);
@@ -119,7 +124,9 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
+  [[nodiscard]] EvenPatch even_patch(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] float side_of(double weight) const;
   [[nodiscard]] Ray ray_through(glm::vec2 p) const;
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
             RenderStatistics& counts) const override;
@@ -154,6 +161,7 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
   float nearest_blurred_ = std::numeric_limits<float>::infinity();
   std::optional<RegionSampler> sampler_;  // made when first needed
   mutable std::vector<EvenPatch> even_;
+  EvenPatch* divided_ = nullptr;  // the leaf whose parts are being shaded
   Bumps bumps_;
   int border_ = 0;  // pixels of the frame around the block
   mutable std::vector<Ray> looked_rays_;

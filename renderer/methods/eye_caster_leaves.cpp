@@ -12,6 +12,22 @@ namespace asos {
 
 void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) {
   if (cancelled()) return;
+  const std::uint64_t before = counts_.rays();
+  if (PyrayLog* log = work_.shadows.log) {
+    // The pyrays of other roots are not written down.
+    const PyrayLog::Leaf outer = log->leaf();
+    const bool logged = root == logged_root_;
+    log->set_leaf({logged, outer.parent, points_[sample], weight});
+    finish_leaf(root, sample, weight, region);
+    log->set_leaf(outer);
+  } else {
+    finish_leaf(root, sample, weight, region);
+  }
+  sums_[root].rays += counts_.rays() - before;
+}
+
+void EyeCaster::finish_leaf(std::uint32_t root, SampleId sample, double weight,
+                            const LeafRegion& region) {
   if (mask_ && !mask_->holds(points_[sample])) return;
   if (uneven_at_last(sample, weight, region) && add_samples(root, sample, region, weight) > 0)
     return;
@@ -67,8 +83,9 @@ glm::vec3 EyeCaster::blurred_colour() const {
 // pixel, each with its own share of the area (CGF'98 section 3.2). False: it is not to be divided.
 bool EyeCaster::add_texture_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
                                     double weight) {
-  const int n = texture_divisions(settings_.texture_resolution,
-                                  static_cast<double>(region.square.side) * block_.width);
+  const double side = static_cast<double>(region.square.side) * block_.width;
+  const int n =
+      texture_divisions(settings_.texture_resolution, side / static_cast<double>(viewer_.pixel));
   const Hit& hit = hits_[sample];
   // What a mask cuts off is told by whole leaves only.
   const bool masked_part = mask_ && !region.sides.empty();
@@ -76,16 +93,21 @@ bool EyeCaster::add_texture_samples(std::uint32_t root, SampleId sample, const L
       !is_textured(scene_.world.material_of(hit.triangle), scene_.needs))
     return false;
   const std::vector<TexturePart> parts =
-      texture_parts(region, n, {{block_.x, block_.y}, block_.width}, settings_.seed);
+      texture_parts(region, n, {{block_.x, block_.y}, block_.width}, settings_.seed,
+                    settings_.texture_filter == TextureFilter::point);
   if (parts.empty()) return false;
   std::vector<glm::vec2> places;
   for (const TexturePart& part : parts) places.push_back(part.at);
   const SampleId first = probe(places);
   const Sum before = sums_[root];
   const double share = weight / static_cast<double>(parts.size());
+  // One look at the lights does for all of them.
+  EvenPatch whole = even_patch(sample, region);
+  divided_ = region.sides.empty() && opaque(sample) ? &whole : nullptr;
   for (std::size_t i = 0; i < parts.size() && !cancelled(); ++i)
     (void)add_leaf(root, first + static_cast<SampleId>(i), share,
                    {parts[i].square, {}, parts[i].marginal});
+  divided_ = nullptr;
   if (root == logged_root_) {
     const double added = sums_[root].weight - before.weight;
     const glm::dvec3 radiance = sums_[root].radiance - before.radiance;
@@ -107,11 +129,15 @@ Caster::TakenOver EyeCaster::sample_tangle(std::uint32_t root, const Square& squ
   points_.emplace_back(square.centre_u(), square.centre_v());
   rays_.push_back(ray_through(points_.back()));
   hits_.emplace_back();
-  return {add_samples(root, sample, {square, {}}, weight), sample};
+  const std::uint64_t before = counts_.rays();
+  const std::uint32_t taken = add_samples(root, sample, {square, {}}, weight);
+  sums_[root].rays += counts_.rays() - before;
+  return {taken, sample};
 }
 
 // Half of what is let pass for a pixel, so that its parts, whose errors are independent, stay
-// within it together; one sample for each finest cell at least, and four at most.
+// within it together; one sample for each finest cell at least, and four at most, or sixteen where
+// what is mirrored may be far brighter than white.
 std::uint32_t EyeCaster::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
                                      double weight) {
   if (!sampler_) sampler_.emplace(scene_, viewer_, settings_, block_, mask_);
@@ -119,7 +145,8 @@ std::uint32_t EyeCaster::add_samples(std::uint32_t root, SampleId sample, const 
   goal.standard_error = 0.5 * static_cast<double>(most_uneven_) / std::sqrt(weight);
   const double finest_cells = weight * std::ldexp(1.0, 2 * settings_.max_level);
   goal.least = std::bit_ceil(std::max(16u, static_cast<std::uint32_t>(finest_cells)));
-  goal.most = std::bit_ceil(std::max(16u, static_cast<std::uint32_t>(4.0 * finest_cells)));
+  goal.most = std::bit_ceil(
+      std::max(16u, static_cast<std::uint32_t>((viewer_.bounces > 0 ? 16.0 : 4.0) * finest_cells)));
   const bool blurred = mask_ && mask_->blur;
   std::optional<BlurKernel> kernel;
   // The first sample is that of the root's middle.

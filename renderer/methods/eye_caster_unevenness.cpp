@@ -19,10 +19,8 @@ Unevenness EyeCaster::uneven(SampleId sample, double share, const LeafRegion& re
   if (extended_lights_ && !even_around(sample, region)) {
     if (shadow_uneven(sample, region)) return Unevenness::shadow;
     // What is split for its shading need not have its shadows found again for each part.
-    if (shading && region.sides.empty() && opaque(sample) && nearly_flat(sample, share)) {
-      even_.push_back({surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction),
-                       region.square, std::vector<double>(shader_.lights().size(), -1.0)});
-    }
+    if (shading && region.sides.empty() && opaque(sample) && nearly_flat(sample, share))
+      even_.push_back(even_patch(sample, region));
   }
   return shading ? Unevenness::shading : Unevenness::none;
 }
@@ -58,7 +56,8 @@ bool EyeCaster::mirrors_too_widely(SampleId sample, const LeafRegion& region) co
 
 // Whether a leaf would be split further for its shading, were there any levels left.
 bool EyeCaster::uneven_at_last(SampleId sample, double share, const LeafRegion& region) const {
-  const float finest = std::ldexp(1.0f, -settings_.max_level) / static_cast<float>(block_.width);
+  const float finest =
+      std::ldexp(viewer_.pixel, -settings_.max_level) / static_cast<float>(block_.width);
   return settings_.max_level > 0 && std::isfinite(most_uneven_) && !region.marginal &&
          hits_[sample].valid() && region.square.side < 1.5f * finest &&
          shading_error(sample, share, region) > most_uneven_;
@@ -74,14 +73,21 @@ bool EyeCaster::nearly_flat(SampleId sample, double share) const {
          static_cast<double>(size);
 }
 
-// The even patch of the sample's surface that the region is a part of.
+EvenPatch EyeCaster::even_patch(SampleId sample, const LeafRegion& region) const {
+  return {surface_point(scene_.world, scene_.needs, hits_[sample], -rays_[sample].direction),
+          region.square, std::vector<double>(shader_.lights().size(), -1.0)};
+}
+
+// The even patch of the sample's surface that the region is a part of, and not only overlaps as
+// pixels with a wide filter do.
 EvenPatch* EyeCaster::even_around(SampleId sample, const LeafRegion& region) const {
   const Square& s = region.square;
-  const float u = s.centre_u(), v = s.centre_v();
+  const float rounding = 1e-3f * s.side;
   for (EvenPatch& even : even_) {
     const Square& all = even.square;
-    if (u > all.u && u < all.u + all.side && v > all.v && v < all.v + all.side &&
-        surface(sample) == scene_.features.sheet(even.middle.triangle))
+    const float wider = all.side - s.side + rounding;
+    if (s.u >= all.u - rounding && s.u <= all.u + wider && s.v >= all.v - rounding &&
+        s.v <= all.v + wider && surface(sample) == scene_.features.sheet(even.middle.triangle))
       return &even;
   }
   return nullptr;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace asos {
@@ -18,17 +19,29 @@ std::uint64_t pixel_seed(int x, int y) {
          0x9e3779b97f4a7c15ULL;
 }
 
-// The block with what the cones of its outermost pixels reach beyond it: more the farther from the
-// picture's middle they are.
+// The square of `size` x `size` pixels from (x, y) on of a frame in which `pixel` is a pixel's
+// side, with what a wide filter adds around.
+Square filtered(double x, double y, int size, double pixel, double filter_width) {
+  const double beyond = 0.5 * (filter_width - 1.0);
+  return {static_cast<float>((x - beyond) * pixel), static_cast<float>((y - beyond) * pixel),
+          static_cast<float>((size + 2.0 * beyond) * pixel)};
+}
+
+// The block with what the filters of its outermost pixels, and their cones, reach beyond it: cones
+// more the farther from the picture's middle they are.
 PixelRect framed(const View& view, PixelRect block, const RenderSettings& settings) {
   const int fat = settings.fat;
-  if (settings.detect == Detection::square) return {block.x, block.y, fat, fat};
   const Detector detector(view.frame(block.x, block.y, fat, fat), settings.detect);
-  const float side = 1.0f / static_cast<float>(fat);
-  float beyond = 0.0f;  // in pixels
-  for (const float u : {0.0f, 1.0f - side}) {
-    for (const float v : {0.0f, 1.0f - side})
-      beyond = std::max(beyond, 0.5f * (detector.reach({u, v, side}).side / side - 1.0f));
+  const double side = 1.0 / fat;
+  double beyond = 0.5 * (settings.filter_width - 1.0);  // in pixels
+  if (settings.detect == Detection::cone) {
+    for (const int x : {0, fat - 1}) {
+      for (const int y : {0, fat - 1}) {
+        const Square own = filtered(x, y, 1, side, settings.filter_width);
+        beyond =
+            std::max(beyond, 0.5 * (static_cast<double>(detector.reach(own).side) / side - 1.0));
+      }
+    }
   }
   const int border = static_cast<int>(std::ceil(beyond));
   return {block.x - border, block.y - border, fat + 2 * border, fat + 2 * border};
@@ -46,8 +59,8 @@ FatPyray::FatPyray(const RenderScene& scene, const View& view, const RenderSetti
       frame_(view.frame(framed_.x, framed_.y, framed_.width, framed_.height)),
       detector_(frame_, settings.detect),
       shader_(shader_of(scene, settings, view)),
-      caster_(scene, Viewer::camera(view, shader_), settings, frame_, framed_,
-              static_cast<std::size_t>(settings.fat * settings.fat), work.eye, stop,
+      caster_(scene, Viewer::camera(view, shader_, settings.filter_width), settings, frame_,
+              framed_, static_cast<std::size_t>(settings.fat * settings.fat), work.eye, stop,
               result_.statistics) {
   const auto pixels = static_cast<std::size_t>(settings.fat * settings.fat);
   outcomes_.resize(pixels);
@@ -59,12 +72,9 @@ FatPyray::FatPyray(const RenderScene& scene, const View& view, const RenderSetti
 
 BlockResult FatPyray::run() {
   look_through_centres();
-  const float pixel_side = 1.0f / static_cast<float>(framed_.width);
   work_.lists.reset(scene_.features, frame_,
-                    pixel_side / static_cast<float>(1 << settings_.max_level));
-  Square whole = pixel_square(0, 0);
-  whole.side *= static_cast<float>(settings_.fat);
-  descend(whole, 0, 0, settings_.fat, work_.lists.root());
+                    pixel_square(0, 0).side / static_cast<float>(1 << settings_.max_level));
+  descend(0, 0, settings_.fat, work_.lists.root());
   find_missed_splits();
   render_pixels();
   publish();
@@ -76,16 +86,17 @@ BlockResult FatPyray::run(PixelTrace& into) {
   const std::uint32_t traced = index(into.x - block_.x, into.y - block_.y);
   work_.subdivider.trace(traced, subdivision_);
   caster_.log_leaves(traced);
+  work_.eye.shadows.log = &log_;
   BlockResult result = run();
+  work_.eye.shadows.log = nullptr;
   finish_trace();
   into.radiance = caster_.colour(traced);
   return result;
 }
 
-Square FatPyray::pixel_square(int x, int y) const {
-  const float side = 1.0f / static_cast<float>(framed_.width);
-  return {static_cast<float>(block_.x - framed_.x + x) * side,
-          static_cast<float>(block_.y - framed_.y + y) * side, side};
+Square FatPyray::square_of(int x, int y, int size) const {
+  return filtered(block_.x - framed_.x + x, block_.y - framed_.y + y, size, 1.0 / framed_.width,
+                  settings_.filter_width);
 }
 
 // Every pixel needs its centre's sample: coherent rays, traced together. Sample number i is that of
@@ -104,7 +115,8 @@ void FatPyray::look_through_centres() {
 
 // Hands the hit list of a fat pyray down to its pixels. `parent` may be the list of any square that
 // holds this one.
-void FatPyray::descend(const Square& square, int x, int y, int size, const HitLists::List& parent) {
+void FatPyray::descend(int x, int y, int size, const HitLists::List& parent) {
+  const Square square = square_of(x, y, size);
   // Any sample inside the square can hide what lies behind it.
   const Cover cover = caster_.cover(index(x + size / 2, y + size / 2));
   const Square reach = detector_.reach(square);
@@ -132,8 +144,7 @@ void FatPyray::descend(const Square& square, int x, int y, int size, const HitLi
     return;
   }
   const int half = size / 2;
-  for (int i = 0; i < 4; ++i)
-    descend(square.quarter(i), x + (i & 1) * half, y + (i >> 1) * half, half, list);
+  for (int i = 0; i < 4; ++i) descend(x + (i & 1) * half, y + (i >> 1) * half, half, list);
 }
 
 // Neighbours that show different surfaces without a boundary in either pixel.
@@ -225,6 +236,28 @@ void FatPyray::publish() {
       if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
     }
   }
+  publish_rays();
+}
+
+// Each cell that was examined has a sample of its own. What else the block cast, as to find out
+// whether a patch is evenly lit, its pixels share.
+void FatPyray::publish_rays() {
+  std::uint64_t told = 0;
+  for (int y = 0; y < block_.height; ++y) {
+    for (int x = 0; x < block_.width; ++x) {
+      const std::uint32_t i = index(x, y);
+      const auto& cells = outcomes_[i].pyrays_by_level;
+      const std::uint64_t rays =
+          std::accumulate(cells.begin(), cells.end(), caster_.rays_of_leaves(i));
+      told += rays;
+      result_.tile.rays.push_back(static_cast<float>(rays));
+    }
+  }
+  const std::uint64_t all = result_.statistics.rays();
+  if (all <= told) return;
+  const float shared =
+      static_cast<float>(all - told) / static_cast<float>(block_.width * block_.height);
+  for (float& rays : result_.tile.rays) rays += shared;
 }
 
 }  // namespace asos

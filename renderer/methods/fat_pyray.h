@@ -30,6 +30,8 @@ struct FatPyrayWorkspace {
 
 /// A pyray around fat x fat pixels (CGF'98 section 6.4), which fetches its boundaries once and
 /// hands them down to its pixels, which subdivide. Pixels that no boundary crosses take one sample.
+/// A pixel's pyray goes through the square that its filter covers, which may be larger than the
+/// pixel and overlap its neighbours' (CGF'98 section 3).
 class FatPyray {
  public:
   /// `block` is aligned to settings.fat, and clipped to the picture.
@@ -46,16 +48,19 @@ class FatPyray {
   [[nodiscard]] std::uint32_t index(int x, int y) const {
     return static_cast<std::uint32_t>(y * settings_.fat + x);
   }
-  [[nodiscard]] Square pixel_square(int x, int y) const;
+  /// What `size` x `size` pixels from (x, y) on are the means of.
+  [[nodiscard]] Square square_of(int x, int y, int size) const;
+  [[nodiscard]] Square pixel_square(int x, int y) const { return square_of(x, y, 1); }
 
   void look_through_centres();
-  void descend(const Square& square, int x, int y, int size, const HitLists::List& parent);
+  void descend(int x, int y, int size, const HitLists::List& parent);
   void find_missed_splits();
   void compare(int x0, int y0, int x1, int y1);
   [[nodiscard]] bool touches_boundary(int x, int y);
   void render_pixels();
   void subdivide_bounded();
   void publish();
+  void publish_rays();
   void finish_trace();
 
   const RenderScene& scene_;
@@ -74,6 +79,7 @@ class FatPyray {
   std::vector<std::uint8_t> missed_;      // and should not have had to
   PixelTrace* trace_ = nullptr;
   SubdivisionTrace subdivision_;
+  PyrayLog log_;
 };
 
 }  // namespace asos

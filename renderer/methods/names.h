@@ -68,6 +68,8 @@ inline constexpr std::array light_rule_names{
 inline constexpr std::array split_map_names{
     Named<SplitMapColours>{"level", SplitMapColours::level},
     Named<SplitMapColours>{"cause", SplitMapColours::cause},
+    Named<SplitMapColours>{"rays", SplitMapColours::rays},
+    Named<SplitMapColours>{"time", SplitMapColours::time},
 };
 
 inline constexpr std::array light_type_names{

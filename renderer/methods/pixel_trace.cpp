@@ -7,6 +7,37 @@
 
 namespace asos {
 
+namespace {
+
+PixelTracePyray traced_pyray(const FeatureSet& features, const LoggedPyray& logged) {
+  PixelTracePyray pyray{logged.kind, logged.light,  logged.bounces, logged.parent,
+                        logged.from, logged.weight, logged.result,  {}};
+  std::size_t leaf = 0;
+  for (const TracedCell& seen : logged.subdivision.cells) {
+    PixelTraceCell& cell = pyray.cells.emplace_back();
+    cell.level = seen.level;
+    cell.corner = {seen.square.u, seen.square.v};
+    cell.side = seen.square.side;
+    cell.fate = seen.fate;
+    cell.clusters = seen.clusters;
+    cell.hidden = seen.hidden;
+    for (const Segment& s : seen.boundaries) {
+      const Clip c = clip(s, seen.square);
+      if (c.empty()) continue;
+      const glm::vec2 p(s.u0, s.v0), d(s.u1 - s.u0, s.v1 - s.v0);
+      // Outlines of lights and of the leaf itself are no edges of the scene.
+      const auto kind =
+          s.edge < features.edges().size() ? features.edges()[s.edge].kind : FeatureKind::open;
+      cell.boundaries.push_back({p + c.t0 * d, p + c.t1 * d, kind});
+    }
+    for (const TracedLeaf& l : seen.leaves)
+      cell.samples.push_back({l.at, l.weight, logged.leaves[leaf++], Hit::none});
+  }
+  return pyray;
+}
+
+}  // namespace
+
 // What the engine saw, in the pixel's own coordinates.
 void FatPyray::finish_trace() {
   const std::uint32_t pixel = index(trace_->x - block_.x, trace_->y - block_.y);
@@ -17,6 +48,10 @@ void FatPyray::finish_trace() {
                             caster_.logged_radiance(leaf.sample), caster_.triangle(leaf.sample)};
   };
   trace_->levels = std::move(subdivision_.levels);
+  for (const LoggedPyray& logged : log_.pyrays()) {
+    PixelTracePyray& pyray = trace_->pyrays.emplace_back(traced_pyray(scene_.features, logged));
+    if (pyray.parent < 0) pyray.from = place(logged.from.x, logged.from.y);
+  }
   trace_->unresolved_area = outcomes_[pixel].unresolved_area;
   trace_->missed = missed_[pixel] != 0;
   for (const TracedCell& seen : subdivision_.cells) {

@@ -6,6 +6,7 @@
 #include "renderer/rays/surface_kind.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/shade.h"
+#include "renderer/shading/sky.h"
 #include "renderer/shading/texture.h"
 
 #include <algorithm>
@@ -212,6 +213,13 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
 }
 
 }  // namespace
+
+SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings) {
+  SceneNeeds needs = scene.needs;
+  needs.mirrors |= settings.roughest_mirror > usual_roughest_mirror;
+  needs.sky_picture |= settings.sky && settings.sky->is_picture();
+  return needs;
+}
 
 Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const SceneNeeds& forced) {
   try {

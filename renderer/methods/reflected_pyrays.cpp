@@ -104,6 +104,7 @@ Mirrored ReflectedPyrays::trace(const Reflection& reflection, const MirroredLeaf
       const Mirrored one = trace(reflection, leaf, reflection.width[c], counts);
       all.radiance[c] = one.radiance[c];
       all.split |= one.split;
+      all.followed &= one.followed;
     }
   }
   all.radiance *= reflection.reflected;
@@ -156,16 +157,16 @@ std::optional<MirroredSight> ReflectedPyrays::sight_of(const Reflection& reflect
   return sight;
 }
 
-// One budget for all: the levels and the EPS that this share of the root deserves.
+// One budget for all: the levels that this share of the root deserves, and EPS of what is
+// reflected, so that all leaves together stay within EPS of their root.
 ReflectionWorkspace::Bounce& ReflectedPyrays::level_of(const Reflection& reflection,
                                                        const MirroredLeaf& leaf) const {
   const glm::vec3 c = reflection.reflected;
-  const double share =
-      std::clamp(leaf.weight * static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
+  const double reflected = std::clamp(static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
   ReflectionWorkspace::Bounce& level = work.reflections.at(viewer.bounces);
   level.settings = settings;
-  level.settings.max_level = levels_left(settings, leaf, share);
-  level.settings.eps = std::min(1.0, settings.eps / share);
+  level.settings.max_level = levels_left(settings, leaf, leaf.weight * reflected);
+  level.settings.eps = std::min(1.0, settings.eps / reflected);
   level.settings.seed = static_cast<int>(leaf.seed >> 33);
   return level;
 }
@@ -174,7 +175,7 @@ Mirrored ReflectedPyrays::trace(const Reflection& reflection, const MirroredLeaf
                                 RenderStatistics& counts) const {
   const Bounds2 part = bounds_of(leaf.region);
   const auto sight = sight_of(reflection, part, width);
-  if (!sight) return {};
+  if (!sight) return {{}, false, false};
   const View view(sight->pyray.picture);
   const Frame mirrored_frame = view.frame(0, 0, 1, 1);
   const Viewer mirrored_viewer{view,
@@ -182,7 +183,8 @@ Mirrored ReflectedPyrays::trace(const Reflection& reflection, const MirroredLeaf
                                PixelSpacing::of(view),
                                viewer.width + width,
                                viewer.bounces + 1,
-                               reflection.throughput()};
+                               reflection.throughput(),
+                               plane_of(sight->surface)};
   MirroredMask mask;
   if (width > 0.0f) {
     mask.horizon = horizon_of(sight->pyray, sight->surface);
@@ -213,13 +215,38 @@ Mirrored ReflectedPyrays::trace(const Reflection& reflection, const MirroredLeaf
     root.centre = caster.probe({&middle, 1});
     root.seed = leaf.seed;
     caster.gather_surfaces(1);
-    split =
-        level.subdivider.run(level.lists, {&root, 1}, rules_of(level.settings), caster)[0].deepest >
-        0;
+    split = subdivide(level, root, caster);
   }
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
   return {caster.colour(0), split || caster.mirror_cut(0)};
+}
+
+// Whether it was split. Writes the subdivision down where that is asked for, and what its own
+// leaves send on.
+bool ReflectedPyrays::subdivide(ReflectionWorkspace::Bounce& level, const Root& root,
+                                EyeCaster& caster) const {
+  PyrayLog* log = work.shadows.log;
+  const auto run = [&] {
+    return level.subdivider.run(level.lists, {&root, 1}, rules_of(level.settings), caster)[0]
+               .deepest > 0;
+  };
+  if (!log || !log->wants_more()) return run();
+  const int index = log->add(LoggedPyray::Kind::mirror);
+  log->at(index).bounces = viewer.bounces;
+  SubdivisionTrace trace;
+  level.subdivider.trace(root.id, trace);
+  caster.log_leaves(root.id);
+  const PyrayLog::Leaf outer = log->set_leaf({true, index, glm::vec2(0.5f), 1.0});
+  const bool split = run();
+  log->set_leaf(outer);
+  LoggedPyray& pyray = log->at(index);
+  pyray.result = caster.colour(root.id);
+  for (const TracedCell& cell : trace.cells)
+    for (const TracedLeaf& leaf : cell.leaves)
+      pyray.leaves.push_back(caster.logged_radiance(leaf.sample));
+  pyray.subdivision = std::move(trace);
+  return split;
 }
 
 // The scene's beyond the mirror, the leaf's own, the horizon, and lights without a surface.

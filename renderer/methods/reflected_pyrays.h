@@ -21,6 +21,7 @@
 namespace asos {
 
 struct EyeWorkspace;
+class EyeCaster;
 
 /// The leaf of a parent pyray that is being shaded.
 struct MirroredLeaf {
@@ -33,7 +34,8 @@ struct MirroredLeaf {
 /// What a leaf sends to the viewer by way of a mirror.
 struct Mirrored {
   glm::vec3 radiance{0.0f};
-  bool split = false;  ///< a boundary divided it
+  bool split = false;    ///< a boundary divided it
+  bool followed = true;  ///< false: the pyray that would show it has no extent or is not finite
 };
 
 /// Memory of reflected pyrays by how many bounces lie before them. Holds no result.
@@ -79,6 +81,7 @@ struct ReflectedPyrays {
                                                       const Bounds2& part, float width) const;
   [[nodiscard]] ReflectionWorkspace::Bounce& level_of(const Reflection& reflection,
                                                       const MirroredLeaf& leaf) const;
+  bool subdivide(ReflectionWorkspace::Bounce& level, const Root& root, EyeCaster& caster) const;
   void find_boundaries(ReflectionWorkspace::Bounce& level, const Frame& mirrored_frame,
                        const MirroredSight& sight, const MirroredMask& mask) const;
 };

@@ -13,7 +13,11 @@ constexpr std::uint32_t per_sum = 4;
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
                              const RenderSettings& settings, PixelRect block,
                              const MirroredMask* mask)
-    : block_(block), mask_(mask), places_(settings.seed), sums_(scene, viewer, settings, places_) {}
+    : block_(block),
+      mask_(mask),
+      white_(1.0 / std::clamp(static_cast<double>(viewer.throughput), 1e-3, 1.0)),
+      places_(settings.seed),
+      sums_(scene, viewer, settings, places_) {}
 
 RegionSampler::Estimate RegionSampler::sample(const LeafRegion& region, const Goal& goal,
                                               RenderStatistics& counts, const BlurKernel* kernel) {
@@ -84,7 +88,7 @@ double RegionSampler::standard_error(std::uint32_t count, glm::dvec3 mean) const
     }
     if (quarter.count == 0) continue;
     const glm::dvec3 off = glm::abs(quarter.mean() - mean);
-    const double most = std::min(1.0, std::max({off.x, off.y, off.z}));
+    const double most = std::min(white_, std::max({off.x, off.y, off.z}));
     squares += most * most;
   }
   return std::sqrt(squares / 12.0);

@@ -46,6 +46,7 @@ class RegionSampler {
 
   PixelRect block_;
   const MirroredMask* mask_;
+  double white_;  // the radiance that a picture may show as white
   const BlurKernel* kernel_ = nullptr;
   std::uint32_t in_region_ = 0;
   std::uint32_t masked_ = 0;

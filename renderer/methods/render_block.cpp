@@ -36,7 +36,13 @@ BlockResult render_block(const RenderScene& scene, const View& view, const Rende
                          PixelRect block, const std::stop_token& stop) {
   BlockResult result = render_by_method(scene, view, settings, block, stop);
   // Methods that split nothing have no causes to tell.
-  result.tile.cause.resize(result.tile.split_level.size(), SplitCause::none);
+  const std::size_t pixels = result.tile.split_level.size();
+  result.tile.cause.resize(pixels, SplitCause::none);
+  // Those that do not tell pixels' rays apart have about as many for each.
+  if (result.tile.rays.size() != pixels && pixels > 0) {
+    const auto mean = static_cast<double>(result.statistics.rays()) / static_cast<double>(pixels);
+    result.tile.rays.assign(pixels, static_cast<float>(mean));
+  }
   return result;
 }
 

@@ -52,15 +52,20 @@ struct RenderScene {
   return settings.cull ? Faces::as_material_says : Faces::all;
 }
 
+/// What a picture of the scene with these settings needs: more than the scene where the settings
+/// ask for it.
+[[nodiscard]] SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings);
+
 /// The shader of a scene's picture, as the settings ask.
 [[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings,
                                       const View& view) {
   const bool filtered = settings.texture_filter == TextureFilter::footprint;
+  const bool mirrors = needs_of(scene, settings).mirrors;
   return Shader(
       scene.world, scene.needs, scene.rays,
       {settings.shadows, settings.light_rule, seen_faces(settings),
        filtered ? &scene.mips : nullptr, PixelSpacing::of(view), &scene.light_cuts,
-       settings.sky.get(), &scene.bare_lights, settings.reflections,
+       settings.sky.get(), &scene.bare_lights, mirrors ? settings.reflections : 0,
        static_cast<float>(settings.roughest_mirror), settings.dfr ? &*settings.dfr : nullptr});
 }
 

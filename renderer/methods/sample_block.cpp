@@ -18,7 +18,8 @@ BlockResult sample_block(const RenderScene& scene, const View& view, const Rende
                          const std::stop_token& stop) {
   SampleSums sums(scene, view, settings, places);
   sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-  const float side = 1.0f / std::sqrt(static_cast<float>(samples));
+  const double width = settings.filter_width;
+  const auto side = static_cast<float>(width / std::sqrt(samples));
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x, ++pixel) {
@@ -26,7 +27,8 @@ BlockResult sample_block(const RenderScene& scene, const View& view, const Rende
       for (int index = 0; index < samples; ++index) {
         places.start_sample(index);
         const PixelPoint p = places.in_pixel();
-        if (!sums.add({{x + p.x, y + p.y}, side, x, y, index, pixel})) continue;
+        const glm::dvec2 at(x + 0.5 + width * (p.x - 0.5), y + 0.5 + width * (p.y - 0.5));
+        if (!sums.add({at, side, x, y, index, pixel})) continue;
         if (stop.stop_requested()) return sums.block(block);
         places.start_pixel(x, y);
       }

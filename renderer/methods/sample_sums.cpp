@@ -11,7 +11,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
                        SamplePlaces& places)
     : own_shader_(shader_of(scene, settings, view)),
       viewer_(Viewer::camera(view, *own_shader_)),
-      scene_rays_(scene.rays),
+      scene_(scene),
       places_(places),
       lights_(scene.rays, places),
       reflections_(scene.world, places),
@@ -20,7 +20,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
 SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
                        const RenderSettings& settings, SamplePlaces& places)
     : viewer_(viewer),
-      scene_rays_(scene.rays),
+      scene_(scene),
       places_(places),
       lights_(scene.rays, places),
       reflections_(scene.world, places),
@@ -41,7 +41,10 @@ bool SampleSums::add(const PointSample& sample) {
 }
 
 void SampleSums::trace() {
-  scene_rays_.closest(std::span(rays_).first(used_), std::span(hits_).first(used_), faces_);
+  const std::span rays = std::span(rays_).first(used_);
+  const std::span hits = std::span(hits_).first(used_);
+  scene_.rays.closest(rays, hits, faces_);
+  if (viewer_.mirror) pass_mirror(*viewer_.mirror, scene_.world, scene_.rays, faces_, rays, hits);
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
   for (std::size_t i = 0; i < used_; ++i) {
     const PointSample& sample = samples_[i];
@@ -85,10 +88,14 @@ void SampleSums::follow_reflections() {
     for (std::size_t first = 0; first < samples.size(); first += batch) {
       const std::size_t count = std::min(batch, samples.size() - first);
       for (std::size_t i = 0; i < count; ++i) rays_[i] = samples[first + i].ray;
-      scene_rays_.closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
+      scene_.rays.closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
       statistics_.reflection_rays += count;
       for (std::size_t i = 0; i < count; ++i) {
         const ReflectedSample& next = samples[first + i];
+        if (next.mirror) {
+          pass_mirror(*next.mirror, scene_.world, scene_.rays, faces_, {&rays_[i], 1},
+                      {&hits_[i], 1});
+        }
         places_.start_pixel(next.sample.x, next.sample.y);
         start_sample(next.sample, next.weight);
         (void)add_radiance(next.viewed(hits_[i]), radiance_[next.sample.target]);

@@ -70,7 +70,7 @@ class SampleSums : private LightTransport {
 
   std::optional<Shader> own_shader_;
   Viewer viewer_;
-  const RayScene& scene_rays_;
+  const RenderScene& scene_;
   SamplePlaces& places_;
   SampledLights lights_;
   SampledReflections reflections_;

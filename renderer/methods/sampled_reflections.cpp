@@ -5,6 +5,7 @@
 #include "renderer/reflections/mirrored_pyray.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace asos {
 
@@ -59,8 +60,12 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   }
   next.ray.direction = glm::vec3(direction);
   // Along the ray itself: a start above the surface would move what is mirrored.
-  next.ray.origin = reflection.point.position;
-  next.ray.t_near = static_cast<float>(surface.clearance / glm::dot(direction, surface.geometric));
+  next.ray.origin = glm::vec3(surface.position);
+  // One that bent normals send below the surface meets nothing, as a pyray would (View::ray).
+  const double slope = glm::dot(direction, surface.geometric);
+  next.ray.t_near = slope > 0.0 ? static_cast<float>(surface.clearance / slope)
+                                : std::numeric_limits<float>::infinity();
+  next.mirror = plane_of(surface);
   pending_.push_back(next);
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "renderer/methods/sampled_lights.h"
+#include "renderer/reflections/mirror_plane.h"
 #include "renderer/scene/world.h"
 #include "renderer/shading/shade.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,7 @@ struct ReflectedSample {
   float width = 0.0f;  ///< see ViewedRay
   int bounces = 0;
   float throughput = 1.0f;
+  std::optional<MirrorPlane> mirror;  ///< that the ray leaves, if it is flat
 
   [[nodiscard]] ViewedRay viewed(const Hit& hit) const;
 };

@@ -23,11 +23,11 @@ struct Range {
   int hi;
 };
 
-/// From 0 on.
 struct RealRange {
   const char* name;
   double value;
   double hi;
+  double lo = 0.0;
 };
 
 }  // namespace
@@ -78,10 +78,12 @@ Result<RenderSettings> validated(const RenderSettings& s) {
         {"contrast", s.contrast, 1.0},
         {"roughest-mirror", s.roughest_mirror, 1.0},
         {"mirror-angle", s.mirror_angle, 180.0},
+        {"filter-width", s.filter_width, RenderSettings::max_filter_width, 1.0},
         {"contrast-scale", s.contrast_scale, RenderSettings::max_contrast_scale}}) {
     // The comparison is written so that NaN fails it.
-    if (!(r.value >= 0.0 && r.value <= r.hi))
-      return unexpected(Error{r.name, fmt::format("{} is not from 0 to {}", r.value, r.hi)});
+    if (!(r.value >= r.lo && r.value <= r.hi)) {
+      return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
+    }
   }
   if (!std::has_single_bit(static_cast<unsigned>(s.fat)))
     return unexpected(Error{"fat", fmt::format("{} is not 2, 4, 8 or 16", s.fat)});

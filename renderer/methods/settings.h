@@ -5,6 +5,7 @@
 #include "renderer/pyray/detection.h"
 #include "renderer/pyray/stopping.h"
 #include "renderer/result.h"
+#include "renderer/scene/needs.h"
 #include "renderer/shadows/shadow_settings.h"
 
 #include <cstdint>
@@ -47,6 +48,7 @@ struct RenderSettings {
   static constexpr int max_level_limit = 8;
   static constexpr int max_reflections = 64;
   static constexpr int max_texture_resolution = 8;
+  static constexpr double max_filter_width = 4.0;
   static constexpr double max_contrast_scale = 4.0;  // beyond 10/3 nothing reaches a threshold
 
   int width = 1280;  ///< pixels, 1 to 32768
@@ -60,7 +62,10 @@ struct RenderSettings {
   Detection detect = Detection::square;
   int fat = 8;                 ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
   bool refine_shading = true;  ///< split what is shaded unevenly, too
-  bool jitter = false;         ///< jitter the samples of leaves that stay marginal at MAX
+  /// Side, in pixels, of the square around its middle that a pixel is the mean of, 1 to 4 (CGF'98
+  /// section 3); of asos, uniform, stochastic and sobol, for the others pixels are 1 wide.
+  double filter_width = 1.0;
+  bool jitter = false;  ///< jitter the samples of leaves that stay marginal at MAX
   /// sobol: samples a pixel; uniform and stochastic: rounded up to n * n. mitchell: samples where
   /// the contrast is high. ray_bound: where a boundary is, rounded up to n * n.
   int spp = 16;
@@ -79,7 +84,7 @@ struct RenderSettings {
   int reflections = 4;  ///< bounces that mirror-like surfaces are followed for, 0 to 64
   /// Rougher surfaces show the sky's mean and lights' highlights instead of what they reflect, 0
   /// to 1.
-  double roughest_mirror = 0.35;
+  double roughest_mirror = usual_roughest_mirror;
   /// How all that mirrors blurs, instead of what its material says.
   std::optional<Dfr> dfr;
   CurvedMirror curved_mirror = CurvedMirror::approximate;

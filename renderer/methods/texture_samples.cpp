@@ -33,7 +33,7 @@ int texture_divisions(int texture_resolution, double side) {
 }
 
 std::vector<TexturePart> texture_parts(const LeafRegion& region, int n, const LeafPlace& place,
-                                       int seed) {
+                                       int seed, bool jitter) {
   const Square& all = region.square;
   const float side = all.side / static_cast<float>(n);
   std::vector<TexturePart> parts;
@@ -43,7 +43,7 @@ std::vector<TexturePart> texture_parts(const LeafRegion& region, int n, const Le
                           all.v + static_cast<float>(j) * side, side};
       const glm::dvec2 corner = glm::dvec2(place.origin) +
                                 static_cast<double>(place.width) * glm::dvec2(square.u, square.v);
-      const RandomPair random = unit_pair(bits_of(corner, seed));
+      const RandomPair random = jitter ? unit_pair(bits_of(corner, seed)) : RandomPair{0.5, 0.5};
       const glm::vec2 at(square.u + side * static_cast<float>(random.u),
                          square.v + side * static_cast<float>(random.v));
       if (!region.sides.empty() && !region.holds(at)) continue;

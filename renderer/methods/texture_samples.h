@@ -23,7 +23,7 @@ namespace asos {
 /// A part of a divided leaf.
 struct TexturePart {
   Square square;
-  glm::vec2 at{0.0f};     ///< a random place in it
+  glm::vec2 at{0.0f};     ///< a place in it
   bool marginal = false;  ///< the leaf's border passes through it
 };
 
@@ -33,9 +33,11 @@ struct LeafPlace {
   int width = 1;
 };
 
-/// Those of the n x n parts of the leaf's square whose random place lies in the leaf. The places
-/// are a function of the pixel, the part's place in it and the seed: not of the frame.
+/// Those of the n x n parts of the leaf's square whose place lies in the leaf: a random one, which
+/// is a function of the pixel, the part's place in it and the seed, not of the frame; or without
+/// `jitter` their middle, around which textures are averaged over a part
+/// (TextureFilter::footprint).
 [[nodiscard]] std::vector<TexturePart> texture_parts(const LeafRegion& region, int n,
-                                                     const LeafPlace& place, int seed);
+                                                     const LeafPlace& place, int seed, bool jitter);
 
 }  // namespace asos

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "renderer/geometry/view.h"
+#include "renderer/reflections/mirror_plane.h"
 #include "renderer/shading/shade.h"
+
+#include <optional>
 
 namespace asos {
 
@@ -14,11 +17,16 @@ struct Viewer {
   float width = 0.0f;    ///< these three: see ViewedRay
   int bounces = 0;
   float throughput = 1.0f;
+  std::optional<MirrorPlane> mirror = std::nullopt;  ///< that its rays leave, if it is flat
+  float pixel = 1.0f;  ///< side of the square that a pixel is the mean of, in pixels
 
   /// A camera whose picture is the shader's.
-  [[nodiscard]] static Viewer camera(const View& view, const Shader& shader) {
+  [[nodiscard]] static Viewer camera(const View& view, const Shader& shader,
+                                     double filter_width = 1.0) {
     const ViewedRay eye = shader.eye_ray({}, {}, 0.0f);
-    return {view, shader, PixelSpacing::of(view), eye.width, 0, 1.0f};
+    Viewer viewer{view, shader, PixelSpacing::of(view), eye.width};
+    viewer.pixel = static_cast<float>(filter_width);
+    return viewer;
   }
   [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side) const {
     return {ray, hit, side, &spacing, width, bounces, throughput};

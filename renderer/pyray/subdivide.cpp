@@ -23,6 +23,7 @@ std::span<const SubdivisionOutcome> Subdivider::run(HitLists& lists, std::span<c
       ++o.pyrays_by_level[static_cast<std::size_t>(level_)];
     }
     resolve(*current);
+    if (caster.cancelled()) break;  // some cells may have been left without a sample
     stop_roots(*current);
     split(*current, *next);
     std::swap(current, next);

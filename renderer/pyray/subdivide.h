@@ -23,7 +23,7 @@ inline constexpr int max_level_limit = 8;
 /// which there are many and whose children are cheap; a light is looked at once, from afar, and its
 /// parts cost a ray each.
 struct LeafLimits {
-  int least_faces = 2;       ///< parts that are allowed at any level
+  int least_faces = 16;      ///< parts that are allowed at any level
   int most_groups = 8;       ///< groups of boundaries that are told apart at all
   int most_boundaries = 12;  ///< edges, or chains of edges
   int most_pieces = 32;      ///< straight pieces of a few chains

@@ -325,12 +325,13 @@ bool Subdivider::excluded_stay_hidden(const Cell& cell, const Plan& plan, Sample
   return true;
 }
 
-// One boundary is worth a cut at any level; more parts only where they replace several levels of
-// children: half as many as there are finest cells.
+// A few parts are worth a cut at any level: a sample each, where MAX would leave one for all of
+// them. More only where they replace several levels of children: half as many as there are finest
+// cells.
 std::size_t Subdivider::most_faces() const {
   const int below = rules_.max_level - level_;
-  return static_cast<std::size_t>(std::max(
-      {rules_.limits.least_faces, 2 + 2 * std::min(3, below), std::min(64, (1 << 2 * below) / 2)}));
+  return static_cast<std::size_t>(
+      std::max(rules_.limits.least_faces, std::min(64, (1 << 2 * below) / 2)));
 }
 
 // A point of a cell that depends on the root's seed and the cell only.

@@ -26,6 +26,12 @@ Result<void> check_own_parts(const World& world) {
   return {};
 }
 
+bool all_filtered(const SceneNeeds& forced) {
+  return forced.alpha_mask || forced.alpha_blend;
+}
+
+constexpr unsigned first_group_of_faces = 6;
+
 }  // namespace
 
 void EmbreeScene::Errors::note(void* self, RTCError code, const char* text) {
@@ -61,8 +67,7 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNe
 
   choose_scale(world);
   sort_surfaces(world, alpha);
-  const bool all_filtered = forced.alpha_mask || forced.alpha_blend;
-  see_through_ |= all_filtered;
+  see_through_ |= all_filtered(forced);
   sides_.any_single_sided |= forced.culling;
   copy_vertices(world);
   scene_ = rtcNewScene(device_);
@@ -72,7 +77,7 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNe
                                ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
                                : RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
-  for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, all_filtered);
+  for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced);
   rtcCommitScene(scene_);
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
   return {};
@@ -109,6 +114,10 @@ void EmbreeScene::choose_scale(const World& world) {
   constexpr float smallest = 1.0f / 1024.0f;
   if (extent > 0.0f && extent < smallest)
     scale_ = std::ldexp(1.0f, std::min(100, -std::ilogb(extent)));
+  // Embree's test multiplies three lengths: of 1e13, single precision cannot hold the product.
+  constexpr float largest = 1e11f;
+  constexpr int left = 20;
+  if (extent > largest) scale_ = std::ldexp(1.0f, left - std::ilogb(extent));
 }
 
 void EmbreeScene::copy_vertices(const World& world) {
@@ -144,18 +153,19 @@ RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world) {
   return geometry;
 }
 
-void EmbreeScene::add(unsigned id, const World& world, bool filtered) {
+void EmbreeScene::add(unsigned id, const World& world, const SceneNeeds& forced) {
   Group& group = groups_[id];
-  if (group.triangles.empty()) return;
+  const bool faces = id >= first_group_of_faces;
+  if (group.triangles.empty() && !(faces && forced.shapes)) return;
   RTCGeometry geometry = nullptr;
-  if (id < 6) {
+  if (!faces) {
     geometry = make_triangles(group, world);
   } else {
     geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
     set_faces(geometry, group);
   }
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-  if (filtered || group.owned || group.kind != SurfaceKind::opaque) {
+  if (all_filtered(forced) || group.owned || group.kind != SurfaceKind::opaque) {
     rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);
     rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
   }

@@ -33,8 +33,8 @@ class EmbreeScene {
   [[nodiscard]] const Group* groups() const { return groups_.data(); }
   [[nodiscard]] const Sides& sides() const { return sides_; }
   /// Embree's lengths over the world's, a power of two, so that no digit is lost: 1 but for tiny
-  /// worlds. Embree takes triangles whose sides are below 1e-9 for edge-on and tells a corner of
-  /// theirs as the place of every hit.
+  /// and huge worlds. Embree takes triangles whose sides are below 1e-9 for edge-on and tells a
+  /// corner of theirs as the place of every hit; products of three lengths have to fit a float.
   [[nodiscard]] float scale() const { return scale_; }
   /// Whether any surface may let light through.
   [[nodiscard]] bool see_through() const { return see_through_; }
@@ -53,7 +53,7 @@ class EmbreeScene {
   void copy_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
-  void add(unsigned id, const World& world, bool filtered);
+  void add(unsigned id, const World& world, const SceneNeeds& forced);
 
   // Three kinds, then the three of lights' own parts; then the same for faces of shapes.
   std::array<Group, 12> groups_;

@@ -65,10 +65,10 @@ template <typename T>
 /// Whether Embree may be asked about a ray.
 [[nodiscard]] inline bool traceable(const Ray& ray) {
   // A sum is finite only if all its terms are (huge ones that overflow are no use either), and
-  // saves five of six tests in the hot path.
+  // saves five of six tests in the hot path. A start behind the origin ends the program.
   const glm::vec3 d = ray.direction;
   const float sum = ray.origin.x + ray.origin.y + ray.origin.z + d.x + d.y + d.z;
-  return std::isfinite(sum) && !std::isnan(ray.t_near) && !std::isnan(ray.t_far) &&
+  return std::isfinite(sum) && ray.t_near >= 0.0f && !std::isnan(ray.t_far) &&
          (d.x != 0.0f || d.y != 0.0f || d.z != 0.0f);
 }
 

@@ -1,6 +1,8 @@
 #include "renderer/reflections/mirror_surface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asos {
 namespace {
@@ -8,8 +10,13 @@ namespace {
 // A shading normal this close to the triangle's is the triangle's.
 constexpr float same_normal = 1.0f - 1e-6f;
 
-// The plane of the triangle through one of its corners, which rounding has not moved.
-void take_plane(const World& world, const Hit& hit, MirrorSurface& surface) {
+// Of the length of a ray, and of the coordinates that it starts at, by how much single precision
+// moves where it meets a plane.
+constexpr double ray_rounding = 4.0 * std::numeric_limits<float>::epsilon();
+
+// The plane of the triangle through one of its corners, which rounding has not moved. Rays start
+// above it by their own rounding only: what stands on a mirror is reflected down to its foot.
+void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSurface& surface) {
   const glm::uvec3 v = world.triangles[hit.triangle];
   const glm::dvec3 p0(world.positions[v.x]);
   const glm::dvec3 n =
@@ -19,6 +26,10 @@ void take_plane(const World& world, const Hit& hit, MirrorSurface& surface) {
   const glm::dvec3 unit = glm::dot(n, surface.normal) < 0.0 ? -n / length : n / length;
   surface.position -= glm::dot(surface.position - p0, unit) * unit;
   surface.normal = surface.geometric = unit;
+  surface.skin = surface.clearance;
+  const glm::dvec3 p = glm::abs(surface.position);
+  const double rounding = ray_rounding * (std::max({p.x, p.y, p.z}) + ray_length);
+  surface.clearance = std::min(surface.clearance, rounding);
 }
 
 }  // namespace
@@ -32,7 +43,8 @@ MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePo
   surface.clearance = static_cast<double>(clear_height(point));
   if (!world.is_face(hit.triangle) &&
       glm::dot(point.shading_normal, point.geometric_normal) > same_normal)
-    take_plane(world, hit, surface);
+    take_plane(world, hit, pyray.perspective ? pyray.distance * glm::length(pyray.axis) : 0.0,
+               surface);
   if (!bent) return surface;
   const MirrorPatch patch = patch_of(pyray, surface.geometric);
   const NormalSpread turn = normal_turn(world, hit, {glm::vec3(patch.right), glm::vec3(patch.down)},
@@ -40,6 +52,12 @@ MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePo
   surface.turn_right = glm::dvec3(turn.right);
   surface.turn_down = glm::dvec3(turn.down);
   return surface;
+}
+
+std::optional<MirrorPlane> plane_of(const MirrorSurface& surface) {
+  if (!(surface.skin > 0.0)) return std::nullopt;
+  return MirrorPlane{{surface.geometric, glm::dot(surface.geometric, surface.position)},
+                     surface.skin};
 }
 
 IncidentPyray pyray_around(const PixelSpacing& spacing, const Ray& ray, float t, float side) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "renderer/reflections/mirror_plane.h"
 #include "renderer/reflections/mirrored_pyray.h"
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/surface.h"
+
+#include <optional>
 
 namespace asos {
 
@@ -12,6 +15,9 @@ namespace asos {
 [[nodiscard]] MirrorSurface mirror_surface(const World& world, const Hit& hit,
                                            const SurfacePoint& point, const IncidentPyray& pyray,
                                            bool bent);
+
+/// The plane of a flat one.
+[[nodiscard]] std::optional<MirrorPlane> plane_of(const MirrorSurface& surface);
 
 /// The pyray of a square of `side` pixels around a ray of unit direction that meets a surface at
 /// `t`.

@@ -37,6 +37,12 @@ constexpr std::array features{
                  "", "", ""},
     SceneFeature{&Needs::metals, "metals", "no material that is shown is metallic",
                  "reflectance from the base colour", "", "", ""},
+    SceneFeature{&Needs::mirrors, "mirrors",
+                 "no material that is shown is smooth enough, or has defocusing ratios of its own",
+                 "mirrored pyrays and rays, lights that only mirrors show", "", "",
+                 "Reflection rays"},
+    SceneFeature{&Needs::shapes, "analytic shapes", "no object that is shown is one",
+                 "faces among the rays' triangles, their contours and sections", "faces", "", ""},
     SceneFeature{&Needs::emission, "emissive materials", "no material that is shown shines",
                  "emission, search for surfaces that light the scene", "emission's mip chains", "",
                  "emissive"},
@@ -60,11 +66,21 @@ constexpr std::array features{
                  "pyrays to lights, refinement of penumbrae", "", "Quality, Divisions", ""},
     SceneFeature{&Needs::intersections, "intersections", "no surfaces pass through each other", "",
                  "lines of intersection", "", "crossing"},
+    SceneFeature{&Needs::sky_picture, "sky picture", "no picture surrounds the scene (--sky)",
+                 "means of a picture over directions", "the picture and its means", "", ""},
 };
 static_assert(features.size() == sizeof(SceneNeeds) / sizeof(bool), "a member has no words");
 
 bool emits(const Material& m) {
   return m.emissive_strength > 0.0f && std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0.0f;
+}
+
+/// A texture may make it smoother anywhere. What reflects nothing mirrors nothing.
+bool may_mirror(const Material& m) {
+  const bool reflects = m.metallic > 0.0f || m.specular > 0.0f;
+  const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
+                      m.metallic_roughness_texture.used() || m.dfr;
+  return reflects && smooth;
 }
 
 /// All textures that a material names, whether it uses them or not: where its surfaces differ is
@@ -109,6 +125,7 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.normal_maps |= m.normal_texture.used();
   needs.emission |= emits(m);
   needs.metals |= m.metallic > 0.0f;
+  needs.mirrors |= may_mirror(m);
 }
 
 void add_light(SceneNeeds& needs, const Light& light) {
@@ -168,6 +185,7 @@ SceneNeeds SceneNeeds::all() {
   SceneNeeds needs;
   for (const SceneFeature& feature : features) needs.*feature.needed = true;
   needs.varying_opacity = false;
+  needs.sky_picture = false;
   return needs;
 }
 
@@ -212,6 +230,7 @@ SceneNeeds find_needs(const World& world) {
   needs.mip_chains &= needs.textures;
   needs.unused_images = std::find(used.begin(), used.end(), false) == used.end();
   needs.vertex_colors = !world.colors.empty();
+  needs.shapes = !world.faces.empty();
   needs.varying_opacity = opacity_varies(world);
   for (const Light& light : world.lights) add_light(needs, light);
   needs.intersections = true;

@@ -8,6 +8,9 @@
 
 namespace asos {
 
+/// RenderSettings::roughest_mirror, unless another is asked for.
+inline constexpr double usual_roughest_mirror = 0.35;
+
 /// What a scene needs (design section 8). What it does not need costs nothing. A default one needs
 /// nothing.
 struct SceneNeeds {
@@ -23,6 +26,8 @@ struct SceneNeeds {
   bool varying_opacity = false;
   bool culling = false;  ///< of the backs of single-sided materials
   bool metals = false;
+  bool mirrors = false;  ///< up to usual_roughest_mirror, or with defocusing ratios of their own
+  bool shapes = false;   ///< analytic ones
   bool emission = false;
   bool punctual_lights = false;   ///< of no size: point, spot, directional
   bool rectangle_lights = false;  ///< and polygons
@@ -33,9 +38,11 @@ struct SceneNeeds {
   bool shadows = false;       ///< some light casts them
   bool soft_shadows = false;  ///< some light of a size casts them
   bool intersections = false;
+  /// A picture of what surrounds the scene, which no scene has: it comes with the settings.
+  bool sky_picture = false;
 
   /// All that can be asked for without need and without changing the picture: all but
-  /// varying_opacity.
+  /// varying_opacity and sky_picture.
   [[nodiscard]] static SceneNeeds all();
 
   /// What either of the two needs.

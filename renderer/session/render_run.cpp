@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <span>
 #include <utility>
 
@@ -18,6 +19,13 @@ constexpr std::chrono::milliseconds pace_enough{250};
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
+}
+
+// Of the calling thread's processor: what others do meanwhile does not count.
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace
@@ -48,6 +56,7 @@ FinishedTile RenderRun::tile_of(const BlockGroup& group) const {
   tile.radiance.resize(pixels, glm::vec3(0.0f));
   tile.split_level.resize(pixels, 0);
   tile.cause.resize(pixels, SplitCause::none);
+  tile.coarse = true;
   return tile;
 }
 
@@ -63,6 +72,11 @@ void RenderRun::copy_into(FinishedTile& tile, const FinishedTile& block) const {
                 tile.split_level.begin() + index(tile.rect));
     std::copy_n(block.cause.begin() + index(block.rect), shared.width,
                 tile.cause.begin() + index(tile.rect));
+    if (tile.rays.empty()) continue;
+    std::copy_n(block.rays.begin() + index(block.rect), shared.width,
+                tile.rays.begin() + index(tile.rect));
+    std::copy_n(block.seconds.begin() + index(block.rect), shared.width,
+                tile.seconds.begin() + index(tile.rect));
   }
 }
 
@@ -151,14 +165,47 @@ void RenderRun::work_final(const std::stop_token& stop) {
     const std::lock_guard lock(mutex_);
     if (pace_.empty()) pace_.push_back({Clock::now(), 0});
   }
-  while (!stop.stop_requested()) {
+  while (wait_while_paused(stop)) {
     const std::size_t index = next_final_++;
     if (index >= plan_.blocks.size()) return;
+    const double start = thread_seconds();
     BlockResult result =
         render_block(*snapshot_.scene, view_, snapshot_.settings, plan_.blocks[index].rect, stop);
     if (stop.stop_requested()) return;
+    const std::size_t pixels = result.tile.radiance.size();
+    const double each =
+        (thread_seconds() - start) / static_cast<double>(std::max<std::size_t>(pixels, 1));
+    result.tile.seconds.assign(pixels, static_cast<float>(each));
     finish_block(index, std::move(result));
   }
+}
+
+bool RenderRun::wait_while_paused(const std::stop_token& stop) {
+  if (paused_) {
+    std::unique_lock lock(mutex_);
+    resumed_.wait(lock, stop, [this] { return !paused_; });
+  }
+  return !stop.stop_requested();
+}
+
+void RenderRun::pause() {
+  const std::lock_guard lock(mutex_);
+  if (paused_) return;
+  paused_ = true;
+  paused_since_ = Clock::now();
+}
+
+void RenderRun::resume() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!paused_) return;
+    // The clock and the pace go on from where they stood.
+    const Clock::duration rest = Clock::now() - paused_since_;
+    rested_ += rest;
+    for (Pace& pace : pace_) pace.time += rest;
+    paused_ = false;
+  }
+  resumed_.notify_all();
 }
 
 void RenderRun::finish_block(std::size_t index, BlockResult&& result) {
@@ -190,6 +237,9 @@ void RenderRun::finish_block(std::size_t index, BlockResult&& result) {
   }
 
   FinishedTile tile = tile_of(group);
+  tile.coarse = false;
+  tile.rays.resize(tile.radiance.size());
+  tile.seconds.resize(tile.radiance.size());
   for (const BlockResult& block : whole) copy_into(tile, block.tile);
   publish(group_index, final_pixels, std::move(tile));
 
@@ -224,15 +274,18 @@ double RenderRun::seconds_left(Clock::time_point now) const {
 
 Progress RenderRun::progress() const {
   const std::lock_guard lock(mutex_);
-  const Clock::time_point now = complete_ || closed_ ? end_ : Clock::now();
+  const Clock::time_point now = complete_ || closed_ ? end_
+                                : paused_            ? paused_since_
+                                                     : Clock::now();
   Progress progress;
   progress.finished = complete_;
-  progress.running = !complete_ && !closed_;
+  progress.paused = paused_ && !complete_ && !closed_;
+  progress.running = !complete_ && !closed_ && !paused_;
   progress.fraction = complete_
                           ? 1.0
                           : static_cast<double>(finished_blocks_) /
                                 static_cast<double>(std::max<std::size_t>(plan_.blocks.size(), 1));
-  progress.seconds = seconds(now - start_);
+  progress.seconds = std::max(0.0, seconds(now - start_ - rested_));
   progress.seconds_left = seconds_left(now);
   return progress;
 }
@@ -246,7 +299,7 @@ RenderStatistics RenderRun::statistics() const {
 
 void RenderRun::close() {
   const std::lock_guard lock(mutex_);
-  if (!complete_ && !closed_) end_ = Clock::now();
+  if (!complete_ && !closed_) end_ = paused_ ? paused_since_ : Clock::now();
   closed_ = true;
 }
 

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -29,6 +30,9 @@ class RenderRun {
   [[nodiscard]] std::vector<FinishedTile> take_finished();
   [[nodiscard]] Progress progress() const;
   [[nodiscard]] RenderStatistics statistics() const;
+  /// Lets the final pass rest, after the blocks that are being worked on, and go on.
+  void pause();
+  void resume();
   /// Called once the workers have ended: time stands still from here.
   void close();
 
@@ -51,6 +55,8 @@ class RenderRun {
   void work_coarse(const std::stop_token& stop);
   void work_centres(const std::stop_token& stop);
   void work_final(const std::stop_token& stop);
+  /// False once `stop` is requested.
+  [[nodiscard]] bool wait_while_paused(const std::stop_token& stop);
   void finish_block(std::size_t index, BlockResult&& result);
   [[nodiscard]] FinishedTile tile_of(const BlockGroup& group) const;
   void copy_into(FinishedTile& tile, const FinishedTile& block) const;
@@ -68,6 +74,10 @@ class RenderRun {
   std::atomic<std::size_t> next_final_{0};  // blocks
 
   mutable std::mutex mutex_;
+  std::condition_variable_any resumed_;
+  std::atomic<bool> paused_ = false;  // changed under the mutex
+  Clock::time_point paused_since_;
+  Clock::duration rested_{0};  // before
   std::vector<GroupState> groups_;
   std::vector<FinishedTile> finished_;
   RenderStatistics totals_;

@@ -7,19 +7,17 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <pthread.h>
 #include <thread>
 #include <utility>
 
 namespace asos {
-namespace {
 
-std::size_t worker_count(int asked) {
-  if (asked > 0) return static_cast<std::size_t>(asked);
+int worker_count(int threads) {
+  if (threads > 0) return threads;
   // One core stays free for the window.
-  return std::max(2u, std::thread::hardware_concurrency()) - 1u;
+  return static_cast<int>(std::max(2u, std::thread::hardware_concurrency())) - 1;
 }
-
-}  // namespace
 
 /// All of it belongs to the controlling thread, but for what the run locks itself.
 struct RenderSession::State {
@@ -27,6 +25,7 @@ struct RenderSession::State {
   std::optional<RenderRun> run;
   std::vector<std::jthread> workers;
   bool nothing_to_do = false;  ///< the last snapshot was not renderable
+  bool paused = false;
 
   void stop() {
     for (std::jthread& worker : workers) worker.request_stop();
@@ -52,11 +51,25 @@ void RenderSession::restart(Snapshot snapshot) {
   state_->nothing_to_do = !snapshot.scene || !validated(snapshot.settings) ||
                           !check_method(*snapshot.scene, snapshot.settings);
   if (state_->nothing_to_do) return;
-  const std::size_t workers = worker_count(snapshot.settings.threads);
+  const int workers = worker_count(snapshot.settings.threads);
   RenderRun& run = state_->run.emplace(std::move(snapshot), state_->on_tiles);
-  for (std::size_t i = 0; i < workers; ++i) {
-    state_->workers.emplace_back([&run](const std::stop_token& stop) { run.work(stop); });
+  if (state_->paused) run.pause();
+  for (int i = 0; i < workers; ++i) {
+    state_->workers.emplace_back([&run](const std::stop_token& stop) {
+      pthread_setname_np(pthread_self(), "asos render");  // for who watches processes
+      run.work(stop);
+    });
   }
+}
+
+void RenderSession::pause() {
+  state_->paused = true;
+  if (state_->run) state_->run->pause();
+}
+
+void RenderSession::resume() {
+  state_->paused = false;
+  if (state_->run) state_->run->resume();
 }
 
 void RenderSession::cancel() {

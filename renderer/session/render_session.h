@@ -21,12 +21,16 @@ struct Snapshot {
 };
 
 struct Progress {
-  bool running = false;
+  bool running = false;  ///< and not paused
+  bool paused = false;
   bool finished = false;       ///< every pixel is final
   double fraction = 0.0;       ///< of the final pass, 0 to 1
-  double seconds = 0.0;        ///< since restart
+  double seconds = 0.0;        ///< since restart, without pauses
   double seconds_left = -1.0;  ///< estimate; negative: not known yet
 };
+
+/// The workers that RenderSettings::threads asks for.
+[[nodiscard]] int worker_count(int threads);
 
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
 /// sample for each 8x8 block, then one for each pixel, then the method's own pixels. The result
@@ -46,6 +50,10 @@ class RenderSession {
 
   /// Cancels what runs, waits until no worker touches it, and starts anew: a blocking handshake.
   void restart(Snapshot snapshot);
+  /// Lets the final pass rest or go on; the coarse ones go on meanwhile. Holds for later snapshots
+  /// as well.
+  void pause();
+  void resume();
   /// Stops and waits. What was published stays.
   void cancel();
   /// Waits for the end of the render.

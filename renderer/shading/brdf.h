@@ -19,6 +19,9 @@ struct BrdfAngles {
 /// brighter than white: point samples would meet it or miss it by chance, and no method could
 /// antialias it. A perfect mirror is shown with this roughness instead.
 inline constexpr float roughness_floor = 0.1f;
+/// From here on a highlight is some 40 degrees wide and varies hardly more than diffuse light does:
+/// one sample of a pixel settles it.
+inline constexpr float least_broad_roughness = 0.6f;
 
 /// What does not depend on the light: made once a point.
 struct ViewedMaterial {

@@ -14,6 +14,24 @@ constexpr float least_added = 1e-3f;
 
 }  // namespace
 
+NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
+                               const LobeSight& sight) {
+  const glm::vec3 sum = sight.to_viewer + sight.to_light;
+  const float length = glm::length(sum);
+  if (!(length > 0.0f)) return normals;
+  const glm::vec3 half = sum / length;
+  const auto turned = [](glm::vec3 edge, glm::vec3 direction, float distance) {
+    return (glm::dot(direction, edge) * direction - edge) / distance;
+  };
+  const auto turn = [&](glm::vec3 edge) {
+    const glm::vec3 d = (turned(edge, sight.to_viewer, sight.viewer_distance) +
+                         turned(edge, sight.to_light, sight.light_distance)) /
+                        length;
+    return d - glm::dot(half, d) * half;
+  };
+  return {normals.right - turn(patch.right), normals.down - turn(patch.down), normals.variance};
+}
+
 PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal) {
   if (spread.flat()) return;
   // A map's normals are spread like a lobe's and not like a box: twice their variance in each of

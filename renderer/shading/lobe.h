@@ -1,11 +1,26 @@
 #pragma once
 
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/footprint.h"
 #include "renderer/shading/normal_spread.h"
 
 #include <glm/glm.hpp>
 
 namespace asos {
+
+/// Unit directions from a point to who looks at it and to the light, and how far they are: infinite
+/// where the directions are the same all over a patch.
+struct LobeSight {
+  glm::vec3 to_viewer;
+  float viewer_distance;
+  glm::vec3 to_light;
+  float light_distance;
+};
+
+/// How a patch's normals are spread about the half vector, which turns across the patch too where
+/// viewer or light are near: what a highlight sees of the patch, also of a flat one.
+[[nodiscard]] NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
+                                             const LobeSight& sight);
 
 /// The GGX lobe of a patch whose normals differ: what a highlight smaller than the patch is on
 /// average ("geometric specular antialiasing", Kaplanyan et al. 2016). The squared slopes of the

@@ -26,14 +26,31 @@ struct ViewedPoint {
   const SurfacePoint& point;
   glm::vec3 to_viewer;
   float n_dot_v;
+  Patch patch;  ///< of the surface that it stands for; a point where that does not matter
+  float distance = std::numeric_limits<float>::infinity();  ///< of the viewer; parallel rays
 };
+
+/// How far a light is, as its highlight goes.
+float distance_of(const PreparedLight& light, glm::vec3 position) {
+  using LightShape = PreparedLight::Shape;
+  if (light.shape == LightShape::distant || light.shape == LightShape::sun)
+    return std::numeric_limits<float>::infinity();
+  return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
+}
+
+PatchLobe lobe_of(const PreparedLight& light, const ViewedMaterial& seen, const ViewedPoint& view,
+                  glm::vec3 to_light) {
+  const SurfacePoint& point = view.point;
+  const LobeSight sight{view.to_viewer, view.distance, to_light,
+                        distance_of(light, point.position)};
+  return {spread_about_half(point.spread, view.patch, sight), seen.roughness, point.shading_normal};
+}
 
 /// Radiance towards the viewer per irradiance from a light. The lobe's part is that of the light's
 /// representative point, made as broad as the light by the ratio of what its width was to what it
 /// would be (Karis 2013): of the whole light, whatever is visible of it.
 glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
-                          const PatchLobe& lobe, const ViewedPoint& view,
-                          const Highlight& highlight) {
+                          const ViewedPoint& view, const Highlight& highlight) {
   const glm::vec3 n = view.point.shading_normal;
   const glm::vec3 l = highlight.direction;
   // What would be mirrored from below the horizon is not.
@@ -42,6 +59,7 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
                           std::max(0.0f, glm::dot(n, half)),
                           std::max(0.0f, glm::dot(view.to_viewer, half))};
+  const PatchLobe lobe = lobe_of(light, seen, view, l);
   float value =
       lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
   if (highlight.half_angle_tangent > 0.0f) {
@@ -156,7 +174,13 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   if (mirrors) by_sky.specular = glm::vec3(0.0f);
   radiance += layer.share * reflected_sky(settings_.sky, by_sky, n, to_viewer);
 
-  const PatchLobe lobe(point.spread, seen.roughness, n);
+  ViewedPoint view{point, to_viewer, n_dot_v, {}};
+  const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
+  if (settings_.mips && viewed_ray.side > 0.0f && seen.roughness < least_broad_roughness) {
+    view.patch = patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
+                                point.geometric_normal, viewed_ray.side);
+    if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
+  }
   const Receiver receiver = receiver_at(point);
   const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
@@ -167,8 +191,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
     const glm::vec3 share_out =
         mirrors && shown_by_mirrors(light)
             ? brdf(seen, {}, 0.0f)
-            : reflected_share(light, seen, lobe, {point, to_viewer, n_dot_v},
-                              highlight_of(light, receiver.position, mirrored));
+            : reflected_share(light, seen, view, highlight_of(light, receiver.position, mirrored));
     const Illumination lit{light, i, point, irradiance, layer.share * share_out, layer.number};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);

@@ -64,15 +64,30 @@ Parts parts_of(double right, double down) {
 
 }  // namespace
 
-Sky::Sky(glm::vec3 zenith, glm::vec3 horizon)
-    : zenith_(zenith), horizon_(horizon), name_(colours(zenith, horizon)) {}
+Sky::Sky(glm::vec3 zenith, glm::vec3 horizon) : zenith_(zenith), horizon_(horizon) {
+  choice_.colours = {zenith, horizon};
+}
 
-Sky::Sky(SkyMap map, double turn_deg, std::string name)
-    : map_(std::make_shared<const SkyMap>(std::move(map))),
-      turn_cos_(std::cos(turn_deg * std::numbers::pi / 180.0)),
-      turn_sin_(std::sin(turn_deg * std::numbers::pi / 180.0)),
-      name_(turn_deg == 0.0 ? std::move(name)
-                            : fmt::format("{}, turned by {} degrees", name, turn_deg)) {}
+Sky::Sky(SkyMap map, double turn_deg, std::string file)
+    : map_(std::make_shared<const SkyMap>(std::move(map))), choice_{{}, std::move(file), 0.0} {
+  *this = turned(turn_deg);
+}
+
+Sky Sky::turned(double turn_deg) const {
+  Sky sky = *this;
+  if (!map_) return sky;
+  sky.choice_.turn_deg = turn_deg;
+  sky.turn_cos_ = std::cos(turn_deg * std::numbers::pi / 180.0);
+  sky.turn_sin_ = std::sin(turn_deg * std::numbers::pi / 180.0);
+  return sky;
+}
+
+std::string Sky::name() const {
+  if (choice_.colours) return colours(choice_.colours->zenith, choice_.colours->horizon);
+  return choice_.turn_deg == 0.0
+             ? choice_.file
+             : fmt::format("{}, turned by {} degrees", choice_.file, choice_.turn_deg);
+}
 
 glm::dvec3 Sky::in_map(glm::dvec3 d) const {
   return {turn_cos_ * d.x - turn_sin_ * d.z, d.y, turn_sin_ * d.x + turn_cos_ * d.z};
@@ -128,6 +143,17 @@ glm::vec3 Sky::ambient(glm::vec3 normal) const {
   const double share = 2.0 / (3.0 * std::numbers::pi) *
                        (std::sin(theta) + (std::numbers::pi - theta) * std::cos(theta));
   return sky_visibility * glm::vec3(horizon_ + share * (zenith_ - horizon_));
+}
+
+Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice) {
+  if (choice.colours)
+    return std::make_shared<const Sky>(choice.colours->zenith, choice.colours->horizon);
+  if (choice.file.empty()) return nullptr;
+  return read_sky(choice.file, choice.turn_deg);
+}
+
+SkyChoice choice_of(const Sky* sky) {
+  return sky ? sky->choice() : SkyChoice{};
 }
 
 glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* spacing, float side) {

@@ -3,6 +3,7 @@
 #include "renderer/result.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/sky_choice.h"
 #include "renderer/shading/sky_map.h"
 
 #include <glm/glm.hpp>
@@ -21,8 +22,8 @@ class Sky {
   /// the horizon.
   Sky(glm::vec3 zenith, glm::vec3 horizon);
   /// An equirectangular picture that is turned about +Y, counter-clockwise as seen from above; at 0
-  /// its middle is at -Z. `name` is its file's.
-  Sky(SkyMap map, double turn_deg, std::string name);
+  /// its middle is at -Z. `file` is where it comes from.
+  Sky(SkyMap map, double turn_deg, std::string file);
 
   /// The mean over the directions `direction` + a `right` + b `down`, a and b from -1/2 to 1/2, all
   /// weighing the same, of a unit direction; steps of 0: at a point. Exact for constant skies;
@@ -37,8 +38,16 @@ class Sky {
   /// The irradiance over pi of a surface with this unit normal, times sky_visibility.
   [[nodiscard]] glm::vec3 ambient(glm::vec3 normal) const;
 
+  /// The same sky with its picture turned by so much from where it was at first. One without a
+  /// picture stays as it is.
+  [[nodiscard]] Sky turned(double turn_deg) const;
+
+  [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
+
   /// As on the command line, "R,G,B:R,G,B" or the file, and by how much it is turned.
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::string name() const;
+  /// What it was made from.
+  [[nodiscard]] const SkyChoice& choice() const { return choice_; }
 
  private:
   struct Directions {
@@ -54,7 +63,7 @@ class Sky {
   std::shared_ptr<const SkyMap> map_;
   double turn_cos_ = 1.0;
   double turn_sin_ = 0.0;
-  std::string name_;
+  SkyChoice choice_;
 };
 
 /// The sky of a file: .hdr (Radiance) or .exr, linear, twice as wide as it is high. Errors name the

@@ -1,6 +1,7 @@
 #include "renderer/shading/surface.h"
 
 #include "renderer/geometry/hit_plane.h"
+#include "renderer/shading/brdf.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_filter.h"
 
@@ -115,9 +116,6 @@ NormalSpread interpolated_spread(const std::array<glm::vec3, 3>& normals,
   const auto turn = [&](glm::vec3 d) { return (d - glm::dot(d, normal) * normal) / length; };
   return {turn(steps.right), turn(steps.down)};
 }
-
-// From here on a highlight is some 40 degrees wide: one sample of a pixel settles it.
-constexpr float least_broad_roughness = 0.6f;
 
 /// Whether a footprint on the triangle changes what is seen: where textures are, and highlights on
 /// normals that turn. Elsewhere none is made, for it takes as long as half of the shading.

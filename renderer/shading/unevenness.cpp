@@ -10,9 +10,6 @@
 namespace asos {
 namespace {
 
-// Rougher surfaces have highlights so wide that they vary hardly more than the diffuse light does.
-constexpr float smooth = 0.6f;
-
 // The unit shading normal, and how far it turns along the patch's edges, squared and summed.
 struct Bend {
   glm::vec3 normal{0, 0, 1};
@@ -83,7 +80,7 @@ float midpoint_error(const World& world, const Hit& hit, glm::vec3 position, glm
   const float reflected = std::clamp(std::max({c.x, c.y, c.z}), 0.0f, 1.0f);
   const Bend bend = bend_of(world, hit, patch);
   float error = reflected * (bend.turn2 + 6.0f * nearness2(world, position, patch)) / 24.0f;
-  if (bend.turn2 > 0.0f && material.roughness < smooth) {
+  if (bend.turn2 > 0.0f && material.roughness < least_broad_roughness) {
     for (const Light& light : world.lights)
       error += highlight_error(light, material, bend, position, to_viewer);
   }

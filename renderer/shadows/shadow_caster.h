@@ -40,6 +40,10 @@ class ShadowCaster : public Caster {
                                   const LeafRegion& region) const override;
   void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
 
+  /// What of the light reaches a sample, 0 to 1.
+  [[nodiscard]] float transmittance(SampleId sample) const {
+    return samples_[sample].counts ? samples_[sample].blocker.transmittance : 0.0f;
+  }
   /// What the light is multiplied by, 0 to 1, once all leaves are in. Nothing where no sample met
   /// what was asked for.
   [[nodiscard]] std::optional<double> lit_share() const;

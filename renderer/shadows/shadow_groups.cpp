@@ -76,9 +76,10 @@ ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box
   for (std::size_t i = 0; i < used_; ++i) {
     Group& group = groups_[i];
     if (group.sheet != sheet) continue;
-    const Box& b = group.box;
-    const bool inside = glm::all(glm::lessThanEqual(b.lo, patch.lo)) &&
-                        glm::all(glm::lessThanEqual(patch.hi, b.hi));
+    // Patches that are smaller than the rounding of their places lie where they lie.
+    const glm::vec3 slack = 2.0f * point.error;
+    const bool inside = glm::all(glm::lessThanEqual(group.box.lo - slack, patch.lo)) &&
+                        glm::all(glm::lessThanEqual(patch.hi, group.box.hi + slack));
     return inside ? &group : nullptr;
   }
   return nullptr;

@@ -9,11 +9,12 @@
 namespace asos {
 namespace {
 
-// Into how many parts boundaries may cut a light, or a patch, at any level: a part costs a ray, and
-// leaves no error.
-constexpr int most_parts = 16;
+// Of a light, or a patch: a part costs a ray, and leaves no error.
 constexpr int most_boundaries = 24;
 constexpr int most_pieces = 64;
+// A leaf of less than this share of a finest cell, whose sample stands for as little as no marginal
+// leaf's does, is served by a ray like one.
+constexpr double small_leaf = 0.25;
 // A light whose square holds more groups than this is a thicket: no part of it is free of
 // boundaries.
 constexpr std::size_t most_entries = 400;
@@ -70,16 +71,17 @@ void ShadowPyrays::add(const Illumination& lit, glm::vec3& radiance, RenderStati
   const double weakest = settings_.eps / static_cast<double>(scene_.world.lights.size());
   double share = 1.0;
   if (static_cast<double>(largest(all)) > weakest)
-    share = leaf_.even && lit.layer == 0 && lit.light.extended() ? even_share(lit, counts)
-                                                                 : lit_share(lit, counts);
+    share = leaf_.even && lit.layer == 0 ? even_share(lit, counts) : lit_share(lit, counts);
   if (share > 0.0) radiance += static_cast<float>(share) * all;
 }
 
-// What the middle of an even patch sees of a light, all of it does.
+// What the middle of an even patch sees of a light of some size, all of it does; and all of it is
+// in a hard shadow, or in none, where nothing bounds one.
 double ShadowPyrays::even_share(const Illumination& lit, RenderStatistics& counts) {
   EvenPatch& even = *leaf_.even;
   double& share = even.shares[lit.index];
-  if (share >= 0.0) return share;
+  const auto holds_for_all = [&] { return lit.light.extended() || share == 0.0 || share == 1.0; };
+  if (share >= 0.0) return holds_for_all() ? share : lit_share(lit, counts);
   const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.middle));
   // The light has set for the patch's middle, but not for this leaf.
   if (there == glm::vec3(0.0f)) return lit_share(lit, counts);
@@ -88,11 +90,13 @@ double ShadowPyrays::even_share(const Illumination& lit, RenderStatistics& count
   leaf_.weight = std::pow(even.square.side / leaf_.root_side, 2.0f);
   share = lit_share({lit.light, lit.index, even.middle, there, lit.reflected, 0}, counts);
   leaf_ = own;
-  return share;
+  return holds_for_all() ? share : lit_share(lit, counts);
 }
 
 double ShadowPyrays::lit_share(const Illumination& lit, RenderStatistics& counts) {
-  if (leaf_.region.marginal) return ray_share(lit, counts);
+  if (leaf_.region.marginal ||
+      leaf_.weight < small_leaf * std::ldexp(1.0, -2 * settings_.max_level))
+    return ray_share(lit, counts);
   const auto patch = lit.layer == 0 ? patch_of(lit.point, leaf_.region.square) : std::nullopt;
   Box around;
   if (patch) {
@@ -140,7 +144,6 @@ SubdivisionRules ShadowPyrays::rules(const Illumination& lit) const {
   rules.eps = settings_.eps >= intensity ? 1.0 : settings_.eps / intensity;
   rules.exact_leaves = settings_.exact_leaves;
   rules.jitter = true;
-  rules.limits.least_faces = most_parts;
   rules.limits.most_groups = static_cast<int>(most_entries);
   rules.limits.most_boundaries = most_boundaries;
   rules.limits.most_pieces = most_pieces;
@@ -170,6 +173,26 @@ Root ShadowPyrays::look_at_middle(ShadowCaster& caster) {
   return root;
 }
 
+// Writes the subdivision down where that is asked for.
+SubdivisionOutcome ShadowPyrays::subdivide(const Illumination& lit, const Root& root,
+                                           const SubdivisionRules& subdivision,
+                                           ShadowCaster& caster) {
+  const bool logged = work_.log && work_.log->wants_more();
+  SubdivisionTrace trace;
+  if (logged) work_.subdivider.trace(root.id, trace);
+  const SubdivisionOutcome outcome =
+      work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, caster).front();
+  if (!logged) return outcome;
+  LoggedPyray& pyray = work_.log->at(work_.log->add(LoggedPyray::Kind::shadow));
+  pyray.light = lit.index;
+  pyray.result = glm::vec3(static_cast<float>(caster.lit_share().value_or(0.0)));
+  for (const TracedCell& cell : trace.cells)
+    for (const TracedLeaf& leaf : cell.leaves)
+      pyray.leaves.emplace_back(caster.transmittance(leaf.sample));
+  pyray.subdivision = std::move(trace);
+  return outcome;
+}
+
 double ShadowPyrays::window_share(const Illumination& lit, const Receiver& receiver,
                                   const SearchBounds& found, RenderStatistics& counts) {
   const auto window = LightWindow::of(lit.light, receiver);
@@ -189,8 +212,7 @@ double ShadowPyrays::window_share(const Illumination& lit, const Receiver& recei
   const Root root = look_at_middle(window_caster_);
   bool thicket = root.list.size() > most_entries || work_.lists.exhausted() || varies();
   if (!thicket) {
-    const SubdivisionOutcome outcome =
-        work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, window_caster_).front();
+    const SubdivisionOutcome outcome = subdivide(lit, root, subdivision, window_caster_);
     thicket =
         outcome.unresolved_area > subdivision.eps || (refined && window_caster_.met_see_through());
   }
@@ -270,7 +292,7 @@ double ShadowPyrays::patch_share(const Illumination& lit, ShadowPatch patch,
   for (const Side& side : patch.sides) work_.lists.add_boundary(side.from, side.to);
   patch_caster_.start(*frame, patch, parallel ? &frame_ : nullptr, lit.light.own_part);
   const Root root = look_at_middle(patch_caster_);
-  (void)work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, patch_caster_);
+  subdivide(lit, root, subdivision, patch_caster_);
   counts.shadow_rays += patch_caster_.rays_cast();
   counts.count_shadow_pyray(lit.index);
   const auto share = patch_caster_.lit_share();

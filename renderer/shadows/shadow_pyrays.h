@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/view.h"
 #include "renderer/pyray/hit_list.h"
+#include "renderer/pyray/pyray_log.h"
 #include "renderer/pyray/subdivide.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
@@ -20,6 +21,7 @@ namespace asos {
 
 /// A part of a smooth surface over which no shadow of a light of some size varies by more than is
 /// let pass: what is seen of each from its middle, found when first asked for, holds for all of it.
+/// That of a light without size does where it is all or nothing.
 struct EvenPatch {
   SurfacePoint middle;
   Square square;               ///< of the eye frame
@@ -60,6 +62,7 @@ struct ShadowWorkspace {
   std::vector<std::optional<Receiver>> receivers;
   std::vector<double> weights;
   std::vector<float> shares;
+  PyrayLog* log = nullptr;  ///< where pyrays are written down, if anywhere
 };
 
 /// How ASOS finds what reaches a point of a light: by pyrays between the light and the patch that a
@@ -109,6 +112,8 @@ class ShadowPyrays final : public LightTransport {
                                    const SearchBounds& found, RenderStatistics& counts);
   [[nodiscard]] std::optional<ShadowPatch> patch_of(const SurfacePoint& point, const Square& s);
   [[nodiscard]] SubdivisionRules rules(const Illumination& lit) const;
+  SubdivisionOutcome subdivide(const Illumination& lit, const Root& root,
+                               const SubdivisionRules& subdivision, ShadowCaster& caster);
   [[nodiscard]] int levels_used() const;
   [[nodiscard]] int levels_left() const;
   [[nodiscard]] bool uneven_at_last(const Illumination& lit, RenderStatistics& counts);

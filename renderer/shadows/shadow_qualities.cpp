@@ -143,7 +143,7 @@ std::optional<double> ShadowPyrays::trace_extended(const Illumination& lit, cons
     work_.lists.add_boundary(pyray->outline[i].from, pyray->outline[i].to);
   extended_caster_.start(*pyray, *window, lit.light.own_part);
   const Root root = look_at_middle(extended_caster_);
-  (void)work_.subdivider.run(work_.lists, std::span(&root, 1), subdivision, extended_caster_);
+  subdivide(lit, root, subdivision, extended_caster_);
   counts.shadow_rays += extended_caster_.rays_cast();
   counts.count_shadow_pyray(lit.index);
   return extended_caster_.lit_share();

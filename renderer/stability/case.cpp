@@ -33,8 +33,9 @@ Finding run_case(const Case& item) {
 
 std::vector<Case> all_cases(bool quick_only) {
   std::vector<Case> cases;
-  for (const auto group : {scale_cases, mesh_cases, overlap_cases, view_cases, light_cases,
-                           shadow_cases, setting_cases, material_cases, texture_cases}) {
+  for (const auto group :
+       {scale_cases, mesh_cases, overlap_cases, view_cases, light_cases, shadow_cases,
+        setting_cases, material_cases, texture_cases, mirror_cases, shape_cases, sky_cases}) {
     for (Case& item : group()) {
       if (item.quick || !quick_only) cases.push_back(std::move(item));
     }

@@ -58,5 +58,8 @@ struct Finding {
 [[nodiscard]] std::vector<Case> setting_cases();
 [[nodiscard]] std::vector<Case> material_cases();
 [[nodiscard]] std::vector<Case> texture_cases();
+[[nodiscard]] std::vector<Case> mirror_cases();
+[[nodiscard]] std::vector<Case> shape_cases();
+[[nodiscard]] std::vector<Case> sky_cases();
 
 }  // namespace asos::stability

@@ -25,6 +25,42 @@ Material matte(float grey) {
   return material;
 }
 
+Material mirror() {
+  Material material = matte(1.0f);
+  material.metallic = 1.0f;
+  material.roughness = 0.0f;
+  return material;
+}
+
+Material mirror(const DfrCurve& curve) {
+  Material material = mirror();
+  material.dfr = Dfr{{curve, curve, curve}, 0.0};
+  return material;
+}
+
+void add_shape(Scene& scene, const Shape& shape, const Material& material,
+               const glm::dmat4& world_from_shape) {
+  place(scene, Mesh{}, material, world_from_shape);
+  scene.instances.back().shape = static_cast<int>(scene.shapes.size());
+  scene.shapes.push_back(shape);
+}
+
+Shape ball_shape(double radius) {
+  Shape shape;
+  shape.type = Shape::Type::sphere;
+  shape.radius = radius;
+  return shape;
+}
+
+Shape cylinder_shape(double height, double bottom, double top) {
+  Shape shape;
+  shape.type = Shape::Type::cylinder;
+  shape.height = height;
+  shape.radius_bottom = bottom;
+  shape.radius_top = top;
+  return shape;
+}
+
 void place(Scene& scene, Mesh mesh, const Material& material, const glm::dmat4& world_from_mesh) {
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(material);
@@ -53,6 +89,13 @@ Scene scene_of(const std::vector<Face>& faces, const Camera& camera) {
   for (const Face& face : faces) add(scene, face);
   scene.cameras.push_back(camera);
   return scene;
+}
+
+void add_dark_light(Scene& scene) {
+  Light light;
+  light.intensity = 1e-30f;
+  light.position = {0, 0, -99};
+  scene.lights.push_back(light);
 }
 
 Camera look_at(glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {

@@ -27,12 +27,27 @@ struct Face {
 /// A surface without gloss: roughness 1, an index of refraction of 1.
 [[nodiscard]] Material matte(float grey);
 
+/// White metal without roughness, which mirrors all.
+[[nodiscard]] Material mirror();
+/// The same with one curve of defocusing ratios for all colours.
+[[nodiscard]] Material mirror(const DfrCurve& curve);
+
 /// Keeps a mesh and places it.
 void place(Scene& scene, Mesh mesh, const Material& material,
            const glm::dmat4& world_from_mesh = glm::dmat4(1.0));
 [[nodiscard]] Mesh mesh_of(const std::vector<glm::dvec3>& convex_corners);
 void add(Scene& scene, const Face& face);
+/// Places an analytic shape.
+void add_shape(Scene& scene, const Shape& shape, const Material& material,
+               const glm::dmat4& world_from_shape = glm::dmat4(1.0));
+[[nodiscard]] Shape ball_shape(double radius);
+/// A cone where `top` is 0.
+[[nodiscard]] Shape cylinder_shape(double height, double bottom, double top);
 [[nodiscard]] Scene scene_of(const std::vector<Face>& faces, const Camera& camera);
+
+/// Gives the scene a light that gives next to nothing, so that no studio's lights are put around
+/// it.
+void add_dark_light(Scene& scene);
 
 /// Looks from `eye` at `target`, +Y up (+Z where it looks along Y).
 [[nodiscard]] Camera look_at(glm::dvec3 eye, glm::dvec3 target, double fov_y_deg);

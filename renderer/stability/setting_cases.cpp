@@ -45,6 +45,13 @@ void add_refusals(std::vector<Case>& cases) {
   cases.push_back(refused("a crop beyond the picture", "crop", [](S& s) {
     s.crop = {15, 15, 2147483647, 2147483647};
   }));
+  cases.push_back(refused("TR 0", "tr", [](S& s) { s.texture_resolution = 0; }));
+  cases.push_back(refused("TR 9", "tr", [](S& s) { s.texture_resolution = 9; }));
+  cases.push_back(refused("65 bounces", "reflections", [](S& s) { s.reflections = 65; }));
+  cases.push_back(refused("DFRMIN not a number", "dfr", [](S& s) {
+    s.dfr.emplace().rgb[1].min = std::numeric_limits<double>::quiet_NaN();
+  }));
+  cases.push_back(refused("N -1", "dfr", [](S& s) { s.dfr.emplace().rgb[2].exponent = -1.0; }));
   cases.push_back(refused("0 samples", "spp", [](S& s) { s.spp = 0; }));
 }
 

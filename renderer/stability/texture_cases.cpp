@@ -3,6 +3,8 @@
 #include "renderer/stability/picture.h"
 #include "renderer/stability/scenes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -102,6 +104,46 @@ void add_texture_sizes(std::vector<Case>& cases) {
   cases.push_back(level("an image without texels is white", {Image{}}, 1.0, exact));
 }
 
+void add_resolutions(std::vector<Case>& cases) {
+  for (const int tr : {1, 8}) {
+    RenderSettings settings = settings_of(small_side, small_side);
+    settings.texture_resolution = tr;
+    cases.push_back({fmt::format("TR {} on one grey", tr), texture_group, true, [settings] {
+                       return worst_pixel(
+                           {worst, 16.0 * rounding, "one texel's float, and the sum of samples"},
+                           render(Textured{row({188, 188})}.scene(), settings),
+                           [](int, int) { return grey_188; });
+                     }});
+    cases.push_back({fmt::format("TR {} on a texture 16384 wide, averaged", tr), texture_group,
+                     true, [settings] {
+                       return worst_pixel(
+                           averaged, render(Textured{black_and_white(16384)}.scene(), settings),
+                           [](int, int) { return 0.5; });
+                     }});
+  }
+  cases.push_back({"TR 8 on a texture 16384 wide, at points", texture_group, true, [] {
+                     RenderSettings settings = settings_of(small_side, small_side);
+                     settings.texture_resolution = 8;
+                     settings.texture_filter = TextureFilter::point;
+                     return worst_pixel(
+                         {worst, 4.0 * std::sqrt(0.25 / 64.0),
+                          "64 samples at random, whose deviation is at most 1/2: four deviations "
+                          "of their mean"},
+                         render(Textured{black_and_white(16384)}.scene(), settings),
+                         [](int, int) { return 0.5; });
+                   }});
+  cases.push_back(
+      {"TR 8 takes 64 samples of a pixel", texture_group, true, [] {
+         RenderSettings settings = settings_of(small_side, small_side);
+         settings.texture_resolution = 8;
+         return one_value(
+             {"eye rays a pixel", 1.0, "8 x 8 samples, and the one that found the texture"}, 65.0,
+             render(Textured{row({188, 255})}.scene(), settings), [](const Picture& p) {
+               return static_cast<double>(p.statistics.eye_rays) / (small_side * small_side);
+             });
+       }});
+}
+
 void add_coordinates(std::vector<Case>& cases) {
   const Image two = row({188, 255});
   cases.push_back(level("coordinates of 1e8", {two, glm::vec2(1e8f)}, middle_grey, any_mean));
@@ -183,6 +225,7 @@ void add_transforms(std::vector<Case>& cases) {
 std::vector<Case> texture_cases() {
   std::vector<Case> cases;
   add_texture_sizes(cases);
+  add_resolutions(cases);
   add_coordinates(cases);
   add_transforms(cases);
   return cases;

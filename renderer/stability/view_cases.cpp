@@ -195,10 +195,12 @@ void add_tiny(std::vector<Case>& cases) {
       {"a whole scene of 4096 cards inside one pixel", view_group, true, []() -> Result<Outcome> {
          const auto picture = render(grid_of_cards(64), settings_of(1, 1, 5));
          if (!picture) return unexpected(picture.error());
-         return one_value({"radiance of the pixel", 0.65 * picture->statistics.unresolved_area,
-                           "samples in the middle of cells may all meet gaps: the area "
-                           "that the program says stayed unresolved, times the contrast"},
-                          grid_radiance, picture, only_pixel);
+         return one_value(
+             {"radiance of the pixel", 0.65 * picture->statistics.unresolved_area + rounding,
+              "samples in the middle of cells may all meet gaps: the area "
+              "that the program says stayed unresolved, times the contrast; and "
+              "the rounding of the pixel to float32"},
+             grid_radiance, picture, only_pixel);
        }});
   cases.push_back({"the same with jittered samples", view_group, true, [] {
                      RenderSettings settings = settings_of(1, 1, 5);

@@ -83,15 +83,24 @@ std::optional<Read> rival_error(const std::vector<CurvePoint>& front, double sec
   return Read{value->value, value->beyond ? Reading::extrapolated : Reading::measured};
 }
 
+std::optional<EqualError> equal_error_on(const std::vector<CurvePoint>& front, const StudyPoint& p,
+                                         const std::string& rival) {
+  const double seconds = p.seconds();
+  const double rmse = p.measures.rmse;
+  if (p.under_floor || !(seconds > 0.0)) return std::nullopt;
+  const auto read = rival_seconds(front, rmse);
+  if (!read) return std::nullopt;
+  return EqualError{p.rung.setting,        rival,         rmse,  seconds, read->value,
+                    read->value / seconds, read->reading, p.best};
+}
+
 void compare(SceneStudy& study, const std::string& rival) {
   const std::vector<CurvePoint> front = front_of(study, rival);
   for (const StudyPoint& p : study.points) {
     if (p.rung.method != subject || p.under_floor || !(p.seconds() > 0.0)) continue;
     const double seconds = p.seconds();
     const double rmse = p.measures.rmse;
-    if (const auto read = rival_seconds(front, rmse))
-      study.equal_error.push_back({p.rung.setting, rival, rmse, seconds, read->value,
-                                   read->value / seconds, read->reading, p.best});
+    if (const auto row = equal_error_on(front, p, rival)) study.equal_error.push_back(*row);
     if (const auto read = rival_error(front, seconds))
       study.equal_time.push_back({p.rung.setting, rival, seconds, rmse, read->value,
                                   read->value / rmse, read->reading, p.best});
@@ -169,6 +178,11 @@ const char* name_of(Reading reading) {
       return "unreached";
   }
   return "";
+}
+
+std::optional<EqualError> at_equal_error(const SceneStudy& study, const StudyPoint& point,
+                                         const std::string& rival) {
+  return equal_error_on(front_of(study, rival), point, rival);
 }
 
 void analyse(SceneStudy& study) {

@@ -86,6 +86,12 @@ struct SceneStudy {
   std::vector<Slope> slopes;
 };
 
+/// What `rival` takes to the error of a point, at the best of its settings above the floor. Nothing
+/// where the point is under the floor, or the rival was not measured.
+[[nodiscard]] std::optional<EqualError> at_equal_error(const SceneStudy& study,
+                                                       const StudyPoint& point,
+                                                       const std::string& rival);
+
 /// Marks points under the floor and the best ones, and compares: fills all but scene, points and
 /// noise.
 void analyse(SceneStudy& study);

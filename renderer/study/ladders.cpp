@@ -130,6 +130,7 @@ Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSetti
 Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level, double eps) {
   Rung rung = make_rung(method, base);
   rung.setting = fmt::format("MAX {} EPS {}", max_level, eps_text(eps));
+  if (base.texture_resolution > 1) rung.setting += fmt::format(" TR {}", base.texture_resolution);
   rung.curve = fmt::format("{} EPS {}", method, eps_text(eps));
   rung.settings.max_level = max_level;
   rung.settings.eps = eps;

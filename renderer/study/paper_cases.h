@@ -1,48 +1,140 @@
 #pragma once
 
+#include "renderer/study/ladders.h"
+#include "renderer/study/plan.h"
+
 #include <array>
 
 namespace asos {
 
-/// A row of CGF'98 table 2, or an image of its section 7.4: what was rendered, how long it took
-/// there, and what it is measured on here.
+/// A row of CGF'98 table 2 (section 7.5), or an image of its section 7.4: what was rendered, how
+/// long it took there, and what it is measured on here.
 struct PaperCase {
   const char* figure;
   const char* image;
-  const char* settings;
+  const char* settings;  ///< as sections 7.1 to 7.4 give them
+  const char* quality;   ///< of ASOS's picture, in its authors' words; empty: none in table 2
   double asos_minutes;
-  double rival_minutes;  ///< stochastic sampling; 0: none published
-  int rival_spp;         ///< of the stochastic picture that was called comparable; 0: none
-  const char* scene;     ///< the built-in scene; empty where the program cannot render the case
+  double rival_minutes = 0.0;  ///< stochastic sampling; 0: none published
+  int rival_spp = 0;           ///< of the stochastic picture that was called comparable; 0: none
+  const char* source;          ///< the built-in scene: the paper's in kind only
   int max_level;
   double eps;
-  const char* missing;  ///< what the program lacks for it
+  int texture_resolution = 1;
+  int bounces = 0;             ///< 0: as many as the program usually follows
+  double blur_exponent = 0.0;  ///< N, with DFRMIN 0.05 and DFRMAX 1; 0: as the materials say
 };
 
-/// In the paper's order. House is the paper's scene in kind only, and so is office.
+/// In the paper's order. Times: table 2; of figures 20 and 21 section 7.4. Settings and samples:
+/// section 7.1 (office), 7.2 (textures), 7.3 (reflections), 7.4 (secondary reflections).
 inline constexpr std::array paper_cases{
-    PaperCase{"10", "Office", "MAX 2, EPS 1/8", 23.65, 73.70, 16, "builtin:office", 2, 0.125, ""},
-    PaperCase{"11", "Office", "MAX 3, EPS 1/8", 27.71, 383.10, 64, "builtin:office", 3, 0.125, ""},
-    PaperCase{"12", "Office", "MAX 4, EPS 1/8", 35.98, 0.0, 0, "builtin:office", 4, 0.125, ""},
-    PaperCase{"14", "House with textures", "MAX 2, EPS 0, TR 2", 158.01, 0.0, 0, "", 2, 0.0,
-              "texture resampling TR"},
-    PaperCase{"15", "House with textures", "MAX 2, EPS 0, TR 4", 353.55, 539.42, 16, "", 2, 0.0,
-              "texture resampling TR"},
-    PaperCase{"16", "Reflected house", "MAX 2, EPS 1/8", 49.19, 308.26, 16, "", 2, 0.125,
-              "reflections"},
-    PaperCase{"17", "Reflected house", "MAX 3, EPS 1/8", 92.25, 0.0, 0, "", 3, 0.125,
-              "reflections"},
-    PaperCase{"18", "House, blurred reflection, N 32", "MAX 3, EPS 1/8", 182.83, 0.0, 0, "", 3,
-              0.125, "blurred reflections"},
-    PaperCase{"19", "House, blurred reflection, N 64", "MAX 3, EPS 1/8", 225.90, 0.0, 0, "", 3,
-              0.125, "blurred reflections"},
-    PaperCase{"20", "Office, metallic desk", "MAX 3, EPS 1/8", 28.74, 0.0, 0, "", 3, 0.125,
-              "blurred reflections, two bounces"},
-    PaperCase{"21", "Sphere, cylinder and cone", "MAX 3, EPS 1/8, 6 bounces", 2.48, 0.0, 0, "", 3,
-              0.125, "reflections, six bounces"},
+    PaperCase{.figure = "10",
+              .image = "Office",
+              .settings = "MAX 2, EPS 1/8",
+              .quality = "poor",
+              .asos_minutes = 23.65,
+              .rival_minutes = 73.70,
+              .rival_spp = 16,
+              .source = "builtin:office",
+              .max_level = 2,
+              .eps = 0.125},
+    PaperCase{.figure = "11",
+              .image = "Office",
+              .settings = "MAX 3, EPS 1/8",
+              .quality = "good",
+              .asos_minutes = 27.71,
+              .rival_minutes = 383.10,
+              .rival_spp = 64,
+              .source = "builtin:office",
+              .max_level = 3,
+              .eps = 0.125},
+    PaperCase{.figure = "12",
+              .image = "Office",
+              .settings = "MAX 4, EPS 1/8",
+              .quality = "very good",
+              .asos_minutes = 35.98,
+              .source = "builtin:office",
+              .max_level = 4,
+              .eps = 0.125},
+    PaperCase{.figure = "14",
+              .image = "House with textures",
+              .settings = "MAX 2, EPS 0, TR 2",
+              .quality = "good",
+              .asos_minutes = 158.01,
+              .source = "builtin:house-textured",
+              .max_level = 2,
+              .eps = 0.0,
+              .texture_resolution = 2},
+    PaperCase{.figure = "15",
+              .image = "House with textures",
+              .settings = "MAX 2, EPS 0, TR 4",
+              .quality = "very good",
+              .asos_minutes = 353.55,
+              .rival_minutes = 539.42,
+              .rival_spp = 16,
+              .source = "builtin:house-textured",
+              .max_level = 2,
+              .eps = 0.0,
+              .texture_resolution = 4},
+    PaperCase{.figure = "16",
+              .image = "Reflected house",
+              .settings = "MAX 2, EPS 1/8",
+              .quality = "good",
+              .asos_minutes = 49.19,
+              .rival_minutes = 308.26,
+              .rival_spp = 16,
+              .source = "builtin:house-mirror",
+              .max_level = 2,
+              .eps = 0.125},
+    PaperCase{.figure = "17",
+              .image = "Reflected house",
+              .settings = "MAX 3, EPS 1/8",
+              .quality = "very good",
+              .asos_minutes = 92.25,
+              .source = "builtin:house-mirror",
+              .max_level = 3,
+              .eps = 0.125},
+    PaperCase{.figure = "18",
+              .image = "House, blurred reflection",
+              .settings = "MAX 3, EPS 1/8, DFR 0.05 to 1, N 32",
+              .quality = "very good",
+              .asos_minutes = 182.83,
+              .source = "builtin:house-mirror",
+              .max_level = 3,
+              .eps = 0.125,
+              .blur_exponent = 32.0},
+    PaperCase{.figure = "19",
+              .image = "House, blurred reflection",
+              .settings = "MAX 3, EPS 1/8, DFR 0.05 to 1, N 64",
+              .quality = "very good",
+              .asos_minutes = 225.90,
+              .source = "builtin:house-mirror",
+              .max_level = 3,
+              .eps = 0.125,
+              .blur_exponent = 64.0},
+    PaperCase{.figure = "20",
+              .image = "Office, metallic desk",
+              .settings = "MAX 3, EPS 1/8, two bounces",
+              .quality = "",
+              .asos_minutes = 28.74,
+              .source = "builtin:office-metal",
+              .max_level = 3,
+              .eps = 0.125,
+              .bounces = 2},
+    PaperCase{.figure = "21",
+              .image = "Sphere, cylinder and cone",
+              .settings = "MAX 3, EPS 1/8, 6 bounces",
+              .quality = "",
+              .asos_minutes = 2.48,
+              .source = "builtin:solids",
+              .max_level = 3,
+              .eps = 0.125,
+              .bounces = 6},
 };
 
-/// The house as this program has it, without TR: measured, with no published figure beside it.
-inline constexpr const char* plain_house = "builtin:house";
+/// The true picture that a case is measured on, and its setting of a method of ASOS.
+[[nodiscard]] StudyScene scene_of(const PaperCase& row);
+[[nodiscard]] Rung asos_rung(const PaperCase& row, const std::string& method,
+                             const RenderSettings& base);
 
 }  // namespace asos

@@ -1,9 +1,11 @@
 #include "renderer/study/plan.h"
 
+#include "renderer/shading/sky.h"
 #include "renderer/study/paper_cases.h"
 #include "renderer/study/regions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,16 +17,25 @@ namespace {
 // Of the reference's two halves; any render asks for smaller ones.
 constexpr std::array half_seeds{1'000'003, 1'500'007};
 
-RenderSettings base_settings(const StudyPlan& plan) {
+RenderSettings base_settings(const StudyPlan& plan, const StudyLook& look) {
   RenderSettings base;
   base.width = plan.width;
   base.height = plan.height;
   base.threads = plan.threads;
+  base.sky = look.opened_sky;
+  base.reflections = look.reflections;
+  base.roughest_mirror = look.roughest_mirror;
+  base.dfr = look.dfr;
   return base;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+std::string dfr_text(const Dfr& dfr) {
+  std::string text = " DFR";
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i > 0 && dfr.rgb[i] == dfr.rgb[0]) continue;
+    text += fmt::format(" {},{},{}", dfr.rgb[i].min, dfr.rgb[i].max, dfr.rgb[i].exponent);
+  }
+  return text;
 }
 
 using Ladders = std::vector<std::vector<Rung>>;
@@ -43,26 +54,37 @@ void add_rung(Ladders& ladders, Rung rung) {
   ladders.push_back({std::move(rung)});
 }
 
-void add_paper_rungs(Ladders& ladders, const std::string& scene, const RenderSettings& base) {
+void add_paper_rungs(Ladders& ladders, const StudyScene& scene, const RenderSettings& base) {
+  bool any = false;
   for (const PaperCase& row : paper_cases) {
-    if (scene != row.scene) continue;
-    add_rung(ladders, asos_rung("asos", base, row.max_level, row.eps));
-    add_rung(ladders, asos_rung("asos-published", base, row.max_level, row.eps));
+    if (!(scene == scene_of(row))) continue;
+    any = true;
+    for (const char* method : {"asos", "asos-published"})
+      add_rung(ladders, asos_rung(row, method, base));
     if (row.rival_spp > 0) add_rung(ladders, sampling_rung("stochastic", base, row.rival_spp));
   }
-  if (scene == plain_house) {
-    add_rung(ladders, asos_rung("asos", base, 2, 0.0));
-    add_rung(ladders, asos_rung("asos-published", base, 2, 0.0));
-  }
+  if (!any) return;
   // All of the rival's ladder: its time at equal error cannot be told from one setting.
   for (const int spp : {1, 4, 16, 64, 256})
     add_rung(ladders, sampling_rung("stochastic", base, spp));
 }
 
-Result<Ladders> ladders_of(const StudyPlan& plan, const std::string& scene) {
-  const RenderSettings base = base_settings(plan);
+/// The plan's own scenes, each in the plan's look.
+std::vector<StudyScene> own_scenes(const StudyPlan& plan) {
+  std::vector<StudyScene> scenes;
+  for (const std::string& source : plan.scenes) scenes.push_back({source, plan.look});
+  return scenes;
+}
+
+bool contains(const std::vector<StudyScene>& scenes, const StudyScene& scene) {
+  return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+}
+
+Result<Ladders> ladders_of(const StudyPlan& plan, const StudyScene& scene) {
+  RenderSettings base = base_settings(plan, scene.look);
   Ladders ladders;
-  if (contains(plan.scenes, scene)) {
+  if (contains(own_scenes(plan), scene)) {
+    base.texture_resolution = plan.texture_resolution;
     for (const std::string& method : plan.methods.empty() ? default_methods() : plan.methods) {
       auto ladder = ladder_of(method, base);
       if (!ladder) return unexpected(ladder.error());
@@ -73,21 +95,25 @@ Result<Ladders> ladders_of(const StudyPlan& plan, const std::string& scene) {
   return ladders;
 }
 
-Job regions_job(const StudyPlan& plan, const std::string& scene) {
+Job job_of(JobKind kind, const StudyScene& scene) {
   Job job;
-  job.kind = JobKind::regions;
-  job.scene = scene;
-  job.rung = {"asos", "regions", "", region_settings(base_settings(plan))};
+  job.kind = kind;
+  job.scene = scene.name();
+  job.subject = scene;
   return job;
 }
 
-Job reference_job(const StudyPlan& plan, const std::string& scene, int pass, int half) {
-  Job job;
-  job.kind = JobKind::reference;
-  job.scene = scene;
+Job regions_job(const StudyPlan& plan, const StudyScene& scene) {
+  Job job = job_of(JobKind::regions, scene);
+  job.rung = {"asos", "regions", "", region_settings(base_settings(plan, scene.look))};
+  return job;
+}
+
+Job reference_job(const StudyPlan& plan, const StudyScene& scene, int pass, int half) {
+  Job job = job_of(JobKind::reference, scene);
   job.pass = pass;
   job.half = half;
-  job.rung = sampling_rung("sobol", base_settings(plan), reference_samples(pass));
+  job.rung = sampling_rung("sobol", base_settings(plan, scene.look), reference_samples(pass));
   // Points of their own for each half and pass; every sample looked up as a point, so that nothing
   // but the pixel's own filter is averaged.
   job.rung.settings.seed = half_seeds[static_cast<std::size_t>(half)] + pass;
@@ -95,15 +121,14 @@ Job reference_job(const StudyPlan& plan, const std::string& scene, int pass, int
   return job;
 }
 
-void add_points(std::vector<Job>& jobs, const Ladders& ladders, const std::string& scene,
+void add_points(std::vector<Job>& jobs, const Ladders& ladders, const StudyScene& scene,
                 int repetition) {
   std::size_t longest = 0;
   for (const auto& ladder : ladders) longest = std::max(longest, ladder.size());
   for (std::size_t step = 0; step < longest; ++step) {
     for (const auto& ladder : ladders) {
       if (step >= ladder.size()) continue;
-      Job job;
-      job.scene = scene;
+      Job job = job_of(JobKind::point, scene);
       job.rung = ladder[step];
       job.repetition = repetition;
       jobs.push_back(std::move(job));
@@ -124,12 +149,39 @@ Result<void> check(const StudyPlan& plan) {
   for (std::size_t i = 0; i < plan.methods.size(); ++i)
     if (std::count(plan.methods.begin(), plan.methods.end(), plan.methods[i]) > 1)
       return unexpected(Error{plan.methods[i], "the method is named twice"});
-  const auto settings = validated(base_settings(plan));
+  RenderSettings asked = base_settings(plan, plan.look);
+  asked.texture_resolution = plan.texture_resolution;
+  const auto settings = validated(asked);
   if (!settings) return unexpected(settings.error());
   return {};
 }
 
 }  // namespace
+
+StudyLook look_of(const RenderSettings& settings) {
+  StudyLook look;
+  if (settings.sky) look.sky = settings.sky->name();
+  look.opened_sky = settings.sky;
+  look.reflections = settings.reflections;
+  look.roughest_mirror = settings.roughest_mirror;
+  look.dfr = settings.dfr;
+  return look;
+}
+
+std::string StudyScene::name() const {
+  const StudyLook usual;
+  std::string text;
+  const StudyCamera& camera = look.camera;
+  if (camera.index) text += fmt::format(" camera {}", *camera.index);
+  if (camera.look_at) text += fmt::format(" look-at {}", fmt::join(*camera.look_at, ","));
+  if (camera.fov_y_deg) text += fmt::format(" fov {}", *camera.fov_y_deg);
+  if (look.sky != usual.sky) text += " sky " + look.sky;
+  if (look.reflections != usual.reflections) text += fmt::format(" bounces {}", look.reflections);
+  if (look.roughest_mirror != usual.roughest_mirror)
+    text += fmt::format(" mirrors to {}", look.roughest_mirror);
+  if (look.dfr) text += dfr_text(*look.dfr);
+  return source + text;
+}
 
 std::string Job::title() const {
   switch (kind) {
@@ -148,19 +200,18 @@ int reference_samples(int pass) {
   return 64 << std::max(0, pass - 1);
 }
 
-std::vector<std::string> scenes_of(const StudyPlan& plan) {
-  std::vector<std::string> scenes = plan.scenes;
+std::vector<StudyScene> scenes_of(const StudyPlan& plan) {
+  std::vector<StudyScene> scenes = own_scenes(plan);
   if (!plan.paper) return scenes;
   for (const PaperCase& row : paper_cases)
-    if (row.scene[0] != '\0' && !contains(scenes, row.scene)) scenes.emplace_back(row.scene);
-  if (!contains(scenes, plain_house)) scenes.emplace_back(plain_house);
+    if (const StudyScene scene = scene_of(row); !contains(scenes, scene)) scenes.push_back(scene);
   return scenes;
 }
 
 Result<std::vector<Job>> make_jobs(const StudyPlan& plan) {
   if (const auto sound = check(plan); !sound) return unexpected(sound.error());
   std::vector<Job> jobs;
-  for (const std::string& scene : scenes_of(plan)) {
+  for (const StudyScene& scene : scenes_of(plan)) {
     const auto ladders = ladders_of(plan, scene);
     if (!ladders) return unexpected(ladders.error());
     jobs.push_back(regions_job(plan, scene));

@@ -1,17 +1,61 @@
 #pragma once
 
 #include "renderer/result.h"
+#include "renderer/scene/needs.h"
 #include "renderer/study/ladders.h"
 
+#include <array>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace asos {
 
+/// Where a scene is seen from; as it is by default where nothing is set.
+struct StudyCamera {
+  std::optional<int> index;                      ///< of the file's cameras, from 0
+  std::optional<std::array<double, 6>> look_at;  ///< eye and target, in the author's coordinates
+  std::optional<double> fov_y_deg;
+
+  bool operator==(const StudyCamera&) const = default;
+};
+
+/// What the true picture of a scene depends on beside the scene: the same for all methods.
+struct StudyLook {
+  StudyCamera camera;
+  std::string sky = "neutral";            ///< what it is called: Sky::name
+  std::shared_ptr<const Sky> opened_sky;  ///< the same to render with, not compared; null: neutral,
+                                          ///< or not opened, as where jobs are only merged
+  int reflections = RenderSettings{}.reflections;
+  double roughest_mirror = RenderSettings{}.roughest_mirror;
+  std::optional<Dfr> dfr;
+
+  bool operator==(const StudyLook& other) const {
+    return camera == other.camera && sky == other.sky && reflections == other.reflections &&
+           roughest_mirror == other.roughest_mirror && dfr == other.dfr;
+  }
+};
+
+/// That of a picture with these settings, seen by the usual camera.
+[[nodiscard]] StudyLook look_of(const RenderSettings& settings);
+
+/// One true picture of a study.
+struct StudyScene {
+  std::string source;  ///< as on the command line
+  StudyLook look;
+
+  /// The source, and in what its look differs from the program's usual one.
+  [[nodiscard]] std::string name() const;
+  bool operator==(const StudyScene&) const = default;
+};
+
 /// What a study compares. Everything that its jobs follow from: the same plan makes the same list.
 struct StudyPlan {
-  std::vector<std::string> scenes;   ///< measured with whole ladders
+  std::vector<std::string> scenes;   ///< sources, measured with whole ladders
+  StudyLook look;                    ///< of those scenes
+  int texture_resolution = 1;        ///< TR of ASOS on them, 1 to 8
   std::vector<std::string> methods;  ///< empty: default_methods()
   int width = 320;
   int height = 180;
@@ -19,6 +63,7 @@ struct StudyPlan {
   double budget_seconds = 60.0;  ///< for the reference of one scene
   int threads = 0;               ///< of each render; 0: all cores but one
   bool paper = false;            ///< also the cases of CGF'98 table 2
+  NeedsChoice needs = NeedsChoice::scene;
 
   bool operator==(const StudyPlan&) const = default;
 };
@@ -33,7 +78,8 @@ enum class JobKind {
 struct Job {
   std::size_t id = 0;  ///< place in the list
   JobKind kind = JobKind::point;
-  std::string scene;
+  std::string scene;  ///< its subject's name
+  StudyScene subject;
   Rung rung;           ///< what to render
   int repetition = 0;  ///< point: from 1
   int pass = 0;        ///< reference: from 0
@@ -49,7 +95,7 @@ inline constexpr int reference_passes = 9;
 [[nodiscard]] int reference_samples(int pass);
 
 /// All scenes of a plan: its own, and those of the published cases.
-[[nodiscard]] std::vector<std::string> scenes_of(const StudyPlan& plan);
+[[nodiscard]] std::vector<StudyScene> scenes_of(const StudyPlan& plan);
 
 /// The jobs in their order: scene by scene the regions, the points and the reference. A repetition
 /// of all points comes before the next, and within it the methods take turns, so that what else the

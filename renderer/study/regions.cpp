@@ -1,6 +1,8 @@
 #include "renderer/study/regions.h"
 
 #include "renderer/lights/prepared_light.h"
+#include "renderer/methods/texture_samples.h"
+#include "renderer/shading/brdf.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shading/surface.h"
@@ -27,18 +29,30 @@ class Looker {
     const Ray ray = view_.ray(x, y);
     const Hit hit = scene_.rays.closest(ray, seen_faces(settings_));
     if (!hit.valid()) return Region::rest;
-    if (settings_.shadows && in_penumbra(hit, -ray.direction)) return Region::penumbrae;
-    const Material& m = scene_.world.material_of(hit.triangle);
-    if (!m.unlit && m.roughness < shiny_roughness) return Region::reflections;
-    const bool textured = m.base_color_texture.used() || m.normal_texture.used() ||
-                          m.emissive_texture.used() || m.metallic_roughness_texture.used();
-    return textured ? Region::textures : Region::rest;
+    const SurfacePoint point = surface_point(scene_.world, scene_.needs, hit, -ray.direction);
+    if (point.geometric_normal == glm::vec3(0.0f)) return Region::rest;
+    const SurfaceMaterial material = surface_material(scene_.world, scene_.needs, hit);
+    // A metal shows no shadows, but what it mirrors.
+    const bool mirrors = in_mirror(ray, hit, point, material);
+    if (mirrors && material.metallic > 0.5f) return Region::reflections;
+    if (settings_.shadows && !material.unlit && in_penumbra(point)) return Region::penumbrae;
+    if (mirrors) return Region::reflections;
+    return is_textured(scene_.world.material_of(hit.triangle), scene_.needs) ? Region::textures
+                                                                             : Region::rest;
   }
 
  private:
-  [[nodiscard]] bool in_penumbra(const Hit& hit, glm::vec3 to_viewer) const {
-    const SurfacePoint point = surface_point(scene_.world, scene_.needs, hit, to_viewer);
-    if (point.geometric_normal == glm::vec3(0.0f)) return false;
+  [[nodiscard]] bool in_mirror(const Ray& ray, const Hit& hit, const SurfacePoint& point,
+                               const SurfaceMaterial& material) const {
+    if (material.unlit) return false;
+    const float facing = std::max(0.0f, glm::dot(point.shading_normal, -ray.direction));
+    return shader_
+        .mirror_width(shader_.eye_ray(ray, hit, 1.0f), point, material,
+                      material.opacity * viewed(material, facing).specular)
+        .has_value();
+  }
+
+  [[nodiscard]] bool in_penumbra(const SurfacePoint& point) const {
     const Receiver receiver{point.position, point.shading_normal, point.geometric_normal};
     return std::any_of(
         shader_.lights().begin(), shader_.lights().end(), [&](const PreparedLight& light) {
@@ -92,6 +106,7 @@ RenderSettings region_settings(RenderSettings settings) {
   fixed.height = settings.height;
   fixed.threads = settings.threads;
   fixed.shadows = settings.shadows;
+  fixed.sky = settings.sky;
   fixed.reflections = settings.reflections;
   fixed.roughest_mirror = settings.roughest_mirror;
   fixed.dfr = settings.dfr;
@@ -110,6 +125,8 @@ RegionMap find_regions(const Snapshot& snapshot, const Film& film) {
         map.region.push_back(Region::outlines);
       else if (cause == SplitCause::shadow)
         map.region.push_back(Region::penumbrae);
+      else if (cause == SplitCause::reflection)
+        map.region.push_back(Region::reflections);
       else
         map.region.push_back(looker.look(x + 0.5, y + 0.5));
     }

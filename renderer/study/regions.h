@@ -14,16 +14,13 @@ namespace asos {
 enum class Region : std::uint8_t {
   outlines,     ///< ASOS splits it for an outline, a crease, an intersection or a cut-out
   penumbrae,    ///< a shadow's edge splits it, or a light of some size is seen in part
-  reflections,  ///< a surface whose highlights are narrow
+  reflections,  ///< an edge in a mirror splits it, or a surface that mirrors
   textures,     ///< a textured surface
   rest,
 };
 inline constexpr std::size_t region_count = 5;
 inline constexpr std::array<const char*, region_count> region_names{
     "outlines", "penumbrae", "reflections", "textures", "rest"};
-
-/// Rougher surfaces have no highlights narrower than some tens of degrees.
-inline constexpr float shiny_roughness = 0.35f;
 
 /// A region for each pixel, and the split map that they come from.
 struct RegionMap {

@@ -76,7 +76,7 @@ std::uint64_t pyrays_of(const RenderStatistics& statistics) {
 }
 
 std::uint64_t rays_of(const RenderStatistics& statistics) {
-  return statistics.eye_rays + statistics.shadow_rays + statistics.reflection_rays;
+  return statistics.rays();
 }
 
 }  // namespace asos

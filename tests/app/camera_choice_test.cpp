@@ -17,7 +17,7 @@ World small_world() {
 }
 
 TEST(CameraChoice, LookAtIsInTheAuthorsCoordinates) {
-  const CameraChoice choice{{}, LookAt{{100, 0, 5}, {100, 0, 0}}, 40.0};
+  const CameraChoice choice{{}, LookAt{{100, 0, 5}, {100, 0, 0}}, {}, 40.0};
   const auto camera = choose_camera(small_world(), choice, 1.5);
   ASSERT_TRUE(camera);
   EXPECT_EQ(glm::dvec3(camera->world_from_camera[3]), glm::dvec3(0, 0, 5));
@@ -28,7 +28,7 @@ TEST(CameraChoice, LookAtIsInTheAuthorsCoordinates) {
 }
 
 TEST(CameraChoice, LookingStraightDownIsDefined) {
-  const CameraChoice choice{{}, LookAt{{100, 9, 0}, {100, 0, 0}}, {}};
+  const CameraChoice choice{{}, LookAt{{100, 9, 0}, {100, 0, 0}}, {}, {}};
   const auto camera = choose_camera(small_world(), choice, 1.0);
   ASSERT_TRUE(camera);
   EXPECT_EQ(glm::dvec3(camera->world_from_camera[2]), glm::dvec3(0, 1, 0));
@@ -42,14 +42,14 @@ TEST(CameraChoice, TheFilesFirstCameraIsTheDefault) {
   world.cameras[0].name = "first";
   world.cameras[1].name = "second";
   EXPECT_EQ(choose_camera(world, {}, 1.0)->name, "first");
-  EXPECT_EQ(choose_camera(world, {1, {}, {}}, 1.0)->name, "second");
+  EXPECT_EQ(choose_camera(world, {1, {}, {}, {}}, 1.0)->name, "second");
 }
 
 TEST(CameraChoice, CamerasThatAreNotThereAreRefused) {
   World world = small_world();
-  EXPECT_EQ(choose_camera(world, {0, {}, {}}, 1.0).error().reason, "the scene has no cameras");
+  EXPECT_EQ(choose_camera(world, {0, {}, {}, {}}, 1.0).error().reason, "the scene has no cameras");
   world.cameras.resize(2);
-  EXPECT_EQ(choose_camera(world, {2, {}, {}}, 1.0).error().reason,
+  EXPECT_EQ(choose_camera(world, {2, {}, {}, {}}, 1.0).error().reason,
             "the scene's cameras are numbered 0 to 1");
 }
 
@@ -58,7 +58,7 @@ TEST(CameraChoice, OrthographicCamerasHaveNoFieldOfView) {
   world.cameras.resize(1);
   world.cameras[0].type = Camera::Type::orthographic;
   EXPECT_TRUE(choose_camera(world, {}, 1.0));
-  EXPECT_FALSE(choose_camera(world, {{}, {}, 40.0}, 1.0));
+  EXPECT_FALSE(choose_camera(world, {{}, {}, {}, 40.0}, 1.0));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(CommandLine, RenderHelpNamesEveryOption) {
         "--spp",      "--leaf",     "--jitter",   "--camera",         "--look-at",      "--fov",
         "--threads",  "--crop",     "--exposure", "--split-map",      "--split-map-by", "--stats",
         "--contrast", "--depth",    "--spheres",  "--contrast-scale", "--quiet",        "Examples:",
-        "--sky",      "--sky-turn", "--tr"})
+        "--sky",      "--sky-turn", "--tr",       "--filter-width"})
     EXPECT_TRUE(contains(help.out, option));
 }
 
@@ -74,6 +74,8 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
       {"render", "builtin:boxes", "-o", "x.png", "--depth", "-1"},
       {"render", "builtin:boxes", "-o", "x.png", "--contrast-scale", "-1"},
       {"render", "builtin:boxes", "-o", "x.png", "--contrast-scale", "4.5"},
+      {"render", "builtin:boxes", "-o", "x.png", "--filter-width", "0.5"},
+      {"render", "builtin:boxes", "-o", "x.png", "--filter-width", "nan"},
       {"render", "builtin:boxes", "-o", "x.png", "--leaf", "maple"},
       {"render", "builtin:boxes", "-o", "x.png", "--tr", "0"},
       {"render", "builtin:boxes", "-o", "x.png", "--tr", "9"},

@@ -92,6 +92,30 @@ TEST(InfoCommand, SaysWhatIsLeftOutAndWhy) {
                        "rows: disk\n"));
 }
 
+TEST(InfoCommand, ForcesEverythingOnWhenAsked) {
+  const auto info = [](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"info", "builtin:boxes", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const AsosRun outcome = run_asos(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  };
+  const json needed = info({});
+  const json forced = info({"--needs", "all"});
+  EXPECT_GT(needed.at("left_out").size(), 8u);
+  EXPECT_EQ(forced.at("left_out").size(), 2u) << forced.at("left_out");
+  EXPECT_GT(forced.at("memory_mb").get<double>(), needed.at("memory_mb").get<double>());
+}
+
+TEST(InfoCommand, CountsAnalyticShapes) {
+  const AsosRun outcome = run_asos({"info", "builtin:solids"});
+  EXPECT_TRUE(contains(outcome.out, "Shapes:     3 of the instances are analytic\n"))
+      << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "analytic shapes: no object"));
+  EXPECT_FALSE(contains(outcome.out, "mirrors: no material"));
+  EXPECT_TRUE(contains(run_asos({"info", "builtin:boxes"}).out, "analytic shapes: no object"));
+}
+
 TEST(InfoCommand, PunctualLightsOfAFileAreCountedByTheTypesOfTheirExtension) {
   const auto dir = test::shared_dir();
   if (!dir) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";

@@ -1,4 +1,5 @@
 #include "renderer/film/image_io.h"
+#include "renderer/picture/picture_description.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
@@ -81,6 +83,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"shadow_quality", {Type::string}},
       {"shadow_divisions", {Type::number_unsigned}},
       {"light_rule", {Type::string}},
+      {"filter_width", {Type::number_float}},
       {"jitter", {Type::boolean}},
       {"spp", {Type::number_unsigned}},
       {"contrast", {Type::number_float}},
@@ -100,6 +103,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"pyrays_by_level", {Type::array}},
       {"split_pixels", {Type::number_unsigned}},
       {"pixels_by_cause", {Type::object}},
+      {"dfr", {Type::null}},
       {"reflections", {Type::number_unsigned, Type::number_integer}},
       {"roughest_mirror", {Type::number_float}},
       {"curved_mirror", {Type::string}},
@@ -162,12 +166,14 @@ TEST_F(RenderCommand, PicturesCarryTheirSettings) {
   for (const ImageText& text : {png->text, exr->attributes}) {
     const std::map<std::string, std::string> found(text.begin(), text.end());
     EXPECT_TRUE(found.contains("Software"));
-    EXPECT_EQ(found.at("asos.scene"), "builtin:boxes");
-    EXPECT_EQ(found.at("asos.eps"), "0.25");
-    EXPECT_EQ(found.at("asos.max_level"), "1");
-    EXPECT_EQ(found.at("asos.exposure"), "0.5");
-    EXPECT_NO_THROW(json::parse(found.at("asos.rays")));
-    EXPECT_GT(std::stod(found.at("asos.render_seconds")), 0.0);
+    const json picture = json::parse(found.at("asos.picture"));
+    EXPECT_EQ(picture["scene"], "builtin:boxes");
+    EXPECT_EQ(picture["settings"]["eps"], 0.25);
+    EXPECT_EQ(picture["settings"]["max_level"], 1);
+    EXPECT_EQ(picture["display"]["exposure_ev"], 0.5);
+    const json statistics = json::parse(found.at("asos.statistics"));
+    EXPECT_GT(statistics["rays"]["eye"], 0);
+    EXPECT_GT(statistics["render_seconds"], 0.0);
   }
 }
 
@@ -238,8 +244,8 @@ TEST_F(RenderCommand, TheSplitMapShowsTheSplitPixels) {
   }
   EXPECT_GT(split, 0);
   EXPECT_LT(split, 96 * 54);
-  const std::map<std::string, std::string> text(map->text.begin(), map->text.end());
-  EXPECT_EQ(text.at("asos.split_map_colours"), "level");
+  EXPECT_EQ(read_description(path("map.png")).value().display.split_colours,
+            SplitMapColours::level);
 }
 
 // The statistics count the pixels of each cause, and each cause has a colour of its own.
@@ -263,14 +269,32 @@ TEST_F(RenderCommand, TheSplitMapByCauseShowsWhatTheStatisticsCount) {
   }
   EXPECT_GT(causes, 2);
   EXPECT_EQ((pixels[{0, 0, 0}]), 96u * 54u - with_cause);
-  const std::map<std::string, std::string> text(map->text.begin(), map->text.end());
-  EXPECT_EQ(text.at("asos.split_map_colours"), "cause");
+  EXPECT_EQ(read_description(path("map.png")).value().display.split_colours,
+            SplitMapColours::cause);
 }
 
 TEST_F(RenderCommand, TheCameraMoves) {
   render("file.exr", {});
   render("above.exr", {"--look-at", "0,30,0,0,0,0", "--fov", "30"});
   EXPECT_FALSE(same_bits(film("file.exr"), film("above.exr")));
+}
+
+// However the frames are split among jobs: each is a whole picture of its own.
+TEST_F(RenderCommand, FramesOfATurnAreRenderedOneByOne) {
+  const std::vector<std::string> small{"--max", "1", "--quiet"};
+  render("turn.exr", small + std::vector<std::string>{"--frames", "11"});
+  render("again.exr", small + std::vector<std::string>{"--frames", "4-5/11"});
+  render("still.exr", small);
+  EXPECT_TRUE(same_bits(film("turn-00.exr"), film("still.exr")));
+  EXPECT_TRUE(same_bits(film("turn-05.exr"), film("again-05.exr")));
+  EXPECT_FALSE(same_bits(film("turn-05.exr"), film("turn-04.exr")));
+  EXPECT_TRUE(std::filesystem::exists(path("turn-10.exr")));
+  EXPECT_FALSE(std::filesystem::exists(path("turn-11.exr")));
+  EXPECT_FALSE(std::filesystem::exists(path("turn.exr")));
+  const AsosRun wrong =
+      run_asos({"render", "builtin:boxes", "-o", path("x.png"), "--frames", "5/5"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("--frames"), std::string::npos);
 }
 
 TEST_F(RenderCommand, QuietSaysNothingAndLoudSaysWhatWasWritten) {

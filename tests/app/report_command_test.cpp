@@ -106,7 +106,7 @@ TEST_F(FinishedReport, ThePageNeedsNothingElse) {
   const std::string page = content_of(path("report.html"));
   EXPECT_EQ(count_of(page, "http"), 0u) << "a link, or something fetched";
   EXPECT_EQ(count_of(page, "url("), 0u);
-  const std::regex source("(src|href)=\"([^\"]{0,30})");
+  const std::regex source("(src|href)=\"([^#\"][^\"]{0,29})");  // but for what it holds itself
   std::size_t embedded = 0;
   for (std::sregex_iterator at(page.begin(), page.end(), source), end; at != end; ++at) {
     EXPECT_TRUE((*at)[2].str().starts_with("data:image/")) << at->str();
@@ -193,6 +193,42 @@ TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
   EXPECT_EQ(results_without_times(merged.path()), results_without_times(single.path()));
 }
 
+TEST(ReportCommand, ALookTravelsWithItsJobs) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path().string();
+  const std::vector<std::string> look{"--sky",         "0.5,0.6,1:0.9,0.9,0.9",
+                                      "--reflections", "2",
+                                      "--dfr",         "0.05,1,32",
+                                      "--tr",          "2",
+                                      "--camera",      "0",
+                                      "--fov",         "40",
+                                      "--needs",       "all"};
+  const auto with_job = [&](std::vector<std::string> words, const char* job) {
+    words.insert(words.begin(), {"--job", job});
+    return run_asos(tiny_study(path, words));
+  };
+  const AsosRun listed = run_asos(tiny_study(path, [&] {
+    auto words = look;
+    words.push_back("--list-jobs");
+    return words;
+  }()));
+  EXPECT_TRUE(contains(listed.out,
+                       "1\tbuiltin:boxes camera 0 fov 40 sky 0.5,0.6,1:0.9,0.9,0.9 bounces 2 DFR "
+                       "0.05,1,32 asos MAX 1 EPS 0 TR 2 repetition 1\n"))
+      << listed.out;
+  for (const char* job : {"0", "1", "2"}) {
+    const AsosRun run = with_job(look, job);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  // What was read back makes the same list, so that only jobs are missing.
+  const AsosRun merge = run_asos({"report", "--merge", path, "-o", path});
+  EXPECT_EQ(merge.exit_code, 1);
+  EXPECT_TRUE(contains(merge.err, "has not been run")) << merge.err;
+  // And one of another look is refused.
+  ASSERT_EQ(with_job({"--reflections", "2"}, "2").exit_code, 0);
+  EXPECT_TRUE(contains(run_asos({"report", "--merge", path, "-o", path}).err, "another study"));
+}
+
 TEST(ReportCommand, AMissingJobIsNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path().string();
@@ -234,6 +270,8 @@ TEST(ReportCommand, RefusesCommandLinesThatMakeNoSense) {
       {{"report", "builtin:boxes", "-o", "x", "--size", "0x5"}, "--size"},
       {{"report", "builtin:boxes", "-o", "x", "--budget", "nan"}, "--budget"},
       {{"report", "builtin:boxes", "-o", "x", "--repetitions", "0"}, "--repetitions"},
+      {{"report", "builtin:boxes", "-o", "x", "--tr", "9"}, "--tr"},
+      {{"report", "builtin:boxes", "-o", "x", "--dfr", "2,1,1"}, "--dfr"},
       {{"report", "builtin:boxes", "-o", "x", "--suite", "book"}, "book"},
       {{"report", "builtin:boxes", "-o", "x", "--job", "100000"}, "--job"},
       {{"report", "builtin:boxes", "-o", "x", "--merge", "y"}, "--merge"},
@@ -257,6 +295,11 @@ TEST(ReportCommand, SaysWhatIsWrongWithItsInput) {
   const AsosRun nothing = run_asos({"report", empty, "-o", folder.file("b"), "--size", "16x12"});
   EXPECT_EQ(nothing.exit_code, 1);
   EXPECT_TRUE(contains(nothing.err, "empty"));
+
+  const AsosRun sky = run_asos(tiny_study(folder.file("s"), {"--sky", folder.file("no.hdr")}));
+  EXPECT_EQ(sky.exit_code, 1);
+  EXPECT_TRUE(contains(sky.err, "no.hdr"));
+  EXPECT_FALSE(fs::exists(folder.file("s")));
 
   const std::string file = folder.write("file", "");
   const AsosRun unwritable = run_asos(tiny_study(file));

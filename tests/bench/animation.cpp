@@ -7,6 +7,7 @@
 //   bench_animation [--size N] [--steps N] [--csv]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/options.h"
 #include "tests/support/thin_subject.h"
 
 #include <fmt/format.h>
@@ -97,11 +98,11 @@ Result<void> measure(const ThinSubject& subject, const Settings& settings) {
 
 int main(int argc, char** argv) {
   Settings settings;
-  CLI::App app("Steadiness of thin things that move");
-  app.add_option("--size", settings.size, "pixels, width and height")->check(CLI::Range(16, 512));
-  app.add_option("--steps", settings.steps)->check(CLI::Range(2, 4096));
-  app.add_flag("--csv", settings.csv);
-  CLI11_PARSE(app, argc, argv);
+  Options options("Steadiness of thin things that move");
+  options.number("--size", settings.size, 16, 512, "pixels, width and height");
+  options.number("--steps", settings.steps, 2, 4096);
+  options.flag("--csv", settings.csv);
+  if (const auto code = options.end(argc, argv)) return *code;
   if (settings.csv)
     fmt::print("subject,method,range_percent,mean_over_exact\n");
   else

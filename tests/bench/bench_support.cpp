@@ -44,9 +44,7 @@ Snapshot snapshot_of(SharedScene scene, int width, int height) {
 }
 
 Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {
-  return choose_camera(world, {.index = {}, .look_at = LookAt{eye, target}, .fov_y_deg = fov_y_deg},
-                       1.0)
-      .value();
+  return choose_camera(world, {{}, LookAt{eye, target}, {}, fov_y_deg}, 1.0).value();
 }
 
 PictureError picture_error(const Film& film, const Film& reference) {
@@ -93,29 +91,6 @@ PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel) {
   const auto width = static_cast<std::size_t>(settings.width);
   return trace_pixel(*snapshot.scene, View(snapshot.camera, settings.width, settings.height),
                      settings, static_cast<int>(pixel % width), static_cast<int>(pixel / width));
-}
-
-void add_size(CLI::App& app, PictureSize& size) {
-  app.add_option_function<std::string>(
-      "--size",
-      [&size](const std::string& text) {
-        const auto read = parse_size(text, 32768);
-        if (!read) throw CLI::ValidationError("--size", read.error().message());
-        size = *read;
-      },
-      "WxH, pixels");
-}
-
-void add_camera(CLI::App& app, CameraChoice& choice) {
-  app.add_option_function<std::string>(
-      "--look-at",
-      [&choice](const std::string& text) {
-        const auto read = parse_look_at(text);
-        if (!read) throw CLI::ValidationError("--look-at", read.error().message());
-        choice.look_at = *read;
-      },
-      "ex,ey,ez,tx,ty,tz: eye and target");
-  app.add_option("--fov", choice.fov_y_deg, "vertical field of view, degrees");
 }
 
 int fail(const Error& error) {

@@ -8,8 +8,6 @@
 #include "renderer/study/measures.h"
 #include "renderer/study/timed_render.h"
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -70,12 +68,6 @@ inline constexpr int outcome_count = 5;
 /// Traces a pixel of a snapshot's picture, quickly: in the smallest fat pyray, which does not know
 /// its neighbours, so that pixels of bumpy surfaces may be split less than in larger ones.
 [[nodiscard]] PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel);
-
-/// --size WxH.
-void add_size(CLI::App& app, PictureSize& size);
-
-/// --look-at and --fov.
-void add_camera(CLI::App& app, CameraChoice& choice);
 
 /// Prints the error and returns the exit code.
 int fail(const Error& error);

@@ -11,6 +11,7 @@
 
 #include "renderer/methods/method.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/options.h"
 
 #include <fmt/format.h>
 
@@ -227,15 +228,15 @@ Result<void> study(const std::string& source, const Settings& settings) {
 
 int main(int argc, char** argv) {
   Settings settings;
-  CLI::App app("Error and work by level, against the exact picture");
-  add_size(app, settings.size);
-  add_camera(app, settings.camera);
-  app.add_option("--max", settings.max_level, "deepest level")->check(CLI::Range(0, 8));
-  app.add_option("--worst", settings.worst, "pixels to list after each level of exact leaves")
-      ->check(CLI::Range(0, 1000));
-  app.add_flag("--csv", settings.csv);
-  app.add_option("SCENE", settings.scenes, "files or built-in scenes");
-  CLI11_PARSE(app, argc, argv);
+  Options options("Error and work by level, against the exact picture");
+  options.size(settings.size);
+  options.camera(settings.camera);
+  options.number("--max", settings.max_level, 0, 8, "deepest level");
+  options.number("--worst", settings.worst, 0, 1000,
+                 "pixels to list after each level of exact leaves");
+  options.flag("--csv", settings.csv);
+  options.texts("SCENE", settings.scenes, "files or built-in scenes");
+  if (const auto code = options.end(argc, argv)) return *code;
   if (settings.csv) fmt::print("scene,method,max,rmse,raw_rmse,work_per_pixel,cpu_seconds\n");
   for (const std::string& scene : settings.scenes)
     if (const auto done = study(scene, settings); !done) return fail(done.error());

@@ -8,6 +8,7 @@
 //   bench_costs [--size WxH] [--max K] [--runs N] [PART...]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/options.h"
 #include "tests/support/flat_mesh.h"
 
 #include <fmt/format.h>
@@ -242,13 +243,12 @@ int main(int argc, char** argv) {
       {"detect", measure_detect},
       {"rule", measure_rule}};
   Settings settings;
-  CLI::App app("Costs of the engine's parts, as ratios of processor times");
-  add_size(app, settings.size);
-  app.add_option("--max", settings.max_level)->check(CLI::Range(1, 8));
-  app.add_option("--runs", settings.runs)->check(CLI::Range(1, 99));
-  app.add_option("PART", settings.parts)
-      ->check(CLI::IsMember({"wall", "saturated", "fat", "detect", "rule"}));
-  CLI11_PARSE(app, argc, argv);
+  Options options("Costs of the engine's parts, as ratios of processor times");
+  options.size(settings.size);
+  options.number("--max", settings.max_level, 1, 8);
+  options.number("--runs", settings.runs, 1, 99);
+  options.choices("PART", settings.parts, {"wall", "saturated", "fat", "detect", "rule"});
+  if (const auto code = options.end(argc, argv)) return *code;
   for (const auto& [name, measure] : parts) {
     if (std::find(settings.parts.begin(), settings.parts.end(), name) == settings.parts.end())
       continue;

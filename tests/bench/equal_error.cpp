@@ -20,6 +20,7 @@
 #include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/error_causes.h"
+#include "tests/bench/options.h"
 
 #include <fmt/format.h>
 
@@ -238,27 +239,22 @@ Result<void> measure(const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   std::string shadows = "on";
-  CLI::App app("Time at equal error, ASOS beside stochastic and Sobol sampling");
-  add_size(app, settings.size);
-  add_camera(app, settings.camera);
-  app.add_option("--shadows", shadows)->check(CLI::IsMember({"on", "off"}));
-  app.add_option("--reference", settings.reference, "samples")->check(CLI::Range(256, 65536));
-  app.add_option("--runs", settings.runs)->check(CLI::Range(1, 99));
-  app.add_option("--causes", settings.causes, "MAX to look into")->check(CLI::Range(0, 8));
-  app.add_flag("--matte", settings.matte, "without textures, highlights and emission");
-  app.add_flag("--key-light", settings.key_light, "the first rectangular light only");
-  app.add_option_function<std::string>(
-      "--dfr",
-      [&](const std::string& text) {
-        const auto dfr = parse_dfr(text);
-        if (!dfr) throw CLI::ValidationError("--dfr", dfr.error().message());
-        settings.dfr = *dfr;
-      },
-      "MIN,MAX,N of all that mirrors");
-  app.add_option("--tr", settings.texture_resolution, "TR of asos")->check(CLI::Range(1, 8));
-  app.add_flag("--qualities", settings.qualities, "a row for each shadow quality");
-  app.add_option("SCENE", settings.scene)->required();
-  CLI11_PARSE(app, argc, argv);
+  Options options("Time at equal error, ASOS beside stochastic and Sobol sampling");
+  options.size(settings.size);
+  options.camera(settings.camera);
+  options.choice("--shadows", shadows, {"on", "off"});
+  options.number("--reference", settings.reference, 256, 65536, "samples");
+  options.number("--runs", settings.runs, 1, 99);
+  options.number("--causes", settings.causes, 0, 8, "MAX to look into");
+  options.flag("--matte", settings.matte, "without textures, highlights and emission");
+  options.flag("--key-light", settings.key_light, "the first rectangular light only");
+  options.parsed("--dfr", "MIN,MAX,N of all that mirrors", [&](const std::string& text) {
+    return parse_dfr(text).map([&](const Dfr& dfr) { settings.dfr = dfr; });
+  });
+  options.number("--tr", settings.texture_resolution, 1, 8, "TR of asos");
+  options.flag("--qualities", settings.qualities, "a row for each shadow quality");
+  options.text("SCENE", settings.scene);
+  if (const auto code = options.end(argc, argv)) return *code;
   settings.shadows = shadows == "on";
   const auto done = measure(settings);
   return done ? 0 : fail(done.error());

@@ -8,6 +8,7 @@
 //   bench_needs [SCENE...] [--size WxH] [--repetitions N] [--max K] [--csv]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/options.h"
 
 #include <fmt/format.h>
 
@@ -116,13 +117,13 @@ Result<void> measure_scene(const std::string& source, const Settings& settings) 
 
 int main(int argc, char** argv) {
   Settings settings;
-  CLI::App app("What leaving out saves");
-  app.add_option("SCENES", settings.scenes);
-  add_size(app, settings.size);
-  app.add_option("--repetitions", settings.repetitions)->check(CLI::Range(1, 99));
-  app.add_option("--max", settings.max_level)->check(CLI::Range(0, 8));
-  app.add_flag("--csv", settings.csv);
-  CLI11_PARSE(app, argc, argv);
+  Options options("What leaving out saves");
+  options.texts("SCENES", settings.scenes);
+  options.size(settings.size);
+  options.number("--repetitions", settings.repetitions, 1, 99);
+  options.number("--max", settings.max_level, 0, 8);
+  options.flag("--csv", settings.csv);
+  if (const auto code = options.end(argc, argv)) return *code;
   if (settings.csv)
     fmt::print("scene,forced,render_ratio,build_ratio,memory_ratio,picture\n");
   else

@@ -1,3 +1,4 @@
+#include "renderer/film/split_map.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/frames.h"
 
@@ -106,7 +107,7 @@ TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
     const float d = difference_of(rig.previewer().film().radiance[i],
                                   frames().stored[0].film.radiance[i], 0.0f);
     different += d > 0.0f;
-    return difference_colour(d / scale);
+    return heat_colour(d / scale);
   });
   EXPECT_GT(different, 50);
   EXPECT_TRUE(rig.content().controls().all().contains("Difference legend"));
@@ -137,13 +138,13 @@ TEST_F(ComparePanelTest, AFrameOfAnotherSizeHasNoDifference) {
 TEST(Frames, ColoursGetBrighterWithTheDifference) {
   int before = -1;
   for (int i = 0; i <= 64; ++i) {
-    const glm::u8vec3 c = difference_colour(static_cast<float>(i) / 64.0f);
+    const glm::u8vec3 c = heat_colour(static_cast<float>(i) / 64.0f);
     const int brightness = 2 * c.x + 5 * c.y + c.z;
     EXPECT_GT(brightness, before);
     before = brightness;
   }
-  EXPECT_EQ(difference_colour(0.0f), glm::u8vec3(0));
-  EXPECT_EQ(difference_colour(7.0f), glm::u8vec3(255));
+  EXPECT_EQ(heat_colour(0.0f), glm::u8vec3(0));
+  EXPECT_EQ(heat_colour(7.0f), glm::u8vec3(255));
   EXPECT_EQ(difference_of({1, 0, 0}, {1, 0, 2}, 0.0f), 1.0f) << "above white counts as white";
 }
 

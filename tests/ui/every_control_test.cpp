@@ -1,5 +1,8 @@
+#include "renderer/shading/sky.h"
+#include "tests/ui/control_parts.h"
 #include "tests/ui/panels_fixture.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -10,7 +13,7 @@
 #include <vector>
 
 // Uses every control that the window shows, in as many states as it takes to see them all: each has
-// a tooltip, and changes what the table below says of it. A control that the table does not know
+// a tooltip, and changes what the table of parts says of it. A control that the table does not know
 // fails the test.
 
 namespace asos {
@@ -18,85 +21,8 @@ namespace {
 
 using test::PanelsTest;
 
-enum class Part { settings, display, lights, camera, view, choice, frames, study, files, message };
-
-/// By the name, or by its beginning up to a slash.
-const std::map<std::string, Part> parts{
-    {"Method", Part::settings},
-    {"EPS", Part::settings},
-    {"MAX", Part::settings},
-    {"Leaf", Part::settings},
-    {"Rule", Part::settings},
-    {"Detection", Part::settings},
-    {"Shading", Part::settings},
-    {"Jitter", Part::settings},
-    {"Samples", Part::settings},
-    {"Seed", Part::settings},
-    {"Textures", Part::settings},
-    {"Culling", Part::settings},
-    {"Shadows", Part::settings},
-    {"Quality", Part::view},
-    {"Divisions", Part::settings},
-    {"Light rule", Part::settings},
-    {"Exposure", Part::display},
-    {"Split map", Part::display},
-    {"Dimming", Part::display},
-    {"Colours", Part::display},
-    {"Light on", Part::lights},
-    {"Light", Part::choice},
-    {"Add light", Part::lights},
-    {"Remove light", Part::lights},
-    {"Face to light", Part::lights},
-    {"Reset lights", Part::lights},
-    {"Type", Part::lights},
-    {"Colour", Part::lights},
-    {"Intensity", Part::lights},
-    {"Radius", Part::lights},
-    {"Length", Part::lights},
-    {"Width", Part::lights},
-    {"Height", Part::lights},
-    {"Sun's angle", Part::lights},
-    {"Cone", Part::lights},
-    {"Full inside", Part::lights},
-    {"Outline", Part::lights},
-    {"Position", Part::lights},
-    {"Azimuth", Part::lights},
-    {"Elevation", Part::lights},
-    {"Roll", Part::lights},
-    {"Two-sided", Part::lights},
-    {"Shadowing", Part::lights},
-    {"Marks", Part::choice},
-    {"Mark", Part::lights},
-    {"Store frame", Part::frames},
-    {"Remove frame", Part::frames},
-    {"Frame", Part::frames},
-    {"Compare", Part::frames},
-    {"Wipe", Part::frames},
-    {"Wipe line", Part::frames},
-    {"Stored shown", Part::frames},
-    {"Scale", Part::frames},
-    {"View", Part::view},
-    {"Frame all", Part::camera},
-    {"Reset view", Part::camera},
-    {"Study", Part::study},
-    {"Size", Part::study},
-    {"Budget", Part::study},
-    {"Repetitions", Part::study},
-    {"Open...", Part::view},
-    {"Save picture", Part::message},
-    {"Reload", Part::files},
-    {"Watch file", Part::choice},
-    {"Forget settings", Part::display},
-    {"Open", Part::files},
-    {"Cancel", Part::view},
-    {"Built-in", Part::files},
-    {"Recent", Part::files},
-    {"Copy", Part::message},
-    {"Close", Part::message},
-    {"Copy warnings", Part::message},
-    {"Boundaries", Part::choice},
-    {"Close pixel", Part::choice},
-};
+using test::Part;
+using test::parts;
 
 class EveryControlTest : public PanelsTest {
  protected:
@@ -117,7 +43,7 @@ class EveryControlTest : public PanelsTest {
     Previewer& p = rig.previewer();
     const auto numbers = [](auto... values) {
       std::string text;
-      ((text += std::to_string(values) + " "), ...);
+      ((text += fmt::format("{} ", values)), ...);
       return text;
     };
     const RenderSettings& r = p.settings();
@@ -126,9 +52,24 @@ class EveryControlTest : public PanelsTest {
       case Part::settings:
         return numbers(static_cast<int>(r.method), r.eps, r.max_level, static_cast<int>(r.leaf),
                        static_cast<int>(r.rule), static_cast<int>(r.detect), r.refine_shading,
-                       r.jitter, r.spp, r.seed, static_cast<int>(r.texture_filter), r.cull,
-                       r.shadows, static_cast<int>(r.shadow_quality), r.shadow_divisions,
-                       static_cast<int>(r.light_rule));
+                       r.jitter, r.filter_width, r.spp, r.seed, static_cast<int>(r.texture_filter),
+                       r.cull, r.shadows, static_cast<int>(r.shadow_quality), r.shadow_divisions,
+                       static_cast<int>(r.light_rule), r.texture_resolution, r.reflections,
+                       r.roughest_mirror, static_cast<int>(r.curved_mirror), r.mirror_angle);
+      case Part::mirrors: {
+        std::string text = numbers(p.edits().dfrs_revision, r.dfr.has_value());
+        for (const DfrCurve& c : r.dfr.value_or(Dfr{}).rgb)
+          text += numbers(c.min, c.max, c.exponent);
+        return text + numbers(r.dfr.value_or(Dfr{}).perturbation);
+      }
+      case Part::sky:
+        return s.sky.error + (r.sky ? r.sky->name() : "") + numbers(s.sky.file, r.sky.use_count());
+      case Part::check:
+        return numbers(static_cast<int>(s.equal_time.method), s.equal_time.restarts, s.check.check,
+                       s.check.alarm, s.check.mark_missed, s.check.mark_wasted);
+      case Part::limits:
+        return numbers(p.paused(), static_cast<int>(p.rest()), p.limits().seconds, p.limits().rmse,
+                       p.restarts());
       case Part::display:
         return numbers(d.exposure_ev, d.show_split_map, d.split_dimming,
                        static_cast<int>(d.split_colours));
@@ -141,7 +82,8 @@ class EveryControlTest : public PanelsTest {
                        ImGui::GetIO().WantTextInput);
       case Part::choice:
         return numbers(s.lights.selected, s.lights.show_marks, s.watch, s.show_boundaries,
-                       s.picked.has_value());
+                       s.picked.has_value(), static_cast<int>(s.reflections.channel),
+                       s.picked_pyray);
       case Part::frames:
         return numbers(s.frames.stored.size(), s.frames.chosen,
                        static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
@@ -152,6 +94,9 @@ class EveryControlTest : public PanelsTest {
                s.study.error;
       case Part::files:
         return numbers(p.scenes_opened(), p.loading().has_value()) + p.asked_for();
+      case Part::save:
+        return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
+                       s.save.show);
       case Part::message:
         return s.message + clipboard_ + numbers(p.error().has_value());
     }
@@ -164,11 +109,11 @@ class EveryControlTest : public PanelsTest {
     // What was tried in full once is a choice that waits for another state: a click tells.
     const bool again = !tried_.insert(name).second;
     // First, because a click may open something over the control.
-    for (const float pixels : {-40.0f, 25.0f}) {
+    for (const glm::vec2 way : {glm::vec2(-40, -20), glm::vec2(25, 20)}) {
       if (again) break;
       if (!rig.content().controls().all().contains(name)) return false;
       const glm::vec2 from = rig.control(name).centre();
-      rig.drag(from, from + glm::vec2(pixels, 0.0f));
+      rig.drag(from, from + way);
       if (state_of(part) != before) return true;
     }
     for (const float share : {0.5f, 0.15f, 0.85f}) {
@@ -197,6 +142,10 @@ class EveryControlTest : public PanelsTest {
     rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to forget
     settings() = initial_;
     rig.previewer().reset_lights();
+    if (rig.previewer().dfrs() != dfrs_of(rig.previewer().original_scene().world))
+      rig.previewer().reset_dfrs();
+    rig.previewer().set_paused(false);
+    rig.previewer().limits() = {};
     state();
     for (int i = 0; i < 2; ++i) rig.frame();
   }
@@ -210,6 +159,7 @@ class EveryControlTest : public PanelsTest {
       // Some of the built-in scenes take long to load.
       if (name.starts_with("Built-in/") && name != "Built-in/boxes") continue;
       if (name == "Start study") continue;  // comes last
+      if (name == "Stop rival") continue;   // is there as long as the rival takes: EqualTimeTest
       seen_.insert(name);
       if (!used_.contains(name)) names.push_back(name);
     }
@@ -276,6 +226,70 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       s.frames.store(rig.previewer().film(), "two");
       s.frames.comparison = comparison;
     });
+  const auto open = [&](const std::string& source) {
+    rig.previewer().open(source);
+    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == source; }));
+    ASSERT_TRUE(rig.settle());
+  };
+  open("textured");
+  use_all("textures", [] {});
+  use_all("textures looked up at points",
+          [&] { settings().texture_filter = TextureFilter::point; });
+  open("mirrors");
+  use_all("a blur for each colour", [&] {
+    settings().dfr.emplace();
+    settings().dfr->rgb = {DfrCurve{0.1, 1.0, 2.0}, DfrCurve{0.2, 0.8, 8.0},
+                           DfrCurve{0.3, 0.7, 4.0}};
+    rig.frame();
+    s.reflections.channel = DfrChannel::blue;
+  });
+  for (const DfrChannel channel : {DfrChannel::blue, DfrChannel::all})
+    use_all("one blur for all", [&] {
+      s.reflections.channel = channel;
+      settings().dfr.emplace();
+      settings().dfr->rgb.fill({0.3, 0.7, 4.0});
+    });
+  for (const int pyray : {-1, 0})
+    use_all("mirrors", [&] {
+      s.picked = glm::ivec2(rig.previewer().film().width, rig.previewer().film().height) / 2;
+      s.picked_pyray = pyray;
+      // What is known of the pixel comes from another thread.
+      (void)rig.frames_until(
+          [&] {
+            return rig.content().controls().all().contains("Pyray/1") ||
+                   rig.content().controls().all().contains("Back");
+          },
+          2.0);
+      s.picked_pyray = pyray;
+    });
+  use_all("curved mirrors", [&] { settings().curved_mirror = CurvedMirror::adaptive; });
+  use_all("a material's own blur", [&] { rig.previewer().edit_dfrs()[0].emplace(); });
+  for (const char* section :
+       {"section/Refinement", "section/Sky", "section/Equal time", "section/Missed splits"})
+    rig.click(section);
+  use_all("another rival", [&] {
+    s.equal_time.method = Method::stochastic;
+    rig.previewer().limits().rmse = 0.01;
+  });
+  for (const bool paused : {false, true})
+    use_all("refinement", [&] {
+      rig.previewer().set_paused(paused);
+      s.check.check = !paused;
+    });
+  use_all("stopped", [&] {
+    rig.previewer().set_paused(false);
+    ASSERT_TRUE(rig.settle());
+  });
+  use_all("a sky of one colour",
+          [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(2.0f)); });
+  use_all("a gradient", [&] { s.sky.gradient = true; });
+  use_all("a gradient of two colours",
+          [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(0.2f), glm::vec3(0.5f)); });
+  use_all("a sky from a file", [&] {
+    s.sky.path = "missing.hdr";
+    settings().sky = std::make_shared<const Sky>(
+        SkyMap(2, 1, std::vector<glm::vec3>(2, glm::vec3(0.5f))), 0.0, "half");
+  });
   rig.click("section/Error against run time");
   use_all("study", [] {});
   use_all("other choices", [&] {
@@ -294,11 +308,27 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.open_path = "second";
     s.recent = {"third"};
   });
+  use_all("save dialog", [&] {
+    s.save.show = true;
+    s.save.size = {64, 32};
+  });
+  use_all("save dialog, EXR", [&] {
+    s.save.show = true;
+    s.save.exr = true;
+  });
+  use_all("save dialog, window", [&] {
+    s.save.show = true;
+    s.save.what = SaveChoice::What::window;
+  });
   use_all("error", [&] {
     rig.previewer().open("missing");
     ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
   });
   for (const std::string& name : seen_) EXPECT_TRUE(used_.contains(name)) << name << " did nothing";
+  enter([] {});
+  if (rig.content().study().busy()) rig.click("Stop study");  // a drag elsewhere began one
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
+  rig.frame();
   rig.click("Start study");
   EXPECT_TRUE(rig.content().study().busy());
   rig.frame();

@@ -1,3 +1,5 @@
+#include "renderer/film/image_io.h"
+#include "renderer/scene/source_files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/file_watch.h"
@@ -70,27 +72,37 @@ TEST(StoredSettings, RecentFilesAreUniqueAndFew) {
 
 TEST(FileWatch, TellsOfAChangeOnceItRests) {
   const test::TemporaryFolder folder;
-  const std::string path = (folder.path() / "scene.glb").string();
-  write(path, "one");
+  const std::string path = folder.write("scene.gltf", "one"), side = folder.write("s.bin", "b");
+  const std::string absent = folder.file("absent.png");
+  const auto stamps = [&] {
+    return std::vector{FileStamp::of(path), FileStamp::of(side), FileStamp::of(absent)};
+  };
+  std::vector<FileStamp> read = stamps();
   FileWatch watch;
-  EXPECT_FALSE(watch.changed(path, 0.0));
-  EXPECT_FALSE(watch.changed(path, 1.1));
-  write(path, "one and a half");
-  EXPECT_FALSE(watch.changed(path, 1.5)) << "not yet a second";
-  EXPECT_FALSE(watch.changed(path, 2.2)) << "it may still be written";
-  write(path, "two");
-  EXPECT_FALSE(watch.changed(path, 3.3));
-  EXPECT_TRUE(watch.changed(path, 4.4));
-  EXPECT_FALSE(watch.changed(path, 5.5)) << "once";
-  std::filesystem::remove(path);
-  EXPECT_FALSE(watch.changed(path, 6.6));
-  EXPECT_FALSE(watch.changed(path, 7.7));
-  write(path, "three!");
-  EXPECT_FALSE(watch.changed(path, 8.8));
-  EXPECT_TRUE(watch.changed(path, 9.9));
-  EXPECT_NEAR(watch.seconds_to_look(10.0), 0.9, 1e-9);
-  EXPECT_FALSE(watch.changed("builtin:office", 20.0));
-  EXPECT_FALSE(watch.changed("builtin:office", 22.0));
+  EXPECT_FALSE(watch.changed(read, 0.0));
+  EXPECT_FALSE(watch.changed(read, 1.1)) << "what is missing is nothing new";
+  for (const std::string& file : {path, side, absent}) {
+    write(file, "one and a half");
+    EXPECT_FALSE(watch.changed(read, 1.5)) << "not yet a second";
+    EXPECT_FALSE(watch.changed(read, 2.2)) << "it may still be written";
+    write(file, "two");
+    EXPECT_FALSE(watch.changed(read, 3.3));
+    EXPECT_TRUE(watch.changed(read, 4.4)) << file;
+    read = stamps();
+    EXPECT_FALSE(watch.changed(read, 5.5)) << "it was read";
+    EXPECT_FALSE(watch.changed(read, 6.6));
+    watch = {};
+    EXPECT_FALSE(watch.changed(read, 0.0));
+  }
+  EXPECT_NEAR(watch.seconds_to_look(0.1), 0.9, 1e-9);
+  std::filesystem::remove(side);
+  EXPECT_FALSE(watch.changed(read, 1.1));
+  EXPECT_FALSE(watch.changed(read, 2.2)) << "it is being replaced";
+  write(side, "three!");
+  EXPECT_FALSE(watch.changed(read, 3.3));
+  EXPECT_TRUE(watch.changed(read, 4.4));
+  EXPECT_FALSE(watch.changed({}, 20.0)) << "a built-in scene";
+  EXPECT_FALSE(watch.changed({}, 22.0));
 }
 
 // A file whose text says what is in it.
@@ -142,6 +154,53 @@ TEST_F(WatchedFileTest, WatchingSurvivesAHalfWrittenFile) {
   EXPECT_FALSE(green()) << "the scene from before stays";
   write(path, "green");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
+  EXPECT_FALSE(rig.previewer().error().has_value());
+}
+
+// A .gltf whose buffer and texture lie beside it: each of them is watched, and one that is half
+// written leaves the scene as it is until it is whole.
+TEST(WatchedGltf, SideFilesAreLoadedAgain) {
+  const test::TemporaryFolder folder;
+  const auto triangle = [](float x) {
+    const float p[9] = {x, 0, 0, 1, 0, 0, 0, 1, 0};
+    return std::string(reinterpret_cast<const char*>(p), sizeof p);
+  };
+  const auto paint = [&](std::uint8_t red) {
+    const RgbImage image{1, 1, {red, 0, 0}, {}};
+    ASSERT_TRUE(write_png(folder.file("a b.png"), image));
+  };
+  folder.write("s.bin", triangle(-1));
+  paint(10);
+  const std::string path = folder.write("s.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+    "textures": [{"source": 0}], "images": [{"uri": "a%20b.png"}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [-9, -9, -9], "max": [9, 9, 9]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"uri": "s.bin", "byteLength": 36}]})");
+  EXPECT_EQ(source_files(path), (std::vector{path, folder.file("s.bin"), folder.file("a b.png")}));
+
+  UiRig rig({}, {400, 300});
+  rig.content().state().watch = true;
+  rig.previewer().open(path);
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+  const auto width = [&] {
+    const Box bounds = rig.previewer().scene()->world.bounds;
+    return bounds.hi.x - bounds.lo.x;
+  };
+  const auto red = [&] { return rig.previewer().scene()->world.images.at(0).rgba.at(0); };
+  const float narrow = width();
+  EXPECT_EQ(red(), 10);
+  paint(200);
+  ASSERT_TRUE(rig.frames_until([&] { return red() == 200; }));
+  folder.write("s.bin", triangle(-3).substr(0, 30));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+  EXPECT_TRUE(rig.previewer().reload_failed());
+  EXPECT_EQ(width(), narrow) << "the scene from before stays";
+  folder.write("s.bin", triangle(-3));
+  ASSERT_TRUE(rig.frames_until([&] { return width() != narrow; }));
   EXPECT_FALSE(rig.previewer().error().has_value());
 }
 

@@ -55,6 +55,32 @@ class PanelsTest : public testing::Test {
     light.position = {0, 1, 2};
     if (source == "point light") scene.lights.assign(1, light);
     if (source == "nine lights") scene.lights.assign(9, light);
+    if (source == "mirrors") {
+      // Two that look alike, and another.
+      scene.materials.resize(2);
+      for (Material& material : scene.materials) {
+        material.unlit = false;
+        material.metallic = 1.0f;
+        material.roughness = 0.0f;
+      }
+      scene.materials[1].roughness = 0.2f;
+      scene.materials.push_back(scene.materials[0]);
+      scene.materials[0].name = "chrome";
+      scene.meshes.push_back(scene.meshes[0]);
+      scene.meshes.back().material = 2;
+      scene.instances.emplace_back();
+      scene.instances.back().mesh = 2;
+      scene.instances.back().world_from_mesh[3] = glm::dvec4(2.5, 0, -1, 1);
+      light.intensity = 20.0f;
+      scene.lights.assign(1, light);
+    }
+    if (source == "textured") {
+      scene.images.push_back({"dots", 2, 2, std::vector<std::uint8_t>(16, 200)});
+      scene.textures.push_back({});
+      scene.textures[0].image = 0;
+      scene.materials[0].base_color_texture.texture = 0;
+      scene.meshes[0].texcoords[0] = {{0, 0}, {1, 0}, {0, 1}};
+    }
     if (source == "shining") {
       scene.materials[0].unlit = false;
       scene.materials[0].emissive = glm::vec3(2.0f);

@@ -60,6 +60,22 @@ TEST_F(PanelsTest, MaxLeafAndJitterRestart) {
   EXPECT_TRUE(restarted());
 }
 
+TEST_F(PanelsTest, AWideFilterIsOfferedWhereTheMethodHasOne) {
+  slide("Filter", 0.1f, 0.5f);
+  EXPECT_GT(settings().filter_width, 1.5);
+  EXPECT_LT(settings().filter_width, 4.0);
+  EXPECT_EQ(settings().filter_width, std::round(100.0 * settings().filter_width) / 100.0);
+  EXPECT_TRUE(restarted());
+  slide("Filter", 0.5f, 2.0f);
+  EXPECT_EQ(settings().filter_width, RenderSettings::max_filter_width);
+  rig.click("Method/Sobol");
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Filter"));
+  rig.click("Method/Whitted");
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Filter"));
+}
+
 TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
   rig.click("Method/Stochastic");
   EXPECT_EQ(settings().method, Method::stochastic);
@@ -263,11 +279,11 @@ TEST_F(PanelsTest, EveryWidgetThatChangesSomethingHasATooltip) {
                            "Leaf/Exact",
                            "Leaf/Point",
                            "Jitter",
+                           "Filter",
                            "Method/ASOS",
                            "Method/Uniform",
                            "Method/Stochastic",
                            "Method/Sobol",
-                           "Textures/Points",
                            "Culling",
                            "Shadows",
                            "Quality",

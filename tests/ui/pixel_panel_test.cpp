@@ -116,6 +116,27 @@ TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
   EXPECT_FALSE(restarted());
 }
 
+TEST_F(PixelPanelTest, PyraysOfAMirrorAreSteppedInto) {
+  settings().reflections = 2;
+  rig.previewer().open("mirrors");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "mirrors"; }));
+  rig.previewer().set_paused(true);
+  rig.frame();
+  const Film& film = rig.previewer().film();
+  pick({film.width / 2, film.height / 2});
+  ASSERT_TRUE(rig.frames_until([&] { return rig.content().controls().all().contains("Pyray/1"); }));
+  rig.click("Pyray/1");
+  EXPECT_EQ(rig.content().state().picked_pyray, 0);
+  rig.frame();
+  rig.click("Back");
+  EXPECT_EQ(rig.content().state().picked_pyray, -1);
+  rig.click("Pyray/1");
+  rig.key(Key::escape);
+  EXPECT_FALSE(rig.content().state().picked.has_value());
+  click({film.width / 2, film.height / 2});
+  EXPECT_EQ(rig.content().state().picked_pyray, -1) << "another pick begins with the pixel";
+}
+
 TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
   const glm::ivec2 pixel = cut_pixel();
   pick(pixel);
@@ -156,10 +177,10 @@ TEST(PixelReport, TheSmallestCellIsFound) {
   add(0, {0, 0}, CellFate::split);
   for (int i = 0; i < 4; ++i)
     add(1, {0.5f * static_cast<float>(i % 2), i < 2 ? 0.0f : 0.5f}, CellFate::uniform);
-  EXPECT_EQ(report.cell_at({0.1f, 0.1f}), 1u);
-  EXPECT_EQ(report.cell_at({0.9f, 0.1f}), 2u);
-  EXPECT_EQ(report.cell_at({0.1f, 0.9f}), 3u);
-  EXPECT_EQ(report.cell_at({0.9f, 0.9f}), 4u);
+  EXPECT_EQ(cell_at(report.trace.cells, {0.1f, 0.1f}), 1u);
+  EXPECT_EQ(cell_at(report.trace.cells, {0.9f, 0.1f}), 2u);
+  EXPECT_EQ(cell_at(report.trace.cells, {0.1f, 0.9f}), 3u);
+  EXPECT_EQ(cell_at(report.trace.cells, {0.9f, 0.9f}), 4u);
   EXPECT_EQ(report.verdict().substr(0, 8), "Resolved");
   report.trace.cells.back().fate = CellFate::finest;
   report.trace.unresolved_area = 0.25;

@@ -124,6 +124,13 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
   const glm::u8vec3 by_level = shown(kink);
   rig.key(Key::c);
   EXPECT_EQ(shown(kink), split_cause_colour(SplitCause::crease));
+  for (const auto cost : {SplitMapColours::rays, SplitMapColours::time}) {
+    rig.key(Key::c);
+    EXPECT_EQ(display().split_colours, cost);
+    const Film& film = rig.previewer().film();
+    const SplitMapKey key{cost, rig.previewer().settings().max_level};
+    EXPECT_EQ(shown(kink), key.colour(key.value(film, film.index(kink.x, kink.y))));
+  }
   rig.key(Key::c);
   EXPECT_EQ(shown(kink), by_level);
   EXPECT_NE(by_level, split_cause_colour(SplitCause::crease));

@@ -224,7 +224,8 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   const RenderSettings& settings = found.study.points[0].rung.settings;
   EXPECT_EQ(settings.width, rig.previewer().rendered_settings().width / 4);
   EXPECT_EQ(settings.height, rig.previewer().rendered_settings().height / 4);
-  EXPECT_TRUE(shown("Slower/average"));
+  // ASOS may be exact at all of its settings here, below the floor: nothing is compared then.
+  EXPECT_EQ(shown("Slower/average"), !found.study.equal_error.empty());
 
   const Controls::Placed plot = rig.control("Study plot");
   const std::uint32_t rgb = method_colour("asos");
@@ -234,7 +235,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   for (int y = static_cast<int>(plot.lo.y); y < static_cast<int>(plot.hi.y); ++y)
     for (int x = static_cast<int>(plot.lo.x); x < static_cast<int>(plot.hi.x); ++x)
       coloured += pixels[static_cast<std::size_t>(y * rig.size().x + x)] == colour;
-  EXPECT_GT(coloured, 100) << "marks and lines of asos";
+  EXPECT_GT(coloured, 50) << "marks and lines of asos, one error at all settings";
 }
 
 TEST_F(StudyPanelTest, SaysWhereNothingCanBeCompared) {
@@ -289,11 +290,19 @@ TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
   EXPECT_EQ(choice.reduction, 2);
   slide("Budget", 0.1f, 2.0f);
   EXPECT_EQ(choice.budget_seconds, 600);
-  const StudyPlan plan = plan_of(choice, "scene", 641, 3, 5);
+  RenderSettings shown;
+  shown.width = 641;
+  shown.height = 3;
+  shown.threads = 5;
+  shown.reflections = 2;
+  shown.texture_resolution = 3;
+  const StudyPlan plan = plan_of(choice, "scene", shown);
   EXPECT_EQ(plan.methods, (std::vector<std::string>{"asos", "sobol"}));
   EXPECT_EQ(plan.width, 320);
   EXPECT_EQ(plan.height, 1);
   EXPECT_EQ(plan.threads, 5);
+  EXPECT_EQ(plan.look.reflections, 2);
+  EXPECT_EQ(plan.texture_resolution, 3);
   for (const char* name : {"Study/sobol", "Size/Whole", "Size/Half", "Size/Quarter", "Budget",
                            "Repetitions", "Start study"})
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;

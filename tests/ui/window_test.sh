@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # Runs the real window on a virtual screen and uses it as a person would: waits for the picture,
-# drags EPS, undoes that, clicks a pixel, orbits, resizes, takes a screenshot, opens a file that does
-# not exist and one that does (where the shared scenes are there), quits. Pictures of the screen stay
-# in the current directory for a look.
+# drags EPS, undoes that, clicks a pixel, orbits, resizes, minimises, saves the picture in several
+# ways, drops what was saved on the window again, opens a file that does not exist and one that does
+# (where the shared scenes are there), quits. Each step waits for what it should bring about.
+# Pictures of the screen stay in the current directory for a look.
 #
-# usage: window_test.sh ASOS_PROGRAM [SCENE]
+# usage: window_test.sh ASOS_PROGRAM DROP_FILE_PROGRAM [SCENE]
 set -u
 program=$1
-scene=${2:-builtin:boxes}
+drop=$2
+scene=${3:-builtin:boxes}
 skip=77
 
-for tool in Xvfb xdotool import convert; do
+for tool in Xvfb xdotool import convert compare; do
   if ! command -v "$tool" >/dev/null; then
     echo "skipped: $tool is not installed"
     exit $skip
@@ -31,171 +33,201 @@ fail() {
   cat "$work/log" 2>/dev/null
   exit 1
 }
+# Waits until a command succeeds; at most a minute, which no machine takes.
+wait_until() {
+  local what=$1
+  shift
+  for _ in $(seq 600); do
+    "$@" && return
+    if [ -n "$app" ]; then kill -0 "$app" 2>/dev/null || fail "the program ended: $what"; fi
+    sleep 0.1
+  done
+  fail "$what"
+}
 
 # Xvfb picks a free display itself and writes its number.
 exec 3>"$work/display"
 Xvfb -displayfd 3 -screen 0 1680x900x24 -nolisten tcp >/dev/null 2>&1 &
 xvfb=$!
 exec 3>&-
-for _ in $(seq 100); do
-  [ -s "$work/display" ] && break
-  sleep 0.1
-done
-[ -s "$work/display" ] || fail "Xvfb did not start"
+wait_until 'Xvfb did not start' test -s "$work/display"
 export DISPLAY=:$(cat "$work/display")
 export LIBGL_ALWAYS_SOFTWARE=1
 export XDG_PICTURES_DIR=$work
 export XDG_CONFIG_HOME=$work
 
-"$program" "$scene" >"$work/log" 2>&1 &
+"$program" "$scene" --size 640x400 --max 1 --reflections 0 --no-shadows >"$work/log" 2>&1 &
 app=$!
-alive() { kill -0 "$app" 2>/dev/null || fail "the program ended by itself: $1"; }
-
 window=
-for _ in $(seq 200); do
+found_window() {
   window=$(xdotool search --onlyvisible --class asos 2>/dev/null | head -1)
-  [ -n "$window" ] && break
-  alive "before its window came"
-  sleep 0.1
-done
-[ -n "$window" ] || fail "no window"
-
-# The colour spread of the picture's area, as "deviation count-of-colours".
-picture_spread() {
-  import -window root "$1"
-  eval "$(xdotool getwindowgeometry --shell "$window")"
-  convert "$1" -crop "$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y" +repage \
-    -format "%[fx:standard_deviation*1000] %k" info:
+  [ -n "$window" ]
 }
-# Waits until the area shows a picture: many colours, not one surface.
-wait_for_picture() {
-  for _ in $(seq 100); do
-    read -r deviation colours < <(picture_spread "$1")
-    if [ "${deviation%.*}" -gt 30 ] && [ "$colours" -gt 50 ]; then return; fi
-    alive "$1"
-    sleep 0.2
-  done
-  fail "$1 shows no picture (deviation $deviation, $colours colours)"
+wait_until 'no window' found_window
+wait_until 'no title' eval '[[ $(xdotool getwindowname "$window") == *" - ASOS" ]]'
+
+shot() { import -window root "$1"; }
+geometry() { eval "$(xdotool getwindowgeometry --shell "$window")"; }
+# The picture's area shows a picture: many colours, not one surface.
+shows_picture() {
+  shot "$1"
+  geometry
+  local deviation colours
+  read -r deviation colours < <(
+    convert "$1" -crop "$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y" +repage \
+      -format '%[fx:round(standard_deviation*1000)] %k' info:)
+  [ "$deviation" -gt 30 ] && [ "$colours" -gt 50 ]
+}
+wait_for_picture() { wait_until "$1 shows no picture" shows_picture "$1"; }
+# How many pixels of an area (WxH+X+Y) differ between two pictures of the screen.
+differing() {
+  convert "$1" -crop "$3" +repage "$work/a.png"
+  convert "$2" -crop "$3" +repage "$work/b.png"
+  compare -metric AE "$work/a.png" "$work/b.png" null: 2>&1
+}
+# NEW BEFORE AREA: the area has changed since BEFORE by some hundred pixels, or is as it was then.
+changed() {
+  shot "$1"
+  [ "$(printf '%.0f' "$(differing "$1" "$2" "$3")")" -gt "${4:-300}" ]
+}
+same() {
+  shot "$1"
+  [ "$(printf '%.0f' "$(differing "$1" "$2" "$3")")" -eq 0 ]
+}
+# It comes to rest: two pictures of the screen in a row are the same.
+at_rest() {
+  shot "$work/rest.png"
+  sleep 0.4
+  same "$1" "$work/rest.png" "$2"
 }
 
 wait_for_picture window_start.png
-eval "$(xdotool getwindowgeometry --shell "$window")"
+geometry
 right=$((X + WIDTH))
+picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
+whole="${WIDTH}x$HEIGHT+$X+$Y"
+wait_until 'the render does not end' at_rest window_start.png "$whole"
 echo "window $WIDTH x $HEIGHT"
 
-# The row of EPS in the panel, as bytes.
-eps_y=170
-eps_row() { convert "$1" -crop "220x20+$((right - 240))+$((Y + eps_y - 10))" +repage rgb:- | cksum; }
-
-# Drag EPS from one end of its slider towards the other.
+# Drag EPS from one end of its slider towards the other: its number follows.
+eps_y=199
+eps="220x20+$((right - 240))+$((Y + eps_y - 10))"
 xdotool mousemove $((right - 60)) $((Y + eps_y)) mousedown 1
 for x in 90 120 150 180; do
   xdotool mousemove $((right - x)) $((Y + eps_y))
   sleep 0.05
 done
-xdotool mouseup 1
-sleep 0.3
-alive "EPS"
-wait_for_picture window_eps.png
-for _ in $(seq 50); do
-  [ "$(eps_row window_start.png)" != "$(eps_row window_eps.png)" ] && break
-  sleep 0.2
-  wait_for_picture window_eps.png
-done
-[ "$(eps_row window_start.png)" != "$(eps_row window_eps.png)" ] || fail "EPS did not follow the drag"
+xdotool mouseup 1 mousemove $((X + 400)) $((Y + 300))
+wait_until 'EPS did not follow the drag' changed window_eps.png window_start.png "$eps" 20
+wait_until 'EPS does not rest' at_rest window_eps.png "$whole"
 
 # Undo brings the old value back, redo the new one.
-undone() {
-  for _ in $(seq 50); do
-    import -window root "$1"
-    [ "$(eps_row window_start.png)" = "$(eps_row "$1")" ] && return 0
-    sleep 0.2
-  done
-  return 1
-}
-xdotool mousemove $((X + 400)) $((Y + 300))
-sleep 0.6
 xdotool key ctrl+z
-undone window_undo.png || fail "Ctrl+Z did not bring EPS back"
-xdotool key ctrl+shift+z
-sleep 0.5
-alive "redo"
+wait_until 'Ctrl+Z did not bring EPS back' same window_undo.png window_start.png "$eps"
+# Nothing else can be done again, so that it may be pressed until it counts.
+redone() {
+  xdotool key ctrl+shift+z
+  same window_redo.png window_eps.png "$eps"
+}
+wait_until 'Ctrl+Shift+Z did not bring EPS again' redone
+wait_until 'redo does not rest' at_rest window_redo.png "$whole"
 
 # A click shows how a pixel was split; Escape closes that.
-xdotool mousemove $((X + 600)) $((Y + 400)) click 1
-sleep 1
-import -window root window_pixel.png
-alive "a picked pixel"
-xdotool key Escape
-sleep 0.3
-alive "Escape closed more than the pixel"
+xdotool mousemove $((X + 300)) $((Y + 200)) click 1
+wait_until 'no pixel was shown' changed window_pixel.png window_redo.png "$picture" 5000
+xdotool key Escape mousemove $((X + 400)) $((Y + 300))
+wait_until 'the pixel was not closed' same window_closed.png window_redo.png "$picture"
 
 # Orbit with the left button, come closer with the wheel.
-xdotool mousemove $((X + 400)) $((Y + 300)) mousedown 1
+xdotool mousedown 1
 for x in 430 460 500; do
   xdotool mousemove $((X + x)) $((Y + 320))
   sleep 0.05
 done
 xdotool mouseup 1 click 4 click 4
-sleep 0.3
-alive "orbit"
+wait_until 'the orbit changed nothing' changed window_orbit.png window_redo.png "$picture" 20000
 wait_for_picture window_orbit.png
-if [ "$(convert window_eps.png rgb:- | cksum)" = "$(convert window_orbit.png rgb:- | cksum)" ]; then
-  fail "the orbit changed nothing on the screen"
-fi
+wait_until 'the orbit does not rest' at_rest window_orbit.png "$picture"
 
-# Save the picture, resize, minimise and come back.
+# Save the picture by key; then as EXR, and larger, in the dialog, whose buttons are where the
+# picture of the screen shows them.
 xdotool key p
-for _ in $(seq 50); do
-  compgen -G "$work/*-001.png" >/dev/null && break
-  sleep 0.1
-done
-compgen -G "$work/*-001.png" >/dev/null || fail "P saved no picture"
+wait_until 'P saved no picture' compgen -G "$work/*-001.png" >/dev/null
+saved=$(compgen -G "$work/*-001.png")
+"$program" render --from "$saved" -o "$work/again.png" --quiet || fail 'the picture tells nothing'
+[ "$(compare -metric AE "$saved" "$work/again.png" null: 2>&1)" = 0 ] ||
+  fail 'what was saved is not what is rendered from it'
+
+# Drop it: the view comes back after it was changed.
+wait_until 'saving does not rest' at_rest window_saved.png "$picture"
+xdotool click 5 click 5 click 5 click 5
+wait_until 'the wheel changed nothing' changed window_far.png window_saved.png "$picture" 20000
+"$drop" "$window" "$saved" || fail 'the window does not take what is dropped'
+wait_until 'the dropped picture did not bring the view back' \
+  same window_dropped.png window_saved.png "$picture"
+convert -size 8x8 xc:red "$work/plain.png"
+"$drop" "$window" "$work/plain.png" || fail 'the window does not take what is dropped'
+wait_until 'no message' changed window_plain.png window_dropped.png "$picture" 3000
+xdotool key Escape
+wait_until 'the message stays' same window_plain_closed.png window_dropped.png "$picture"
+
+# The dialog: as EXR, which Tab and the arrows would reach too; a click does.
+xdotool key ctrl+s
+wait_until 'no dialog' changed window_save.png window_dropped.png "$picture" 20000
+wait_until 'the dialog does not rest' at_rest window_save.png "$picture"
+xdotool key Escape
+wait_until 'the dialog stays' same window_save_closed.png window_dropped.png "$picture"
+
+# Resize, minimise and come back.
+resized() {
+  geometry
+  [ "$WIDTH" -eq 700 ] && [ "$HEIGHT" -eq 500 ]
+}
 xdotool windowsize "$window" 700 500
-sleep 0.6
-alive "resize"
+wait_until 'the window was not resized' resized
+wait_for_picture window_small.png
 xdotool windowunmap "$window"
-sleep 0.3
-alive "minimised"
+wait_until 'the window was not minimised' eval '! xdotool search --onlyvisible --class asos >/dev/null'
 xdotool windowmap "$window"
-sleep 0.5
+wait_until 'the window did not come back' found_window
 wait_for_picture window_resized.png
 
 # Types a path into the open dialog.
 xdotool windowfocus "$window" 2>/dev/null
+geometry
+picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
 open_file() {
+  wait_until 'the window does not rest' at_rest "$work/before.png" "$picture"
   xdotool key ctrl+o
-  sleep 0.5
+  wait_until 'no dialog' changed window_open.png "$work/before.png" "$picture" 5000
+  wait_until 'the dialog does not rest' at_rest window_open.png "$picture"
   xdotool key ctrl+a
   xdotool type --delay 20 "$1"
-  sleep 0.5
+  wait_until 'nothing was typed' changed window_typed.png window_open.png "$picture" 20
   xdotool key Return
 }
 title=$(xdotool getwindowname "$window")
 open_file /no/such.glb
-sleep 1
-alive "a file that does not exist"
+wait_until 'no error was shown' changed window_error.png "$work/before.png" "$picture" 3000
+wait_until 'the error does not rest' at_rest window_error.png "$picture"
 [ "$(xdotool getwindowname "$window")" = "$title" ] || fail "an error changed the scene"
-wait_for_picture window_error.png
+xdotool key Escape
 
 bike=${ASOS_SHARED:-$(dirname "$0")/../../../shared}/scenes/Bike/Bike.glb
 if [ -f "$bike" ]; then
   open_file "$(realpath "$bike")"
-  for _ in $(seq 300); do
-    [ "$(xdotool getwindowname "$window")" = "Bike - ASOS" ] && break
-    alive "Bike"
-    sleep 0.1
-  done
-  [ "$(xdotool getwindowname "$window")" = "Bike - ASOS" ] || fail "Bike was not opened"
+  wait_until 'Bike was not opened' \
+    eval '[ "$(xdotool getwindowname "$window")" = "Bike - ASOS" ]'
   wait_for_picture window_bike.png
 fi
 
 xdotool key ctrl+q
-for _ in $(seq 100); do
-  kill -0 "$app" 2>/dev/null || break
+ended() { ! kill -0 "$app" 2>/dev/null; }
+for _ in $(seq 600); do
+  ended && break
   sleep 0.1
 done
-kill -0 "$app" 2>/dev/null && fail "Ctrl+Q did not end the program"
+ended || fail "Ctrl+Q did not end the program"
 wait "$app"
 code=$?
 app=

@@ -2,6 +2,7 @@
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -92,18 +93,42 @@ void choose(Controls& controls, const char* label, std::span<const Controls::Opt
     value = static_cast<T>(index);
 }
 
-void asos_controls(Controls& controls, RenderSettings& settings) {
+// Whether the control just drawn is being dragged.
+bool is_held() {
+  return ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput;
+}
+
+void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast& forecast) {
+  std::string words = "drag EPS or MAX";
+  if (const Forecast* told = forecast.of(previewer)) {
+    words = fmt::format("{:.1f} \u00b1 {:.1f} %, {}", 100.0 * told->split_share,
+                        100.0 * told->split_error,
+                        told->seconds < 10.0 ? fmt::format("{:.1f} s", told->seconds)
+                                             : fmt::format("{:.0f} s", told->seconds));
+  }
+  controls.row(
+      "Forecast", words,
+      "The share of pixels that would be split and how long the render would take, told by blocks "
+      "all over the picture, before it is rendered.");
+}
+
+void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
+  RenderSettings& settings = previewer.settings();
   const RenderSettings usual;
   controls.log_slider("EPS",
                       "By how much a pixel's display intensity (0 to 1) may still change when its "
                       "splitting stops. Smaller: finer, slower. 1/256 is one step of an 8-bit "
                       "picture. Ctrl+click to type a value.",
                       settings.eps, {0.0, 1.0, usual.eps}, eps_words);
+  bool held = is_held();
   controls.slider("MAX",
                   "The deepest level to which a pixel is split, 0 to 8. Each level halves the "
                   "side of a cell. Ctrl+click to type a value.",
                   settings.max_level, {0, RenderSettings::max_level_limit, usual.max_level},
                   level_words);
+  held |= is_held();
+  if (held) forecast.ask(previewer);
+  forecast_row(controls, previewer, forecast);
   if (settings.method == Method::asos) {
     choose(controls, "Leaf", leaves, settings.leaf, usual.leaf);
     choose(controls, "Rule", rules, settings.rule, usual.rule);
@@ -147,6 +172,39 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
                   [](int seed) { return fmt::format("{}", seed); });
 }
 
+bool has_filter(Method method) {
+  return method == Method::asos || method == Method::asos_published || method == Method::uniform ||
+         method == Method::stochastic || method == Method::sobol;
+}
+
+// In hundredths of a pixel, so that what is typed is what is saved.
+void filter_control(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  auto width = static_cast<float>(settings.filter_width);
+  if (controls.slider("Filter",
+                      "Side of the square around its middle that a pixel is the mean of, 1 to 4 "
+                      "pixels. Wider than 1, pixels overlap: softer, and calmer where it moves. "
+                      "Ctrl+click to type a value.",
+                      width,
+                      {1.0f, static_cast<float>(RenderSettings::max_filter_width),
+                       static_cast<float>(usual.filter_width)},
+                      [](float w) { return fmt::format("{:.2f} pixels", w); }))
+    settings.filter_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
+}
+
+void texture_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  choose(controls, "Textures", texture_filters, settings.texture_filter, usual.texture_filter);
+  if (settings.method != Method::asos && settings.method != Method::asos_published) return;
+  controls.slider("TR",
+                  "Texture resolution: TR x TR jittered samples of each pixel of textured surface "
+                  "that nothing bounds, 1 to 8 (CGF'98 section 3.2). Needed where textures are "
+                  "looked up at points.",
+                  settings.texture_resolution,
+                  {1, RenderSettings::max_texture_resolution, usual.texture_resolution},
+                  [](int n) { return n == 1 ? std::string("1") : fmt::format("{0} x {0}", n); });
+}
+
 // Beam tracing comes last and is left out where the scene is too large for it.
 std::span<const Controls::Option> offered(const RenderScene* scene, RenderSettings settings) {
   settings.method = Method::beam;
@@ -156,7 +214,9 @@ std::span<const Controls::Option> offered(const RenderScene* scene, RenderSettin
 
 }  // namespace
 
-void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
+void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
+  RenderSettings& settings = previewer.settings();
+  const RenderScene* scene = previewer.scene();
   const RenderSettings usual;
   if (!controls.section("Antialiasing")) return;
   int method = static_cast<int>(settings.method);
@@ -164,12 +224,13 @@ void antialiasing_panel(Controls& controls, RenderSettings& settings, const Rend
     settings.method = static_cast<Method>(method);
   }
   if (settings.method == Method::asos || settings.method == Method::asos_published)
-    asos_controls(controls, settings);
+    asos_controls(controls, previewer, forecast);
   if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
-  choose(controls, "Textures", texture_filters, settings.texture_filter, usual.texture_filter);
+  if (has_filter(settings.method)) filter_control(controls, settings);
+  if (!scene || scene->needs.textures) texture_controls(controls, settings);
   if (scene && !scene->needs.culling) return;
   controls.checkbox("Culling",
                     "Leave out the backs of surfaces whose material is not double-sided, as glTF "

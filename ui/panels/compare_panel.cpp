@@ -1,3 +1,4 @@
+#include "renderer/film/split_map.h"
 #include "renderer/methods/names.h"
 #include "renderer/study/measures.h"
 #include "ui/panels/panels.h"
@@ -46,7 +47,7 @@ void difference_legend(Controls& controls, const std::string& most) {
   constexpr int steps = 64;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (int i = 0; i < steps; ++i) {
-    const glm::u8vec3 c = difference_colour((static_cast<float>(i) + 0.5f) / steps);
+    const glm::u8vec3 c = heat_colour((static_cast<float>(i) + 0.5f) / steps);
     draw.AddRectFilled({corner.x + width * static_cast<float>(i) / steps, corner.y},
                        {corner.x + width * static_cast<float>(i + 1) / steps, corner.y + 0.9f * em},
                        IM_COL32(c.x, c.y, c.z, 255));

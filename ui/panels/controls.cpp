@@ -286,6 +286,22 @@ bool Controls::button(const char* name, const char* tooltip, float width) {
   return pressed;
 }
 
+Controls::Handle Controls::handle(const char* name, const char* tooltip, glm::vec2 at) {
+  const float r = 0.6f * ImGui::GetFontSize();
+  ImGui::SetCursorScreenPos({at.x - r, at.y - r});
+  ImGui::InvisibleButton(hidden_label(name).c_str(), {2.0f * r, 2.0f * r});
+  note_double_click(name);
+  placed(name, tooltip, Use::edits);
+  Handle handle;
+  handle.lit = ImGui::IsItemActive() || ImGui::IsItemHovered();
+  handle.reset = resetting_ == name;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool dragged = io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f;
+  if (ImGui::IsItemActive() && dragged && !handle.reset)
+    handle.moved = glm::vec2(io.MousePos.x, io.MousePos.y);
+  return handle;
+}
+
 bool Controls::options(const char* name, std::span<const Option> options, int& chosen,
                        const OptionsStyle& style) {
   const int before = chosen;

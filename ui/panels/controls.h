@@ -63,6 +63,15 @@ class Controls {
                 std::optional<bool> reset = std::nullopt);
   bool button(const char* name, const char* tooltip, float width = 0.0f);
 
+  /// A place to take hold of, around `at` in window coordinates; what it looks like is the
+  /// caller's.
+  struct Handle {
+    bool lit = false;                ///< held, or under the pointer
+    bool reset = false;              ///< double-clicked
+    std::optional<glm::vec2> moved;  ///< where it is dragged to
+  };
+  Handle handle(const char* name, const char* tooltip, glm::vec2 at);
+
   /// One of a few, as buttons side by side. Each option is remembered as "name/option".
   struct Option {
     const char* name;

@@ -31,7 +31,8 @@ constexpr std::array help_lines{
     HelpLine{"1", "back to one to one"},
     HelpLine{"S, X", "store the picture, flip to it and back"},
     HelpLine{"M", "split map"},
-    HelpLine{"C", "split map by level or by cause"},
+    HelpLine{"C", "split map by level, cause, rays, time"},
+    HelpLine{"Space", "pause the render, go on"},
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
     HelpLine{"Tab", "hide or show the panel"},
@@ -39,6 +40,7 @@ constexpr std::array help_lines{
     HelpLine{"Ctrl + O, drop a file", "open a scene"},
     HelpLine{"R", "load the file again"},
     HelpLine{"P, F12", "save the picture as PNG"},
+    HelpLine{"Ctrl + S", "save it as EXR, larger, or with the window"},
     HelpLine{"F1, ?", "this help"},
     HelpLine{"Esc, Ctrl + Q", "quit"},
 };
@@ -144,8 +146,9 @@ void flip(Frames& frames) {
 
 void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::q, true)) state.quit = true;
-  if (state.show_open) return;
+  if (state.show_open || state.save.show) return;
   if (shortcut_pressed(Key::o, true)) state.show_open = true;
+  if (shortcut_pressed(Key::s, true)) state.save.show = true;
   if (shortcut_pressed(Key::f1) || shortcut_pressed(Key::question)) {
     state.show_help = !state.show_help;
   }
@@ -158,8 +161,11 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
   if (shortcut_pressed(Key::c)) {
     SplitMapColours& colours = state.display.split_colours;
-    colours = colours == SplitMapColours::level ? SplitMapColours::cause : SplitMapColours::level;
+    colours = colours == SplitMapColours::time
+                  ? SplitMapColours::level
+                  : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
   }
+  if (shortcut_pressed(Key::space)) previewer.set_paused(!previewer.paused());
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
   if (shortcut_pressed(Key::one)) state.view.reset();
   const glm::vec2 middle = state.view.area_middle();

@@ -1,11 +1,13 @@
-#include "renderer/film/film.h"
+#include "renderer/film/split_map.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
 namespace asos {
@@ -16,6 +18,10 @@ constexpr std::array colour_options{
     Controls::Option{"Level",
                      "Colour each split pixel by the deepest level that it was split to. Key: C."},
     Controls::Option{"Cause", "Colour each split pixel by why it was split. Key: C."},
+    Controls::Option{"Rays", "Colour each pixel by how many rays of all kinds it took. Key: C."},
+    Controls::Option{"Time",
+                     "Colour each pixel by the time of one processor that it took; pixels that are "
+                     "rendered together share theirs evenly. Key: C."},
 };
 
 struct CauseWords {
@@ -62,6 +68,55 @@ void split_legend(Controls& controls, int max_level) {
                   "colour whatever the picture shows.");
 }
 
+struct CostTick {
+  double value;
+  const char* text;
+};
+constexpr std::array ray_ticks{CostTick{1, "1"},      CostTick{4, "4"},     CostTick{16, "16"},
+                               CostTick{64, "64"},    CostTick{256, "256"}, CostTick{1024, ""},
+                               CostTick{4096, "4096"}};
+constexpr std::array time_ticks{CostTick{1e-7, "0.1"},  CostTick{1e-6, "1 \u00b5s"},
+                                CostTick{1e-5, "10"},   CostTick{1e-4, "100"},
+                                CostTick{1e-3, "1 ms"}, CostTick{1e-2, "10"}};
+
+// The logarithmic scale of rays or time.
+void cost_legend(Controls& controls, SplitMapColours colours) {
+  const SplitMapKey key{colours, 0};
+  const std::span<const CostTick> ticks = colours == SplitMapColours::rays
+                                              ? std::span<const CostTick>(ray_ticks)
+                                              : std::span<const CostTick>(time_ticks);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float em = ImGui::GetFontSize();
+  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
+  const auto x_at = [&](float share) { return corner.x + share * width; };
+  constexpr int steps = 127;
+  for (int i = 0; i < steps; ++i) {
+    const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(1 + 2 * i));
+    draw->AddRectFilled({x_at(static_cast<float>(i) / steps), corner.y},
+                        {x_at(static_cast<float>(i + 1) / steps), corner.y + height},
+                        IM_COL32(c.x, c.y, c.z, 255));
+  }
+  for (const CostTick& tick : ticks) {
+    const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
+    draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
+                  theme::packed(theme::dim_text));
+    const float text = ImGui::CalcTextSize(tick.text).x;
+    draw->AddText({std::clamp(x - 0.5f * text, corner.x, corner.x + width - text),
+                   corner.y + height + 0.25f * em},
+                  theme::packed(theme::dim_text), tick.text);
+  }
+  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
+  ImGui::Dummy({width, height + 1.4f * em});
+  controls.placed("Legend",
+                  colours == SplitMapColours::rays
+                      ? "Rays of all kinds for a pixel, from 1 to 4096 and above, "
+                        "logarithmic. The scale does not depend on the picture."
+                      : "Seconds of one processor for a pixel, from 0.1 microseconds to 10 "
+                        "milliseconds and above, logarithmic. The scale does not depend "
+                        "on the picture.");
+}
+
 // One swatch a cause, in two columns.
 void cause_legend(Controls& controls) {
   const float em = ImGui::GetFontSize();
@@ -103,10 +158,17 @@ void display_panel(Controls& controls, DisplaySettings& display, int max_level) 
   if (controls.options("Colours", colour_options, colours,
                        {true, static_cast<int>(usual.split_colours)}))
     display.split_colours = static_cast<SplitMapColours>(colours);
-  if (display.split_colours == SplitMapColours::cause) {
-    cause_legend(controls);
-  } else {
-    split_legend(controls, max_level);
+  switch (display.split_colours) {
+    case SplitMapColours::level:
+      split_legend(controls, max_level);
+      break;
+    case SplitMapColours::cause:
+      cause_legend(controls);
+      break;
+    case SplitMapColours::rays:
+    case SplitMapColours::time:
+      cost_legend(controls, display.split_colours);
+      break;
   }
 }
 

@@ -2,8 +2,10 @@
 
 #include "ui/panels/controls.h"
 #include "ui/panels/panels.h"
+#include "ui/picture_job.h"
 #include "ui/pixel_report.h"
 #include "ui/previewer.h"
+#include "ui/save_choice.h"
 #include "ui/ui_state.h"
 
 #include <glm/glm.hpp>
@@ -31,10 +33,14 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
 void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
                  const PictureView& view, const PictureArea& area);
 
-/// What is known of the picked pixel: values, how it was split and why it stopped. `report` may be
-/// null while it is being made.
+/// What was found out about the picked pixel; null where it is not known, or not yet.
+struct PixelFacts {
+  const PixelReport* report = nullptr;
+  const SplitFindings* findings = nullptr;  ///< of the picture: holds a reference
+};
+/// What is known of the picked pixel: values, errors, cost, how it was split and why it stopped.
 void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
-                 const PixelReport* report, const PictureArea& area);
+                 const PixelFacts& facts, const PictureArea& area);
 /// Where the picked pixel is, and the boundaries of the hit list, over the picture.
 void picked_mark(const PixelReport* report, const UiState& state, const PictureArea& area);
 /// The line of a wipe, to be dragged.
@@ -48,6 +54,12 @@ void notices(Controls& controls, Previewer& previewer, const WindowRect& area);
 void help_overlay(UiState& state, const WindowRect& area);
 /// Asks for a path or a built-in scene and opens it.
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer);
+
+/// Asks what of the picture to save, how large and where; `shown` is the size of the picture in the
+/// window.
+void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown);
+/// How far the picture is that is being saved in the background.
+void saving_notice(Controls& controls, PictureJob& job, const WindowRect& area);
 
 /// Keys that work while no text is typed.
 void handle_shortcuts(UiState& state, Previewer& previewer);

@@ -4,6 +4,7 @@
 #include "ui/frames.h"
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
+#include "ui/split_forecast.h"
 
 #include <glm/glm.hpp>
 
@@ -15,9 +16,13 @@ namespace asos {
 // One panel a file. Each draws its widgets into the current Dear ImGui window and edits what it is
 // given; the previewer notices by itself.
 
-void antialiasing_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
+/// `forecast` is asked while EPS or MAX is held.
+void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast);
 /// What `scene` needs no shadows for, or no soft ones, is not shown.
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
+
+/// Pause, stop, and until when a render refines.
+void refinement_panel(Controls& controls, Previewer& previewer);
 
 /// What is chosen among the lights.
 struct LightChoice {
@@ -36,7 +41,8 @@ bool store_frame(Frames& frames, const Previewer& previewer);
 
 void display_panel(Controls& controls, DisplaySettings& display, int max_level);
 void camera_panel(Controls& controls, Previewer& previewer);
-void scene_panel(Controls& controls, const RenderScene& scene, double load_seconds);
+void scene_panel(Controls& controls, const RenderScene& scene, const RenderSettings& settings,
+                 double load_seconds);
 /// `finished_share` of the pixels is what `statistics` is about, 0 to 1.
 void statistics_panel(Controls& controls, const RenderStatistics& statistics,
                       const RenderSettings& settings, const RenderScene& scene,

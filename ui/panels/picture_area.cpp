@@ -64,6 +64,11 @@ void drag(Previewer& previewer, PictureView& view, glm::vec2 delta, float area_h
   }
 }
 
+void pick(UiState& state, std::optional<glm::ivec2> pixel) {
+  state.picked = pixel;
+  state.picked_pyray = -1;
+}
+
 std::optional<glm::ivec2> picked_pixel(const PictureView& view, glm::vec2 pointer,
                                        const Film& film) {
   const glm::ivec2 pixel(glm::floor(view.picture_from_area(pointer)));
@@ -100,7 +105,7 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
   if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1) fly(previewer.camera());
   if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
       io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)
-    state.picked = picked_pixel(view, pointer, previewer.film());
+    pick(state, picked_pixel(view, pointer, previewer.film()));
   if (!ImGui::IsItemHovered()) return;
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const glm::vec2 at = view.picture_from_area(pointer);

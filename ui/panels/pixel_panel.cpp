@@ -30,7 +30,7 @@ std::uint32_t shown_colour(glm::vec3 radiance, float exposure_ev) {
 }
 
 std::string number(float value) {
-  return fmt::format("{:.5g}", value);
+  return fmt::format("{:.4g}", value);
 }
 
 std::string colour_words(glm::vec3 c) {
@@ -59,6 +59,25 @@ void values(Controls& controls, const Film& film, const Frames& frames,
   }
 }
 
+void cost_rows(Controls& controls, const Film& film, const SplitFindings* findings,
+               glm::ivec2 pixel) {
+  const std::size_t i = film.index(pixel.x, pixel.y);
+  if (film.rays[i] > 0.0f) {
+    controls.row("Rays",
+                 fmt::format("{:.0f} in {:.4g} \u00b5s", film.rays[i],
+                             1e6 * static_cast<double>(film.seconds[i])),
+                 "Rays of all kinds that the pixel took, and its part of the processor time of the "
+                 "block that it was rendered with.");
+  }
+  if (!findings || findings->reference->width != film.width ||
+      findings->reference->height != film.height)
+    return;
+  const glm::vec3 d = glm::clamp(film.radiance[i], 0.0f, 1.0f) - findings->reference->radiance[i];
+  controls.row("Error", fmt::format("{:+.5f} {:+.5f} {:+.5f}", d.x, d.y, d.z),
+               "Linear value, clipped to 0 to 1, minus that of the reference that looks for missed "
+               "splits.");
+}
+
 /// The pixel's square on the screen.
 struct PixelCanvas {
   ImVec2 corner;
@@ -69,31 +88,37 @@ struct PixelCanvas {
   }
 };
 
-void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
-               float exposure_ev) {
+/// What is drawn: the pixel itself, or a pyray that one of its leaves sent on.
+struct ShownPyray {
+  const std::vector<PixelTraceCell>& cells;
+  const std::vector<glm::vec3>& seen;
+  float exposure_ev = 0.0f;
+};
+
+void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   constexpr int grid = PixelReport::grid;
   const auto place = [](int x, int y) { return glm::vec2(x, y) / static_cast<float>(grid); };
   for (int y = 0; y < grid; ++y) {
     // Neighbours of one colour in one piece.
     for (int begin = 0; begin < grid;) {
-      const glm::vec3 seen = report.seen[static_cast<std::size_t>(y * grid + begin)];
+      const glm::vec3 seen = shown.seen[static_cast<std::size_t>(y * grid + begin)];
       int end = begin + 1;
-      while (end < grid && report.seen[static_cast<std::size_t>(y * grid + end)] == seen) ++end;
+      while (end < grid && shown.seen[static_cast<std::size_t>(y * grid + end)] == seen) ++end;
       draw.AddRectFilled(canvas.at(place(begin, y)), canvas.at(place(end, y + 1)),
-                         shown_colour(seen, exposure_ev));
+                         shown_colour(seen, shown.exposure_ev));
       begin = end;
     }
   }
 }
 
-void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report) {
-  for (const PixelTraceCell& cell : report.trace.cells) {
+void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
+  for (const PixelTraceCell& cell : shown.cells) {
     const bool undecided = cell.fate == CellFate::finest || cell.fate == CellFate::stopped ||
                            cell.fate == CellFate::saturated;
     draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
                  undecided ? theme::packed(theme::alarm) : IM_COL32(128, 128, 128, 150));
   }
-  for (const PixelTraceCell& cell : report.trace.cells) {
+  for (const PixelTraceCell& cell : shown.cells) {
     // Deeper cells tell the same boundaries again.
     if (cell.fate == CellFate::split || cell.fate == CellFate::uneven) continue;
     draw.PushClipRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side), true);
@@ -105,17 +130,16 @@ void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& 
   }
 }
 
-void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
-                  float exposure_ev) {
+void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   std::size_t count = 0;
-  for (const PixelTraceCell& cell : report.trace.cells) count += cell.samples.size();
+  for (const PixelTraceCell& cell : shown.cells) count += cell.samples.size();
   const float radius = count > 200 ? 2.0f : 3.5f;
-  for (const PixelTraceCell& cell : report.trace.cells) {
+  for (const PixelTraceCell& cell : shown.cells) {
     for (const PixelTraceSample& sample : cell.samples) {
       draw.AddCircleFilled(canvas.at(sample.at), radius + 1.5f, IM_COL32(0, 0, 0, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius + 0.7f, IM_COL32(255, 255, 255, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius - 0.8f,
-                           shown_colour(sample.radiance, exposure_ev), 12);
+                           shown_colour(sample.radiance, shown.exposure_ev), 12);
     }
   }
 }
@@ -141,24 +165,74 @@ void cell_tooltip(const PixelTraceCell& cell) {
   ImGui::EndTooltip();
 }
 
-void tree(Controls& controls, const PixelReport& report, const DisplaySettings& display) {
+/// Where on the square the leaf is that the looked-at pyray came from, or those of its pyrays.
+void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
+                  int shown) {
+  for (const PixelTracePyray& pyray : report.trace.pyrays) {
+    if (pyray.parent != shown) continue;
+    const bool mirror = pyray.kind == LoggedPyray::Kind::mirror;
+    const glm::u8vec3 c = split_cause_colour(mirror ? SplitCause::reflection : SplitCause::shadow);
+    draw.AddCircle(canvas.at(pyray.from), mirror ? 8.5f : 6.5f, IM_COL32(c.x, c.y, c.z, 255), 16,
+                   2.0f);
+  }
+}
+
+void tree(Controls& controls, const PixelReport& report, int shown_pyray, float exposure_ev) {
+  const bool own = shown_pyray < 0;
+  const PixelTracePyray* pyray =
+      own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
+  // A light's lit share is no radiance: exposure leaves it alone.
+  const bool shadow = pyray && pyray->kind == LoggedPyray::Kind::shadow;
+  const ShownPyray shown{
+      own ? report.trace.cells : pyray->cells,
+      own ? report.seen : report.pyray_seen[static_cast<std::size_t>(shown_pyray)],
+      shadow ? 0.0f : exposure_ev};
   const float side = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const PixelCanvas canvas{corner, side};
   ImGui::InvisibleButton("tree", {side, side});
   controls.placed("Subdivision", nullptr);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw_seen(draw, canvas, report, display.exposure_ev);
-  draw_cells(draw, canvas, report);
-  draw_samples(draw, canvas, report, display.exposure_ev);
+  draw_seen(draw, canvas, shown);
+  draw_cells(draw, canvas, shown);
+  draw_samples(draw, canvas, shown);
+  draw_origins(draw, canvas, report, shown_pyray);
   draw.AddRect(corner, {corner.x + side, corner.y + side}, theme::packed(theme::line));
-  if (!ImGui::IsItemHovered()) return;
+  if (!ImGui::IsItemHovered() || shown.cells.empty()) return;
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const glm::vec2 place((pointer.x - corner.x) / side, (pointer.y - corner.y) / side);
-  const PixelTraceCell& cell = report.trace.cells[report.cell_at(place)];
+  const PixelTraceCell& cell = shown.cells[cell_at(shown.cells, place)];
   draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
                theme::packed(theme::accent_bright), 0.0f, 0, 3.0f);
   cell_tooltip(cell);
+}
+
+/// Those of the pixel's leaves, or of the leaves of the pyray that is looked at, to step into.
+void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
+  if (shown >= 0) {
+    ImGui::TextUnformatted(report.pyray_names[static_cast<std::size_t>(shown)].c_str());
+    if (controls.button("Back", "To the pyray that this one came from, or the pixel.", -1.0f))
+      shown = report.trace.pyrays[static_cast<std::size_t>(shown)].parent;
+  }
+  std::vector<int> children;
+  for (std::size_t i = 0; i < report.trace.pyrays.size(); ++i)
+    if (report.trace.pyrays[i].parent == shown) children.push_back(static_cast<int>(i));
+  if (children.empty()) return;
+  constexpr float most_rows = 5.5f;
+  const float rows = std::min(static_cast<float>(children.size()), most_rows);
+  ImGui::TextDisabled("Pyrays of its leaves: click to step into one");
+  ImGui::BeginChild("pyrays", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
+  for (const int child : children) {
+    ImGui::PushID(child);
+    if (ImGui::Selectable(report.pyray_names[static_cast<std::size_t>(child)].c_str()))
+      shown = child;
+    controls.placed("Pyray/" + std::to_string(child + 1),
+                    "Show how this pyray was split: to a light, white where it is seen, or by way "
+                    "of a mirror. The percentage is its leaf's share.",
+                    Controls::Use::edits);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
 }
 
 /// The papers' table: for each level the object that could change most.
@@ -193,7 +267,8 @@ void level_table(Controls& controls, const PixelReport& report) {
 }  // namespace
 
 void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
-                 const PixelReport* report, const PictureArea& area) {
+                 const PixelFacts& facts, const PictureArea& area) {
+  const PixelReport* report = facts.report;
   const Film& film = previewer.film();
   if (!state.picked || state.picked->x >= film.width || state.picked->y >= film.height) return;
   const float em = ImGui::GetFontSize();
@@ -216,8 +291,12 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
                   2.0f * ImGui::GetStyle().FramePadding.x);
   const bool closed = controls.button(close, "Close this view. Key: Esc.");
   values(controls, film, state.frames, state.display, pixel);
+  cost_rows(controls, film, facts.findings, pixel);
   if (report && !report->trace.cells.empty()) {
-    tree(controls, *report, state.display);
+    int& shown = state.picked_pyray;
+    if (shown >= static_cast<int>(report->trace.pyrays.size())) shown = -1;
+    tree(controls, *report, shown, state.display.exposure_ev);
+    pyray_list(controls, *report, shown);
     ImGui::TextWrapped("%s", report->verdict().c_str());
     controls.placed("Verdict", nullptr);
     level_table(controls, *report);

@@ -27,11 +27,26 @@ std::string rough_duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-std::string words(const Progress& progress) {
+const char* doing(Rest rest) {
+  switch (rest) {
+    case Rest::none:
+      break;
+    case Rest::paused:
+      return "Paused at";
+    case Rest::time:
+      return "Rests at its time limit,";
+    case Rest::quality:
+      return "Rests at its quality,";
+    case Rest::stopped:
+      return "Stopped at";
+  }
+  return "Rendering";
+}
+
+std::string words(const Progress& progress, Rest rest) {
   if (progress.finished) return "Finished in " + duration(progress.seconds);
-  if (!progress.running) return "Stopped";
-  std::string text =
-      fmt::format("Rendering {:.0f} %   {}", 100.0 * progress.fraction, duration(progress.seconds));
+  std::string text = fmt::format("{} {:.0f} %   {}", doing(rest), 100.0 * progress.fraction,
+                                 duration(progress.seconds));
   if (progress.seconds_left >= 0.0) {
     text += fmt::format("   about {} left", rough_duration(progress.seconds_left));
   }
@@ -58,7 +73,7 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   if (!status.message.empty()) {
     ImGui::TextUnformatted(status.message.c_str());
   } else if (previewer.scene()) {
-    ImGui::TextDisabled("%s", words(progress).c_str());
+    ImGui::TextDisabled("%s", words(progress, previewer.rest()).c_str());
   } else {
     ImGui::TextDisabled("%s", previewer.loading() ? "Loading" : "No scene");
   }

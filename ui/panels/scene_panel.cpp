@@ -80,7 +80,8 @@ void left_out_rows(Controls& controls, const SceneNeeds& needs) {
 
 }  // namespace
 
-void scene_panel(Controls& controls, const RenderScene& scene, double load_seconds) {
+void scene_panel(Controls& controls, const RenderScene& scene, const RenderSettings& settings,
+                 double load_seconds) {
   if (!controls.section("Scene")) return;
   const World& world = scene.world;
   controls.row("Triangles", grouped(world.triangles.size()),
@@ -94,7 +95,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, double load_secon
                    .c_str());
   controls.row("Memory", fmt::format("{:.1f} MB", scene.memory_mb),
                "Of geometry, textures and hierarchies, in millions of bytes.");
-  left_out_rows(controls, scene.needs);
+  left_out_rows(controls, needs_of(scene, settings));
 }
 
 }  // namespace asos

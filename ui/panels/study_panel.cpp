@@ -61,8 +61,7 @@ void choice_controls(Controls& controls, StudyChoice& choice) {
 void start(StudyChoice& choice, ViewStudy& study, const Previewer& previewer) {
   const RenderSettings& shown = previewer.rendered_settings();
   const auto scene = previewer.shared_scene();
-  const StudyPlan plan =
-      plan_of(choice, screenshot_stem(scene->source), shown.width, shown.height, shown.threads);
+  const StudyPlan plan = plan_of(choice, screenshot_stem(scene->source), shown);
   const auto started = study.start({scene, previewer.camera().camera(), plan});
   choice.error = started ? "" : started.error().message();
 }
@@ -74,7 +73,8 @@ void buttons(Controls& controls, StudyChoice& choice, ViewStudy& study,
       study.stop();
   } else if (controls.button("Start study",
                              "Measure error against run time on the view as it is now, with the "
-                             "settings of \"asos report\" and not those above. Moving the camera "
+                             "sky, reflections and TR that it has, and else the settings of "
+                             "\"asos report\" and not those above. Moving the camera "
                              "lets the study rest; it goes on with the view that it began with.",
                              -1.0f)) {
     start(choice, study, previewer);
@@ -156,24 +156,26 @@ void speed_table(Controls& controls, const SceneStudy& study) {
 
 }  // namespace
 
-StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name, int width, int height,
-                  int threads) {
+StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
+                  const RenderSettings& shown) {
   StudyPlan plan;
   plan.scenes = {scene_name};
   // In the order of the ladders, as in a report
   for (const std::string& method : ladder_methods())
     if (method == subject || choice.rivals.contains(method)) plan.methods.push_back(method);
-  plan.width = std::max(1, width / choice.reduction);
-  plan.height = std::max(1, height / choice.reduction);
+  plan.look = look_of(shown);
+  plan.texture_resolution = shown.texture_resolution;
+  plan.width = std::max(1, shown.width / choice.reduction);
+  plan.height = std::max(1, shown.height / choice.reduction);
   plan.repetitions = choice.repetitions;
   plan.budget_seconds = choice.budget_seconds;
-  plan.threads = threads;
+  plan.threads = shown.threads;
   return plan;
 }
 
-void update_study(ViewStudy& study, const Previewer& previewer) {
+void update_study(ViewStudy& study, const Previewer& previewer, bool other_work) {
   if (study.scene() && study.scene() != previewer.scene()) study.clear();
-  study.update(previewer.progress().running || previewer.loading().has_value());
+  study.update(other_work || previewer.progress().running || previewer.loading().has_value());
 }
 
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,

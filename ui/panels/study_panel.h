@@ -18,13 +18,14 @@ struct StudyChoice {
   std::string error;  ///< why the last study could not start
 };
 
-/// The plan for a view of `scene_name` in a picture of this size, in pixels.
-[[nodiscard]] StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name, int width,
-                                int height, int threads);
+/// The plan for a view of `scene_name` that is shown with these settings, of which size, sky,
+/// reflections and TR count.
+[[nodiscard]] StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
+                                const RenderSettings& shown);
 
 /// Call once a frame, whether the panel is shown or not: the study rests while the window renders,
-/// and ends when another scene takes the place of its own.
-void update_study(ViewStudy& study, const Previewer& previewer);
+/// or other work takes the processors, and ends when another scene takes the place of its own.
+void update_study(ViewStudy& study, const Previewer& previewer, bool other_work);
 
 /// Starts and stops a study of the current view, and shows error against run time as it goes on.
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,

@@ -1,5 +1,6 @@
 #include "renderer/film/film.h"
 
+#include "renderer/film/split_map.h"
 #include "renderer/film/statistics.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +31,47 @@ TEST(Film, PutsTilesAndLeavesOutWhatLiesOutside) {
   float sum = 0.0f;
   for (const glm::vec3& c : film.radiance) sum += c.x;
   EXPECT_EQ(sum, 8.0f);
+}
+
+TEST(Film, ForgetsCostsWhereATileTellsNone) {
+  Film film(4, 2);
+  FinishedTile tile;
+  tile.rect = {1, 0, 2, 2};
+  tile.radiance.resize(4);
+  tile.split_level.resize(4);
+  tile.cause.resize(4);
+  tile.rays = {1, 2, 3, 4};
+  tile.seconds.assign(4, 0.5f);
+  film.put(tile);
+  EXPECT_EQ(film.rays, (std::vector<float>{0, 1, 2, 0, 0, 3, 4, 0}));
+  EXPECT_EQ(film.seconds[film.index(2, 1)], 0.5f);
+  tile.rays.clear();
+  tile.seconds.clear();
+  film.put(tile);
+  EXPECT_EQ(film.rays, std::vector<float>(8, 0.0f));
+}
+
+TEST(SplitMap, CostsHaveAbsoluteLogarithmicScales) {
+  Film film(5, 1);
+  film.rays = {0.0f, 1.0f, 64.0f, 4096.0f, 1e9f};
+  film.seconds = {0.0f, 1e-7f, 3.1622776e-5f, 1e-2f, 60.0f};
+  for (const auto colours : {SplitMapColours::rays, SplitMapColours::time}) {
+    const SplitMapKey key{colours, 3};
+    EXPECT_EQ(key.value(film, 0), 0) << "not told";
+    EXPECT_EQ(key.colour(0), glm::u8vec3(0));
+    EXPECT_EQ(key.value(film, 1), 1);
+    EXPECT_EQ(key.value(film, 2), 128) << "half of the decades";
+    EXPECT_EQ(key.value(film, 3), 255);
+    EXPECT_EQ(key.value(film, 4), 255);
+    EXPECT_EQ(key.colour(255), glm::u8vec3(255));
+    int before = 0;
+    for (int v = 1; v <= 255; ++v) {
+      const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(v));
+      const int sum = c.x + c.y + c.z;
+      EXPECT_GE(sum, before - 1) << v << ": each of the three is rounded";
+      before = sum;
+    }
+  }
 }
 
 TEST(Film, IgnoresTilesWithoutTheirData) {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace asos {
+namespace asos::emitters_curved_test {
 namespace {
 
 using std::numbers::pi;
@@ -260,4 +260,4 @@ TEST(EmissiveLights, BlackTexturesGiveNoLight) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::emitters_curved_test

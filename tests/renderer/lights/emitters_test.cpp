@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace asos {
+namespace asos::emitters_test {
 namespace {
 
 using std::numbers::pi;
@@ -233,4 +233,4 @@ TEST(MeanIrradiance, IsThePowerOverTheSphere) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::emitters_test

@@ -9,7 +9,7 @@
 
 // The closed forms against quadrature, for lights of all sizes and receivers of all kinds.
 
-namespace asos {
+namespace asos::form_factor_oracle_test {
 namespace {
 
 using Outlines2 = std::vector<std::vector<glm::dvec2>>;
@@ -161,4 +161,4 @@ TEST(FormFactorOracle, AgreesOnLines) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::form_factor_oracle_test

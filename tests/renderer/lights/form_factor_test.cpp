@@ -12,7 +12,7 @@
 
 // Forms known from the literature, and what must hold of any.
 
-namespace asos {
+namespace asos::form_factor_test {
 namespace {
 
 using std::numbers::pi;
@@ -195,4 +195,4 @@ TEST(Forms, AreContinuousAcrossBothHorizons) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::form_factor_test

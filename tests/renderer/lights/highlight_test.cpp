@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos {
+namespace asos::highlight_test {
 namespace {
 
 const glm::dvec3 origin(0.0);
@@ -95,4 +95,4 @@ TEST(Highlight, HasTheSizeOverTheDistance) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::highlight_test

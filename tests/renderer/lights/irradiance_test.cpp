@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-namespace asos {
+namespace asos::irradiance_test {
 namespace {
 
 using std::numbers::pi;
@@ -192,4 +192,4 @@ TEST(Attenuation, IsTheExtensionsRangeAndCone) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::irradiance_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace asos::test {
+namespace asos::test::light_cuts_test {
 namespace {
 
 /// A light of 2 x 1 in y = 2, its middle at x = z = 0, that shines downwards.
@@ -123,4 +123,4 @@ TEST(LightCuts, AreNotKeptBeyondWhatIsCutAlong) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::light_cuts_test

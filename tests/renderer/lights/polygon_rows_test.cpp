@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace asos {
+namespace asos::polygon_rows_test {
 namespace {
 
 using Outlines = std::vector<std::vector<glm::dvec2>>;
@@ -48,4 +48,4 @@ TEST(PolygonRows, ReachesTheCornersOfTheSquare) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::polygon_rows_test

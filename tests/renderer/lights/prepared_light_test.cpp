@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos {
+namespace asos::prepared_light_test {
 namespace {
 
 using std::numbers::pi;
@@ -153,4 +153,4 @@ TEST(PreparedLight, GivesFiniteResultsForAllFiniteInput) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::prepared_light_test

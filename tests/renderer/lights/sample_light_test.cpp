@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos {
+namespace asos::sample_light_test {
 namespace {
 
 /// Of the red channel, over the middles of count x count cells.
@@ -122,4 +122,4 @@ TEST(SphericalRectangle, HasTheSolidAngleOfACubesFace) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::sample_light_test

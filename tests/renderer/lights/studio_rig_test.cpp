@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace asos {
+namespace asos::studio_rig_test {
 namespace {
 
 using std::numbers::pi;
@@ -193,4 +193,4 @@ TEST(InteriorRig, AViewThroughUnseenWallsKeepsTheKeyInside) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::studio_rig_test

@@ -10,7 +10,7 @@
 // Thin things that move keep their weight: what a pole 1/8 pixel wide adds to the picture, and what
 // a gap of that width takes from it, is the same at each step of a slow movement.
 
-namespace asos::test {
+namespace asos::test::animation_test {
 namespace {
 
 constexpr int size = 32;  // pixels
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, MovingThinSubject,
                          name_of);
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::animation_test

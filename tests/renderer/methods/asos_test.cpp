@@ -13,7 +13,7 @@
 // The whole of a method's way to a pixel, against closed forms: white polygons without shading on
 // the grey background, so that a pixel's colour tells the area that is covered.
 
-namespace asos::test {
+namespace asos::test::asos_test {
 namespace {
 
 constexpr int size = 16;  // pixels; the picture's (x, y) in pixels is at (x, -y) / size, depth 1
@@ -270,4 +270,4 @@ TEST(Asos, ConvergesToTheExactPicture) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::asos_test

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace asos::test {
+namespace asos::test::average_test {
 namespace {
 
 World black_with_white(int x, int y) {
@@ -52,4 +52,4 @@ TEST(Average, LeavesOutWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::average_test

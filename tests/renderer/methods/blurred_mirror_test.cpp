@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asos {
+namespace asos::blurred_mirror_test {
 namespace {
 
 using test::add_quad;
@@ -184,4 +184,4 @@ TEST(BlurredMirror, ShowsALightThatNoSurfaceShows) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::blurred_mirror_test

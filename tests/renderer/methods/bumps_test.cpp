@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asos {
+namespace asos::bumps_test {
 namespace {
 
 constexpr int side = 8;
@@ -80,4 +80,4 @@ TEST(Bumps, AreNoneOutsideAndInBlocksTooSmallToTell) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::bumps_test

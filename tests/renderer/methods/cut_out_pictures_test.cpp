@@ -11,7 +11,7 @@
 // Whole pictures of a floor under a large masked card, whose outline is nowhere near the picture.
 // Place: tests/renderer/methods/cut_out_pictures_test.cpp.
 
-namespace asos::test {
+namespace asos::test::cut_out_pictures_test {
 namespace {
 
 Picture picture_of(const Light& light, Method method, int max_level, int spp) {
@@ -81,4 +81,4 @@ TEST(CutOutPictures, UnderSmallAreaLightsGetExacterWithEveryLevel) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::cut_out_pictures_test

@@ -14,7 +14,7 @@
 #include <random>
 #include <string>
 
-namespace asos::test {
+namespace asos::test::exact_visibility_test {
 namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
@@ -358,4 +358,4 @@ TEST(Beam, RefusesLargeScenesWithAReason) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::exact_visibility_test

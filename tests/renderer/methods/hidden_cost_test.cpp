@@ -10,7 +10,7 @@
 
 // What is hidden costs next to nothing, counted in pyrays and rays.
 
-namespace asos::test {
+namespace asos::test::hidden_cost_test {
 namespace {
 
 std::uint64_t pyrays_of(const RenderStatistics& statistics) {
@@ -52,4 +52,4 @@ TEST(HiddenCost, AWallBeforeAMillionTrianglesCostsAsMuchAsTheWall) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::hidden_cost_test

@@ -10,7 +10,7 @@
 
 // What shadows cost where there are none, and what many lights add up to.
 
-namespace asos::test {
+namespace asos::test::light_cost_test {
 namespace {
 
 RenderSettings settings_of(int width, int height) {
@@ -110,4 +110,4 @@ TEST(LightCost, AHundredLightsAreTheSumOfTheirPictures) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::light_cost_test

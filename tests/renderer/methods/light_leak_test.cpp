@@ -11,7 +11,7 @@
 
 // Pictures whose shadows have to be complete, at the scales of a watch and of a city.
 
-namespace asos::test {
+namespace asos::test::light_leak_test {
 namespace {
 
 constexpr double scales[] = {1e-4, 1.0, 1e4};
@@ -208,4 +208,4 @@ TEST(LightLeak, TheLineWhereABoxMeetsTheFloorIsDark) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::light_leak_test

@@ -11,7 +11,7 @@
 
 // ASOS with all that it shares between pixels against plain sampling of the same pictures.
 
-namespace asos::test {
+namespace asos::test::light_noise_test {
 namespace {
 
 using Means = std::vector<double>;
@@ -118,4 +118,4 @@ TEST(LightNoise, ShapesUnderLargeLightsLookAsSampled) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::light_noise_test

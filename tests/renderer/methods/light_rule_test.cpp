@@ -15,7 +15,7 @@
 // I A cos(theta) with inverse square, spheres without the cosine (CGF'98 section 4.2), and points
 // along linear lights (GI'93 "Distributed Light Sources").
 
-namespace asos::test {
+namespace asos::test::light_rule_test {
 namespace {
 
 constexpr int width = 40, height = 30;
@@ -142,4 +142,4 @@ TEST(LightRule, AsosPublishedShadesByThePublishedRule) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::light_rule_test

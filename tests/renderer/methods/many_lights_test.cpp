@@ -12,7 +12,7 @@
 
 // A hundred lights: the sum of what each gives, and nothing spent on those that give nothing.
 
-namespace asos::test {
+namespace asos::test::many_lights_test {
 namespace {
 
 constexpr int light_count = 100;
@@ -141,4 +141,4 @@ TEST(ManyLights, ThatGiveNothingCostNothing) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::many_lights_test

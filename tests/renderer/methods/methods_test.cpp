@@ -10,7 +10,7 @@
 #include <limits>
 #include <set>
 
-namespace asos {
+namespace asos::methods_test {
 namespace {
 
 /// A white half-plane left of the line x = 0.3 + 0.2 y over the grey background, seen by an
@@ -226,4 +226,4 @@ TEST(Prepare, AnEmptySceneRendersTheBackground) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::methods_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asos::test {
+namespace asos::test::mitchell_test {
 namespace {
 
 RenderSettings mitchell(int spp, double scale = 1.0) {
@@ -90,4 +90,4 @@ TEST(Mitchell, EqualsSobolAtEitherEnd) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::mitchell_test

@@ -2,6 +2,7 @@
 
 #include "renderer/methods/render_scene.h"
 #include "renderer/scene/load.h"
+#include "renderer/shading/sky.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
@@ -17,7 +18,7 @@
 
 // What a scene does not need is left out, and forcing it back in changes no bit of any picture.
 
-namespace asos {
+namespace asos::needs_test {
 namespace {
 
 using SharedScene = std::shared_ptr<const RenderScene>;
@@ -56,14 +57,16 @@ TEST_P(ForcedBuiltin, GivesTheSamePictureToTheBit) {
   const SharedScene needed = prepare(scene).value();
   const SharedScene forced = prepare(scene, SceneNeeds::all()).value();
   EXPECT_GT(features_left_out(needed->needs).size(), 5u);
-  EXPECT_LE(features_left_out(forced->needs).size(), 1u) << "an opacity that varies is not forced";
+  EXPECT_LE(features_left_out(forced->needs).size(), 2u)
+      << "an opacity that varies and a sky's picture are not forced";
   EXPECT_LT(needed->memory_mb, forced->memory_mb);
   expect_same_pictures(*needed, *forced, 24, 16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ForcedBuiltin,
                          testing::Values("office", "primitives-ball", "primitives-linear",
-                                         "primitives-rectangle", "house", "fence", "boxes"),
+                                         "primitives-rectangle", "house", "fence", "boxes",
+                                         "solids"),
                          [](const auto& scene) {
                            std::string name = scene.param;
                            std::erase(name, '-');
@@ -171,6 +174,21 @@ const std::vector<WithFeature>& cases() {
        }},
       {"metal", &N::metals, [](Scene&, Material& m) { m.metallic = 0.8f; }},
       {"single_sided", &N::culling, [](Scene&, Material& m) { m.double_sided = false; }},
+      {"mirror", &N::mirrors, [](Scene&, Material& m) { m.roughness = 0.1f; }},
+      {"defocusing", &N::mirrors,
+       [](Scene&, Material& m) {
+         const DfrCurve curve{0.3, 0.9, 4.0};
+         m.dfr = Dfr{{curve, curve, curve}, 0.0};
+       }},
+      {"shape", &N::shapes,
+       [](Scene& s, Material&) {
+         Instance ball;
+         ball.mesh = 0;
+         ball.shape = static_cast<int>(s.shapes.size());
+         ball.world_from_mesh[3] = {0.4, 0.5, 0.9, 1.0};
+         s.shapes.emplace_back();
+         s.instances.push_back(ball);
+       }},
       {"point", &N::punctual_lights, [](Scene& s, Material&) { light_of(s, Light::Type::point); }},
       {"ball", &N::ball_lights,
        [](Scene& s, Material&) { light_of(s, Light::Type::point).radius = 0.4; }},
@@ -209,8 +227,38 @@ TEST_P(ForcedFeature, ChangesNoBitWithOrWithoutTheOthers) {
   expect_same_pictures(*needed, *forced, 20, 16);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ForcedFeature, testing::Range<std::size_t>(0, 21),
+INSTANTIATE_TEST_SUITE_P(Scenes, ForcedFeature, testing::Range<std::size_t>(0, 24),
                          [](const auto& index) { return std::string(cases()[index.param].name); });
+
+/// Rays that were mirrored in the picture of a scene.
+std::uint64_t mirrored_rays(const RenderScene& scene, double roughest_mirror) {
+  RenderSettings settings = settings_of(Method::asos, 20, 16);
+  settings.roughest_mirror = roughest_mirror;
+  const Camera camera = test::first_camera(scene.world, 20.0 / 16.0);
+  return test::render_picture(scene, camera, settings).statistics.reflection_rays;
+}
+
+// Mirrors are left out by the usual limit; whoever asks for rougher ones gets them all the same.
+TEST(ForcedNeeds, RougherMirrorsAreFollowedWhereTheSettingsAskForThem) {
+  const SharedScene scene = prepare(pane_on_floor()).value();
+  ASSERT_FALSE(scene->needs.mirrors);
+  EXPECT_EQ(mirrored_rays(*scene, usual_roughest_mirror), 0u);
+  EXPECT_GT(mirrored_rays(*scene, 0.5), 0u);
+  RenderSettings settings;
+  EXPECT_FALSE(needs_of(*scene, settings).mirrors);
+  settings.roughest_mirror = 0.5;
+  EXPECT_TRUE(needs_of(*scene, settings).mirrors);
+}
+
+TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
+  const SharedScene scene = prepare(pane_on_floor()).value();
+  RenderSettings settings;
+  settings.sky = std::make_shared<const Sky>(glm::vec3(0.4f));
+  EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "one colour is no picture";
+  settings.sky = std::make_shared<const Sky>(SkyMap(2, 1, {glm::vec3(0.4f), glm::vec3(0.2f)}), 0.0,
+                                             "two texels");
+  EXPECT_TRUE(needs_of(*scene, settings).sky_picture);
+}
 
 TEST(ForcedNeeds, TakeMemoryThatIsLeftOutOtherwise) {
   Scene scene = pane_on_floor();
@@ -234,4 +282,4 @@ TEST(ForcedNeeds, IntersectionsAreNeededWhereSurfacesCross) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::needs_test

@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <set>
 #include <tuple>
 
 // The trace of a pixel tells what rendering it does: it is checked against the whole picture and
 // against itself.
 
-namespace asos::test {
+namespace asos::test::pixel_trace_test {
 namespace {
 
 using SharedScene = std::shared_ptr<const RenderScene>;
@@ -275,5 +276,63 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
   EXPECT_EQ(missed, statistics.missed_splits);
 }
 
+// Polished boxes under a ball of light: each leaf sends pyrays to it and to what it mirrors.
+TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
+  std::shared_ptr<const RenderScene> scene;
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    if (builtin.name != "boxes") continue;
+    Scene polished = builtin.make();
+    for (Material& material : polished.materials) {
+      material.metallic = 0.0f;
+      material.roughness = 0.0f;
+    }
+    Light ball;
+    ball.position = {1, 4, 3};
+    ball.radius = 0.5;
+    ball.intensity = 40.0f;
+    polished.lights = {ball};
+    scene = prepare(polished).value();
+  }
+  ASSERT_NE(scene, nullptr);
+  const RenderSettings settings = settings_of(16, 12);
+  const View view(scene->world.cameras.front(), 16, 12, radius_around_origin(scene->world.bounds));
+  const Film film = render(*scene, view, settings);
+  int shadows = 0, mirrors = 0, nested = 0, partly_lit = 0;
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
+      ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
+                0)
+          << "writing down changes nothing";
+      for (int i = 0; i < static_cast<int>(trace.pyrays.size()); ++i) {
+        const PixelTracePyray& pyray = trace.pyrays[static_cast<std::size_t>(i)];
+        ASSERT_LT(pyray.parent, i);
+        nested += pyray.parent >= 0;
+        ASSERT_FALSE(pyray.cells.empty());
+        double area = 0.0;
+        for (const PixelTraceCell& cell : pyray.cells)
+          for (const PixelTraceSample& sample : cell.samples) area += sample.weight;
+        EXPECT_NEAR(area, 1.0, 1e-5);
+        EXPECT_GE(std::min(pyray.from.x, pyray.from.y), -1e-3f);
+        EXPECT_LE(std::max(pyray.from.x, pyray.from.y), 1.001f);
+        if (pyray.kind == LoggedPyray::Kind::mirror) {
+          ++mirrors;
+          continue;
+        }
+        ++shadows;
+        EXPECT_LT(pyray.light, scene->world.lights.size());
+        partly_lit += pyray.result.x > 0.01f && pyray.result.x < 0.99f;
+        for (const PixelTraceCell& cell : pyray.cells)
+          for (const PixelTraceSample& sample : cell.samples)
+            EXPECT_TRUE(sample.radiance.x >= 0.0f && sample.radiance.x <= 1.0f);
+      }
+    }
+  }
+  EXPECT_GT(shadows, 0);
+  EXPECT_GT(mirrors, 0);
+  EXPECT_GT(nested, 0) << "what is mirrored has shadows, too";
+  EXPECT_GT(partly_lit, 0) << "a penumbra";
+}
+
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::pixel_trace_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace asos {
+namespace asos::prepare_test {
 namespace {
 
 /// Adds a box seen from outside, or from inside, and places it.
@@ -205,4 +205,4 @@ TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::prepare_test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos::test {
+namespace asos::test::ray_bound_test {
 namespace {
 
 TEST(RayBound, TakesAllSamplesAtABoundaryAndOneElsewhere) {
@@ -154,4 +154,4 @@ TEST(RayBound, BoundariesAreWhereRaysDiffer) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::ray_bound_test

@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace asos::test {
+namespace asos::test::region_sampler_test {
 namespace {
 
 Material glowing(glm::vec3 color) {
@@ -152,4 +152,4 @@ TEST(SharedShadows, PartsOfABumpyPixelTakeOneShadowRayTogether) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::region_sampler_test

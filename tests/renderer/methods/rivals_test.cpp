@@ -10,7 +10,7 @@
 
 // What the methods have in common that ASOS is compared with and that decide where to sample.
 
-namespace asos::test {
+namespace asos::test::rivals_test {
 namespace {
 
 constexpr std::array rivals{Method::whitted, Method::mitchell, Method::ray_bound, Method::average};
@@ -135,4 +135,4 @@ TEST(Rivals, SettingsOutOfRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::rivals_test

@@ -14,7 +14,7 @@
 // Meshes as they are found, not as they should be, against beam tracing, which looks at triangles
 // and knows no features. Flat colours without light, so that a pixel's value is a sum of areas.
 
-namespace asos::test {
+namespace asos::test::rough_meshes_test {
 namespace {
 
 constexpr int size = 48;
@@ -303,4 +303,4 @@ TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::rough_meshes_test

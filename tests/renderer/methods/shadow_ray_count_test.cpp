@@ -11,7 +11,7 @@
 
 // How many rays prove that nothing lies between a surface and a light, and where none is needed.
 
-namespace asos::test {
+namespace asos::test::shadow_ray_count_test {
 namespace {
 
 constexpr int width = 48, height = 32;
@@ -154,4 +154,4 @@ TEST(ShadowRayCount, IsNoneForLightsTooWeakToMatter) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::shadow_ray_count_test

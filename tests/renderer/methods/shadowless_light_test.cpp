@@ -9,7 +9,7 @@
 
 // Lights that cast no shadows, by themselves or because shadows are switched off.
 
-namespace asos::test {
+namespace asos::test::shadowless_light_test {
 namespace {
 
 /// A block on a floor and a masked or blended pane above, for shadows of all kinds.
@@ -98,4 +98,4 @@ TEST(ShadowlessLight, LeavesOtherLightsTheirShadows) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::shadowless_light_test

@@ -17,7 +17,7 @@
 // Pictures of analytic shapes: what they cover of pixels against closed forms, and against many
 // samples.
 
-namespace asos::test {
+namespace asos::test::shape_pictures_test {
 namespace {
 
 Material white() {
@@ -326,4 +326,4 @@ TEST(ShapePictures, ParallelRaysSeeThemToo) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::shape_pictures_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos::test {
+namespace asos::test::sky_picture_test {
 namespace {
 
 constexpr int sky_side = 16;
@@ -95,4 +95,4 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::sky_picture_test

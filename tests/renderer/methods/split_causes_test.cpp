@@ -15,7 +15,7 @@
 
 // Why pixels are split, in scenes of which each pixel's reason is known.
 
-namespace asos::test {
+namespace asos::test::split_causes_test {
 namespace {
 
 constexpr int size = 16;  // pixels; the camera sees |x|, |y| <= 4 from z = 10, half a unit a pixel
@@ -290,4 +290,4 @@ TEST(LightCounts, AddUpToAllShadowRaysForEveryMethod) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::split_causes_test

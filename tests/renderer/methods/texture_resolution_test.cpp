@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace asos::test {
+namespace asos::test::texture_resolution_test {
 namespace {
 
 constexpr int picture_side = 24;
@@ -167,6 +167,40 @@ TEST(TextureResolution, DoesNotDependOnWhichBlocksAreRendered) {
                 whole.film.radiance[whole.film.index(8 + x, 8 + y)]);
 }
 
+// A texture that changes nothing, in the shadows of a post under a ball and a sun: the parts of a
+// leaf share one look at the lights, which tells what as many looks would.
+TEST(TextureResolution, PartsShareTheirShadows) {
+  World world;
+  Material m = matte(glm::vec3(0.6f));
+  m.base_color_texture.texture = add_texture(world,
+                                             make_image(1, 1,
+                                                        [](int, int) {
+                                                          return Texel{255, 255, 255, 255};
+                                                        }),
+                                             Wrap::repeat, Filter::nearest);
+  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
+  add_quad(world, {-0.33f, -3, 0.6f}, {0.5f, 0.1f, 0}, {0, 6, 0}, matte(glm::vec3(0.3f)));
+  Light ball;
+  ball.type = Light::Type::point;
+  ball.position = {-1.5, 0.4, 3.0};
+  ball.radius = 0.4;
+  ball.intensity = 6.0f;
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = glm::normalize(glm::dvec3(-0.7, 0.1, -1.0));
+  world.lights = {ball, sun};
+  const auto scene = make_render_scene(std::move(world));
+  const Picture once = render_picture(*scene, orthographic(2.0), with_tr(1));
+  const Picture parts = render_picture(*scene, orthographic(2.0), with_tr(4));
+  EXPECT_GT(parts.statistics.eye_rays, 10 * once.statistics.eye_rays);
+  EXPECT_LT(parts.statistics.shadow_rays, 5 * once.statistics.shadow_rays);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < once.film.radiance.size(); ++i)
+    worst = std::max(
+        worst, static_cast<double>(glm::length(once.film.radiance[i] - parts.film.radiance[i])));
+  EXPECT_LT(worst, 4e-3) << "let pass at MAX 3";
+}
+
 TEST(TextureResolution, SmallLeavesAreDividedLess) {
   EXPECT_EQ(texture_divisions(1, 1.0), 1);
   EXPECT_EQ(texture_divisions(4, 1.0), 4);
@@ -178,7 +212,7 @@ TEST(TextureResolution, SmallLeavesAreDividedLess) {
 
 TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
   const Square square{0.25f, 0.5f, 0.125f};
-  const auto all = texture_parts({square, {}}, 5, {{16, 8}, 8}, 0);
+  const auto all = texture_parts({square, {}}, 5, {{16, 8}, 8}, 0, true);
   ASSERT_EQ(all.size(), 25u);
   std::set<float> places;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -189,9 +223,13 @@ TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
     places.insert(within.x - std::floor(within.x));
   }
   EXPECT_GT(places.size(), 20u) << "each has a place of its own";
+  for (const TexturePart& part : texture_parts({square, {}}, 5, {{16, 8}, 8}, 0, false)) {
+    EXPECT_FLOAT_EQ(part.at.x, part.square.centre_u());
+    EXPECT_FLOAT_EQ(part.at.y, part.square.centre_v());
+  }
   // Another frame around the same pixel, another seed.
-  const auto moved = texture_parts({{0.5f, 0.5f, 0.25f}, {}}, 5, {{16, 10}, 4}, 0);
-  const auto reseeded = texture_parts({square, {}}, 5, {{16, 8}, 8}, 1);
+  const auto moved = texture_parts({{0.5f, 0.5f, 0.25f}, {}}, 5, {{16, 10}, 4}, 0, true);
+  const auto reseeded = texture_parts({square, {}}, 5, {{16, 8}, 8}, 1, true);
   int same = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_NEAR(8.0f * all[i].at.x, 4.0f * moved[i].at.x, 1e-5f);
@@ -204,7 +242,7 @@ TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
                                 {{0.375f, 0.5f}, {0.25f, 0.5f}},
                                 {{0.25f, 0.5f}, {0.25f, 0.625f}}};
   const LeafRegion half{square, sides};
-  const auto parts = texture_parts(half, 5, {{16, 8}, 8}, 0);
+  const auto parts = texture_parts(half, 5, {{16, 8}, 8}, 0, true);
   EXPECT_GE(parts.size(), 10u);
   EXPECT_LE(parts.size(), 15u);
   int marginal = 0;
@@ -232,4 +270,4 @@ TEST(TextureResolution, KnowsWhatIsTextured) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::texture_resolution_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace asos::test {
+namespace asos::test::whitted_test {
 namespace {
 
 RenderSettings whitted(int depth, bool spheres = false) {
@@ -219,4 +219,4 @@ TEST(Whitted, SpheresOfWhatIsHiddenOrLargeSplitNothing) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::whitted_test

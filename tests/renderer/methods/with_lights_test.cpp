@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-namespace asos {
+namespace asos::with_lights_test {
 namespace {
 
 std::shared_ptr<const RenderScene> boxes(std::vector<Light> lights = {}) {
@@ -81,4 +81,4 @@ TEST(WithLights, RefusesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::with_lights_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace asos {
+namespace asos::faces_test {
 namespace {
 
 using test::add_square;
@@ -222,4 +222,4 @@ TEST(Faces, AgreeWithBruteForceInDouble) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::faces_test

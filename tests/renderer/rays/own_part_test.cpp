@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::own_part_test {
 namespace {
 
 using test::add_square;
@@ -157,4 +157,4 @@ TEST(OwnPart, ThatDoesNotExistIsRefused) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::own_part_test

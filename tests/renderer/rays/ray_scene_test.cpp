@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace asos {
+namespace asos::ray_scene_test {
 namespace {
 
 using test::add_quad;
@@ -292,4 +292,4 @@ TEST(RayScene, SameSpanSameBits) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::ray_scene_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace asos {
+namespace asos::shadow_queries_test {
 namespace {
 
 using test::add_square;
@@ -220,4 +220,4 @@ TEST(ShadowQueries, UntraceableRaysAndUnbuiltScenesLetAllLightThrough) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::shadow_queries_test

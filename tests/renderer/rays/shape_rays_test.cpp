@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::shape_rays_test {
 namespace {
 
 using Real = long double;
@@ -254,4 +254,4 @@ TEST(ShapeRays, RaysAloneAndInPacketsAgree) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::shape_rays_test

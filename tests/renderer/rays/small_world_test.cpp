@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asos {
+namespace asos::small_world_test {
 namespace {
 
 // A power of two changes no float's digits: hits in a tiny world are those of the same world at
@@ -76,4 +76,4 @@ TEST(SmallWorld, HitsAreThoseOfScaleOne) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::small_world_test

@@ -1,5 +1,6 @@
 #include "renderer/scene/needs.h"
 
+#include "tests/support/shape_world.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
 
@@ -86,6 +87,15 @@ TEST(Needs, EachMaterialsPropertyAsksForItsOwnFeaturesOnly) {
             Names{"alpha blending and transmission"});
   EXPECT_EQ(added_by_material([](Material& m) { m.transmission = 0.5f; }),
             Names{"alpha blending and transmission"});
+  EXPECT_EQ(added_by_material([](Material& m) { m.roughness = 0.35f; }), Names{"mirrors"});
+  EXPECT_EQ(added_by_material([](Material& m) { m.roughness = 0.36f; }), Names{});
+  EXPECT_EQ(added_by_material([](Material& m) { m.dfr = Dfr{}; }), Names{"mirrors"});
+  EXPECT_EQ(added_by_material([](Material& m) {
+              m.roughness = 0.0f;
+              m.specular = 0.0f;
+            }),
+            Names{})
+      << "it reflects nothing";
   EXPECT_EQ(added_by_material([](Material& m) {
               m.emissive = {1, 1, 1};
               m.emissive_strength = 0.0f;
@@ -115,6 +125,22 @@ TEST(Needs, TexturesAskForMipChainsWhereTheyHaveTexels) {
               world.materials[0].normal_texture.texture = add_texture(world, 4);
             }),
             (Names{"textures", "mip chains", "normal maps"}));
+}
+
+TEST(Needs, ATextureOfRoughnessMayMakeAMirror) {
+  EXPECT_EQ(added_by([](World& world) {
+              world.materials[0].metallic_roughness_texture.texture = add_texture(world, 1);
+            }),
+            (Names{"textures", "mirrors"}));
+}
+
+TEST(Needs, ShapesAreToldFromMeshes) {
+  EXPECT_EQ(added_by([](World& world) {
+              Material material = test::matte(glm::vec3(0.5f));
+              material.double_sided = true;
+              test::add_shape(world, test::sphere(1.0), glm::dmat4(1.0), material);
+            }),
+            Names{"analytic shapes"});
 }
 
 TEST(Needs, ImagesThatNothingShowsAreReleased) {
@@ -181,10 +207,11 @@ TEST(Needs, EveryFeatureIsNamedOnceWithAReason) {
     EXPECT_NE(std::string(feature.reason), "") << feature.name;
   }
   EXPECT_EQ(SceneNeeds{}.left_out().size(), scene_features().size());
-  EXPECT_EQ(features_left_out(SceneNeeds::all()).size(), 1u);
-  SceneNeeds varying;
-  varying.varying_opacity = true;
-  EXPECT_TRUE(varying.with(SceneNeeds::all()).left_out().empty());
+  EXPECT_EQ(features_left_out(SceneNeeds::all()).size(), 2u);
+  SceneNeeds not_forced;
+  not_forced.varying_opacity = true;
+  not_forced.sky_picture = true;
+  EXPECT_TRUE(not_forced.with(SceneNeeds::all()).left_out().empty());
   const std::vector<std::string> left_out = find_needs(plain()).left_out();
   EXPECT_NE(std::find(left_out.begin(), left_out.end(),
                       "normal maps (no material that is shown has a normal map; stages: turning of "

@@ -122,6 +122,62 @@ TEST(RenderSession, PassesFollowEachOtherAndEndAsHeadless) {
   test::expect_same(session.statistics(), headless.statistics);
 }
 
+TEST(RenderSession, APauseHoldsTheFinalPassAndTheClock) {
+  Snapshot snapshot = snapshot_of(Method::stochastic, 100, 70, 2);
+  snapshot.settings.spp = 16;
+  RenderSession session;
+  session.pause();
+  session.restart(snapshot);
+  Film film(100, 70);
+  std::int64_t pixels = 0;
+  while (pixels < 100 * 70) {
+    for (const FinishedTile& tile : session.take_finished()) {
+      EXPECT_TRUE(tile.coarse) << "only coarse passes go on";
+      film.put(tile);
+      pixels += static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
+    }
+  }
+  const Progress before = session.progress();
+  EXPECT_TRUE(before.paused);
+  EXPECT_FALSE(before.running);
+  EXPECT_FALSE(before.finished);
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  EXPECT_EQ(session.progress().seconds, before.seconds);
+  EXPECT_EQ(session.progress().fraction, 0.0);
+  session.resume();
+  EXPECT_FALSE(session.progress().paused);
+  session.wait();
+  EXPECT_TRUE(session.progress().finished);
+  for (const FinishedTile& tile : session.take_finished()) film.put(tile);
+  EXPECT_EQ(film.radiance, render_to_end(snapshot).film.radiance);
+}
+
+TEST(RenderSession, APausedRenderIsReplacedAndCancelled) {
+  RenderSession session;
+  session.pause();
+  for (int i = 0; i < 20; ++i) session.restart(snapshot_of(Method::asos, 96, 64, 2));
+  session.cancel();
+  EXPECT_FALSE(session.progress().finished);
+  EXPECT_FALSE(session.progress().paused) << "it has ended";
+}
+
+TEST(RenderToEnd, TellsWhatEachPixelTook) {
+  for (const Method method : {Method::asos, Method::stochastic}) {
+    const RenderResult result = render_to_end(snapshot_of(method, 64, 48, 2));
+    const auto most = *std::max_element(result.film.rays.begin(), result.film.rays.end());
+    const auto least = *std::min_element(result.film.rays.begin(), result.film.rays.end());
+    double rays = 0.0, seconds = 0.0;
+    for (std::size_t i = 0; i < result.film.rays.size(); ++i) {
+      rays += static_cast<double>(result.film.rays[i]);
+      seconds += static_cast<double>(result.film.seconds[i]);
+    }
+    EXPECT_GE(least, 1.0f);
+    EXPECT_GT(most, least);
+    EXPECT_NEAR(rays, static_cast<double>(result.statistics.rays()), 0.02 * rays);
+    EXPECT_GT(seconds, 0.0);
+  }
+}
+
 TEST(RenderSession, NeverGivesTilesOfAnOlderSnapshot) {
   const std::shared_ptr<const RenderScene> scenes[] = {flat_scene(0.25f), flat_scene(0.75f)};
   RenderSession session;

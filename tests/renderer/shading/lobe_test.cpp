@@ -122,6 +122,30 @@ TEST(PatchLobe, IsNearerToTheMeanOverABoxOfNormalsThanTheMiddlesLobe) {
   }
 }
 
+// A flat patch under a near light, looked at from near by: its normals are spread about the half
+// vector as that turns from one end of the patch to the other.
+TEST(PatchLobe, SeesTheHalfVectorTurnAcrossAFlatPatch) {
+  const glm::dvec3 eye(0.3, -0.2, 1.1), light(-0.6, 0.5, 0.7);
+  const auto half_at = [&](glm::dvec3 p) {
+    return glm::normalize(glm::normalize(eye - p) + glm::normalize(light - p));
+  };
+  const Patch patch{{0.01f, 0.002f, 0}, {-0.003f, 0.02f, 0}};
+  const LobeSight sight{glm::vec3(glm::normalize(eye)), static_cast<float>(glm::length(eye)),
+                        glm::vec3(glm::normalize(light)), static_cast<float>(glm::length(light))};
+  const NormalSpread normals{{0.05f, 0, 0}, {0, 0.01f, 0}, 0.002f};
+  const NormalSpread spread = spread_about_half(normals, patch, sight);
+  const auto turn = [&](glm::vec3 edge) {
+    const glm::dvec3 step = 0.5 * glm::dvec3(edge);
+    return glm::vec3(half_at(step) - half_at(-step));
+  };
+  EXPECT_LT(glm::length(spread.right - (normals.right - turn(patch.right))), 1e-5f);
+  EXPECT_LT(glm::length(spread.down - (normals.down - turn(patch.down))), 1e-5f);
+  EXPECT_EQ(spread.variance, normals.variance);
+  // Nothing turns for who is far.
+  constexpr float far = std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(spread_about_half({}, patch, {sight.to_viewer, far, sight.to_light, far}).flat());
+}
+
 TEST(SurfacePoint, FlatSurfacesHaveNoSpreadAndCurvedOnesTheirTurn) {
   World flat;
   test::add_quad(flat, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, test::matte(glm::vec3(1)));

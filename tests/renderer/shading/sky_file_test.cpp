@@ -85,7 +85,7 @@ TEST_F(SkyFile, OfTheWrongKindIsRefused) {
       {write("sky.png", good), "has to end in .hdr or .exr"},
       {write("empty.hdr", ""), "is not a Radiance picture"},
       {write("text.hdr", "a sky, blue"), "is not a Radiance picture"},
-      {write("text.exr", "a sky, blue"), "is not a plain EXR"},
+      {write("text.exr", "a sky, blue"), "is no EXR that can be read"},
       {write("square.hdr", radiance_picture(8, 8)), "has 8 x 8 pixels"},
       {write("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 32768\n"),
        "at most 67108864"},

@@ -11,7 +11,7 @@
 
 // Shadows of what is cut out or shone through, whose texels bound nothing that is searched for.
 
-namespace asos::test {
+namespace asos::test::alpha_shadow_test {
 namespace {
 
 Light panel() {
@@ -161,4 +161,4 @@ TEST(AlphaShadow, OfALightsOwnPartIsNone) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::alpha_shadow_test

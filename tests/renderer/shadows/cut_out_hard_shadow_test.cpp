@@ -15,7 +15,7 @@
 // What a cut-out or blended card leaves of a point, spot or directional light across a pixel that
 // shows the floor z = 0, against the shadows of its texels, projected and clipped.
 
-namespace asos::test {
+namespace asos::test::cut_out_hard_shadow_test {
 namespace {
 
 /// Which of n x n texels are opaque.
@@ -271,4 +271,4 @@ TEST(BlendedHardShadow, IsTheProductOfWhatSheetsLetThrough) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::cut_out_hard_shadow_test

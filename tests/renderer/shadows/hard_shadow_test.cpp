@@ -15,7 +15,7 @@
 // Hard shadows of point, spot and directional lights across a pixel, or the part of one that a leaf
 // covers: the share of its area that is lit, as the viewer sees it.
 
-namespace asos::test {
+namespace asos::test::hard_shadow_test {
 namespace {
 
 constexpr double floor_half = 20.0;
@@ -217,4 +217,4 @@ TEST(HardShadow, DoesNotMoveOnLargeTriangles) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::hard_shadow_test

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace asos {
+namespace asos::light_window_test {
 namespace {
 
 PreparedLight rectangle(glm::dvec3 middle, glm::dvec3 half_u, glm::dvec3 half_v) {
@@ -125,4 +125,4 @@ TEST(LightWindow, ThereIsNoneFromWithinABallNorInTheLightsPlane) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::light_window_test

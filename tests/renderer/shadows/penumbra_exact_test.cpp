@@ -14,7 +14,7 @@
 // Penumbrae of flat and linear lights behind straight-edged occluders, against closed forms: the
 // light's polygon clipped by the planes through the receiver and the occluder's edges.
 
-namespace asos::test {
+namespace asos::test::penumbra_exact_test {
 namespace {
 
 Light rectangle_in(RandomSpace& random, glm::dvec3 middle) {
@@ -255,4 +255,4 @@ TEST(Penumbra, OfALinearLightAcrossTheHorizonIsExact) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::penumbra_exact_test

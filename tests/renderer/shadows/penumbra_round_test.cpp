@@ -14,7 +14,7 @@
 // Penumbrae of round lights and of polygons with holes behind a half-plane, against slow
 // quadrature: the plane through the receiver and the occluder's edge is one more horizon to it.
 
-namespace asos::test {
+namespace asos::test::penumbra_round_test {
 namespace {
 
 /// A half-plane across the way to a light, its edge's plane at some offset from the light's middle.
@@ -179,4 +179,4 @@ TEST(RoundPenumbra, OfAPolygonWithAHoleIsExact) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::penumbra_round_test

@@ -15,7 +15,7 @@
 
 // What groups of points find out together about a light is what each of them finds out alone.
 
-namespace asos::test {
+namespace asos::test::shadow_groups_test {
 namespace {
 
 constexpr int side = 8;  // of a block
@@ -124,4 +124,4 @@ TEST(ShadowGroups, SayWhatEachPointSaysAloneOfFineMeshes) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::shadow_groups_test

@@ -13,7 +13,7 @@
 // Each shadow quality of the paper (CGF'98 sections 4.2 to 4.3.4) against its own definition: the
 // floor z = 0 as a viewer overhead sees it, under a rectangle behind a half-plane.
 
-namespace asos::test {
+namespace asos::test::shadow_qualities_test {
 namespace {
 
 Light panel() {
@@ -274,4 +274,4 @@ TEST(ShadowQualities, ConvergeToTheMeanOfThePatch) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::shadow_qualities_test

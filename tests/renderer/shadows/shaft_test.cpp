@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace asos::test {
+namespace asos::test::shaft_test {
 namespace {
 
 /// Boxes of all proportions: points, lines and flat ones among them.
@@ -151,4 +151,4 @@ TEST(ShaftSearch, HoldsAllEdgesThatMeetTheShaftWhateverTheLimit) {
 }
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::shaft_test

@@ -13,7 +13,7 @@
 
 // Surfaces that pass through a flat light, against the light's polygon clipped by their planes.
 
-namespace asos::test {
+namespace asos::test::through_light_test {
 namespace {
 
 /// Level, two units above the origin, of about one unit's radius; shines on both sides.
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Lights, ThroughLight,
                                          Light::Type::disk));
 
 }  // namespace
-}  // namespace asos::test
+}  // namespace asos::test::through_light_test

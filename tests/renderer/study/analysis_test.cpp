@@ -48,6 +48,20 @@ TEST(Analyse, FindsTheSpeedupAtEqualError) {
   EXPECT_EQ(study.equal_error[1].reading, Reading::extrapolated);
 }
 
+TEST(Analyse, ComparesAnyPointWithARival) {
+  SceneStudy study = power_laws();
+  // Not ASOS itself, but a point like any other: sobol takes 16 s to an error of 0.025.
+  study.points.push_back(point("asos-published", "MAX 1", 4, 0.025));
+  analyse(study);
+  const auto row = at_equal_error(study, study.points.back(), "sobol");
+  ASSERT_TRUE(row);
+  EXPECT_NEAR(row->speedup, 4.0, 1e-9);
+  EXPECT_FALSE(at_equal_error(study, study.points.back(), "uniform")) << "not measured";
+  study.noise = 0.02;
+  analyse(study);
+  EXPECT_FALSE(at_equal_error(study, study.points.back(), "sobol")) << "under the floor";
+}
+
 TEST(Analyse, FindsTheErrorInEqualTime) {
   const SceneStudy study = power_laws();
   ASSERT_EQ(study.equal_time.size(), 2u);

@@ -1,6 +1,8 @@
 #include "renderer/study/plan.h"
 
 #include "renderer/scene/load.h"
+#include "renderer/shading/sky.h"
+#include "renderer/study/paper_cases.h"
 #include "renderer/study/regions.h"
 #include "renderer/study/timed_render.h"
 #include "tests/support/render_picture.h"
@@ -8,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace asos {
@@ -97,6 +100,77 @@ TEST(Plan, ThePapersCasesBringTheirOwnScenesAndSettings) {
   EXPECT_EQ(points.count("sobol 16 spp"), 0u);
 }
 
+TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
+  StudyPlan plan;
+  plan.paper = true;
+  const auto jobs = make_jobs(plan);
+  ASSERT_TRUE(jobs);
+  const auto settings_of = [&](const std::string& scene, const std::string& method,
+                               const std::string& setting) -> std::optional<RenderSettings> {
+    for (const Job& job : *jobs)
+      if (job.scene == scene && job.rung.method == method && job.rung.setting == setting)
+        return job.rung.settings;
+    ADD_FAILURE() << scene << " " << method << " " << setting << " is no job";
+    return std::nullopt;
+  };
+  for (const PaperCase& row : paper_cases) {
+    const StudyScene scene = scene_of(row);
+    for (const char* method : {"asos", "asos-published"}) {
+      const Rung rung = asos_rung(row, method, {});
+      const auto settings = settings_of(scene.name(), method, rung.setting);
+      ASSERT_TRUE(settings);
+      EXPECT_EQ(settings->max_level, row.max_level);
+      EXPECT_EQ(settings->eps, row.eps);
+      EXPECT_EQ(settings->texture_resolution, row.texture_resolution);
+      EXPECT_EQ(settings->dfr, scene.look.dfr);
+      EXPECT_EQ(settings->reflections, scene.look.reflections);
+    }
+  }
+  const auto blurred = settings_of("builtin:house-mirror DFR 0.05,1,32", "stochastic", "16 spp");
+  ASSERT_TRUE(blurred && blurred->dfr) << "the rival mirrors as ASOS does";
+  EXPECT_EQ(blurred->dfr->rgb[2], (DfrCurve{0.05, 1.0, 32.0}));
+  EXPECT_EQ(settings_of("builtin:solids bounces 6", "stochastic", "64 spp")->reflections, 6);
+  EXPECT_EQ(settings_of("builtin:house-textured", "asos", "MAX 2 EPS 0 TR 4")->texture_resolution,
+            4);
+  EXPECT_EQ(scenes_of(plan).size(), 7u) << "as many true pictures, each with its own reference";
+  for (const Job& job : *jobs)
+    if (job.kind == JobKind::reference && job.scene == "builtin:house-mirror DFR 0.05,1,64") {
+      EXPECT_EQ(job.rung.settings.dfr->rgb[0].exponent, 64.0) << job.title();
+    }
+}
+
+TEST(Plan, ALookIsThatOfAllMethodsAndOfTheReference) {
+  StudyPlan plan = small_plan();
+  plan.look.reflections = 1;
+  plan.look.opened_sky = std::make_shared<const Sky>(glm::vec3(1.0f, 0.5f, 0.25f));
+  plan.look.sky = plan.look.opened_sky->name();
+  plan.look.camera.fov_y_deg = 30.0;
+  plan.texture_resolution = 2;
+  plan.paper = true;
+  const auto jobs = make_jobs(plan);
+  ASSERT_TRUE(jobs) << jobs.error().message();
+  std::size_t own = 0;
+  for (const Job& job : *jobs) {
+    if (!job.scene.starts_with("builtin:boxes")) continue;
+    ++own;
+    EXPECT_EQ(job.scene, "builtin:boxes fov 30 sky 1,0.5,0.25 bounces 1");
+    EXPECT_EQ(job.subject.source, "builtin:boxes");
+    EXPECT_EQ(job.rung.settings.reflections, 1) << job.title();
+    EXPECT_EQ(job.rung.settings.sky, plan.look.opened_sky) << job.title();
+    if (job.rung.method == "asos" && job.kind == JobKind::point) {
+      EXPECT_TRUE(job.rung.setting.ends_with(" TR 2")) << job.title();
+      EXPECT_EQ(job.rung.settings.texture_resolution, 2) << job.title();
+    }
+  }
+  EXPECT_GT(own, 0u);
+  for (const Job& job : *jobs)
+    if (job.scene == "builtin:office") {
+      EXPECT_EQ(job.rung.settings.sky, nullptr) << "a published case has a look of its own";
+    }
+  plan.texture_resolution = 9;
+  EXPECT_FALSE(make_jobs(plan));
+}
+
 TEST(Plan, RefusesWhatMakesNoSense) {
   StudyPlan plan = small_plan();
   plan.methods = {"asos", "magic"};
@@ -123,10 +197,10 @@ TEST(EpsText, IsAFractionWhereItCanBe) {
   EXPECT_EQ(eps_text(0.3), "0.3");
 }
 
-class RenderedBoxes : public testing::Test {
+class RenderedScene : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto scene = load_scene("builtin:boxes");
+  void open(const char* name) {
+    const auto scene = load_scene(name);
     ASSERT_TRUE(scene);
     const auto ready = prepare(*scene);
     ASSERT_TRUE(ready);
@@ -136,8 +210,47 @@ class RenderedBoxes : public testing::Test {
     snapshot_.settings.height = 12;
     snapshot_.settings.threads = 2;
   }
+
+  /// How many pixels of a cause are in a region.
+  static std::size_t count(const RegionMap& map, SplitCause cause, Region region) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < map.region.size(); ++i)
+      n += map.cause[i] == cause && map.region[i] == region ? 1 : 0;
+    return n;
+  }
+
   Snapshot snapshot_;
 };
+
+class RenderedBoxes : public RenderedScene {
+ protected:
+  void SetUp() override { open("builtin:boxes"); }
+};
+
+// The house stands on a mirror: what its edges split there is the mirror's, and so is what shows no
+// edge; without bounces nothing mirrors.
+TEST_F(RenderedScene, MirrorsAreARegionOfTheirOwn) {
+  open("builtin:house-mirror");
+  snapshot_.settings = region_settings(snapshot_.settings);
+  const RegionMap map = find_regions(snapshot_, render_to_end(snapshot_).film);
+  const std::size_t split = count(map, SplitCause::reflection, Region::reflections);
+  EXPECT_GT(split, 5u);
+  for (const Region other : {Region::outlines, Region::penumbrae, Region::textures, Region::rest})
+    EXPECT_EQ(count(map, SplitCause::reflection, other), 0u);
+  EXPECT_GT(count(map, SplitCause::none, Region::reflections), 5u);
+  EXPECT_GT(count(map, SplitCause::outline, Region::outlines), 5u);
+
+  snapshot_.settings.reflections = 0;
+  const RegionMap dull = find_regions(snapshot_, render_to_end(snapshot_).film);
+  for (const Region region : dull.region) EXPECT_NE(region, Region::reflections);
+}
+
+TEST_F(RenderedScene, TexturesAreARegionOfTheirOwn) {
+  open("builtin:house-textured");
+  snapshot_.settings = region_settings(snapshot_.settings);
+  const RegionMap map = find_regions(snapshot_, render_to_end(snapshot_).film);
+  EXPECT_GT(std::count(map.region.begin(), map.region.end(), Region::textures), 20);
+}
 
 TEST_F(RenderedBoxes, ATimedRenderIsTheSamePicture) {
   const auto timed = timed_render(snapshot_);

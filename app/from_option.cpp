@@ -1,0 +1,31 @@
+#include "app/from_option.h"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace asos {
+
+void add_from_option(CLI::App& app, PictureArguments& arguments) {
+  const auto take = [&arguments](const std::string& file) {
+    arguments.from_file = file;
+    Result<PictureDescription> read = read_description(file);
+    if (!read) {
+      arguments.from_error = read.error();
+      return;
+    }
+    arguments.scene = read->scene;
+    arguments.settings = read->settings;
+    arguments.sky = read->sky;
+    arguments.needs = read->needs;
+    arguments.exposure_ev = read->display.exposure_ev;
+    arguments.from = *std::move(read);
+  };
+  app.add_option_function<std::string>(
+         "--from", take,
+         "A picture that this program saved: its scene, camera, lights and settings, which other "
+         "options override")
+      ->type_name("PICTURE.(png|exr)");
+}
+
+}  // namespace asos

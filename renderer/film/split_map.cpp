@@ -1,0 +1,70 @@
+#include "renderer/film/split_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asos {
+
+namespace {
+
+std::uint8_t cost_value(const CostScale& scale, float cost) {
+  if (!(cost > 0.0f)) return 0;
+  return static_cast<std::uint8_t>(1.0 +
+                                   std::round(254.0 * scale.share(static_cast<double>(cost))));
+}
+
+}  // namespace
+
+double CostScale::share(double value) const {
+  if (!(value > first)) return 0.0;
+  return std::min(1.0, std::log(value / first) / std::log(last / first));
+}
+
+const CostScale& cost_scale(SplitMapColours colours) {
+  return colours == SplitMapColours::time ? seconds_scale : rays_scale;
+}
+
+glm::u8vec3 heat_colour(float share) {
+  constexpr std::array<std::array<float, 3>, 5> stops{
+      {{0, 0, 0}, {87, 16, 110}, {188, 55, 84}, {249, 142, 9}, {255, 255, 255}}};
+  const float at = std::clamp(std::isfinite(share) ? share : 1.0f, 0.0f, 1.0f) * 4.0f;
+  const auto index = static_cast<std::size_t>(std::min(3.0f, std::floor(at)));
+  const float part = at - static_cast<float>(index);
+  glm::u8vec3 colour;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float value = stops[index][k] + part * (stops[index + 1][k] - stops[index][k]);
+    colour[static_cast<int>(k)] = static_cast<std::uint8_t>(value + 0.5f);
+  }
+  return colour;
+}
+
+std::uint8_t SplitMapKey::value(const Film& film, std::size_t pixel) const {
+  switch (colours) {
+    case SplitMapColours::cause:
+      return static_cast<std::uint8_t>(film.cause[pixel]);
+    case SplitMapColours::rays:
+      return cost_value(rays_scale, film.rays[pixel]);
+    case SplitMapColours::time:
+      return cost_value(seconds_scale, film.seconds[pixel]);
+    case SplitMapColours::level:
+      break;
+  }
+  return film.split_level[pixel];
+}
+
+std::uint8_t SplitMapKey::last() const {
+  if (colours == SplitMapColours::level) return static_cast<std::uint8_t>(std::max(0, max_level));
+  return colours == SplitMapColours::cause ? split_cause_count - 1 : 255;
+}
+
+glm::u8vec3 SplitMapKey::colour(std::uint8_t value) const {
+  if (colours == SplitMapColours::cause) return split_cause_colour(static_cast<SplitCause>(value));
+  if (colours == SplitMapColours::level) return split_colour(value, max_level);
+  // The cheapest is dark, but not the black of what is not told.
+  constexpr float darkest = 0.12f;
+  if (value == 0) return {0, 0, 0};
+  return heat_colour(darkest + (1.0f - darkest) * static_cast<float>(value - 1) / 254.0f);
+}
+
+}  // namespace asos

@@ -1,0 +1,204 @@
+#include "renderer/picture/picture_description.h"
+
+#include "renderer/methods/names.h"
+#include "renderer/picture/json_fields.h"
+#include "renderer/picture/light_json.h"
+#include "renderer/picture/settings_json.h"
+#include "renderer/shading/sky.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numbers>
+#include <utility>
+
+namespace asos {
+namespace {
+
+constexpr std::array camera_type_names{
+    Named<Camera::Type>{"perspective", Camera::Type::perspective},
+    Named<Camera::Type>{"orthographic", Camera::Type::orthographic},
+};
+constexpr std::array axis_names{"right", "up", "back", "eye"};
+
+std::string absolute_source(const std::string& source) {
+  if (source.starts_with("builtin:")) return source;
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(source, error);
+  return error ? source : path.lexically_normal().string();
+}
+
+OrderedJson camera_json(const Camera& camera) {
+  FieldWriter fields;
+  fields("name", camera.name);
+  fields.named("type", camera_type_names, camera.type);
+  for (int i = 0; i < 4; ++i)
+    fields(axis_names[static_cast<std::size_t>(i)], glm::dvec3(camera.world_from_camera[i]));
+  fields("fov_y_rad", camera.fov_y_rad);
+  fields("height", camera.height);
+  return fields.take();
+}
+
+/// What View relies on.
+std::string camera_fault(const Camera& camera) {
+  constexpr double slack = 1e-6;
+  const glm::dmat3 turn(camera.world_from_camera);
+  const glm::dmat3 product = glm::transpose(turn) * turn;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (!(std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) <= slack))
+        return "camera: right, up and back are not orthonormal";
+  if (!(camera.fov_y_rad > 0.0 && camera.fov_y_rad < std::numbers::pi))
+    return "camera: \"fov_y_rad\" is not between 0 and pi";
+  if (!(camera.height > 0.0)) return "camera: \"height\" is not above 0";
+  return "";
+}
+
+std::string read_camera(const OrderedJson& json, Camera& camera) {
+  FieldReader fields(json, "camera");
+  fields("name", camera.name);
+  fields.named("type", camera_type_names, camera.type);
+  for (int i = 0; i < 4; ++i) {
+    glm::dvec3 column(0.0);
+    fields(axis_names[static_cast<std::size_t>(i)], column);
+    camera.world_from_camera[i] = glm::dvec4(column, i == 3 ? 1.0 : 0.0);
+  }
+  fields("fov_y_rad", camera.fov_y_rad);
+  fields("height", camera.height);
+  const std::string fault = fields.fault();
+  return fault.empty() ? camera_fault(camera) : fault;
+}
+
+template <typename Fields, typename Display>
+void each_display_value(Fields& fields, Display& display) {
+  fields("exposure_ev", display.exposure_ev);
+  fields("split_map", display.split_map);
+  fields.named("split_colours", split_map_names, display.split_colours);
+  fields("split_dimming", display.split_dimming);
+}
+
+/// Reads what stands in the fields of the whole; returns the first fault.
+std::string read_fields(FieldReader& fields, PictureDescription& read) {
+  fields("scene", read.scene);
+  fields("origin", read.origin);
+  fields.named("needs", needs_names, read.needs);
+  if (const OrderedJson* at = fields.take("camera"))
+    if (std::string fault = read_camera(*at, read.camera); !fault.empty()) return fault;
+  if (const OrderedJson* at = fields.take("settings")) {
+    auto settings = settings_from_json(*at);
+    if (!settings) return settings.error().reason;
+    read.settings = std::move(settings->settings);
+    read.sky = std::move(settings->sky);
+  }
+  if (const OrderedJson* at = fields.take("lights"); at && !at->is_null()) {
+    auto lights = lights_from_json(*at);
+    if (!lights) return lights.error().reason;
+    read.lights = *std::move(lights);
+  }
+  if (const OrderedJson* at = fields.take("display")) {
+    FieldReader display(*at, "display");
+    each_display_value(display, read.display);
+    if (std::string fault = display.fault(); !fault.empty()) return fault;
+  }
+  return fields.fault();
+}
+
+}  // namespace
+
+Camera PictureDescription::camera_from(glm::dvec3 other_origin) const {
+  Camera moved = camera;
+  moved.world_from_camera[3] += glm::dvec4(origin - other_origin, 0.0);
+  return moved;
+}
+
+std::vector<Light> PictureDescription::lights_from(glm::dvec3 other_origin) const {
+  std::vector<Light> moved = lights.value_or(std::vector<Light>{});
+  for (Light& light : moved) {
+    light.position += origin - other_origin;
+    for (auto& outline : light.outlines)
+      for (glm::dvec3& p : outline) p += origin - other_origin;
+  }
+  return moved;
+}
+
+PictureDescription describe(const RenderScene& scene, const Camera& camera,
+                            const RenderSettings& settings, const PictureDisplay& display) {
+  PictureDescription description;
+  description.scene = absolute_source(scene.source);
+  description.origin = scene.world.origin;
+  description.camera = camera;
+  description.settings = settings;
+  description.sky = choice_of(settings.sky.get());
+  if (!description.sky.file.empty()) description.sky.file = absolute_source(description.sky.file);
+  description.needs = scene.forced == SceneNeeds{} ? NeedsChoice::scene : NeedsChoice::all;
+  if (scene.built_from) description.lights = scene.world.lights;
+  description.display = display;
+  return description;
+}
+
+std::string description_text(const PictureDescription& description) {
+  FieldWriter fields;
+  fields("format", PictureDescription::format);
+  fields("scene", description.scene);
+  fields("origin", description.origin);
+  fields.named("needs", needs_names, description.needs);
+  fields.other("camera", camera_json(description.camera));
+  fields.other("settings", settings_json(description.settings, description.sky));
+  fields.other("lights",
+               description.lights ? lights_json(*description.lights) : OrderedJson(nullptr));
+  FieldWriter display;
+  each_display_value(display, description.display);
+  fields.other("display", display.take());
+  return fields.take().dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+Result<PictureDescription> parse_description(const std::string& text, const std::string& file) {
+  const auto fail = [&](const std::string& reason) { return unexpected(Error{file, reason}); };
+  const OrderedJson json = OrderedJson::parse(text, nullptr, false);
+  if (!json.is_object())
+    return fail("what it says of its picture is damaged: it is no JSON object");
+  FieldReader fields(json, "the description");
+  int format = 0;
+  fields("format", format);
+  if (format > PictureDescription::format)
+    return fail(
+        fmt::format("its settings are of format {}, from a newer version of the program; "
+                    "this one reads {}",
+                    format, PictureDescription::format));
+  PictureDescription read;
+  std::string fault = read_fields(fields, read);
+  if (fault.empty() && format != PictureDescription::format)
+    fault = fmt::format("there is no format {}", format);
+  if (!fault.empty()) return fail("what it says of its picture is damaged: " + fault);
+  return read;
+}
+
+Result<PictureDescription> read_description(const std::string& path) {
+  const Result<ImageText> text = read_image_text(path);
+  if (!text) return unexpected(text.error());
+  const auto found = std::find_if(text->begin(), text->end(), [](const auto& entry) {
+    return entry.first == PictureDescription::key;
+  });
+  if (found == text->end())
+    return unexpected(Error{path,
+                            "holds no settings: this program did not save it, or another one "
+                            "left them out when it saved it again"});
+  return parse_description(found->second, path);
+}
+
+Error scene_of_picture_error(const std::string& file, const Error& error) {
+  return {file, "the scene that it shows cannot be opened: " + error.message()};
+}
+
+Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
+                                                   const PictureDescription& description) {
+  auto prepared = prepare(scene, forced_by(description.needs));
+  if (!prepared || !description.lights) return prepared;
+  return with_lights(*prepared, description.lights_from((*prepared)->world.origin))
+      .map_error([&](const Error& error) {
+        return Error{scene.source,
+                     "is not the scene that the picture was made of: " + error.message()};
+      });
+}
+
+}  // namespace asos

@@ -1,0 +1,159 @@
+#include "renderer/picture/settings_json.h"
+
+#include "renderer/methods/names.h"
+#include "renderer/picture/json_fields.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asos {
+namespace {
+
+constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"};
+
+/// Every setting that has a value of its own; crop, DFR and sky may be absent, and are told apart.
+template <typename Fields, typename Settings>
+void each_setting(Fields& fields, Settings& s) {
+  fields("width", s.width);
+  fields("height", s.height);
+  fields.named("method", method_names, s.method);
+  fields("max_level", s.max_level);
+  fields("eps", s.eps);
+  fields.named("leaf", leaf_names, s.leaf);
+  fields.named("rule", rule_names, s.rule);
+  fields.named("detect", detection_names, s.detect);
+  fields("fat", s.fat);
+  fields("refine_shading", s.refine_shading);
+  fields("filter_width", s.filter_width);
+  fields("jitter", s.jitter);
+  fields("spp", s.spp);
+  fields("contrast", s.contrast);
+  fields("depth", s.depth);
+  fields("spheres", s.spheres);
+  fields("contrast_scale", s.contrast_scale);
+  fields.named("texture_filter", texture_filter_names, s.texture_filter);
+  fields("texture_resolution", s.texture_resolution);
+  fields("shadows", s.shadows);
+  fields.named("shadow_quality", shadow_quality_names, s.shadow_quality);
+  fields("shadow_divisions", s.shadow_divisions);
+  fields.named("light_rule", light_rule_names, s.light_rule);
+  fields("reflections", s.reflections);
+  fields("roughest_mirror", s.roughest_mirror);
+  fields.named("curved_mirror", curved_mirror_names, s.curved_mirror);
+  fields("mirror_angle", s.mirror_angle);
+  fields("cull", s.cull);
+  fields("seed", s.seed);
+}
+
+OrderedJson crop_json(const PixelRect& crop) {
+  if (crop == PixelRect{}) return nullptr;
+  return {crop.x, crop.y, crop.width, crop.height};
+}
+
+void read_crop(FieldReader& fields, PixelRect& crop) {
+  const OrderedJson* at = fields.take("crop");
+  if (!at || at->is_null()) return;
+  const bool four = at->is_array() && at->size() == 4 &&
+                    std::all_of(at->begin(), at->end(), [](const OrderedJson& number) {
+                      return number.is_number_integer() && number.get<double>() >= 0.0 &&
+                             number.get<double>() <= 1e9;
+                    });
+  if (!four) return fields.refuse("crop", "is no list of four numbers of pixels");
+  crop = {at->at(0).get<int>(), at->at(1).get<int>(), at->at(2).get<int>(), at->at(3).get<int>()};
+}
+
+template <typename Fields, typename Curve>
+void each_dfr_value(Fields& fields, Curve& curve) {
+  fields("min", curve.min);
+  fields("max", curve.max);
+  fields("exponent", curve.exponent);
+}
+
+OrderedJson dfr_json(const std::optional<Dfr>& dfr) {
+  if (!dfr) return nullptr;
+  FieldWriter fields;
+  for (std::size_t i = 0; i < channel_names.size(); ++i) {
+    FieldWriter curve;
+    each_dfr_value(curve, dfr->rgb[i]);
+    fields.other(channel_names[i], curve.take());
+  }
+  fields("perturbation", dfr->perturbation);
+  return fields.take();
+}
+
+void read_dfr(FieldReader& settings, std::optional<Dfr>& dfr) {
+  const OrderedJson* at = settings.take("dfr");
+  if (!at || at->is_null()) return;
+  FieldReader fields(*at, "dfr");
+  dfr.emplace();
+  for (std::size_t i = 0; i < channel_names.size(); ++i) {
+    const OrderedJson* channel = fields.take(channel_names[i]);
+    if (!channel) break;
+    FieldReader curve(*channel, channel_names[i]);
+    each_dfr_value(curve, dfr->rgb[i]);
+    if (const std::string fault = curve.fault(); !fault.empty())
+      fields.refuse(channel_names[i], fault);
+  }
+  fields("perturbation", dfr->perturbation);
+  if (const std::string fault = fields.fault(); !fault.empty()) settings.refuse("dfr", fault);
+}
+
+OrderedJson sky_json(const SkyChoice& sky) {
+  FieldWriter fields;
+  if (sky.colours) {
+    fields("zenith", sky.colours->zenith);
+    fields("horizon", sky.colours->horizon);
+  } else if (!sky.file.empty()) {
+    fields("file", sky.file);
+    fields("turn_deg", sky.turn_deg);
+  } else {
+    return "neutral";
+  }
+  return fields.take();
+}
+
+void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
+  const OrderedJson* at = settings.take("sky");
+  if (!at || *at == "neutral") return;
+  FieldReader fields(*at, "sky");
+  if (at->contains("file")) {
+    fields("file", sky.file);
+    fields("turn_deg", sky.turn_deg);
+  } else {
+    sky.colours.emplace();
+    fields("zenith", sky.colours->zenith);
+    fields("horizon", sky.colours->horizon);
+  }
+  if (const std::string fault = fields.fault(); !fault.empty()) settings.refuse("sky", fault);
+}
+
+}  // namespace
+
+OrderedJson settings_json(const RenderSettings& settings) {
+  return settings_json(settings, choice_of(settings.sky.get()));
+}
+
+OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) {
+  FieldWriter fields;
+  each_setting(fields, settings);
+  fields.other("crop", crop_json(settings.crop));
+  fields.other("dfr", dfr_json(settings.dfr));
+  fields.other("sky", sky_json(sky));
+  return fields.take();
+}
+
+Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
+  DescribedSettings read;
+  FieldReader fields(json, "settings");
+  each_setting(fields, read.settings);
+  read_crop(fields, read.settings.crop);
+  read_dfr(fields, read.settings.dfr);
+  read_sky_choice(fields, read.sky);
+  if (std::string fault = fields.fault(); !fault.empty())
+    return unexpected(Error{"settings", std::move(fault)});
+  if (const auto valid = validated(read.settings); !valid)
+    return unexpected(Error{"settings", "settings: " + valid.error().message()});
+  return read;
+}
+
+}  // namespace asos

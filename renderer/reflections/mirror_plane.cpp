@@ -1,0 +1,42 @@
+#include "renderer/reflections/mirror_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+// A plane's triangles that share a corner are met there, all of them.
+constexpr int most_passed = 16;
+
+bool lies_in(const MirrorPlane& plane, const World& world, std::uint32_t triangle) {
+  const glm::uvec3 v = world.triangles[triangle];
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3 p(world.positions[v[i]]);
+    const double rounding =
+        std::numeric_limits<float>::epsilon() * glm::dot(glm::abs(p), glm::abs(plane.above.normal));
+    if (!(std::abs(plane.above.height(p)) <= rounding)) return false;
+  }
+  return true;
+}
+
+bool met_mirror(const MirrorPlane& plane, const World& world, const Ray& ray, const Hit& hit) {
+  return hit.valid() && !world.is_face(hit.triangle) &&
+         plane.above.height(glm::dvec3(ray.at(hit.t))) < plane.skin &&
+         lies_in(plane, world, hit.triangle);
+}
+
+}  // namespace
+
+void pass_mirror(const MirrorPlane& plane, const World& world, const RayScene& scene, Faces faces,
+                 std::span<Ray> rays, std::span<Hit> hits) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    for (int k = 0; k < most_passed && met_mirror(plane, world, rays[i], hits[i]); ++k) {
+      rays[i].t_near = std::nextafter(hits[i].t, std::numeric_limits<float>::infinity());
+      hits[i] = scene.closest(rays[i], faces);
+    }
+  }
+}
+
+}  // namespace asos

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "renderer/result.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace asos {
+
+class Sky;
+
+/// What surrounds a scene, as a person asks for it: nothing but the neutral grey, two colours, a
+/// file.
+struct SkyChoice {
+  struct Colours {
+    glm::vec3 zenith{0.0f};  ///< linear
+    glm::vec3 horizon{0.0f};
+    bool operator==(const Colours&) const = default;
+  };
+  std::optional<Colours> colours;
+  std::string file;       ///< empty: none
+  double turn_deg = 0.0;  ///< of a file, about +Y, counter-clockwise as seen from above
+
+  bool operator==(const SkyChoice&) const = default;
+};
+
+/// The sky that was chosen, null for the neutral one; a file is read. Errors name it.
+[[nodiscard]] Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice);
+/// What a sky was made from; of null, the neutral one.
+[[nodiscard]] SkyChoice choice_of(const Sky* sky);
+
+}  // namespace asos

@@ -1,0 +1,129 @@
+// How long the window's picture takes to follow a change: from a turn of the camera to the first
+// coarse picture of all of it, and from a change to the moment when no worker touches the old
+// picture any more. Changes come while a render is under way, at moments spread over its first
+// half second. The first coarse picture should be there within 50 ms.
+//
+//   bench_latency [SCENE] [--size WxH] [--changes N] [--threads N]
+
+#include "tests/bench/bench_support.h"
+#include "tests/bench/options.h"
+#include "ui/previewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstdio>
+#include <ctime>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace asos;
+using namespace asos::bench;
+using Clock = std::chrono::steady_clock;
+
+struct Settings {
+  std::string scene = "builtin:mixed";
+  PictureSize size{1280, 720};
+  int changes = 100;
+  int threads = 1;
+};
+
+/// What the window's event loop sleeps on.
+class Bell {
+ public:
+  void ring() {
+    const std::scoped_lock lock(mutex_);
+    rung_ = true;
+    condition_.notify_one();
+  }
+  void wait() {
+    std::unique_lock lock(mutex_);
+    condition_.wait_for(lock, std::chrono::milliseconds(5), [this] { return rung_; });
+    rung_ = false;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable condition_;
+  bool rung_ = false;
+};
+
+/// Of all threads together: what is left of a time when the machine does other things as well.
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void print(const char* what, std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {
+    const auto last = static_cast<double>(seconds.size() - 1);
+    return 1e3 * seconds[static_cast<std::size_t>(share * last + 0.5)];
+  };
+  fmt::print("{:<42} median {:7.2f} ms   p99 {:7.2f} ms   most {:7.2f} ms\n", what, at(0.5),
+             at(0.99), at(1.0));
+}
+
+int measure(const Settings& settings) {
+  Bell bell;
+  RenderSettings render;
+  render.threads = settings.threads;
+  Previewer previewer({{}, [&bell] { bell.ring(); }}, render);
+  const Clock::time_point start = Clock::now();
+  previewer.set_picture_size(settings.size.width, settings.size.height, 0.0);
+  previewer.open(settings.scene);
+  while (previewer.restarts() == 0) {
+    bell.wait();
+    previewer.update(seconds_since(start));
+    if (previewer.error()) return fail(*previewer.error());
+  }
+
+  std::vector<double> coarse, coarse_cpu, cancel;
+  for (int i = 0; i < settings.changes; ++i) {
+    // The render before has got so far.
+    const Clock::time_point resume = Clock::now() + std::chrono::milliseconds(150 + 5 * (i % 70));
+    while (Clock::now() < resume) {
+      bell.wait();
+      previewer.update(seconds_since(start));
+    }
+    previewer.camera().orbit(0.01, 0.0);
+    const Clock::time_point changed = Clock::now();
+    const double cpu = cpu_seconds();
+    const std::uint64_t restarts = previewer.restarts();
+    previewer.update(seconds_since(start));
+    if (previewer.restarts() == restarts) return fail({"latency", "the change had to wait"});
+    cancel.push_back(seconds_since(changed));
+    while (previewer.first_picture_pending()) {
+      bell.wait();
+      previewer.update(seconds_since(start));
+    }
+    coarse.push_back(seconds_since(changed));
+    coarse_cpu.push_back(cpu_seconds() - cpu);
+  }
+  fmt::print("{} at {}x{}, {} worker{}, {} changes\n", settings.scene, settings.size.width,
+             settings.size.height, settings.threads, settings.threads == 1 ? "" : "s",
+             settings.changes);
+  print("change to first coarse picture", coarse);
+  print("   of processor time, all threads", coarse_cpu);
+  print("change to the old render's end, and restart", cancel);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  Options options("How long the window's picture takes to follow a change.");
+  options.text("SCENE", settings.scene);
+  options.size(settings.size);
+  options.number("--changes", settings.changes, 1, 100000);
+  options.number("--threads", settings.threads, 1, 1024);
+  if (const auto code = options.end(argc, argv)) return *code;
+  return measure(settings);
+}

@@ -1,0 +1,238 @@
+#include "renderer/picture/picture_description.h"
+
+#include "renderer/picture/settings_json.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+namespace asos {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// No member as it is by default.
+RenderSettings odd_settings() {
+  RenderSettings s;
+  // A member that is added stops this line from compiling: write it, read it, and set it below.
+  const auto& [width, height, crop, method, max_level, eps, leaf, rule, detect, fat, refine_shading,
+               filter_width, jitter, spp, contrast, depth, spheres, contrast_scale, texture_filter,
+               texture_resolution, shadows, shadow_quality, shadow_divisions, light_rule,
+               reflections, roughest_mirror, dfr, curved_mirror, mirror_angle, sky, cull, seed,
+               threads] = s;
+  (void)threads;
+  s.width = 321;
+  s.height = 123;
+  s.crop = {3, 5, 100, 50};
+  s.method = Method::asos_published;
+  s.max_level = 5;
+  s.eps = 0.1 + 1e-17 + 1.0 / 3.0;
+  s.leaf = Leaf::point;
+  s.rule = StoppingRule::published;
+  s.detect = Detection::cone;
+  s.fat = 4;
+  s.refine_shading = false;
+  s.filter_width = 1.0 + 1.0 / 3.0;
+  s.jitter = true;
+  s.spp = 25;
+  s.contrast = 1.0 / 7.0;
+  s.depth = 2;
+  s.spheres = true;
+  s.contrast_scale = 0.3;
+  s.texture_filter = TextureFilter::point;
+  s.texture_resolution = 4;
+  s.shadows = false;
+  s.shadow_quality = ShadowQuality::extended_divided;
+  s.shadow_divisions = 7;
+  s.light_rule = LightRule::published;
+  s.reflections = 9;
+  s.roughest_mirror = 0.7;
+  s.dfr = Dfr{{DfrCurve{0.1, 0.9, 31.5}, DfrCurve{0.2, 0.8, 3}, DfrCurve{0.3, 0.7, 2}}, 0.25};
+  s.curved_mirror = CurvedMirror::adaptive;
+  s.mirror_angle = 11.25;
+  s.cull = false;
+  s.seed = 77;
+  return s;
+}
+
+std::vector<Light> odd_lights() {
+  std::vector<Light> lights(2);
+  lights[0].name = "lämp \"1\"";
+  lights[0].type = Light::Type::polygon;
+  lights[0].color = {0.1f, 0.2f, 0.3f};
+  lights[0].intensity = 12.7f;
+  lights[0].position = {0.1, 1e-9, -1e6};
+  lights[0].direction = {0, -1, 0};
+  lights[0].outlines = {{{0, 0, 0}, {1.0 / 3.0, 0, 0}, {0, 0, 1}}, {{0.1, 0, 0.1}}};
+  lights[0].two_sided = true;
+  lights[1].type = Light::Type::spot;
+  lights[1].range = 12.5;
+  lights[1].inner_cone_rad = 0.1;
+  lights[1].outer_cone_rad = 0.2;
+  lights[1].radius = 0.3;
+  lights[1].angular_diameter_rad = 0.4;
+  lights[1].half_u = {1, 2, 3};
+  lights[1].half_v = {4, 5, 6};
+  lights[1].casts_shadows = false;
+  lights[1].own_part = 3;
+  return lights;
+}
+
+PictureDescription odd_description() {
+  PictureDescription d;
+  d.scene = "/some where/ä.glb";
+  d.origin = {1e7, 0.1, -3};
+  d.camera.name = "c";
+  const double a = 0.7;
+  d.camera.world_from_camera = {{std::cos(a), 0, -std::sin(a), 0},
+                                {0, 1, 0, 0},
+                                {std::sin(a), 0, std::cos(a), 0},
+                                {0.1, 0.2, 1.0 / 3.0, 1}};
+  d.camera.fov_y_rad = 0.61;
+  d.settings = odd_settings();
+  d.sky.file = "/skies/one.hdr";
+  d.sky.turn_deg = 45.1;
+  d.needs = NeedsChoice::all;
+  d.lights = odd_lights();
+  d.display = {-1.3f, true, SplitMapColours::cause, 0.4f};
+  return d;
+}
+
+TEST(PictureDescription, ComesBackBitForBit) {
+  const PictureDescription d = odd_description();
+  const std::string text = description_text(d);
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  const auto read = parse_description(text, "a.png");
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  EXPECT_EQ(read->scene, d.scene);
+  EXPECT_EQ(read->origin, d.origin);
+  EXPECT_EQ(read->settings, d.settings);
+  EXPECT_EQ(read->sky, d.sky);
+  EXPECT_EQ(read->needs, d.needs);
+  EXPECT_EQ(read->display, d.display);
+  EXPECT_EQ(read->camera.world_from_camera, d.camera.world_from_camera);
+  ASSERT_TRUE(read->lights.has_value());
+  ASSERT_EQ(read->lights->size(), 2u);
+  EXPECT_EQ((*read->lights)[0].outlines, (*d.lights)[0].outlines);
+  EXPECT_EQ((*read->lights)[0].range, std::numeric_limits<double>::infinity());
+  EXPECT_EQ((*read->lights)[1].own_part, 3);
+  EXPECT_EQ(description_text(*read), text) << "nothing else was lost either";
+}
+
+TEST(PictureDescription, NoSettingIsAsByDefaultInTheTestAbove) {
+  const ordered_json odd = settings_json(odd_settings()), plain = settings_json({});
+  for (const auto& [key, value] : plain.items()) {
+    if (key == "sky") continue;  // which the test below is about
+    EXPECT_NE(odd.at(key), value) << key;
+  }
+}
+
+TEST(PictureDescription, SkiesAreNeutralColoursOrFiles) {
+  for (const SkyChoice& sky :
+       {SkyChoice{}, SkyChoice{SkyChoice::Colours{{0.1f, 2, 3}, {0, 0, 0}}, "", 0.0},
+        SkyChoice{{}, "/a b.exr", -12.5}}) {
+    const auto read = settings_from_json(settings_json({}, sky));
+    ASSERT_TRUE(read.has_value()) << read.error().message();
+    EXPECT_EQ(read->sky, sky);
+  }
+}
+
+TEST(PictureDescription, MovesWithTheOrigin) {
+  const PictureDescription d = odd_description();
+  EXPECT_EQ(d.camera_from(d.origin).world_from_camera, d.camera.world_from_camera);
+  EXPECT_EQ(glm::dvec3(d.camera_from({0, 0, 0}).world_from_camera[3]),
+            glm::dvec3(d.camera.world_from_camera[3]) + d.origin);
+  EXPECT_EQ(d.lights_from({0, 0, 0})[0].outlines[1][0], glm::dvec3(0.1, 0, 0.1) + d.origin);
+}
+
+struct Damage {
+  const char* pointer;
+  ordered_json value;  // discarded: taken away
+  const char* reason;
+};
+
+TEST(PictureDescription, WhatIsMalformedIsRefusedByFileAndReason) {
+  const ordered_json whole = ordered_json::parse(description_text(odd_description()));
+  const ordered_json gone(ordered_json::value_t::discarded);
+  for (const Damage& damage : {
+           Damage{"/format", 2, "newer version"},
+           Damage{"/format", 0, "no format 0"},
+           Damage{"/format", gone, "no \"format\""},
+           Damage{"/more", 1, "knows no \"more\""},
+           Damage{"/scene", 7, "\"scene\" is no text"},
+           Damage{"/needs", "some", "\"needs\""},
+           Damage{"/settings/eps", gone, "no \"eps\""},
+           Damage{"/settings/eps", "small", "\"eps\" is no finite number"},
+           Damage{"/settings/eps", 2.0, "eps: 2 is not from 0 to 1"},
+           Damage{"/settings/eps", nullptr, "\"eps\""},
+           Damage{"/settings/width", 1e12, "\"width\""},
+           Damage{"/settings/width", 0, "width: 0"},
+           Damage{"/settings/max_level", 2.5, "\"max_level\" is no whole number"},
+           Damage{"/settings/method", "magic", "\"method\""},
+           Damage{"/settings/jitter", 1, "\"jitter\" is neither"},
+           Damage{"/settings/crop", {0, 0, 4000, 10}, "crop"},
+           Damage{"/settings/crop", {0, 0}, "\"crop\""},
+           Damage{"/settings/dfr/green/max", 3, "dfr"},
+           Damage{"/settings/dfr/green", gone, "no \"green\""},
+           Damage{"/settings/sky", {{"file", 3}}, "\"file\""},
+           Damage{"/settings/sky", "blue", "sky"},
+           Damage{"/settings/filter", 2, "knows no \"filter\""},
+           Damage{"/camera/eye", {0, 1}, "\"eye\" is no list of 3 numbers"},
+           Damage{"/camera/right", {0, 0, 0}, "orthonormal"},
+           Damage{"/camera/fov_y_rad", 4, "between 0 and pi"},
+           Damage{"/lights", 3, "lights are no list"},
+           Damage{"/lights/1/range", "far", "light 2: \"range\""},
+           Damage{"/lights/0/outlines/0/1", {1, 2}, "outlines"},
+           Damage{"/display/exposure_ev", 1e300, "\"exposure_ev\""},
+           Damage{"/display", gone, "no \"display\""},
+       }) {
+    ordered_json damaged = whole;
+    const ordered_json::json_pointer at(damage.pointer);
+    if (damage.value.is_discarded()) {
+      damaged[at.parent_pointer()].erase(at.back());
+    } else {
+      damaged[at] = damage.value;
+    }
+    const auto read = parse_description(damaged.dump(), "shot.png");
+    ASSERT_FALSE(read.has_value()) << damage.pointer;
+    EXPECT_EQ(read.error().subject, "shot.png");
+    EXPECT_NE(read.error().reason.find(damage.reason), std::string::npos)
+        << damage.pointer << ": " << read.error().reason;
+  }
+}
+
+TEST(PictureDescription, IsNeverReadInPart) {
+  const std::string text = description_text(odd_description());
+  for (std::size_t length = 0; length < text.size(); length += 13)
+    EXPECT_FALSE(parse_description(text.substr(0, length), "a").has_value()) << length;
+  EXPECT_FALSE(parse_description("[]", "a").has_value());
+  EXPECT_FALSE(parse_description(std::string(100000, '['), "a").has_value());
+}
+
+TEST(PictureDescription, FilesThatSayNothingAreNamed) {
+  const test::TemporaryFolder folder;
+  const std::string plain = folder.file("plain.png"), exr = folder.file("plain.exr");
+  const RgbImage image{1, 1, {1, 2, 3}, {{"Comment", "x"}}};
+  ASSERT_TRUE(write_png(plain, image));
+  ASSERT_TRUE(write_exr(exr, Film(2, 2), {}));
+  for (const std::string& file : {plain, exr}) {
+    const auto read = read_description(file);
+    ASSERT_FALSE(read.has_value());
+    EXPECT_EQ(read.error().subject, file);
+    EXPECT_NE(read.error().reason.find("holds no settings"), std::string::npos);
+  }
+  for (const std::string& file :
+       {folder.file("missing.png"), folder.write("text.png", "no picture at all")}) {
+    const auto read = read_description(file);
+    ASSERT_FALSE(read.has_value());
+    EXPECT_EQ(read.error().subject, file);
+  }
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,86 @@
+#include "renderer/pyray/subdivide.h"
+#include "tests/support/subdivide_polygons.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// A subdivision that is cancelled in its middle asks about no sample that it has not taken.
+
+namespace asos::test {
+namespace {
+
+/// Is cancelled from a number of questions on, and counts samples that are none of its own.
+class ImpatientCaster final : public BruteForceCaster {
+ public:
+  ImpatientCaster(const World& world, const FeatureSet& features, const Frame& frame, int patience)
+      : BruteForceCaster(world, features, frame), patience_(patience) {}
+
+  [[nodiscard]] bool cancelled() const override { return asked_++ >= patience_; }
+  [[nodiscard]] Cover cover(SampleId id) const override {
+    return known(id) ? BruteForceCaster::cover(id) : Cover::none();
+  }
+  [[nodiscard]] std::uint32_t surface(SampleId id) const override {
+    return known(id) ? BruteForceCaster::surface(id) : Hit::none;
+  }
+  [[nodiscard]] Unevenness uneven(SampleId id, double, const LeafRegion&) const override {
+    (void)known(id);
+    return Unevenness::none;
+  }
+  void leaf(std::uint32_t root, SampleId id, double weight, const LeafRegion& region) override {
+    if (known(id)) BruteForceCaster::leaf(root, id, weight, region);
+  }
+
+  mutable int unknown = 0;
+
+  [[nodiscard]] bool was_cancelled() const { return asked_ > patience_; }
+
+ private:
+  [[nodiscard]] bool known(SampleId id) const {
+    const bool is = id < static_cast<SampleId>(probes());
+    unknown += !is;
+    return is;
+  }
+
+  int patience_;
+  mutable int asked_ = 0;
+};
+
+class Cancel : public testing::TestWithParam<StoppingRule> {};
+
+TEST_P(Cancel, AtAnyMomentAsksAboutNoSampleThatWasNotTaken) {
+  PolygonScene scene;
+  add_polygon(scene, half_plane({0.3, 0.4}, 0.7), 3.0);
+  add_polygon(scene, half_plane({0.6, 0.5}, 2.1), 2.0);
+  add_polygon(scene, {{0.2, 0.2}, {0.7, 0.3}, {0.4, 0.8}}, 1.0);
+  const FeatureSet features(scene.world);
+  const Frame frame = unit_frame();
+  SubdivisionRules rules = rules_of(3);
+  rules.rule = GetParam();
+  rules.exact_leaves = false;  // so that cells are split
+  int patience = 0;
+  for (bool finished = false; !finished; ++patience) {
+    ASSERT_LT(patience, 10'000);
+    HitLists lists;
+    lists.reset(features, frame, std::ldexp(1.0f, -rules.max_level));
+    ImpatientCaster caster(scene.world, features, frame, patience);
+    HitLists::List list;
+    lists.refine({0, 0, 1}, {}, lists.root(), list);
+    Root root;
+    root.list = list;
+    Subdivider subdivider;
+    (void)subdivider.run(lists, std::span(&root, 1), rules, caster);
+    EXPECT_EQ(caster.unknown, 0) << "cancelled after " << patience << " questions";
+    finished = !caster.was_cancelled();
+    if (finished) {
+      EXPECT_NEAR(caster.total, 1.0, 1e-9);
+    }
+  }
+  EXPECT_GT(patience, 5) << "it was cancelled here and there";
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, Cancel,
+                         testing::Values(StoppingRule::unresolved, StoppingRule::published));
+
+}  // namespace
+}  // namespace asos::test

@@ -1,0 +1,77 @@
+#include "renderer/session/strip_render.h"
+
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stop_token>
+#include <vector>
+
+namespace asos {
+namespace {
+
+/// Keeps the rows.
+class RowsInMemory : public PictureWriter {
+ public:
+  Result<void> add_rows(std::span<const glm::vec3> radiance) override {
+    if (fails) return unexpected(Error{"memory", "is full"});
+    rows.insert(rows.end(), radiance.begin(), radiance.end());
+    largest = std::max(largest, radiance.size());
+    return {};
+  }
+  Result<void> finish() override { return {}; }
+
+  std::vector<glm::vec3> rows;
+  std::size_t largest = 0;
+  bool fails = false;
+};
+
+Snapshot still_life_of(Method method) {
+  Snapshot snapshot;
+  snapshot.scene = test::make_render_scene(test::still_life());
+  snapshot.camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
+  snapshot.settings.method = method;
+  snapshot.settings.width = 83;
+  snapshot.settings.height = 131;
+  snapshot.settings.max_level = 2;
+  snapshot.settings.threads = 2;
+  return snapshot;
+}
+
+TEST(StripRender, GivesThePictureOfOnePieceBitForBit) {
+  for (const Method method : {Method::asos, Method::whitted}) {
+    for (const PixelRect crop : {PixelRect{}, PixelRect{5, 37, 70, 90}}) {
+      Snapshot snapshot = still_life_of(method);
+      snapshot.settings.crop = crop;
+      RowsInMemory writer;
+      std::vector<double> shares;
+      const auto end = render_strips(
+          snapshot, writer, {}, [&](double share) { shares.push_back(share); }, 83 * 40);
+      ASSERT_TRUE(end) << end.error().message();
+      EXPECT_EQ(*end, StripsEnd::finished);
+      EXPECT_TRUE(writer.rows == render_to_end(snapshot).film.radiance);
+      EXPECT_LE(writer.largest, 83u * 32u);
+      EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+      EXPECT_EQ(shares.back(), 1.0);
+    }
+  }
+}
+
+TEST(StripRender, StopsAndFailsWithoutDelay) {
+  const Snapshot snapshot = still_life_of(Method::asos);
+  RowsInMemory writer;
+  std::stop_source stop;
+  const auto stopped = render_strips(
+      snapshot, writer, stop.get_token(), [&](double) { stop.request_stop(); }, 83 * 32);
+  EXPECT_EQ(stopped.value(), StripsEnd::stopped);
+  EXPECT_LT(writer.rows.size(), 83u * 131u);
+  writer.fails = true;
+  EXPECT_EQ(render_strips(snapshot, writer, {}).error().reason, "is full");
+  Snapshot wrong = snapshot;
+  wrong.settings.width = 0;
+  EXPECT_EQ(render_strips(wrong, writer, {}).error().subject, "width");
+}
+
+}  // namespace
+}  // namespace asos

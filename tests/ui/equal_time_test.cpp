@@ -1,0 +1,43 @@
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace asos {
+namespace {
+
+using EqualTimeTest = test::PanelsTest;
+
+TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
+  rig.previewer().open("point light");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  ASSERT_TRUE(rig.settle());
+  const UiState& state = rig.content().state();
+  rig.click("section/Equal time");
+  rig.click("Rival/Stochastic");
+  rig.click("Split screen");
+  ASSERT_TRUE(rig.frames_until([&] { return state.frames.stored.size() == 1; }));
+  EXPECT_EQ(state.frames.comparison, Comparison::wipe);
+  EXPECT_NE(state.frames.stored[0].summary.find("tochastic"), std::string::npos)
+      << state.frames.stored[0].summary;
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Stop rival"));
+  EXPECT_TRUE(rig.content().controls().all().contains("Split screen"));
+}
+
+TEST_F(EqualTimeTest, ARivalCanBeStopped) {
+  rig.previewer().open("point light");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  ASSERT_TRUE(rig.settle());
+  rig.click("section/Equal time");
+  rig.click("Split screen");
+  const auto& all = rig.content().controls().all();
+  ASSERT_TRUE(rig.frames_until(
+      [&] { return all.contains("Stop rival") || !rig.content().state().frames.stored.empty(); }));
+  if (!all.contains("Stop rival")) GTEST_SKIP() << "the rival was done before it could be stopped";
+  rig.click("Stop rival");
+  ASSERT_TRUE(rig.frames_until([&] { return !all.contains("Stop rival"); }));
+  EXPECT_TRUE(rig.content().state().frames.stored.empty());
+}
+
+}  // namespace
+}  // namespace asos

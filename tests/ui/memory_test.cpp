@@ -1,0 +1,119 @@
+#include "tests/support/sanitized.h"
+#include "ui/previewer.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <malloc.h>
+#include <string>
+#include <thread>
+#include <unistd.h>
+
+#ifdef ASOS_SANITIZED
+// GCC installs no header for it.
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
+#endif
+
+namespace asos {
+namespace {
+
+/// A wavy square of 2 x side x side triangles.
+Scene waves(int side, std::string source) {
+  Scene scene;
+  scene.source = std::move(source);
+  Mesh mesh;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) {
+      mesh.positions.emplace_back(x, static_cast<float>((x * 7 + y * 3) % 5), y);
+      mesh.normals.emplace_back(0, 1, 0);
+    }
+  }
+  const auto at = [side](int x, int y) { return static_cast<unsigned>(y * (side + 1) + x); };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      mesh.triangles.emplace_back(at(x, y), at(x, y + 1), at(x + 1, y));
+      mesh.triangles.emplace_back(at(x + 1, y), at(x, y + 1), at(x + 1, y + 1));
+    }
+  }
+  scene.meshes.push_back(std::move(mesh));
+  Instance instance;
+  instance.mesh = 0;
+  scene.instances.push_back(instance);
+  return scene;
+}
+
+struct Memory {
+  double heap_mb = 0.0;      ///< allocated and not freed
+  double resident_mb = 0.0;  ///< of the process, after what is free was given back
+};
+
+Memory memory() {
+  Memory now;
+#ifdef ASOS_SANITIZED
+  now.heap_mb = static_cast<double>(__sanitizer_get_current_allocated_bytes()) / 1e6;
+#else
+  malloc_trim(0);
+  const struct mallinfo2 info = mallinfo2();
+  now.heap_mb = static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
+#endif
+  std::ifstream file("/proc/self/statm");
+  double total = 0.0, resident = 0.0;
+  file >> total >> resident;
+  now.resident_mb = resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  return now;
+}
+
+// Embree keeps a few hundred bytes for each thread that ever built something with it, and a load
+// starts such a thread: beside scenes of a few megabytes that is nothing.
+TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
+  RenderSettings settings;
+  settings.threads = 1;
+  settings.max_level = 1;
+  Previewer previewer({[](const std::string& source) -> Result<Scene> {
+                         return waves(source == "large" ? 100 : 8, source);
+                       },
+                       {}},
+                      settings);
+  previewer.set_picture_size(64, 48, 0.0);
+  const auto open = [&](const std::string& source) {
+    previewer.open(source);
+    const auto start = std::chrono::steady_clock::now();
+    while (previewer.loading() || !previewer.scene() || previewer.scene()->source != source) {
+      previewer.update(0.0);
+      if (std::chrono::steady_clock::now() - start > std::chrono::seconds(60)) return false;
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    return true;
+  };
+  // What a render holds while it works differs from one moment to the next.
+  const auto rest = [&] {
+    const auto start = std::chrono::steady_clock::now();
+    while (!previewer.progress().finished &&
+           std::chrono::steady_clock::now() - start < std::chrono::seconds(60)) {
+      previewer.update(0.0);
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    return previewer.progress().finished;
+  };
+  // The first scenes fill what libraries keep for good.
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));
+  ASSERT_TRUE(rest());
+  const Memory before = memory();
+  const int loads = test::sanitized ? 40 : 200;
+  for (int i = 0; i < loads; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));
+  ASSERT_TRUE(rest());
+  const Memory after = memory();
+  std::printf("heap %.2f MB before, %.2f after; resident %.1f MB before, %.1f after\n",
+              before.heap_mb, after.heap_mb, before.resident_mb, after.resident_mb);
+  EXPECT_LE(after.heap_mb, 1.05 * before.heap_mb);
+  // The sanitizers keep what was freed.
+  if (!test::sanitized) {
+    EXPECT_LE(after.resident_mb, 1.05 * before.resident_mb);
+  }
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,105 @@
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class RefinementTest : public PanelsTest {
+ protected:
+  /// A render that begins anew.
+  void change() {
+    settings().jitter = !settings().jitter;
+    rig.frame();
+  }
+  [[nodiscard]] bool rests(Rest rest) {
+    return rig.frames_until([&] { return rig.previewer().rest() == rest; }) &&
+           rig.frames_until([&] { return !rig.previewer().first_picture_pending(); });
+  }
+  [[nodiscard]] bool finished() {
+    return rig.frames_until([&] {
+      return rig.previewer().progress().finished && rig.previewer().rest() == Rest::none;
+    });
+  }
+};
+
+TEST_F(RefinementTest, SpacePausesAndGoesOn) {
+  rig.key(Key::space);
+  ASSERT_TRUE(rig.previewer().paused());
+  display().exposure_ev = 1.0f;
+  rig.frame();
+  EXPECT_FALSE(restarted()) << "pausing and display changes restart nothing";
+  change();
+  ASSERT_TRUE(rests(Rest::paused));
+  EXPECT_FALSE(rig.previewer().progress().finished);
+  const double seconds = rig.previewer().progress().seconds;
+  for (int i = 0; i < 60; ++i) rig.frame();
+  EXPECT_EQ(rig.previewer().progress().seconds, seconds);
+  EXPECT_FALSE(rig.content().seconds_to_redraw().has_value()) << "a paused window sleeps";
+  const std::uint64_t restarts = rig.previewer().restarts();
+  rig.key(Key::space);
+  EXPECT_TRUE(finished());
+  EXPECT_EQ(rig.previewer().restarts(), restarts) << "it goes on from where it was";
+}
+
+TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
+  rig.previewer().limits().seconds = 1e-6;
+  change();
+  ASSERT_TRUE(rests(Rest::time));
+  EXPECT_LT(rig.previewer().progress().fraction, 1.0);
+  EXPECT_FALSE(rig.previewer().seconds_to_update(0.0).has_value());
+  rig.previewer().limits().seconds = 1000.0;
+  EXPECT_TRUE(finished());
+}
+
+TEST_F(RefinementTest, AQualityIsEnough) {
+  EXPECT_TRUE(rig.previewer().estimated_rmse().has_value());
+  EXPECT_EQ(*rig.previewer().estimated_rmse(), 0.0) << "it is finished";
+  rig.previewer().limits().rmse = 1.0;
+  change();
+  ASSERT_TRUE(rests(Rest::quality));
+  EXPECT_LE(*rig.previewer().estimated_rmse(), 1.0);
+  rig.previewer().limits().rmse = 0.0;
+  EXPECT_TRUE(finished());
+}
+
+TEST_F(RefinementTest, StopEndsARenderAndAnotherBegins) {
+  rig.click("section/Refinement");
+  rig.frame();
+  rig.click("Pause");
+  EXPECT_TRUE(rig.previewer().paused());
+  change();
+  ASSERT_TRUE(rests(Rest::paused));
+  rig.frame();
+  rig.click("Stop");
+  EXPECT_EQ(rig.previewer().rest(), Rest::stopped);
+  EXPECT_FALSE(rig.previewer().progress().paused);
+  rig.click("Resume");
+  rig.frame();
+  EXPECT_FALSE(rig.previewer().progress().finished) << "it has ended";
+  rig.click("Render again");
+  EXPECT_TRUE(finished());
+}
+
+TEST_F(RefinementTest, LimitsAreTypedAndStaySound) {
+  rig.click("section/Refinement");
+  rig.frame();
+  for (const auto& [typed, expected] : {std::pair<std::string, double>{"2.5", 2.5},
+                                        {"1e99", RefinementLimits::most_seconds},
+                                        {"-4", 0.0}}) {
+    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.click("Time limit");
+    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.frame();
+    rig.chord(Key::ctrl, Key::a);
+    rig.type(typed);
+    rig.key(Key::enter);
+    EXPECT_EQ(rig.previewer().limits().seconds, expected) << typed;
+  }
+  EXPECT_FALSE(restarted());
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,236 @@
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class ReflectionsPanelTest : public PanelsTest {
+ protected:
+  ReflectionsPanelTest() {
+    rig.previewer().open("mirrors");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "mirrors"; }));
+    rig.previewer().set_paused(true);  // coarse pictures are enough
+    rig.frame();
+    (void)begun();
+  }
+  /// Whether a render has begun since the last call.
+  bool begun() {
+    EXPECT_TRUE(rig.frames_until([&] {
+      return !rig.previewer().seconds_to_update(0.0) && !rig.previewer().first_picture_pending();
+    }));
+    return rig.previewer().restarts() > std::exchange(restarts_seen_, rig.previewer().restarts());
+  }
+  [[nodiscard]] bool shows(const std::string& name) {
+    return rig.content().controls().all().contains(name);
+  }
+  void rest() {
+    for (int i = 0; i < 40; ++i) rig.frame();
+  }
+  /// Until what was edited is in the scene.
+  [[nodiscard]] bool reached_scene() {
+    return rig.frames_until([&] { return !rig.previewer().relighting(); });
+  }
+  [[nodiscard]] const Material& material(std::size_t i) {
+    return rig.previewer().scene()->world.materials[i];
+  }
+
+ private:
+  std::uint64_t restarts_seen_ = 0;
+};
+
+TEST_F(PanelsTest, AMatteSceneHasNoReflectionsPanel) {
+  EXPECT_FALSE(rig.content().controls().all().contains("section/Reflections"));
+}
+
+TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
+  slide("Bounces", 0.5f, 2.0f);
+  EXPECT_EQ(settings().reflections, RenderSettings::max_reflections);
+  EXPECT_TRUE(begun());
+  EXPECT_FALSE(shows("Divergence"));
+  rig.click("Curved");
+  rig.frame();
+  rig.click("Curved/adaptive");
+  EXPECT_EQ(settings().curved_mirror, CurvedMirror::adaptive);
+  EXPECT_TRUE(begun());
+  slide("Divergence", 0.1f, 2.0f);
+  EXPECT_EQ(settings().mirror_angle, 180.0);
+  slide("Roughest", 0.5f, 2.0f);
+  EXPECT_EQ(settings().roughest_mirror, 1.0);
+  EXPECT_TRUE(validated(settings()).has_value());
+  slide("Bounces", 0.9f, -1.0f);
+  EXPECT_EQ(settings().reflections, 0);
+  rig.frame();
+  EXPECT_FALSE(shows("Blur/By material")) << "nothing mirrors then";
+}
+
+TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
+  rig.click("Blur/One for all");
+  ASSERT_TRUE(settings().dfr.has_value());
+  rig.frame();
+  const DfrCurve first = settings().dfr->rgb[0];
+  const Controls::Placed plot = rig.control("DFR curve");
+  const float step = 0.25f * (plot.hi.y - plot.lo.y);
+  glm::vec2 at = rig.control("DFRMIN point").centre();
+  rig.drag(at, at - glm::vec2(0.0f, step));
+  EXPECT_GT(settings().dfr->rgb[0].min, first.min + 0.1);
+  EXPECT_EQ(settings().dfr->rgb[0], settings().dfr->rgb[2]) << "all colours alike";
+  EXPECT_TRUE(begun());
+  at = rig.control("DFRMAX point").centre();
+  rig.drag(at, at + glm::vec2(0.0f, step));
+  EXPECT_LT(settings().dfr->rgb[1].max, first.max - 0.1);
+  at = rig.control("N point").centre();
+  rig.drag(at, at - glm::vec2(2.0f * step, 0.0f));
+  EXPECT_LT(settings().dfr->rgb[1].exponent, 0.5 * first.exponent);
+  // Far beyond the plot nothing breaks.
+  for (const char* point : {"DFRMIN point", "DFRMAX point", "N point"}) {
+    for (const glm::vec2 way : {glm::vec2(-900, -900), glm::vec2(900, 900)}) {
+      at = rig.control(point).centre();
+      rig.drag(at, at + way);
+      EXPECT_TRUE(validated(settings()).has_value()) << point;
+    }
+  }
+  EXPECT_EQ(settings().dfr->rgb[0].min, 0.0);
+  EXPECT_EQ(settings().dfr->rgb[0].max, 0.0);
+  EXPECT_EQ(settings().dfr->rgb[0].exponent, most_plotted_exponent);
+  EXPECT_TRUE(begun()) << "the widest blur there is renders";
+}
+
+TEST_F(ReflectionsPanelTest, AColourIsEditedAloneAndUndone) {
+  rig.click("Blur/One for all");
+  rest();
+  rig.click("DFR of/Blue");
+  rig.frame();
+  const DfrCurve first = settings().dfr->rgb[0];
+  const glm::vec2 at = rig.control("DFRMIN point").centre();
+  rig.drag(at, at - glm::vec2(0.0f, 60.0f));
+  EXPECT_EQ(settings().dfr->rgb[0], first);
+  EXPECT_EQ(settings().dfr->rgb[1], first);
+  EXPECT_GT(settings().dfr->rgb[2].min, first.min);
+  rest();
+  rig.chord(Key::ctrl, Key::z);
+  EXPECT_EQ(settings().dfr->rgb[2], first);
+  rig.chord(Key::ctrl, Key::z);
+  EXPECT_FALSE(settings().dfr.has_value());
+}
+
+TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
+  rig.click("Blur/One for all");
+  rig.frame();
+  const DfrCurve first = settings().dfr->rgb[0];
+  const glm::vec2 at = rig.control("DFRMIN point").centre();
+  rig.drag(at, at - glm::vec2(0.0f, 60.0f));
+  ASSERT_NE(settings().dfr->rgb[0].min, first.min);
+  rest();
+  rig.click("DFRMIN point");
+  rig.click("DFRMIN point");
+  EXPECT_EQ(settings().dfr->rgb[0].min, first.min);
+  rest();
+  for (const auto& [typed, expected] :
+       {std::pair<std::string, double>{"0.25", 0.25}, {"7", 1.0}, {"-1", 0.0}}) {
+    (void)rig.control("DFRMAX");  // scrolls to it
+    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.click("DFRMAX");
+    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.frame();
+    rig.chord(Key::ctrl, Key::a);
+    rig.type(typed);
+    rig.key(Key::enter);
+    EXPECT_EQ(settings().dfr->rgb[1].max, expected) << typed;
+  }
+}
+
+TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
+  const std::uint64_t opened = rig.previewer().scenes_opened();
+  const SceneIndex* index = rig.previewer().scene()->index.get();
+  ASSERT_FALSE(material(0).dfr.has_value());
+  rig.click("Own DFR");
+  ASSERT_TRUE(reached_scene());
+  ASSERT_TRUE(material(0).dfr.has_value());
+  EXPECT_FALSE(material(1).dfr.has_value()) << "another material";
+  EXPECT_TRUE(material(2).dfr.has_value()) << "looks like the first: edited with it";
+  EXPECT_TRUE(begun());
+  rest();
+  const double before = material(0).dfr->rgb[0].min;
+  const glm::vec2 at = rig.control("DFRMIN point").centre();
+  rig.drag(at, at - glm::vec2(0.0f, 60.0f));
+  ASSERT_TRUE(reached_scene());
+  EXPECT_GT(material(0).dfr->rgb[0].min, before);
+  EXPECT_EQ(rig.previewer().scenes_opened(), opened);
+  EXPECT_EQ(rig.previewer().scene()->index.get(), index) << "nothing is built again";
+  rest();
+  rig.chord(Key::ctrl, Key::z);
+  ASSERT_TRUE(reached_scene());
+  EXPECT_EQ(material(0).dfr->rgb[0].min, before);
+  rig.click("Reset reflections");
+  ASSERT_TRUE(reached_scene());
+  EXPECT_FALSE(material(0).dfr.has_value());
+}
+
+TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {
+  Light light;
+  light.position = {0, 1, 2};
+  rig.previewer().edit_lights().push_back(EditedLight::of(light));
+  rig.previewer().edit_dfrs()[1] = Dfr{};
+  ASSERT_TRUE(reached_scene());
+  const std::size_t lights = rig.previewer().lights().size();
+  EXPECT_EQ(rig.previewer().scene()->world.lights.size(), lights);
+  EXPECT_TRUE(material(1).dfr.has_value());
+  rig.previewer().edit_dfrs()[1].reset();
+  ASSERT_TRUE(reached_scene());
+  EXPECT_EQ(rig.previewer().scene()->world.lights.size(), lights);
+  EXPECT_FALSE(material(1).dfr.has_value());
+  rig.previewer().edit_dfrs()[1] = Dfr{{DfrCurve{2.0, 1.0, 1.0}, {}, {}}, 0.0};
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+  EXPECT_FALSE(material(1).dfr.has_value()) << "what is out of range is refused";
+}
+
+TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
+  rig.click("Own DFR");
+  ASSERT_TRUE(reached_scene());
+  EXPECT_FALSE(shows("Picked pixel"));
+  const Film& film = rig.previewer().film();
+  rig.content().state().picked = glm::ivec2(film.width / 2, film.height / 2);
+  rig.frame();
+  rig.frame();
+  EXPECT_EQ(rig.content().state().reflections.material, 0);
+  EXPECT_TRUE(shows("Picked pixel"));
+  EXPECT_FALSE(rig.content().controls().all().at("Picked pixel").edits);
+}
+
+TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {
+  rig.click("Blur/One for all");
+  settings().dfr->rgb.fill({0.5, 0.5, 1.0});
+  rig.move_to({-10.0f, -10.0f});
+  for (int i = 0; i < 3; ++i) rig.frame();
+  // The plot's own area lies between its handles: DFRMIN at the left, DFRMAX at the right.
+  const Controls::Placed patch = rig.control("DFR patch");
+  const glm::vec2 left = rig.control("DFRMIN point").centre();
+  const glm::vec2 right = rig.control("DFRMAX point").centre();
+  ASSERT_EQ(patch.lo, rig.control("DFR patch").lo) << "nothing scrolled";
+  rig.move_to({-10.0f, -10.0f});
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  const auto brightness = [&](float x, float y) {
+    const glm::u8vec3 c =
+        pixels[static_cast<std::size_t>(static_cast<int>(y) * rig.size().x + static_cast<int>(x))];
+    return (c.x + c.y + c.z) / 3;
+  };
+  EXPECT_NEAR(left.y, right.y, 1.0f);
+  const float x = glm::mix(left.x, right.x, 0.3f);
+  int line = 0;
+  for (float y = left.y - 3.0f; y <= left.y + 3.0f; y += 1.0f)
+    line = std::max(line, brightness(x, y));
+  EXPECT_GT(line, 100) << "the flat curve runs at its ratio";
+  // The bar below: white in its middle, black at its ends.
+  EXPECT_GT(brightness(x, patch.centre().y), 200);
+  EXPECT_LT(brightness(x, patch.lo.y + 6.0f), 40);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,90 @@
+#include "renderer/shading/sky.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class SkyPanelTest : public PanelsTest {
+ protected:
+  SkyPanelTest() {
+    rig.click("section/Sky");
+    rig.frame();
+  }
+  [[nodiscard]] const Sky* sky() { return settings().sky.get(); }
+  /// Of one colour: Radiance RGBE, 4 x 2 pixels, without run lengths.
+  void write_sky(const std::string& path) {
+    std::ofstream file(path, std::ios::binary);
+    file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+    for (int i = 0; i < 8; ++i) file.write("\x80\x40\x20\x81", 4);
+  }
+  [[nodiscard]] glm::vec3 corner() {
+    const Film& film = rig.previewer().film();
+    return film.radiance[film.index(2, film.height - 3)];
+  }
+};
+
+TEST_F(SkyPanelTest, AColourSurroundsTheScene) {
+  const glm::vec3 neutral = corner();
+  rig.click("Sky/Colour");
+  ASSERT_NE(sky(), nullptr);
+  EXPECT_EQ(sky()->choice().colours->zenith, sky()->choice().colours->horizon);
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(corner(), sky()->choice().colours->zenith);
+  EXPECT_NE(corner(), neutral);
+  slide("Brightness", 0.3f, 0.8f);
+  EXPECT_GT(sky()->choice().colours->zenith.z, 0.86f);
+  EXPECT_TRUE(restarted());
+  rig.click("Sky/Gradient");
+  EXPECT_NE(sky()->choice().colours->zenith, sky()->choice().colours->horizon);
+  rig.click("Sky/Neutral");
+  EXPECT_EQ(sky(), nullptr);
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(corner(), neutral);
+}
+
+TEST_F(SkyPanelTest, AGradientStaysOneWhenItsColoursMeet) {
+  rig.click("Sky/Gradient");
+  settings().sky = std::make_shared<const Sky>(glm::vec3(0.5f));
+  rig.frame();
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Horizon"));
+}
+
+TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sky.hdr");
+  write_sky(path);
+  rig.click("Sky/File");
+  EXPECT_EQ(sky(), nullptr) << "nothing changes before it is read";
+  rig.content().state().sky.path = path + ".png";
+  rig.click("Load sky");
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().state().sky.error.empty(); }));
+  EXPECT_EQ(sky(), nullptr);
+  rig.content().state().sky.path = path;
+  rig.frame();
+  rig.click("Load sky");
+  ASSERT_TRUE(rig.frames_until([&] { return sky() != nullptr; }));
+  EXPECT_TRUE(rig.content().state().sky.error.empty());
+  EXPECT_TRUE(sky()->is_picture());
+  EXPECT_EQ(sky()->choice().file, path);
+  EXPECT_TRUE(restarted());
+  EXPECT_NEAR(corner().x, 1.0f, 0.02f);
+  EXPECT_NEAR(corner().y, 0.5f, 0.02f);
+  rig.frame();
+  slide("Turn", 0.5f, 0.75f);
+  EXPECT_GT(sky()->choice().turn_deg, 45.0);
+  EXPECT_LT(sky()->choice().turn_deg, 135.0);
+  for (int i = 0; i < 40; ++i) rig.frame();
+  rig.chord(Key::ctrl, Key::z);
+  EXPECT_EQ(sky()->choice().turn_deg, 0.0);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,159 @@
+#include "ui/split_check.h"
+
+#include "renderer/methods/method.h"
+#include "tests/ui/panels_fixture.h"
+#include "ui/equal_time.h"
+#include "ui/split_forecast.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+TEST(FindFaults, TellsMissedFromWastedFromNoise) {
+  Film picture(5, 1), centres(5, 1), reference(5, 1);
+  for (Film* film : {&picture, &centres, &reference}) film->radiance.assign(5, glm::vec3(0.5f));
+  std::vector<float> uncertainty(5, 0.001f);
+  // 0: right without a split. 1: missed. 2: off, but no more than noise explains. 3: split for
+  // nothing. 4: split, and worth it.
+  reference.radiance[1] = reference.radiance[2] = glm::vec3(0.5f, 0.5f, 0.8f);
+  uncertainty[2] = 0.2f;
+  picture.split_level[3] = 2;
+  picture.cause[4] = SplitCause::shadow;
+  centres.radiance[4] = glm::vec3(0.9f);
+  const SplitFindings found = find_faults({picture, centres, reference, uncertainty}, 0.05);
+  EXPECT_EQ(found.missed, (std::vector<PixelRun>{{1, 0, 1}}));
+  EXPECT_EQ(found.wasted, (std::vector<PixelRun>{{3, 0, 1}}));
+  EXPECT_EQ(found.split_pixels, 2u);
+  EXPECT_NEAR(found.rmse, std::sqrt(2.0 * 0.09 / 15.0), 1e-6);
+  EXPECT_TRUE(find_faults({picture, centres, reference, uncertainty}, 0.9).missed.empty())
+      << "below the alarm";
+}
+
+TEST(FindFaults, NeighboursAreOneRun) {
+  Film picture(4, 2), centres(4, 2), reference(4, 2);
+  reference.radiance.assign(8, glm::vec3(1.0f));
+  const SplitFindings found =
+      find_faults({picture, centres, reference, std::vector<float>(8, 0.0f)}, 0.1);
+  EXPECT_EQ(found.missed, (std::vector<PixelRun>{{0, 0, 4}, {0, 1, 4}}));
+  EXPECT_EQ(found.missed_pixels, 8u);
+}
+
+class SplitCheckTest : public PanelsTest {
+ protected:
+  SplitCheckTest() {
+    rig.resize({460, 240});
+    EXPECT_TRUE(rig.settle());
+    (void)restarted();
+  }
+  [[nodiscard]] UiState& state() { return rig.content().state(); }
+  [[nodiscard]] Snapshot snapshot() {
+    return {rig.previewer().shared_scene(), rig.previewer().camera().camera(),
+            rig.previewer().rendered_settings(), false};
+  }
+};
+
+TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothingIs) {
+  SplitCheck check;
+  const auto checked = [&] {
+    return rig.frames_until([&] {
+      check.update(rig.previewer(), true, 1.0 / 64.0);
+      return check.findings() != nullptr;
+    });
+  };
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(check.findings()->missed_pixels, 0u);
+  EXPECT_GT(check.findings()->split_pixels, 0u);
+  EXPECT_LT(check.findings()->rmse, 0.02);
+  settings().max_level = 0;
+  settings().leaf = Leaf::point;
+  EXPECT_TRUE(restarted());
+  check.update(rig.previewer(), true, 1.0 / 64.0);
+  EXPECT_EQ(check.findings(), nullptr) << "it was of another picture";
+  ASSERT_TRUE(checked());
+  EXPECT_GT(check.findings()->missed_pixels, 50u) << "the triangles' edges";
+  for (const PixelRun& run : check.findings()->missed) {
+    EXPECT_GE(run.x, 0);
+    EXPECT_LE(run.x + run.count, rig.previewer().film().width);
+  }
+  check.update(rig.previewer(), false, 1.0 / 64.0);
+  EXPECT_EQ(check.findings(), nullptr);
+}
+
+TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
+  settings().max_level = 0;
+  settings().leaf = Leaf::point;
+  EXPECT_TRUE(restarted());
+  const auto reds = [&] {
+    int count = 0;
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    const PixelRect area = rig.content().picture_rect();
+    for (int y = 0; y < area.height; ++y)
+      for (int x = 0; x < area.width; ++x) {
+        const glm::u8vec3 c = pixels[static_cast<std::size_t>(y * rig.size().x + x)];
+        count += c.x > 180 && c.y > 30 && c.y < 120 && c.z > 20 && c.z < 110;
+      }
+    return count;
+  };
+  EXPECT_LT(reds(), 10);
+  state().check.check = true;
+  ASSERT_TRUE(rig.frames_until([&] { return reds() > 40; })) << "along the edges";
+  EXPECT_FALSE(restarted()) << "looking for faults renders nothing again";
+  state().check.mark_missed = false;
+  rig.frame();
+  EXPECT_LT(reds(), 10);
+}
+
+TEST_F(SplitCheckTest, AForecastComesNearToWhatIsRendered) {
+  const Forecast told = forecast(snapshot(), 10.0);
+  const Film& film = rig.previewer().film();
+  double split = 0.0;
+  for (std::size_t i = 0; i < film.radiance.size(); ++i)
+    split += film.split_level[i] > 0 || film.cause[i] != SplitCause::none;
+  split /= static_cast<double>(film.radiance.size());
+  EXPECT_GT(told.pixels, 1000);
+  EXPECT_GT(told.split_share, 0.0);
+  EXPECT_NEAR(told.split_share, split, 0.3 * split);
+  EXPECT_LT(told.split_error, 0.5 * split);
+  EXPECT_GT(told.seconds, 0.0);
+}
+
+TEST_F(SplitCheckTest, DraggingEpsForecastsBeforeTheRenderIsThere) {
+  SplitForecast waiting;
+  EXPECT_EQ(waiting.of(rig.previewer()), nullptr);
+  waiting.ask(rig.previewer());
+  ASSERT_TRUE(rig.frames_until([&] {
+    waiting.update();
+    return waiting.of(rig.previewer()) != nullptr;
+  }));
+  settings().eps = 0.5;
+  EXPECT_EQ(waiting.of(rig.previewer()), nullptr) << "of other settings";
+}
+
+TEST_F(SplitCheckTest, ARivalGetsTheTimeItIsGiven) {
+  const auto never = [] { return false; };
+  const auto frame = render_in_time(snapshot(), Method::stochastic, 0.05, never);
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_EQ(frame->film.width, rig.previewer().film().width);
+  EXPECT_NE(frame->summary.find("stochastic"), std::string::npos);
+  EXPECT_GT(processor_seconds(frame->film), 0.0);
+  EXPECT_FALSE(render_in_time(snapshot(), Method::sobol, 0.05, [] { return true; }).has_value());
+}
+
+TEST_F(SplitCheckTest, TheSplitScreenShowsTheRivalAtTheRight) {
+  state().equal_time.method = Method::sobol;
+  rig.click("section/Equal time");
+  rig.frame();
+  rig.click("Split screen");
+  ASSERT_TRUE(rig.frames_until([&] { return !state().frames.stored.empty(); }));
+  EXPECT_EQ(state().frames.comparison, Comparison::wipe);
+  EXPECT_NE(state().frames.stored[0].summary.find("sobol"), std::string::npos);
+  EXPECT_FALSE(restarted());
+}
+
+}  // namespace
+}  // namespace asos

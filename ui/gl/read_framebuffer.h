@@ -1,0 +1,14 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// What the current framebuffer, which is `height` high, shows in `area`, which is told from the
+/// top left: rows of RGB bytes from the top. Before it is presented.
+[[nodiscard]] std::vector<std::uint8_t> read_framebuffer(const PixelRect& area, int height);
+
+}  // namespace asos

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/display_settings.h"
+#include "ui/panels/controls.h"
+#include "ui/picture_view.h"
+#include "ui/previewer.h"
+#include "ui/split_check.h"
+
+namespace asos {
+
+struct PictureArea;
+
+/// Whether the splitting is checked, and what of it is shown.
+struct CheckChoice {
+  bool check = false;
+  bool mark_missed = true;
+  bool mark_wasted = true;
+  double alarm = 1.0 / 64.0;  ///< the error that counts, of display intensity, 0 to 1
+};
+
+/// Alarms about pixels that should have been split; only while ASOS renders.
+void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
+                 const SplitCheck& check);
+
+/// The pixels in question, over the picture.
+void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,
+                 const PictureArea& area);
+
+}  // namespace asos

@@ -1,0 +1,80 @@
+#include "ui/panels/equal_time_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+struct TimedRival {
+  Method method;
+  Controls::Option option;
+};
+constexpr std::array timed_rivals{
+    TimedRival{Method::sobol, {"Sobol", "Owen-scrambled Sobol points."}},
+    TimedRival{Method::stochastic, {"Stochastic", "n x n jittered samples."}},
+    TimedRival{Method::uniform, {"Uniform", "A regular grid of n x n samples."}},
+    TimedRival{Method::mitchell, {"Mitchell", "Four samples, and more where contrast is high."}},
+    TimedRival{Method::ray_bound,
+               {"Ray bound", "n x n samples where a boundary is, one elsewhere."}},
+};
+
+}  // namespace
+
+// What was rendered meanwhile is of no use beside another picture.
+void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice, EqualTimeJob& job,
+                       Frames& frames) {
+  const bool current = choice.restarts == previewer.restarts();
+  if (!current && job.busy()) job.stop();
+  auto outcome = job.take_outcome();
+  if (!outcome || !current) return;
+  if (!frames.store(outcome->film, outcome->summary)) return;
+  frames.comparison = Comparison::wipe;
+}
+
+void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
+                      EqualTimeJob& job, const Frames& frames) {
+  if (!previewer.scene() || !controls.section("Equal time", false)) return;
+  std::array<Controls::Option, timed_rivals.size()> options;
+  int chosen = 0;
+  for (std::size_t i = 0; i < timed_rivals.size(); ++i) {
+    options[i] = timed_rivals[i].option;
+    if (timed_rivals[i].method == choice.method) chosen = static_cast<int>(i);
+  }
+  if (controls.options("Rival", options, chosen, {false, 0}))
+    choice.method = timed_rivals[static_cast<std::size_t>(chosen)].method;
+  if (job.busy()) {
+    if (controls.button("Stop rival", "End the render of the other method.", -1.0f)) job.stop();
+  } else if (controls.button(
+                 "Split screen",
+                 "Render the view as it is by this method, with as many samples as take "
+                 "the processor time of the finished picture, store it as a frame, and "
+                 "show it at the right of the wipe line.",
+                 -1.0f) &&
+             previewer.progress().finished && frames.stored.size() < Frames::most) {
+    choice.restarts = previewer.restarts();
+    Snapshot snapshot{previewer.shared_scene(), previewer.camera().camera(),
+                      previewer.rendered_settings(), false};
+    job.start([snapshot, method = choice.method, seconds = processor_seconds(previewer.film())](
+                  const std::stop_token& stop, const auto& tell) {
+      auto frame = render_in_time(snapshot, method, seconds, [&] { return stop.stop_requested(); });
+      if (frame) tell(std::move(*frame));
+    });
+  }
+  std::string words = "when finished";
+  if (previewer.progress().finished)
+    words = fmt::format("{:.3g} s", processor_seconds(previewer.film()));
+  if (frames.stored.size() >= Frames::most) words = "remove a frame first";
+  if (job.busy()) words = "rendering";
+  controls.row("Time", words,
+               "Processor time of all workers together that the picture's final pixels took, "
+               "which the other method gets.");
+}
+
+}  // namespace asos

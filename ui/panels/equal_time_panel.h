@@ -1,0 +1,27 @@
+#pragma once
+
+#include "renderer/methods/settings.h"
+#include "ui/equal_time.h"
+#include "ui/frames.h"
+#include "ui/panels/controls.h"
+#include "ui/previewer.h"
+
+#include <cstdint>
+
+namespace asos {
+
+/// What the picture is set beside.
+struct EqualTimeChoice {
+  Method method = Method::sobol;
+  std::uint64_t restarts = 0;  ///< of the picture that the job is for
+};
+
+/// Call once a frame, whether the panel is shown or not: puts what was rendered beside the picture.
+void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice, EqualTimeJob& job,
+                       Frames& frames);
+
+/// Renders the view by another method in the time that the picture took.
+void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
+                      EqualTimeJob& job, const Frames& frames);
+
+}  // namespace asos

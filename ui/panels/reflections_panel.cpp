@@ -1,0 +1,171 @@
+#include "ui/panels/reflections_panel.h"
+
+#include "renderer/shading/surface.h"
+#include "ui/panels/dfr_editor.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace asos {
+
+namespace {
+
+/// What a curve starts with that a person asks for: figure 18's.
+constexpr DfrCurve first_curve{0.05, 1.0, 32.0};
+
+const std::array<std::string, 4> curved_ways{"nearest pyramid", "tangent plane", "split to MAX",
+                                             "adaptive"};
+static_assert(curved_ways.size() == static_cast<std::size_t>(CurvedMirror::adaptive) + 1);
+
+constexpr std::array blur_sources{
+    Controls::Option{"By material",
+                     "Each material blurs what it mirrors by its own curve, or by its roughness."},
+    Controls::Option{"One for all", "One curve for all that mirrors, whatever its material says."},
+};
+
+Dfr first_dfr() {
+  Dfr dfr;
+  dfr.rgb.fill(first_curve);
+  return dfr;
+}
+
+/// The material that the picked pixel shows, and at what angle.
+struct PickedMirror {
+  std::uint32_t material = 0;
+  double incidence_rad = 0.0;
+};
+
+std::optional<PickedMirror> picked_mirror(const Previewer& previewer,
+                                          std::optional<glm::ivec2> picked) {
+  if (!picked) return std::nullopt;
+  const Hit hit = previewer.seen_at(picked->x + 0.5, picked->y + 0.5);
+  if (!hit.valid()) return std::nullopt;
+  const RenderScene& scene = *previewer.scene();
+  const glm::vec3 direction(previewer.view().ray(picked->x + 0.5, picked->y + 0.5).direction);
+  const SurfacePoint point = surface_point(scene.world, scene.needs, hit, -direction);
+  const double cosine = std::abs(glm::dot(glm::dvec3(point.shading_normal), glm::dvec3(direction)));
+  const Part& part = scene.world.parts[scene.world.triangle_part[hit.triangle]];
+  return PickedMirror{part.material, std::acos(std::clamp(cosine, 0.0, 1.0))};
+}
+
+/// Looks at the open scene once, and follows what is clicked in the picture.
+void follow(const Previewer& previewer, ReflectionChoice& choice, std::optional<glm::ivec2> picked,
+            const std::optional<PickedMirror>& seen) {
+  if (choice.scene != previewer.scenes_opened()) {
+    choice = {};
+    choice.scene = previewer.scenes_opened();
+    choice.mirrors = mirror_materials(previewer.original_scene().world);
+  }
+  if (picked == choice.followed) return;
+  choice.followed = picked;
+  const int at = seen ? find_mirror(choice.mirrors, seen->material) : -1;
+  if (at >= 0) choice.material = at;
+}
+
+void bounce_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  controls.slider("Bounces",
+                  "How often a pyray is reflected, 0 to 64; 0: mirrors show the sky's mean and "
+                  "highlights only. Ctrl+click to type a value.",
+                  settings.reflections, {0, RenderSettings::max_reflections, usual.reflections},
+                  [](int n) { return n == 0 ? std::string("0: none") : std::to_string(n); });
+  if (settings.reflections == 0) return;
+  float roughest = static_cast<float>(settings.roughest_mirror);
+  if (controls.slider("Roughest",
+                      "The largest roughness, 0 to 1, of what mirrors the scene; rougher surfaces "
+                      "show the sky's mean and highlights instead. Larger costs more.",
+                      roughest, {0.0f, 1.0f, static_cast<float>(usual.roughest_mirror)},
+                      [](float r) { return fmt::format("{:.2f}", r); }))
+    settings.roughest_mirror = static_cast<double>(roughest);
+  // The others cast single rays.
+  if (settings.method != Method::asos && settings.method != Method::asos_published) return;
+  int way = static_cast<int>(settings.curved_mirror);
+  if (controls.list("Curved",
+                    "How curved mirrors reflect a pyray (CGF'98 section 5.2). nearest pyramid: the "
+                    "one nearest to its reflected corner rays. tangent plane: as the plane at its "
+                    "axis would; cheapest, wrong where the surface bends within a pixel. split to "
+                    "MAX: by tangent planes, each pyray split down to MAX first. adaptive: split "
+                    "where the reflected corner rays diverge by more than an angle.",
+                    curved_ways, way, static_cast<int>(usual.curved_mirror)))
+    settings.curved_mirror = static_cast<CurvedMirror>(way);
+  if (settings.curved_mirror != CurvedMirror::adaptive) return;
+  float angle = static_cast<float>(settings.mirror_angle);
+  if (controls.slider("Divergence",
+                      "The angle between reflected corner rays, 0 to 180 degrees, beyond which a "
+                      "pyray is split.",
+                      angle, {0.0f, 180.0f, static_cast<float>(usual.mirror_angle)},
+                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
+    settings.mirror_angle = static_cast<double>(angle);
+}
+
+/// The curve of one material, or that it has none.
+void material_controls(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
+                       std::optional<double> incidence_rad) {
+  std::vector<std::string> names;
+  for (const MirrorMaterial& mirror : choice.mirrors) names.push_back(mirror.name);
+  choice.material = std::clamp(choice.material, 0, static_cast<int>(names.size()) - 1);
+  controls.list("Material", "Of those that mirror. A click into the picture chooses what is there.",
+                names, choice.material);
+  const MirrorMaterial& mirror = choice.mirrors[static_cast<std::size_t>(choice.material)];
+  const std::uint32_t first = mirror.members.front();
+  const std::optional<Dfr>& original = previewer.original_scene().world.materials[first].dfr;
+  std::optional<Dfr> dfr = previewer.dfrs()[first];
+  bool own = dfr.has_value();
+  bool changed = controls.checkbox(
+      "Own DFR", "Blur by a curve over the angle of incidence instead of by roughness.", own,
+      original.has_value());
+  if (changed) dfr = own ? std::optional(original.value_or(first_dfr())) : std::nullopt;
+  if (dfr)
+    changed |=
+        dfr_editor(controls, *dfr, choice.channel, original.value_or(first_dfr()), incidence_rad);
+  if (!changed) return;
+  for (const std::uint32_t member : mirror.members) previewer.edit_dfrs()[member] = dfr;
+}
+
+}  // namespace
+
+void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
+                       std::optional<glm::ivec2> picked) {
+  if (!previewer.scene()) return;
+  const std::optional<PickedMirror> seen = picked_mirror(previewer, picked);
+  follow(previewer, choice, picked, seen);
+  if (choice.mirrors.empty() || !controls.section("Reflections")) return;
+  RenderSettings& settings = previewer.settings();
+  bounce_controls(controls, settings);
+  if (settings.reflections == 0) return;
+
+  int source = settings.dfr ? 1 : 0;
+  if (controls.options("Blur", blur_sources, source, {true, 0})) {
+    settings.dfr.reset();
+    if (source == 1) settings.dfr = first_dfr();
+  }
+  const int at = seen ? find_mirror(choice.mirrors, seen->material) : -1;
+  std::optional<double> incidence_rad;
+  if (settings.dfr) {
+    if (at >= 0) incidence_rad = seen->incidence_rad;
+    (void)dfr_editor(controls, *settings.dfr, choice.channel, first_dfr(), incidence_rad);
+  } else {
+    if (at >= 0 && at == choice.material) incidence_rad = seen->incidence_rad;
+    material_controls(controls, previewer, choice, incidence_rad);
+  }
+  if (controls.button(
+          "Reset reflections",
+          "Back to the materials that the scene came with, and to the usual settings of "
+          "this group.",
+          -1.0f)) {
+    const RenderSettings usual;
+    previewer.reset_dfrs();
+    settings.dfr.reset();
+    settings.reflections = usual.reflections;
+    settings.roughest_mirror = usual.roughest_mirror;
+    settings.curved_mirror = usual.curved_mirror;
+    settings.mirror_angle = usual.mirror_angle;
+  }
+}
+
+}  // namespace asos

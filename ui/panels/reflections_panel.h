@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ui/dfr_curve.h"
+#include "ui/mirror_materials.h"
+#include "ui/panels/controls.h"
+#include "ui/previewer.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace asos {
+
+/// What is chosen among the mirrors.
+struct ReflectionChoice {
+  int material = 0;  ///< of `mirrors`
+  DfrChannel channel = DfrChannel::all;
+
+  // What the open scene has, found once.
+  std::uint64_t scene = 0;  ///< Previewer::scenes_opened
+  std::vector<MirrorMaterial> mirrors;
+  std::optional<glm::ivec2> followed;  ///< the picked pixel whose material was chosen last
+};
+
+/// How far reflections are followed and how they blur; nothing where the scene has no mirror.
+/// `picked`: the pixel that was clicked in the picture.
+void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
+                       std::optional<glm::ivec2> picked);
+
+}  // namespace asos

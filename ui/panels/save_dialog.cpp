@@ -1,0 +1,159 @@
+#include "ui/input.h"
+#include "ui/panels/overlays.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+namespace asos {
+
+namespace {
+
+struct NamedSize {
+  const char* name;
+  const char* tooltip;
+  glm::ivec2 size;
+};
+constexpr std::array named_sizes{
+    NamedSize{"As shown", "As many pixels as the picture in the window.", {0, 0}},
+    NamedSize{"HD", "1920 x 1080 pixels.", {1920, 1080}},
+    NamedSize{"4K", "3840 x 2160 pixels.", {3840, 2160}},
+    NamedSize{"8K", "7680 x 4320 pixels.", {7680, 4320}},
+};
+
+void choose_what(Controls& controls, SaveChoice& choice) {
+  constexpr std::array options{
+      Controls::Option{"Picture",
+                       "The picture alone, rendered to the end in the background, at any size."},
+      Controls::Option{"As seen",
+                       "The picture's area of the window with all that lies over it: split map, "
+                       "marks, messages; zoomed as it is."},
+      Controls::Option{"Window", "All of the window, the panel too."}};
+  int what = static_cast<int>(choice.what);
+  if (controls.options("Save what", options, what))
+    choice.what = static_cast<SaveChoice::What>(what);
+}
+
+void choose_format(Controls& controls, SaveChoice& choice) {
+  constexpr std::array options{
+      Controls::Option{"PNG", "8 bits a colour, at the exposure that is set."},
+      Controls::Option{"EXR", "Linear radiance as 32-bit floats; the exposure does not matter."}};
+  int format = choice.exr ? 1 : 0;
+  if (controls.options("Format", options, format)) choice.exr = format == 1;
+}
+
+void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
+  std::array<Controls::Option, named_sizes.size()> options{};
+  int chosen = -1;
+  for (std::size_t i = 0; i < named_sizes.size(); ++i) {
+    options[i] = {named_sizes[i].name, named_sizes[i].tooltip};
+    if (named_sizes[i].size == choice.size) chosen = static_cast<int>(i);
+  }
+  if (controls.options("Pixels", options, chosen) && chosen >= 0)
+    choice.size = named_sizes[static_cast<std::size_t>(chosen)].size;
+  const glm::ivec2 size = choice.size.x > 0 ? choice.size : shown;
+  glm::dvec2 typed(size);
+  const Controls::Drag drag{{1.0, double{SaveChoice::largest_side}, std::nullopt}, 1.0, true};
+  const auto words = [](double pixels) { return fmt::format("{:.0f}", pixels); };
+  const bool across = controls.number("Across", "Pixels from left to right.", typed.x, drag, words);
+  const bool down = controls.number("Down",
+                                    "Pixels from top to bottom. The camera's vertical field of "
+                                    "view stays.",
+                                    typed.y, drag, words);
+  if (across || down) choice.size = glm::ivec2(glm::round(typed));
+}
+
+// The path, and what would go.
+void choose_file(Controls& controls, SaveChoice& choice) {
+  ImGui::Spacing();
+  ImGui::TextDisabled("File, without %s", choice.as_exr() ? ".exr" : ".png");
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputText("##file", &choice.stem);
+  controls.placed("File", "Where it is saved; the ending follows from the format.",
+                  Controls::Use::edits);
+  std::error_code ignored;
+  if (std::filesystem::exists(choice.path(), ignored)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
+    ImGui::TextUnformatted("There is such a file: it will be replaced.");
+    ImGui::PopStyleColor();
+  } else {
+    ImGui::TextDisabled(" ");
+  }
+}
+
+}  // namespace
+
+void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
+  constexpr const char* title = "Save the picture";
+  if (choice.show && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.4f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(34.0f * em, 0.9f * window.x), 0.0f});
+  if (!ImGui::BeginPopupModal(title, nullptr,
+                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_AlwaysAutoResize))
+    return;
+  choose_what(controls, choice);
+  if (choice.what == SaveChoice::What::picture) {
+    choose_format(controls, choice);
+    choose_size(controls, choice, shown);
+  }
+  choose_file(controls, choice);
+  const bool save =
+      controls.button("Save", "Save it. A large picture takes its time, and the window goes on.",
+                      6.0f * em) &&
+      !choice.stem.empty();
+  ImGui::SameLine();
+  const bool cancelled = controls.button("Cancel", "Save nothing. Key: Esc.", 6.0f * em) ||
+                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  choice.asked = save;
+  if (save || cancelled) {
+    choice.show = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void saving_notice(Controls& controls, PictureJob& job, const WindowRect& area) {
+  const std::optional<PictureJob::State> state = job.state();
+  if (!state || area.size.x < 1.0f || area.size.y < 1.0f) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({area.lo.x + 0.5f * area.size.x, area.lo.y + 0.97f * area.size.y},
+                          ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowSize({std::max(std::min(30.0f * em, area.size.x - 2.0f * em), em), 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::Begin("saving", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoNav);
+  std::string words =
+      fmt::format("{}   {:.0f} %", std::filesystem::path(state->path).filename().string(),
+                  std::floor(100.0 * state->fraction));
+  if (state->seconds_left >= 0.0)
+    words += fmt::format("   about {:.0f} s left", std::ceil(state->seconds_left));
+  ImGui::TextUnformatted(words.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + width, corner.y + 0.2f * em},
+                      theme::packed(theme::field));
+  draw->AddRectFilled(
+      corner, {corner.x + width * static_cast<float>(state->fraction), corner.y + 0.2f * em},
+      theme::packed(theme::accent_bright));
+  ImGui::Dummy({width, 0.2f * em});
+  if (controls.button("Stop saving", "Stop rendering it; no file is left.")) job.cancel();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace asos

@@ -1,0 +1,152 @@
+#include "ui/panels/sky_panel.h"
+
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+enum class SkyKind { neutral, colour, gradient, file };
+
+constexpr std::array sky_kinds{
+    Controls::Option{"Neutral", "The same grey from everywhere: for a scene on its own."},
+    Controls::Option{"Colour", "One colour from everywhere."},
+    Controls::Option{"Gradient",
+                     "From one colour at the zenith to another at the horizon and below it."},
+    Controls::Option{"File",
+                     "An equirectangular picture of all directions, linear: .hdr or .exr, twice as "
+                     "wide as it is high."},
+};
+
+constexpr glm::vec3 first_zenith{0.22f, 0.42f, 0.85f};
+constexpr glm::vec3 first_horizon{0.85f, 0.91f, 1.0f};
+
+SkyKind kind_of_sky(const RenderSettings& settings, const SkyEdit& choice) {
+  if (choice.file) return SkyKind::file;
+  const Sky* sky = settings.sky.get();
+  if (!sky) return SkyKind::neutral;
+  if (sky->is_picture()) return SkyKind::file;
+  return sky->choice().colours->zenith != sky->choice().colours->horizon || choice.gradient
+             ? SkyKind::gradient
+             : SkyKind::colour;
+}
+
+void choose_kind(RenderSettings& settings, SkyEdit& choice, SkyKind kind) {
+  choice.gradient = kind == SkyKind::gradient;
+  choice.file = kind == SkyKind::file;
+  choice.error.clear();
+  if (kind == SkyKind::neutral) settings.sky.reset();
+  if (kind == SkyKind::colour) settings.sky = std::make_shared<const Sky>(first_zenith);
+  if (kind == SkyKind::gradient)
+    settings.sky = std::make_shared<const Sky>(first_zenith, first_horizon);
+}
+
+/// Radiance as a colour of 0 to 1 and how many times as bright it is.
+struct SkyColours {
+  glm::vec3 zenith, horizon;
+  double brightness = 1.0;
+
+  explicit SkyColours(const Sky& sky)
+      : zenith(sky.choice().colours->zenith), horizon(sky.choice().colours->horizon) {
+    for (const glm::vec3& c : {zenith, horizon})
+      brightness = std::max(brightness, static_cast<double>(std::max({c.x, c.y, c.z})));
+    zenith /= static_cast<float>(brightness);
+    horizon /= static_cast<float>(brightness);
+  }
+  [[nodiscard]] std::shared_ptr<const Sky> sky() const {
+    const auto scale = static_cast<float>(brightness);
+    return std::make_shared<const Sky>(scale * zenith, scale * horizon);
+  }
+};
+
+void colour_controls(Controls& controls, RenderSettings& settings, SkyKind kind) {
+  SkyColours colours(*settings.sky);
+  bool changed = false;
+  if (kind == SkyKind::gradient) {
+    changed |= controls.colour("Zenith", "Straight above: red, green, blue, 0 to 255 as shown.",
+                               colours.zenith, first_zenith);
+    changed |=
+        controls.colour("Horizon", "At the horizon and below: red, green, blue, 0 to 255 as shown.",
+                        colours.horizon, first_horizon);
+  } else {
+    changed |=
+        controls.colour("Sky colour", "From everywhere: red, green, blue, 0 to 255 as shown.",
+                        colours.zenith, first_zenith);
+    colours.horizon = colours.zenith;
+  }
+  changed |=
+      controls.number("Brightness", "How many times as bright as the colour the sky is, 1 to 1000.",
+                      colours.brightness, {{1.0, 1000.0, 1.0}, 0.01, true},
+                      [](double times) { return fmt::format("{:.4g} x", times); });
+  if (changed) settings.sky = colours.sky();
+}
+
+void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice,
+                   SkyReader& reader) {
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool entered = ImGui::InputTextWithHint("##sky path", "path of a .hdr or .exr file",
+                                                &choice.path, ImGuiInputTextFlags_EnterReturnsTrue);
+  controls.placed("Sky path", "Of an equirectangular picture, .hdr or .exr.");
+  if (controls.button(reader.busy() ? "Reading..." : "Load sky",
+                      "Read the picture and put it around the scene. Key: Enter.", -1.0f) ||
+      entered) {
+    choice.error.clear();
+    reader.read(choice.path);
+  }
+  if (!choice.error.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
+    ImGui::TextWrapped("%s", choice.error.c_str());
+    ImGui::PopStyleColor();
+    controls.placed("Sky error", nullptr);
+  }
+  if (!settings.sky || !settings.sky->is_picture()) return;
+  controls.row("Picture", settings.sky->choice().file, "The file that surrounds the scene.");
+  float turn = static_cast<float>(settings.sky->choice().turn_deg);
+  if (controls.slider(
+          "Turn", "About the vertical, counter-clockwise as seen from above, in degrees.", turn,
+          {-180.0f, 180.0f, 0.0f}, [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
+    settings.sky = std::make_shared<const Sky>(settings.sky->turned(static_cast<double>(turn)));
+}
+
+}  // namespace
+
+void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader) {
+  auto outcome = reader.take_outcome();
+  if (!outcome) return;
+  if (*outcome) {
+    settings.sky = std::move(**outcome);
+    choice.file = false;
+  } else {
+    choice.error = outcome->error().message();
+  }
+}
+
+void sky_panel(Controls& controls, RenderSettings& settings, SkyEdit& choice, SkyReader& reader) {
+  if (!controls.section("Sky", false)) return;
+  const SkyKind kind = kind_of_sky(settings, choice);
+  int chosen = static_cast<int>(kind);
+  if (controls.options("Sky", sky_kinds, chosen, {false, std::nullopt}))
+    choose_kind(settings, choice, static_cast<SkyKind>(chosen));
+  switch (kind_of_sky(settings, choice)) {
+    case SkyKind::neutral:
+      break;
+    case SkyKind::colour:
+    case SkyKind::gradient:
+      colour_controls(controls, settings, kind_of_sky(settings, choice));
+      break;
+    case SkyKind::file:
+      file_controls(controls, settings, choice, reader);
+      break;
+  }
+}
+
+}  // namespace asos

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "renderer/methods/settings.h"
+#include "ui/panels/controls.h"
+#include "ui/sky_reader.h"
+
+#include <string>
+
+namespace asos {
+
+/// What the settings' sky does not tell.
+struct SkyEdit {
+  bool gradient = false;  ///< of a sky of one colour: it is a gradient whose colours are the same
+  bool file = false;      ///< a picture is asked for and none is there yet
+  std::string path;       ///< typed
+  std::string error;      ///< why it could not be read
+};
+
+/// Call once a frame, whether the panel is shown or not: takes over what was read.
+void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader);
+
+/// What surrounds the scene.
+void sky_panel(Controls& controls, RenderSettings& settings, SkyEdit& choice, SkyReader& reader);
+
+}  // namespace asos

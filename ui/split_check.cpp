@@ -1,0 +1,172 @@
+#include "ui/split_check.h"
+
+#include "renderer/study/measures.h"
+#include "renderer/study/timed_render.h"
+#include "ui/previewer.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+constexpr int least_passes = 6;  // fewer tell no error of their own
+constexpr float as_one_sample = 0.25f / 255.0f;
+
+float largest(glm::vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+// How many standard errors noise explains: the quantile of Student's distribution where that of the
+// normal one is 4, expanded in 1 / (passes - 1) (Abramowitz and Stegun 26.7.5).
+float most_explained(int passes) {
+  constexpr float z = 4.0f, z2 = z * z;
+  const float d = 1.0f / static_cast<float>(std::max(1, passes - 1));
+  return z *
+         (1.0f + 0.25f * (z2 + 1.0f) * d + (5.0f * z2 * z2 + 16.0f * z2 + 3.0f) / 96.0f * d * d);
+}
+
+float display_difference(glm::vec3 a, glm::vec3 b) {
+  return largest(glm::abs(display_rgb(a, 0.0f) - display_rgb(b, 0.0f)));
+}
+
+void add_pixel(std::vector<PixelRun>& runs, int x, int y) {
+  if (!runs.empty() && runs.back().y == y && runs.back().x + runs.back().count == x) {
+    ++runs.back().count;
+  } else {
+    runs.push_back({x, y, 1});
+  }
+}
+
+/// The mean of passes and how sure it is, of radiance clipped to 0 to 1 (Welford 1962).
+class PassMean {
+ public:
+  void add(const Film& pass) {
+    if (count_ == 0) {
+      film_ = Film(pass.width, pass.height);
+      squares_.assign(film_.radiance.size(), glm::vec3(0.0f));
+    }
+    ++count_;
+    const float share = 1.0f / static_cast<float>(count_);
+    for (std::size_t i = 0; i < film_.radiance.size(); ++i) {
+      glm::vec3& mean = film_.radiance[i];
+      const glm::vec3 value = glm::clamp(pass.radiance[i], 0.0f, 1.0f);
+      const glm::vec3 before = value - mean;
+      mean += share * before;
+      squares_[i] += before * (value - mean);
+    }
+  }
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] const Film& film() const { return film_; }
+  [[nodiscard]] std::vector<float> uncertainty() const {
+    const auto n = static_cast<float>(count_);
+    std::vector<float> errors;
+    errors.reserve(squares_.size());
+    for (const glm::vec3& sum : squares_)
+      errors.push_back(std::sqrt(largest(sum) / std::max(1.0f, n * (n - 1.0f))));
+    return errors;
+  }
+
+ private:
+  int count_ = 0;
+  Film film_;
+  std::vector<glm::vec3> squares_;
+};
+
+struct CheckRequest {
+  Snapshot snapshot;
+  Film picture;
+  double alarm = 0.0;
+};
+
+void check_view(const CheckRequest& request, const std::stop_token& stop,
+                const std::function<void(SplitFindings)>& tell) {
+  const auto render = [&](Method method, int spp, int seed) {
+    Snapshot snapshot = request.snapshot;
+    snapshot.settings.method = method;
+    snapshot.settings.spp = spp;
+    snapshot.settings.seed = seed;
+    return timed_render(std::move(snapshot), [&] { return stop.stop_requested(); });
+  };
+  const auto centres = render(Method::uniform, 1, 0);
+  PassMean mean;
+  while (centres && mean.count() < SplitCheck::most_passes) {
+    const auto pass = render(Method::sobol, SplitCheck::samples_each, mean.count() + 1);
+    if (!pass) return;
+    mean.add(pass->film);
+    if (mean.count() < least_passes) continue;
+    SplitFindings found =
+        find_faults({request.picture, centres->film, mean.film(), mean.uncertainty(), mean.count()},
+                    request.alarm);
+    found.passes = mean.count();
+    found.reference = std::make_shared<const Film>(mean.film());
+    tell(std::move(found));
+  }
+}
+
+}  // namespace
+
+SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
+  const Film& picture = evidence.picture;
+  SplitFindings found;
+  const float explained = most_explained(evidence.passes);
+  double noise = 0.0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const std::size_t i = picture.index(x, y);
+      const glm::vec3 seen = picture.radiance[i], truth = evidence.reference.radiance[i];
+      const float error = evidence.uncertainty[i];
+      noise += static_cast<double>(error) * static_cast<double>(error);
+      // A shadow's edge may cut a pixel that is one cell.
+      const bool split = picture.split_level[i] > 0 || picture.cause[i] != SplitCause::none;
+      found.split_pixels += split;
+      if (split) {
+        if (display_difference(seen, evidence.centres.radiance[i]) > as_one_sample) continue;
+        ++found.wasted_pixels;
+        add_pixel(found.wasted, x, y);
+        continue;
+      }
+      const float off = largest(glm::abs(glm::clamp(seen, 0.0f, 1.0f) - truth));
+      if (!(off > explained * error) ||
+          !(static_cast<double>(display_difference(seen, truth)) > alarm))
+        continue;
+      ++found.missed_pixels;
+      add_pixel(found.missed, x, y);
+    }
+  }
+  found.rmse = root_mean_square(picture, evidence.reference, true);
+  const auto pixels = static_cast<double>(std::max<std::size_t>(1, picture.radiance.size()));
+  found.noise = std::sqrt(noise / pixels);
+  return found;
+}
+
+void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm) {
+  const Method method = previewer.rendered_settings().method;
+  const bool splits = method == Method::asos || method == Method::asos_published;
+  const Subject subject{previewer.restarts(), alarm};
+  const bool ready = wanted && splits && previewer.scene() && previewer.progress().finished &&
+                     !previewer.seconds_to_update(0.0);
+  current_ = ready && subject_ == subject;
+  if (!ready) findings_.reset();
+  if (!current_ && job_.busy()) {
+    job_.stop();
+    return;
+  }
+  if (auto outcome = job_.take_outcome(); outcome && current_) findings_ = std::move(*outcome);
+  if (!ready || current_) return;
+  subject_ = subject;
+  current_ = true;
+  findings_.reset();
+  job_.start([request = CheckRequest{{previewer.shared_scene(), previewer.camera().camera(),
+                                      previewer.rendered_settings(), false},
+                                     previewer.film(),
+                                     alarm}](const std::stop_token& stop, const auto& tell) {
+    check_view(request, stop, tell);
+  });
+}
+
+}  // namespace asos

@@ -1,0 +1,99 @@
+#include "ui/split_forecast.h"
+
+#include "renderer/methods/method.h"
+#include "ui/previewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+constexpr double forecast_seconds = 0.15;
+constexpr int least_blocks = 4;
+constexpr int most_blocks = 400;
+
+double own_processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+PixelRect block_at(const RenderSettings& settings, int index) {
+  // Roberts' R2: the plastic number's powers.
+  const auto place = [&](double step, int size, int side) {
+    const double at = 0.5 + step * index;
+    return static_cast<int>((at - std::floor(at)) * size) / side * side;
+  };
+  const int side = block_side(settings);
+  const int x = place(0.7548776662466927, settings.width, side);
+  const int y = place(0.5698402909980532, settings.height, side);
+  return {x, y, std::min(side, settings.width - x), std::min(side, settings.height - y)};
+}
+
+}  // namespace
+
+Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
+  const RenderSettings& settings = snapshot.settings;
+  const View view(snapshot.camera, settings.width, settings.height,
+                  radius_around_origin(snapshot.scene->world.bounds));
+  const double start = own_processor_seconds();
+  double pixels = 0.0, split = 0.0, squares = 0.0, taken = 0.0;
+  int blocks = 0;
+  while (blocks < most_blocks && (blocks < least_blocks || taken < budget_seconds)) {
+    const PixelRect rect = block_at(settings, blocks);
+    const BlockResult block = render_block(*snapshot.scene, view, settings, rect);
+    const double area = 1.0 * rect.width * rect.height;
+    // Shadows' edges may cut a pixel that is one cell: the split map shows those, too.
+    const auto& tile = block.tile;
+    double cut = 0.0;
+    for (std::size_t i = 0; i < tile.split_level.size(); ++i)
+      cut += tile.split_level[i] > 0 || tile.cause[i] != SplitCause::none;
+    pixels += area;
+    split += cut;
+    squares += cut * cut / area;
+    taken = own_processor_seconds() - start;
+    ++blocks;
+  }
+  Forecast told;
+  told.pixels = static_cast<int>(pixels);
+  told.split_share = split / pixels;
+  // Blocks, not pixels, are independent.
+  const double variance = std::max(0.0, squares / pixels - told.split_share * told.split_share);
+  told.split_error = std::sqrt(variance / blocks);
+  told.seconds = taken / pixels * settings.width * settings.height / worker_count(settings.threads);
+  return told;
+}
+
+SplitForecast::SplitForecast()
+    : job_(
+          [](const Snapshot& snapshot) {
+            return Told{snapshot.settings, snapshot.scene.get(),
+                        forecast(snapshot, forecast_seconds)};
+          },
+          {}, Overtaken::kept) {}
+
+void SplitForecast::ask(const Previewer& previewer) {
+  const RenderSettings& settings = previewer.settings();
+  if (!previewer.scene() || !validated(settings) || !previewer.sized()) return;
+  if (asked_ == settings && camera_ == previewer.camera().revision()) return;
+  asked_ = settings;
+  camera_ = previewer.camera().revision();
+  job_.ask({previewer.shared_scene(), previewer.camera().camera(), settings, false});
+}
+
+void SplitForecast::update() {
+  if (auto told = job_.take_outcome()) told_ = std::move(*told);
+}
+
+const Forecast* SplitForecast::of(const Previewer& previewer) const {
+  const bool current = told_ && told_->settings == previewer.settings() &&
+                       told_->scene == previewer.scene() &&
+                       camera_ == previewer.camera().revision();
+  return current ? &told_->forecast : nullptr;
+}
+
+}  // namespace asos

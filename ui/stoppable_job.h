@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace asos {
+
+/// One piece of work at a time on a thread of its own, which tells what it found meanwhile and can
+/// be asked to end. Only the destructor waits for it. All members are for one controlling thread.
+template <typename Outcome>
+class StoppableJob {
+ public:
+  using Tell = std::function<void(Outcome)>;
+  using Work = std::function<void(const std::stop_token&, const Tell&)>;
+
+  /// Only while not busy.
+  void start(Work work) {
+    thread_ = {};  // has ended
+    {
+      const std::scoped_lock lock(mutex_);
+      outcome_.reset();
+      working_ = true;
+    }
+    thread_ = std::jthread([this, work = std::move(work)](const std::stop_token& stop) {
+      work(stop, [this](Outcome outcome) {
+        const std::scoped_lock lock(mutex_);
+        outcome_ = std::move(outcome);
+      });
+      const std::scoped_lock lock(mutex_);
+      working_ = false;
+    });
+  }
+  void stop() { thread_.request_stop(); }
+  [[nodiscard]] bool busy() const {
+    const std::scoped_lock lock(mutex_);
+    return working_;
+  }
+  /// Whether it works, or what it told last has not been taken.
+  [[nodiscard]] bool pending() const {
+    const std::scoped_lock lock(mutex_);
+    return working_ || outcome_;
+  }
+  /// What was told last, once.
+  [[nodiscard]] std::optional<Outcome> take_outcome() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(outcome_, std::nullopt);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  bool working_ = false;
+  std::optional<Outcome> outcome_;
+  std::jthread thread_;  // last: stops before what it uses goes
+};
+
+}  // namespace asos
