@@ -76,7 +76,10 @@ tl::unexpected<Error> interrupted_error() {
 PictureDescription wanted_picture(const PictureArguments& wanted) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
   picture.needs = wanted.needs;
-  if (picture.scene != wanted.scene) picture.lights.reset();
+  if (picture.scene != wanted.scene) {
+    picture.lights.reset();
+    picture.dfrs.reset();
+  }
   return picture;
 }
 

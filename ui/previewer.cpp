@@ -211,10 +211,11 @@ void Previewer::accept(LoadOutcome outcome) {
   }
 }
 
-// The scene has the picture's lights already.
+// The scene has the picture's lights and ratios already.
 void Previewer::take_over(const PictureDescription& picture) {
   lights_.clear();
   for (const Light& light : scene_->world.lights) lights_.push_back(EditedLight::of(light));
+  dfrs_ = dfrs_of(scene_->world);
   RenderSettings settings = picture.settings;
   settings.crop = {};
   settings.width = settings_.width;

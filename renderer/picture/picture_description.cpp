@@ -1,6 +1,7 @@
 #include "renderer/picture/picture_description.h"
 
 #include "renderer/methods/names.h"
+#include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/light_json.h"
 #include "renderer/picture/settings_json.h"
@@ -95,6 +96,11 @@ std::string read_fields(FieldReader& fields, PictureDescription& read) {
     if (!lights) return lights.error().reason;
     read.lights = *std::move(lights);
   }
+  if (const OrderedJson* at = fields.take("dfrs"); at && !at->is_null()) {
+    auto dfrs = dfrs_from_json(*at);
+    if (!dfrs) return dfrs.error().reason;
+    read.dfrs = *std::move(dfrs);
+  }
   if (const OrderedJson* at = fields.take("display")) {
     FieldReader display(*at, "display");
     each_display_value(display, read.display);
@@ -131,7 +137,11 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
   description.sky = choice_of(settings.sky.get());
   if (!description.sky.file.empty()) description.sky.file = absolute_source(description.sky.file);
   description.needs = scene.forced == SceneNeeds{} ? NeedsChoice::scene : NeedsChoice::all;
-  if (scene.built_from) description.lights = scene.world.lights;
+  if (scene.built_from) {
+    description.lights = scene.world.lights;
+    MaterialDfrs dfrs = dfrs_of(scene.world);
+    if (dfrs != dfrs_of(scene.built_from->world)) description.dfrs = std::move(dfrs);
+  }
   description.display = display;
   return description;
 }
@@ -146,6 +156,7 @@ std::string description_text(const PictureDescription& description) {
   fields.other("settings", settings_json(description.settings, description.sky));
   fields.other("lights",
                description.lights ? lights_json(*description.lights) : OrderedJson(nullptr));
+  fields.other("dfrs", description.dfrs ? dfrs_json(*description.dfrs) : OrderedJson(nullptr));
   FieldWriter display;
   each_display_value(display, description.display);
   fields.other("display", display.take());
@@ -193,12 +204,13 @@ Error scene_of_picture_error(const std::string& file, const Error& error) {
 Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
                                                    const PictureDescription& description) {
   auto prepared = prepare(scene, forced_by(description.needs));
-  if (!prepared || !description.lights) return prepared;
-  return with_lights(*prepared, description.lights_from((*prepared)->world.origin))
-      .map_error([&](const Error& error) {
-        return Error{scene.source,
-                     "is not the scene that the picture was made of: " + error.message()};
-      });
+  if (!prepared) return prepared;
+  if (description.lights)
+    prepared = with_lights(*prepared, description.lights_from((*prepared)->world.origin));
+  if (prepared && description.dfrs) prepared = with_dfrs(*prepared, *description.dfrs);
+  return std::move(prepared).map_error([&](const Error& error) {
+    return Error{scene.source, "is not the scene that the picture was made of: " + error.message()};
+  });
 }
 
 }  // namespace asos

@@ -2,6 +2,7 @@
 
 #include "renderer/film/image_io.h"
 #include "renderer/film/split_map.h"
+#include "renderer/methods/edited_materials.h"
 #include "renderer/methods/render_scene.h"
 #include "renderer/methods/settings.h"
 #include "renderer/result.h"
@@ -42,6 +43,7 @@ struct PictureDescription {
   SkyChoice sky;  ///< of `settings`, where that has none yet
   NeedsChoice needs = NeedsChoice::scene;
   std::optional<std::vector<Light>> lights;  ///< in place of the scene's own; none: its own
+  std::optional<MaterialDfrs> dfrs;          ///< in place of its materials' own; none: their own
   PictureDisplay display;
 
   /// The camera and the lights relative to another origin.
@@ -66,7 +68,8 @@ struct PictureDescription {
 /// Why the scene of the picture in `file` could not be loaded.
 [[nodiscard]] Error scene_of_picture_error(const std::string& file, const Error& error);
 
-/// The scene that was loaded, made ready and lit as the picture says. Errors name its file.
+/// The scene that was loaded, made ready, lit and blurring as the picture says. Errors name its
+/// file.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
     const Scene& scene, const PictureDescription& description);
 

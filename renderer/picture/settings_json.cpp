@@ -1,15 +1,13 @@
 #include "renderer/picture/settings_json.h"
 
 #include "renderer/methods/names.h"
+#include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 
 #include <algorithm>
-#include <array>
 
 namespace asos {
 namespace {
-
-constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"};
 
 /// Every setting that has a value of its own; crop, DFR and sky may be absent, and are told apart.
 template <typename Fields, typename Settings>
@@ -62,40 +60,12 @@ void read_crop(FieldReader& fields, PixelRect& crop) {
   crop = {at->at(0).get<int>(), at->at(1).get<int>(), at->at(2).get<int>(), at->at(3).get<int>()};
 }
 
-template <typename Fields, typename Curve>
-void each_dfr_value(Fields& fields, Curve& curve) {
-  fields("min", curve.min);
-  fields("max", curve.max);
-  fields("exponent", curve.exponent);
-}
-
-OrderedJson dfr_json(const std::optional<Dfr>& dfr) {
-  if (!dfr) return nullptr;
-  FieldWriter fields;
-  for (std::size_t i = 0; i < channel_names.size(); ++i) {
-    FieldWriter curve;
-    each_dfr_value(curve, dfr->rgb[i]);
-    fields.other(channel_names[i], curve.take());
-  }
-  fields("perturbation", dfr->perturbation);
-  return fields.take();
-}
-
 void read_dfr(FieldReader& settings, std::optional<Dfr>& dfr) {
   const OrderedJson* at = settings.take("dfr");
-  if (!at || at->is_null()) return;
-  FieldReader fields(*at, "dfr");
-  dfr.emplace();
-  for (std::size_t i = 0; i < channel_names.size(); ++i) {
-    const OrderedJson* channel = fields.take(channel_names[i]);
-    if (!channel) break;
-    FieldReader curve(*channel, channel_names[i]);
-    each_dfr_value(curve, dfr->rgb[i]);
-    if (const std::string fault = curve.fault(); !fault.empty())
-      fields.refuse(channel_names[i], fault);
-  }
-  fields("perturbation", dfr->perturbation);
-  if (const std::string fault = fields.fault(); !fault.empty()) settings.refuse("dfr", fault);
+  if (!at) return;
+  auto read = dfr_from_json(*at);
+  if (!read) return settings.refuse("dfr", read.error().reason);
+  dfr = *std::move(read);
 }
 
 OrderedJson sky_json(const SkyChoice& sky) {

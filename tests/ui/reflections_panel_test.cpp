@@ -1,3 +1,6 @@
+#include "renderer/film/image_io.h"
+#include "renderer/picture/picture_description.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
@@ -171,6 +174,31 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   rig.click("Reset reflections");
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(material(0).dfr.has_value());
+}
+
+TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
+  rig.click("Own DFR");
+  ASSERT_TRUE(reached_scene());
+  const MaterialDfrs edited = rig.previewer().dfrs();
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("shot.png");
+  PictureDescription said = rig.previewer().description({});
+  said.scene = "mirrors";  // which is no path
+  ASSERT_TRUE(
+      write_png(file, {1, 1, {0, 0, 0}, {{PictureDescription::key, description_text(said)}}}));
+  rig.click("Reset reflections");
+  ASSERT_TRUE(reached_scene());
+  ASSERT_NE(rig.previewer().dfrs(), edited);
+  const std::uint64_t opened = rig.previewer().scenes_opened();
+  rig.previewer().open(file);
+  ASSERT_TRUE(rig.frames_until(
+      [&] { return rig.previewer().scenes_opened() > opened || rig.previewer().error(); }));
+  ASSERT_FALSE(rig.previewer().error()) << rig.previewer().error()->message();
+  EXPECT_EQ(rig.previewer().dfrs(), edited);
+  EXPECT_EQ(dfrs_of(rig.previewer().scene()->world), edited);
+  rig.click("Reset reflections");
+  ASSERT_TRUE(reached_scene());
+  EXPECT_FALSE(material(0).dfr.has_value()) << "what the scene's own file says";
 }
 
 TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {

@@ -1,6 +1,7 @@
 #include "renderer/picture/picture_description.h"
 
 #include "renderer/picture/settings_json.h"
+#include "renderer/scene/load.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,7 @@ PictureDescription odd_description() {
   d.sky.turn_deg = 45.1;
   d.needs = NeedsChoice::all;
   d.lights = odd_lights();
+  d.dfrs = MaterialDfrs{std::nullopt, Dfr{{DfrCurve{0.1, 0.9, 31.5}, {}, {}}, 1.0 / 3.0}};
   d.display = {-1.3f, true, SplitMapColours::cause, 0.4f};
   return d;
 }
@@ -121,6 +123,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
   EXPECT_EQ((*read->lights)[0].outlines, (*d.lights)[0].outlines);
   EXPECT_EQ((*read->lights)[0].range, std::numeric_limits<double>::infinity());
   EXPECT_EQ((*read->lights)[1].own_part, 3);
+  EXPECT_EQ(read->dfrs, d.dfrs);
   EXPECT_EQ(description_text(*read), text) << "nothing else was lost either";
 }
 
@@ -188,6 +191,10 @@ TEST(PictureDescription, WhatIsMalformedIsRefusedByFileAndReason) {
            Damage{"/lights", 3, "lights are no list"},
            Damage{"/lights/1/range", "far", "light 2: \"range\""},
            Damage{"/lights/0/outlines/0/1", {1, 2}, "outlines"},
+           Damage{"/dfrs", "rough", "dfrs are no list"},
+           Damage{"/dfrs", gone, "no \"dfrs\""},
+           Damage{"/dfrs/1/blue", gone, "material 2: dfr has no \"blue\""},
+           Damage{"/dfrs/1/red/max", "wide", "material 2"},
            Damage{"/display/exposure_ev", 1e300, "\"exposure_ev\""},
            Damage{"/display", gone, "no \"display\""},
        }) {
@@ -212,6 +219,27 @@ TEST(PictureDescription, IsNeverReadInPart) {
     EXPECT_FALSE(parse_description(text.substr(0, length), "a").has_value()) << length;
   EXPECT_FALSE(parse_description("[]", "a").has_value());
   EXPECT_FALSE(parse_description(std::string(100000, '['), "a").has_value());
+}
+
+// What was edited in the window is in its pictures.
+TEST(PictureDescription, EditedBlurComesBackWithItsScene) {
+  const Scene scene = load_scene("builtin:solids").value();
+  const auto original = prepare(scene).value();
+  EXPECT_FALSE(describe(*original, {}, {}, {}).dfrs.has_value()) << "nothing was edited";
+  MaterialDfrs dfrs = dfrs_of(original->world);
+  dfrs.back() =
+      Dfr{{DfrCurve{0.2, 0.7, 9.0}, DfrCurve{0.2, 0.7, 9.0}, DfrCurve{0.2, 0.7, 9.0}}, 0.0};
+  const auto edited = with_dfrs(original, dfrs).value();
+  const auto read =
+      parse_description(description_text(describe(*edited, {}, {}, {})), "a.png").value();
+  EXPECT_EQ(read.dfrs, dfrs);
+  EXPECT_EQ(dfrs_of((*prepare(scene, read))->world), dfrs);
+
+  // Another scene than that of the picture is told, not half edited.
+  const auto other = prepare(load_scene("builtin:boxes").value(), read);
+  ASSERT_FALSE(other.has_value());
+  EXPECT_NE(other.error().reason.find("is not the scene that the picture was made of"),
+            std::string::npos);
 }
 
 TEST(PictureDescription, FilesThatSayNothingAreNamed) {
