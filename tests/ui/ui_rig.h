@@ -24,7 +24,8 @@ class UiRig {
   WindowContent& content() { return *content_; }
 
   void frame();
-  /// Draws frames until `done`; false after `limit_seconds` of real time.
+  /// Draws frames until `done`; false after `limit_seconds` of real time, ten times that under the
+  /// sanitizers.
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 60.0);
   /// Frames until the render is finished and shown and the input is used up.
   [[nodiscard]] bool settle();
