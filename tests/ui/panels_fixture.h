@@ -11,10 +11,11 @@
 
 namespace asos::test {
 
-/// A window beside whose picture there is room for the whole panel, with a scene open.
+/// A window beside whose picture there is room for the whole panel, with a scene open. Blind.
 class PanelsTest : public testing::Test {
  protected:
   PanelsTest() {
+    rig.set_blind(true);
     rig.previewer().open("scene");
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
     EXPECT_TRUE(rig.settle());

@@ -12,7 +12,10 @@ namespace {
 
 class SaveTest : public test::PanelsTest {
  protected:
-  SaveTest() { setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1); }
+  SaveTest() {
+    setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1);
+    rig.set_blind(false);
+  }
   ~SaveTest() override { unsetenv("XDG_PICTURES_DIR"); }
 
   void open_dialog() {

@@ -77,7 +77,7 @@ class SplitMapTest : public testing::Test {
     return {static_cast<int>(std::floor(0.5 * film.width + x * scale)),
             static_cast<int>(std::floor(0.5 * film.height - y * scale))};
   }
-  [[nodiscard]] glm::u8vec3 shown(glm::ivec2 at) const {
+  [[nodiscard]] glm::u8vec3 shown(glm::ivec2 at) {
     return rig.pixels()[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
   }
 

@@ -40,7 +40,9 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale)
 
 void UiRig::frame() {
   now_seconds_ += 1.0 / 60.0;
+  if (blind_) gl::glEnable(GL_RASTERIZER_DISCARD);
   content_->draw({size_, size_, content_scale_, now_seconds_});
+  if (blind_) gl::glDisable(GL_RASTERIZER_DISCARD);
 }
 
 bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds) {
@@ -150,7 +152,11 @@ void UiRig::click(const std::string& name) {
   release(MouseButton::left);
 }
 
-std::vector<glm::u8vec3> UiRig::pixels() const {
+std::vector<glm::u8vec3> UiRig::pixels() {
+  if (std::exchange(blind_, false)) {
+    frame();
+    blind_ = true;
+  }
   const std::size_t width = static_cast<std::size_t>(size_.x);
   const std::size_t height = static_cast<std::size_t>(size_.y);
   std::vector<glm::u8vec3> pixels(width * height);

@@ -43,8 +43,12 @@ class UiRig {
   Controls::Placed control(const std::string& name);
   void click(const std::string& name);
 
-  /// What the framebuffer shows, row-major from the top left.
-  [[nodiscard]] std::vector<glm::u8vec3> pixels() const;
+  /// Whether frames are laid out and uploaded but not filled in, which is most of what software
+  /// OpenGL spends on them; what a picture of the window saves is wrong then.
+  void set_blind(bool blind) { blind_ = blind; }
+  /// What the framebuffer shows, row-major from the top left; of a blind window after one more
+  /// frame.
+  [[nodiscard]] std::vector<glm::u8vec3> pixels();
   [[nodiscard]] glm::ivec2 size() const { return size_; }
 
  private:
@@ -56,6 +60,7 @@ class UiRig {
   glm::ivec2 size_;
   float content_scale_;
   double now_seconds_ = 0.0;
+  bool blind_ = false;
 };
 
 }  // namespace asos::test

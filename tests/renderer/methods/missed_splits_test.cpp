@@ -118,7 +118,7 @@ TEST_P(ModelsAsFound, AreFiniteWithEverythingOn) {
   EXPECT_EQ(statistics_.rejected_samples, 0u);
 }
 INSTANTIATE_TEST_SUITE_P(MissedSplits, ModelsAsFound,
-                         testing::ValuesIn(shared_cases(80, 45, false)), name_of);
+                         testing::ValuesIn(shared_cases(64, 36, false)), name_of);
 
 }  // namespace
 }  // namespace asos::test::missed_splits_test
