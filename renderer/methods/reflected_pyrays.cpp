@@ -147,8 +147,12 @@ std::optional<MirroredSight> ReflectedPyrays::sight_of(const Reflection& reflect
   const glm::dvec3 start = start_of(part);
   pyray.distance = glm::dot(surface.geometric, surface.position - start) /
                    glm::dot(surface.geometric, pyray.axis);
-  if (!(pyray.distance > 0.0) || !std::isfinite(pyray.distance)) return std::nullopt;
-  surface.position = start + pyray.distance * pyray.axis;
+  if (pyray.distance > 0.0 && std::isfinite(pyray.distance)) {
+    surface.position = start + pyray.distance * pyray.axis;
+  } else {
+    // Seen along its very plane: from where the sample met it.
+    pyray.distance = static_cast<double>(reflection.hit.t) / glm::length(pyray.axis);
+  }
   const MirrorLobe lobe = lobe_around(surface, mirrored_direction(surface, pyray.axis), pyray.right,
                                       static_cast<double>(width));
   const auto reflected = mirrored(pyray, surface, lobe);
@@ -211,8 +215,13 @@ Mirrored ReflectedPyrays::trace(const Reflection& reflection, const MirroredLeaf
     const glm::vec2 middle(0.5f);
     Root root;
     root.square = whole_square;
-    root.list = level.lists.root();
     root.centre = caster.probe({&middle, 1});
+    // What the middle shows hides what lies behind it; often nothing is left to look at.
+    const Square reach = Detector(mirrored_frame, settings.detect).reach(whole_square);
+    const HidingPlane hiding =
+        HidingPlane::of(caster.cover(root.centre), mirrored_frame, reach.side);
+    level.lists.refine(reach, hiding, level.lists.root(), level.list, true);
+    root.list = level.list;
     root.seed = leaf.seed;
     caster.gather_surfaces(1);
     split = subdivide(level, root, caster);

@@ -43,6 +43,7 @@ class ReflectionWorkspace {
  public:
   struct Bounce {
     HitLists lists;
+    HitLists::List list;
     Subdivider subdivider;
     RenderSettings settings;
   };

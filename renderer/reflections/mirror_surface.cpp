@@ -32,6 +32,13 @@ void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSur
   surface.clearance = std::min(surface.clearance, rounding);
 }
 
+// At half of either edge, to second order, where the normals lean towards each other.
+double hollow_rise(const MirrorPatch& patch, glm::dvec3 turn_right, glm::dvec3 turn_down) {
+  const double along_right = glm::dot(turn_right, patch.right);
+  const double along_down = glm::dot(turn_down, patch.down);
+  return (std::max(0.0, -along_right) + std::max(0.0, -along_down)) / 8.0;
+}
+
 }  // namespace
 
 MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePoint& point,
@@ -45,12 +52,14 @@ MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePo
       glm::dot(point.shading_normal, point.geometric_normal) > same_normal)
     take_plane(world, hit, pyray.perspective ? pyray.distance * glm::length(pyray.axis) : 0.0,
                surface);
-  if (!bent) return surface;
   const MirrorPatch patch = patch_of(pyray, surface.geometric);
   const NormalSpread turn = normal_turn(world, hit, {glm::vec3(patch.right), glm::vec3(patch.down)},
                                         point.shading_normal);
-  surface.turn_right = glm::dvec3(turn.right);
-  surface.turn_down = glm::dvec3(turn.down);
+  const glm::dvec3 turn_right(turn.right), turn_down(turn.down);
+  surface.rise = hollow_rise(patch, turn_right, turn_down);
+  if (!bent) return surface;
+  surface.turn_right = turn_right;
+  surface.turn_down = turn_down;
   return surface;
 }
 

@@ -151,7 +151,8 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
     }
   }
   if (!out) return std::nullopt;
-  const double height = glm::dot(surface.geometric, surface.position) + surface.clearance;
+  const double height =
+      glm::dot(surface.geometric, surface.position) + surface.clearance + surface.rise;
   out->picture.beyond = {surface.geometric, height};
   return out;
 }

@@ -24,7 +24,8 @@ struct MirrorSurface {
   glm::dvec3 geometric{0, 0, 1};  ///< unit, of the plane that reflected rays have to leave
   double clearance = 0.0;         ///< how far above that plane they start
   double skin = 0.0;              ///< MirrorPlane's; 0: not a plane
-  glm::dvec3 turn_right{0.0};     ///< of the unit normal across the pyray's patch; 0: flat
+  double rise = 0.0;  ///< by how much a hollow one is higher at the corners of the pyray's patch
+  glm::dvec3 turn_right{0.0};  ///< of the unit normal across the pyray's patch; 0: flat
   glm::dvec3 turn_down{0.0};
 
   [[nodiscard]] bool bent() const {
