@@ -2,7 +2,8 @@
 # Runs the real window on a virtual screen and uses it as a person would: waits for the picture,
 # drags EPS, undoes that, clicks a pixel, orbits, resizes, minimises, saves the picture in several
 # ways, drops what was saved on the window again, opens a file that does not exist and one that does
-# (where the shared scenes are there), quits. Each step waits for what it should bring about.
+# (where the shared scenes are there), quits; and edits a mirror's blur by its curve in another one.
+# Each step waits for what it should bring about.
 # Pictures of the screen stay in the current directory for a look.
 #
 # usage: window_test.sh ASOS_PROGRAM DROP_FILE_PROGRAM [SCENE]
@@ -56,9 +57,12 @@ export LIBGL_ALWAYS_SOFTWARE=1
 export XDG_PICTURES_DIR=$work
 export XDG_CONFIG_HOME=$work
 
-"$program" "$scene" --size 640x400 --max 1 --reflections 0 --no-shadows >"$work/log" 2>&1 &
-app=$!
 window=
+start() {
+  "$program" "$@" --no-shadows >"$work/log" 2>&1 &
+  app=$!
+}
+start "$scene" --size 640x400 --max 1 --reflections 0
 found_window() {
   window=$(xdotool search --onlyvisible --class asos 2>/dev/null | head -1)
   [ -n "$window" ]
@@ -221,16 +225,46 @@ if [ -f "$bike" ]; then
   wait_for_picture window_bike.png
 fi
 
-xdotool key ctrl+q
 ended() { ! kill -0 "$app" 2>/dev/null; }
-for _ in $(seq 600); do
-  ended && break
+quit() {
+  local code
+  xdotool key ctrl+q
+  for _ in $(seq 600); do
+    ended && break
+    sleep 0.1
+  done
+  ended || fail "Ctrl+Q did not end the program"
+  wait "$app"
+  code=$?
+  app=
+  [ "$code" -eq 0 ] || fail "exit code $code"
+  [ -s "$work/log" ] && fail "the program complained"
+}
+quit
+
+# A mirror that blurs; its editor is scrolled to, and the curve's left end, DFRMIN, dragged up: the
+# house's picture in the mirror is less blurred, and as it was again by undo.
+start builtin:house-mirror --size 640x840 --max 0 --reflections 1 --dfr 0.05,1,8
+wait_until 'no window with a mirror' found_window
+wait_for_picture window_mirror.png
+geometry
+picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
+wait_until 'the mirror does not rest' at_rest window_mirror.png "$picture"
+xdotool mousemove $((X + WIDTH - 160)) $((Y + 600))
+for _ in 1 2 3 4 5 6; do
+  xdotool click 5
   sleep 0.1
 done
-ended || fail "Ctrl+Q did not end the program"
-wait "$app"
-code=$?
-app=
-[ "$code" -eq 0 ] || fail "exit code $code"
-[ -s "$work/log" ] && fail "the program complained"
+wait_until 'the panel does not rest' at_rest window_curve.png "${WIDTH}x$HEIGHT+$X+$Y"
+xdotool mousemove $((X + WIDTH - 283)) $((Y + 703)) mousedown 1
+for y in 690 670 640 600; do
+  xdotool mousemove $((X + WIDTH - 283)) $((Y + y))
+  sleep 0.05
+done
+xdotool mouseup 1 mousemove $((X + 300)) $((Y + 300))
+wait_until 'the curve changed nothing' changed window_edited.png window_mirror.png "$picture" 2000
+wait_until 'the edited mirror does not rest' at_rest window_edited.png "$picture"
+xdotool key ctrl+z
+wait_until 'the blur did not come back' same window_unedited.png window_mirror.png "$picture"
+quit
 echo "passed"
