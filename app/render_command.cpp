@@ -216,8 +216,8 @@ Command add_render_command(CLI::App& program) {
                                             "Also write the split map, in the window's colours")
                                ->type_name("FILE.png");
   add_choice(*parser, "--split-map-by", "WHAT",
-             "What the split map's colours tell of a pixel: level (the deepest, 0 to MAX) or cause "
-             "(why it was split)",
+             "What the split map's colours tell of a pixel: level (the deepest, 0 to MAX), cause "
+             "(why it was split), rays (how many it took) or time",
              split_map_names, arguments->split_map_by)
       ->needs(split_map);
   parser->add_option("--stats", arguments->stats_file, "Also write the statistics as JSON")
