@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -98,14 +99,22 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
     }
     return previewer.progress().finished;
   };
+  const auto load = [&](int scenes) {
+    for (int i = 0; i < scenes; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));
+    ASSERT_TRUE(rest());
+  };
   // The first scenes fill what libraries keep for good.
-  for (int i = 0; i < 10; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));
-  ASSERT_TRUE(rest());
+  load(30);
   const Memory before = memory();
-  const int loads = test::sanitized ? 40 : 200;
-  for (int i = 0; i < loads; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));
-  ASSERT_TRUE(rest());
-  const Memory after = memory();
+  // How the allocator's pieces lie differs from one moment to the next; what is lost stays lost.
+  Memory after{1e9, 1e9};
+  const int loads = test::sanitized ? 8 : 40;
+  for (int part = 0; part < 5; ++part) {
+    load(loads);
+    const Memory now = memory();
+    if (part == 4) after.heap_mb = now.heap_mb;
+    if (part > 1) after.resident_mb = std::min(after.resident_mb, now.resident_mb);
+  }
   std::printf("heap %.2f MB before, %.2f after; resident %.1f MB before, %.1f after\n",
               before.heap_mb, after.heap_mb, before.resident_mb, after.resident_mb);
   EXPECT_LE(after.heap_mb, 1.05 * before.heap_mb);
