@@ -23,6 +23,7 @@ struct HalfEdge {
   std::uint32_t high = 0;  // the end with the higher index; the lower one is the bucket
   std::uint32_t third = 0;
   std::uint32_t triangle = 0;
+  bool ascends = false;  // the triangle's corners run from the lower end to this one
 };
 
 std::uint64_t mix(std::uint64_t x) {
@@ -61,7 +62,11 @@ class Extractor {
         look_(world, texture_at),
         welded_(weld(world.positions)),
         sheets_(world.triangles.size()),
-        facets_(world.triangles.size()) {}
+        facets_(world.triangles.size()),
+        two_sided_(world.triangles.size()) {
+    for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
+      two_sided_[t] = world.material_of(t).double_sided;
+  }
 
   ExtractedFeatures run() {
     bucket_half_edges();
@@ -105,7 +110,7 @@ class Extractor {
           const std::uint32_t a = welded_[world_.triangles[t][k]];
           const std::uint32_t b = welded_[world_.triangles[t][(k + 1) % 3]];
           const std::uint32_t c = welded_[world_.triangles[t][(k + 2) % 3]];
-          visit(std::min(a, b), HalfEdge{std::max(a, b), c, t});
+          visit(std::min(a, b), HalfEdge{std::max(a, b), c, t, a < b});
         }
       }
     };
@@ -129,16 +134,26 @@ class Extractor {
                                                   shared(faces[k - 1], face, face.high),
                                                   shared(faces[k - 1], face, face.third)};
         repeats = look_.same(faces[k - 1].triangle, face.triangle, corners);
-        if (repeats) repeat(faces[k - 1].triangle, face.triangle);
+        if (repeats) repeat(faces[k - 1], face);
       }
       if (!repeats) faces[kept++] = face;
     }
     return faces.first(kept);
   }
 
-  void repeat(std::uint32_t original, std::uint32_t triangle) {
-    sheets_.join(original, triangle);
-    facets_.join(original, triangle);
+  void repeat(const HalfEdge& original, const HalfEdge& copy) {
+    sheets_.join(original.triangle, copy.triangle);
+    facets_.join(original.triangle, copy.triangle);
+    // Two single-sided ones, back to back.
+    if (original.ascends != copy.ascends || two_sided_[copy.triangle])
+      two_sided_[original.triangle] = true;
+  }
+
+  // Whether the edge's two faces show from the same sides, as long as it is no silhouette. The only
+  // thing that winding decides, because culling goes by it.
+  [[nodiscard]] bool same_sides(const HalfEdge& x, const HalfEdge& y) const {
+    const bool both = two_sided_[x.triangle];
+    return both == two_sided_[y.triangle] && (both || x.ascends != y.ascends);
   }
 
   // All the faces at one edge of the welded mesh.
@@ -160,7 +175,7 @@ class Extractor {
     edge.folds = !coplanar(edge);
     const std::uint32_t x = faces[0].triangle, y = faces[1].triangle;
     const Ends ends{shared(faces[0], faces[1], edge.a), shared(faces[0], faces[1], edge.b)};
-    if (look_.seam(x, y, ends)) {
+    if (!same_sides(faces[0], faces[1]) || look_.seam(x, y, ends)) {
       edge.kind = FeatureKind::seam;
       ++counts_.seam;
     } else if (look_.crease(x, y, ends)) {
@@ -219,6 +234,7 @@ class Extractor {
   std::vector<std::uint32_t> welded_;
   DisjointSets sheets_;
   DisjointSets facets_;                // triangles in one plane, joined smoothly
+  std::vector<bool> two_sided_;        // triangles that show from behind, too
   std::vector<std::uint32_t> bucket_;  // first half-edge of each vertex
   std::vector<HalfEdge> half_edges_;
   std::vector<FeatureEdge> edges_;

@@ -13,7 +13,7 @@ namespace asos {
 enum class FeatureKind : std::uint8_t {
   open,          ///< one face, or more than two
   crease,        ///< shading normals or vertex colours differ across the edge
-  seam,          ///< material, or what textures show, differs across the edge
+  seam,          ///< material, what textures show, or the side that shows differs across the edge
   intersection,  ///< two faces pass through each other; no edge of the mesh
   silhouette,    ///< two faces that meet smoothly at an angle: a candidate
 };
@@ -58,7 +58,8 @@ struct ExtractedFeatures {
 };
 
 /// Finds the feature edges of a world: welds vertices by position, pairs the faces of each edge and
-/// drops the edges between coplanar faces that look alike. Never relies on the faces' winding.
+/// drops the edges between coplanar faces that look alike. Relies on the faces' winding for nothing
+/// but for what culling hides: a single-sided face beside one that is wound the other way.
 /// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over; so are
 /// triangles that repeat another one's corners and look. `texture_at` tells whether a jump of
 /// texture coordinates shows; without it every one is a seam.

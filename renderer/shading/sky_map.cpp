@@ -190,8 +190,9 @@ glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
   const auto [u, v] = place_of(direction);
   const SkyRows& picture = levels_.front();
   if (!(side > 0.0)) return picture.at(u, v);
-  // In heights of the picture's rows. Below one, rows near the poles go over to fewer columns.
-  const double texel = static_cast<double>(texel_share) * side * picture.rows() / pi;
+  // In heights of the picture's rows. Below one, rows near the poles go over to fewer columns. A
+  // bilinear look at texels of side s has a variance of s^2 / 4, a box of side w has w^2 / 12.
+  const double texel = side / std::numbers::sqrt3 * picture.rows() / pi;
   if (texel < 1.0) {
     const glm::dvec3 sharp = picture.at(u, v);
     return glm::mix(sharp, glm::dvec3(levels_[1].at(u, v)), texel);

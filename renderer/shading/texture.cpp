@@ -23,25 +23,18 @@ std::array<float, 256> make_decode_table(Encoding encoding) {
 const std::array<float, 256> srgb_table = make_decode_table(Encoding::srgb);
 const std::array<float, 256> linear_table = make_decode_table(Encoding::linear);
 
-struct Texels {
-  const Image& image;
-  const std::array<float, 256>& colour;
-  int width = image.width;
-  int height = image.height;
-
-  [[nodiscard]] glm::vec4 at(int x, int y) const {
-    const std::uint8_t* p =
-        image.rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                 static_cast<std::size_t>(x));
-    return {colour[p[0]], colour[p[1]], colour[p[2]], linear_table[p[3]]};
-  }
-};
-
 }  // namespace
 
 float srgb_byte_to_linear(std::uint8_t byte) {
   return srgb_table[byte];
 }
+
+Texels::Texels(const Image& image, Encoding encoding)
+    : width(image.width),
+      height(image.height),
+      bytes_(image.rgba.data()),
+      color_(encoding == Encoding::srgb ? srgb_table.data() : linear_table.data()),
+      alpha_(linear_table.data()) {}
 
 const Image* image_of(const World& world, int texture) {
   if (texture < 0 || static_cast<std::size_t>(texture) >= world.textures.size()) return nullptr;
@@ -55,7 +48,7 @@ glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv, Encoding
   const Image* image = image_of(world, texture);
   if (!image) return glm::vec4(1.0f);
   const Texture& t = world.textures[static_cast<std::size_t>(texture)];
-  const Texels texels{*image, encoding == Encoding::srgb ? srgb_table : linear_table};
+  const Texels texels(*image, encoding);
   return t.filter == Filter::nearest ? nearest(texels, uv, t.wrap_u, t.wrap_v)
                                      : bilinear(texels, uv, t.wrap_u, t.wrap_v);
 }

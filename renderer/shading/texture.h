@@ -4,6 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
+#include <cstdint>
+
 namespace asos {
 
 /// What the RGB bytes of an image mean where it is looked up. Alpha is always linear.
@@ -11,6 +14,27 @@ enum class Encoding { srgb, linear };
 
 /// The linear value of an sRGB-encoded byte.
 [[nodiscard]] float srgb_byte_to_linear(std::uint8_t byte);
+
+/// An image's texels, linear. The image has to outlive them.
+class Texels {
+ public:
+  Texels(const Image& image, Encoding encoding);
+
+  [[nodiscard]] glm::vec4 at(int x, int y) const {
+    const std::uint8_t* p =
+        bytes_ + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x));
+    return {color_[p[0]], color_[p[1]], color_[p[2]], alpha_[p[3]]};
+  }
+
+  int width;
+  int height;
+
+ private:
+  const std::uint8_t* bytes_;
+  const float* color_;  // by byte
+  const float* alpha_;
+};
 
 /// A texture's image; null where it is missing or empty.
 [[nodiscard]] const Image* image_of(const World& world, int texture);

@@ -1,93 +1,125 @@
 #include "renderer/shading/texture_filter.h"
 
 #include "renderer/shading/bilinear.h"
+#include "renderer/shading/texel_window.h"
 #include "renderer/shading/texture.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 namespace {
 
-/// Where to look: `count` taps from `first` on, each a mix of two levels.
-struct Taps {
-  int count = 0;  ///< 0: the footprint is within a texel
-  glm::vec2 first{0.0f};
-  glm::vec2 step{0.0f};
+/// A level, and a patch of it.
+struct LevelPatch {
   std::size_t level = 0;
-  float coarser = 0.0f;  ///< share of level + 1
+  TexelPatch patch;
+
+  [[nodiscard]] bool point() const { return patch.right == glm::vec2(0.0f); }
 };
 
-/// The ellipse with a parallelogram's variances: its longer axis, and the length of its shorter.
-struct Ellipse {
-  glm::vec2 longer{0.0f};
-  float shorter = 0.0f;
+// Less than this is not seen, and keeps areas above 0.
+constexpr float thinnest = 1.0f / 32.0f;
+
+/// An edge as long as it has to be for the variance along it, w^2 / 12, to be right: a tent of
+/// texels that are boxes themselves adds 1/4 to it, the finest level's own tent would have added
+/// 1/6 of its texels.
+glm::vec2 less_of_texels(glm::vec2 edge, float texels) {
+  const float length2 = glm::dot(edge, edge);
+  const float left2 = length2 + 2.0f / (texels * texels) - 3.0f;
+  return edge * std::sqrt(std::max(left2, thinnest * thinnest) / length2);
+}
+
+/// About how many texels count for it.
+float held(const TexelPatch& patch) {
+  return (glm::length(patch.right) + 2.0f) * (glm::length(patch.down) + 2.0f);
+}
+
+/// The patch with both edges long enough for an area, and short enough for the number of texels
+/// where not even the coarsest level is coarse enough: there it repeats itself.
+TexelPatch bounded(TexelPatch patch) {
+  const float longest = held(patch) > most_texels ? std::sqrt(most_texels) : most_texels;
+  const auto within = [&](glm::vec2 edge, glm::vec2 other) {
+    const float length = glm::length(edge);
+    if (length >= thinnest) return edge * std::min(1.0f, longest / length);
+    return thinnest / glm::length(other) * glm::vec2(-other.y, other.x);
+  };
+  const bool right_first = glm::length(patch.right) >= glm::length(patch.down);
+  if (!right_first) std::swap(patch.right, patch.down);
+  patch.down = within(patch.down, patch.right);
+  patch.right = within(patch.right, patch.down);
+  if (!right_first) std::swap(patch.right, patch.down);
+  return patch;
+}
+
+/// `patch` in the finest level's texels. Coarser ones are taken while it stays wide enough, or
+/// holds too many.
+LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch) {
+  const float longest = patch.longest();
+  if (!(longest > least_footprint) || !std::isfinite(longest * longest)) return {};
+  if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
+    patch = principal_axes(patch);
+  LevelPatch found{0, patch};
+  for (std::size_t level = 1; level <= chain.size(); ++level) {
+    const MipLevel& texels = chain[level - 1];
+    const glm::vec2 scale(static_cast<float>(texels.width) / static_cast<float>(image.width),
+                          static_cast<float>(texels.height) / static_cast<float>(image.height));
+    const TexelPatch coarser{scale * patch.right, scale * patch.down};
+    const float width = std::min(glm::length(coarser.right), glm::length(coarser.down));
+    if (width < texels_across && held(found.patch) <= most_texels) break;
+    found = {level, coarser};
+  }
+  if (found.level > 0) {
+    const float texels = std::ldexp(1.0f, static_cast<int>(found.level));
+    found.patch.right = less_of_texels(found.patch.right, texels);
+    found.patch.down = less_of_texels(found.patch.down, texels);
+  }
+  found.patch = bounded(found.patch);
+  return found;
+}
+
+/// One axis of a level.
+struct Axis {
+  int size;
+  Wrap wrap;
+
+  /// A coordinate of any size in texels, near the level: what is that far outside is all the same.
+  [[nodiscard]] float place(float u) const {
+    if (!std::isfinite(u)) u = 0.0f;
+    if (wrap == Wrap::repeat) u -= floor_near(u);
+    if (wrap == Wrap::mirrored_repeat) u -= 2.0f * floor_near(0.5f * u);
+    const float at = u * static_cast<float>(size) - 0.5f;
+    const float outside = 2.0f * most_texels;
+    return std::clamp(at, -outside, static_cast<float>(2 * size) + outside);
+  }
+
+  [[nodiscard]] int texel(int i) const {
+    if (i >= 0 && i < size) return i;
+    if (wrap == Wrap::clamp_to_edge) return i < 0 ? 0 : size - 1;
+    const int period = wrap == Wrap::repeat ? size : 2 * size;
+    const int within = i % period < 0 ? i % period + period : i % period;
+    return within < size ? within : period - 1 - within;
+  }
 };
 
-Ellipse ellipse_of(glm::vec2 a, glm::vec2 b) {
-  // Eigenvalues and the larger one's eigenvector of a a^T + b b^T.
-  const float xx = a.x * a.x + b.x * b.x;
-  const float yy = a.y * a.y + b.y * b.y;
-  const float xy = a.x * a.y + b.x * b.y;
-  const float half = 0.5f * (xx - yy);
-  const float root = std::sqrt(half * half + xy * xy);
-  const float large = 0.5f * (xx + yy) + root;
-  const float area = std::abs(a.x * b.y - a.y * b.x);  // the product of both axes
-  const glm::vec2 axis = half > 0.0f ? glm::vec2(half + root, xy) : glm::vec2(xy, root - half);
-  const float length2 = glm::dot(axis, axis);
-  const float longer = std::sqrt(large);
-  return {length2 > 0.0f ? axis * (longer / std::sqrt(length2)) : glm::vec2(longer, 0.0f),
-          area / longer};
-}
-
-Taps taps_at(const Image& image, const MipChain& chain, glm::vec2 uv, glm::vec2 a, glm::vec2 b) {
-  const glm::vec2 size(image.width, image.height);
-  a *= texel_share * size;
-  b *= texel_share * size;
-  const float bound = glm::dot(a, a) + glm::dot(b, b);
-  if (bound <= 1.0f || !std::isfinite(bound * bound) || chain.empty()) return {};
-  const Ellipse ellipse = ellipse_of(a, b);
-  const float longer = glm::length(ellipse.longer);
-  if (!(longer > 1.0f)) return {};
-
-  // Texels as large as the shorter axis, or as few taps need.
-  Taps taps;
-  const float texel = std::max({1.0f, ellipse.shorter, longer / static_cast<float>(most_taps)});
-  taps.count = std::clamp(static_cast<int>(std::ceil(longer / texel - 0.01f)), 1, most_taps);
-  const float level = std::min(std::log2(texel), static_cast<float>(chain.size()));
-  taps.level = static_cast<std::size_t>(level);
-  taps.coarser = level - static_cast<float>(taps.level);
-  taps.step = ellipse.longer / (texel_share * static_cast<float>(taps.count) * size);
-  taps.first = uv - (0.5f * static_cast<float>(taps.count - 1)) * taps.step;
-  return taps;
-}
-
-/// `bilinear` of a level, written for speed: most of a filtered lookup's time goes here.
-glm::vec4 bilinear_tap(const MipLevel& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
-  const TexelPlace p(level.width, level.height, uv, wrap_u, wrap_v);
-  const std::uint16_t* texels[4] = {level.texel(p.left, p.top), level.texel(p.right, p.top),
-                                    level.texel(p.left, p.bottom), level.texel(p.right, p.bottom)};
-  const float low = MipLevel::unit * p.fy;
-  const float high = MipLevel::unit - low;
-  const float shares[4] = {high - high * p.fx, high * p.fx, low - low * p.fx, low * p.fx};
+/// The mean over a patch around `uv` of a level's texels.
+template <typename Level>
+glm::vec4 mean_of(const Level& level, glm::vec2 uv, const TexelPatch& patch, TexelShape shape,
+                  const Texture& texture) {
+  const Axis u{level.width, texture.wrap_u}, v{level.height, texture.wrap_v};
   glm::vec4 sum(0.0f);
-  for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 4; ++k) sum[k] += shares[i] * static_cast<float>(texels[i][k]);
-  }
-  return sum;
+  float weight = 0.0f;
+  TexelWindow({u.place(uv.x), v.place(uv.y)}, patch, shape)
+      .for_each([&](int x, int y, float share) {
+        sum += share * level.at(u.texel(x), v.texel(y));
+        weight += share;
+      });
+  return weight > 0.0f ? sum / weight : bilinear(level, uv, texture.wrap_u, texture.wrap_v);
 }
 
-/// The mean over the taps of what `look` sees at a place of a level.
-template <typename Look>
-glm::vec4 mean_of(const Taps& taps, const Look& look) {
-  glm::vec4 sum(0.0f);
-  for (int i = 0; i < taps.count; ++i) {
-    const glm::vec2 uv = taps.first + static_cast<float>(i) * taps.step;
-    glm::vec4 seen = look(taps.level, uv);
-    if (taps.coarser > 0.0f) seen = glm::mix(seen, look(taps.level + 1, uv), taps.coarser);
-    sum += seen;
-  }
-  return sum / static_cast<float>(taps.count);
+TexelShape shape_of(const Texture& texture, std::size_t level) {
+  return level == 0 && texture.filter == Filter::nearest ? TexelShape::box : TexelShape::tent;
 }
 
 glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlace& place) {
@@ -95,18 +127,17 @@ glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlac
   return {use.uv_transform * glm::vec3(uv, 1.0f)};
 }
 
-Taps taps_for(const World& world, const MipChains& mips, const TextureUse& use, TexelKind kind,
-              const TexturePlace& place, glm::vec2 uv) {
-  if (place.footprint.point() || use.texcoord < 0 || use.texcoord > 1) return {};
+LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse& use,
+                     const TexturePlace& place) {
+  if (place.footprint.point() || use.texcoord < 0 || use.texcoord > 1 || chain.empty()) return {};
   const Image* image = image_of(world, use.texture);
   if (!image) return {};
   if (!world.is_face(place.triangle) && world.texcoords[use.texcoord].empty()) return {};
   const CornerTexcoords at = corner_texcoords(world, use.texcoord, place.triangle);
   const Steps<glm::vec2> steps(place.footprint, at.at_0, at.at_1, at.at_2);
   const glm::mat2 turn(use.uv_transform);
-  const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
-  return taps_at(*image, mips.chain(texture.image, kind), uv, turn * steps.right,
-                 turn * steps.down);
+  const glm::vec2 size(image->width, image->height);
+  return patch_in(chain, *image, {size * (turn * steps.right), size * (turn * steps.down)});
 }
 
 /// A level of normals as moments: the mean and, last, the mean square, so that they may be mixed.
@@ -122,38 +153,55 @@ struct Moments {
   }
 };
 
+/// The finest level's, each of length 1.
+struct UnitNormals {
+  Texels texels;
+  int width = texels.width;
+  int height = texels.height;
+
+  [[nodiscard]] glm::vec4 at(int x, int y) const {
+    const glm::vec3 n = 2.0f * glm::vec3(texels.at(x, y)) - 1.0f;
+    const float length = glm::length(n);
+    return {length > 0.0f ? n / length : n, 1.0f};
+  }
+};
+
+const MipChain& chain_of(const World& world, const MipChains& mips, const TextureUse& use,
+                         TexelKind kind) {
+  static const MipChain none;
+  if (!image_of(world, use.texture)) return none;
+  return mips.chain(world.textures[static_cast<std::size_t>(use.texture)].image, kind);
+}
+
 }  // namespace
 
 glm::vec4 filtered_texture(const World& world, const MipChains& mips, const TextureUse& use,
                            TexelKind kind, const TexturePlace& place) {
   const Encoding encoding = kind == TexelKind::data ? Encoding::linear : Encoding::srgb;
   const glm::vec2 uv = lookup_uv(world, use, place);
-  const Taps taps = taps_for(world, mips, use, kind, place, uv);
-  if (taps.count == 0) return sample_texture(world, use.texture, uv, encoding);
+  const MipChain& chain = chain_of(world, mips, use, kind);
+  const LevelPatch found = patch_for(world, chain, use, place);
+  if (found.point()) return sample_texture(world, use.texture, uv, encoding);
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
-  const MipChain& chain = mips.chain(texture.image, kind);
-  return mean_of(taps, [&](std::size_t level, glm::vec2 at) {
-    return level == 0 ? sample_texture(world, use.texture, at, encoding)
-                      : bilinear_tap(chain[level - 1], at, texture.wrap_u, texture.wrap_v);
-  });
+  const TexelShape shape = shape_of(texture, found.level);
+  if (found.level > 0) return mean_of(chain[found.level - 1], uv, found.patch, shape, texture);
+  return mean_of(Texels(*image_of(world, use.texture), encoding), uv, found.patch, shape, texture);
 }
 
 MeanNormal filtered_normal(const World& world, const MipChains& mips, const TextureUse& use,
                            const TexturePlace& place) {
   const glm::vec2 uv = lookup_uv(world, use, place);
-  const auto finest = [&](glm::vec2 at) {
-    return glm::vec3(sample_texture(world, use.texture, at, Encoding::linear));
-  };
-  const Taps taps = taps_for(world, mips, use, TexelKind::normal, place, uv);
-  if (taps.count == 0) return {finest(uv), 0.0f};
+  const MipChain& chain = chain_of(world, mips, use, TexelKind::normal);
+  const LevelPatch found = patch_for(world, chain, use, place);
+  if (found.point())
+    return {glm::vec3(sample_texture(world, use.texture, uv, Encoding::linear)), 0.0f};
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
-  const MipChain& chain = mips.chain(texture.image, TexelKind::normal);
-  const glm::vec4 moments = mean_of(taps, [&](std::size_t level, glm::vec2 at) {
-    if (level > 0) return bilinear(Moments{chain[level - 1]}, at, texture.wrap_u, texture.wrap_v);
-    const glm::vec3 n = 2.0f * finest(at) - 1.0f;
-    const float length = glm::length(n);
-    return glm::vec4(length > 0.0f ? n / length : n, 1.0f);
-  });
+  const TexelShape shape = shape_of(texture, found.level);
+  const glm::vec4 moments =
+      found.level > 0
+          ? mean_of(Moments{chain[found.level - 1]}, uv, found.patch, shape, texture)
+          : mean_of(UnitNormals{Texels(*image_of(world, use.texture), Encoding::linear)}, uv,
+                    found.patch, shape, texture);
   const glm::vec3 mean(moments);
   return {0.5f + 0.5f * mean, std::max(0.0f, moments.a - glm::dot(mean, mean))};
 }

@@ -215,6 +215,13 @@ void add_topology(std::vector<Case>& cases) {
   cases.push_back({"a box turned inside out, single-sided", mesh_group, true,
                    [box] { return against_beam(box, turned_inside_out(box), false); }});
   cases.push_back(
+      {"a box, every other triangle turned over, single-sided", mesh_group, true, [box] {
+         Mesh holed = box;
+         for (std::size_t i = 0; i < holed.triangles.size(); i += 2)
+           std::swap(holed.triangles[i].y, holed.triangles[i].z);
+         return against_beam(holed, holed, false);
+       }});
+  cases.push_back(
       {"a box mirrored by its node", mesh_group, true, [box] {
          Scene scene = scene_of({}, look_at({1.5, 2.0, 4.0}, {0, 0, 0}, 40.0));
          Material material = unlit(1.0f);

@@ -80,11 +80,12 @@ TEST(Features, AWallModelledTwiceByItselfHasItsOutline) {
   EXPECT_EQ(features.edges().size(), 4u);
 }
 
-// How neighbours are wound says nothing.
+// How neighbours are wound says nothing, where both of their sides show.
 TEST(Features, FlippedFacesHaveTheSameEdges) {
   std::mt19937 random(2);
   for (const bool smooth : {false, true}) {
-    const World world = cube(smooth);
+    World world = cube(smooth);
+    world.materials[0].double_sided = true;
     const FeatureSet features(world);
     for (int i = 0; i < 20; ++i) {
       World flipped = world;
@@ -101,6 +102,27 @@ TEST(Features, FlippedFacesHaveTheSameEdges) {
       }
     }
   }
+}
+
+// From either side just one of them is there.
+TEST(Features, ASingleSidedFaceBesideOneThatIsTurnedOverBounds) {
+  const auto diagonals = [](bool double_sided, const std::vector<glm::uvec3>& triangles) {
+    World world = empty_world();
+    world.materials[0].double_sided = double_sided;
+    add_part(world, square, up, triangles);
+    const FeatureSet features(world);
+    EXPECT_EQ(features.counts().open, 4u);
+    EXPECT_EQ(features.edges().size(), 4u + features.counts().seam);
+    return features.counts().seam;
+  };
+  const std::vector<glm::uvec3> turned{{0, 1, 2}, {0, 3, 2}};
+  EXPECT_EQ(diagonals(false, turned), 1u);
+  EXPECT_EQ(diagonals(true, turned), 0u);
+  // With a copy turned over a face shows from both sides; its neighbour does not.
+  EXPECT_EQ(diagonals(false, {{0, 1, 2}, {0, 2, 1}, {0, 2, 3}}), 1u);
+  EXPECT_EQ(diagonals(false, {{0, 1, 2}, {0, 2, 1}, {0, 2, 3}, {0, 3, 2}}), 0u);
+  // A copy that is wound alike adds nothing.
+  EXPECT_EQ(diagonals(false, {{0, 1, 2}, {1, 2, 0}, {0, 2, 3}}), 0u);
 }
 
 TEST(Features, MoreThanTwoFacesAtAnEdgeAlwaysBound) {
@@ -170,6 +192,7 @@ TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
   }
   // A roof that falls by 3 in 4 on one side, and on that side twice modelled.
   World roof = empty_world();
+  roof.materials[0].double_sided = true;
   add_part(roof, {{0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, -4, -3}},
            std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)), {{0, 1, 2}, {0, 1, 3}, {0, 3, 1}});
   const FeatureSet features(roof);

@@ -58,8 +58,10 @@ inline World cube(bool smooth) {
         positions.push_back(p);
         normals.push_back(smooth ? glm::normalize(p) : n);
       }
-      triangles.push_back(first + glm::uvec3(0, 1, 2));
-      triangles.push_back(first + glm::uvec3(0, 2, 3));
+      // Counter-clockwise from outside.
+      const bool front = side > 0.0f;
+      triangles.push_back(first + (front ? glm::uvec3(0, 1, 2) : glm::uvec3(0, 2, 1)));
+      triangles.push_back(first + (front ? glm::uvec3(0, 2, 3) : glm::uvec3(0, 3, 2)));
     }
   }
   add_part(world, positions, normals, triangles);
