@@ -1,6 +1,7 @@
 #include "ui/view_study.h"
 
 #include "renderer/methods/method.h"
+#include "renderer/study/given_up.h"
 #include "renderer/study/measures.h"
 #include "renderer/study/reference.h"
 #include "renderer/study/timed_render.h"
@@ -105,11 +106,17 @@ class ViewStudy::Work {
   }
 
   bool run_points(const std::stop_token& stop) {
+    GivenUp given_up;
     for (const Job& job : jobs_) {
       if (job.kind != JobKind::point) continue;
-      auto rendered = render(job, std::numeric_limits<double>::infinity(), stop);
-      if (!rendered) return false;
-      add(job.rung, *std::move(rendered));
+      auto rendered =
+          given_up.holds(job) ? std::nullopt : render(job, subject_.plan.longest_seconds, stop);
+      if (stop.stop_requested()) return false;
+      if (rendered) {
+        add(job.rung, *std::move(rendered));
+      } else {
+        given_up.add(job);
+      }
       publish(1);
     }
     return true;

@@ -84,6 +84,14 @@ std::string under_floor_text(const SceneStudy& study) {
       escaped(study.scene), under, all, error_text(study.floor));
 }
 
+/// What took longer than anybody would wait for.
+std::string given_up_text(const SceneReport& scene, double longest_seconds) {
+  if (scene.given_up.empty()) return "";
+  return fmt::format("<li>{}: given up after {}, or as dearer than what was: {}.</li>\n",
+                     escaped(scene.study.scene), seconds_text(longest_seconds),
+                     escaped(list_text(scene.given_up)));
+}
+
 /// More rows than this are folded away.
 constexpr int most_open_rows = 20;
 
@@ -116,7 +124,8 @@ std::string html_losses(const StudyReport& report) {
   std::string quick;
   for (const SceneReport& scene : report.scenes) {
     add_losses(scene.study, losses);
-    quick += too_quick_text(scene.study) + under_floor_text(scene.study);
+    quick += too_quick_text(scene.study) + under_floor_text(scene.study) +
+             given_up_text(scene, report.plan.longest_seconds);
   }
   std::string text = "<h3 id=\"losses\">Where ASOS does not win</h3>\n";
   text += losses.count == 0

@@ -28,7 +28,8 @@ struct JobRecord {
   Job job;
   Machine machine;
   std::string when;      ///< UTC, as 2026-01-31T12:00:00Z
-  bool finished = true;  ///< false: a pass of the reference that its budget cut short
+  bool finished = true;  ///< false: cut short, a pass of the reference by its budget, a point by
+                         ///< the longest time for one; or not even begun, as dearer than such
   Cost cost;
   std::uint64_t rays = 0;
   std::uint64_t pyrays = 0;

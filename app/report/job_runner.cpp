@@ -84,11 +84,29 @@ Result<void> JobRunner::write_picture(const JobRecord& record, const Film& film)
   return write_exr(job_file(folder_, job.id, ".exr"), film, {{"asos.job", job.title()}});
 }
 
+JobRecord JobRunner::record_of(const Job& job) const {
+  JobRecord record;
+  record.job = job;
+  record.machine = machine_;
+  record.folder = folder_;
+  record.when = utc_now();
+  return record;
+}
+
+Result<JobRecord> JobRunner::give_up(const Job& job) const {
+  JobRecord record = record_of(job);
+  record.finished = false;
+  if (const auto written = write_record(plan_, record); !written)
+    return tl::unexpected(written.error());
+  return record;
+}
+
 Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
   if (const auto opened = open(job.subject); !opened) return tl::unexpected(opened.error());
   if (const auto fits = check_method(*scene_, job.rung.settings); !fits)
     return tl::unexpected(fits.error());
-  const bool may_be_cut = job.kind == JobKind::reference && job.pass > 0;
+  const bool may_be_cut =
+      job.kind == JobKind::point || (job.kind == JobKind::reference && job.pass > 0);
   const auto start = std::chrono::steady_clock::now();
   const auto out_of_time = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
@@ -96,11 +114,7 @@ Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
   };
   const auto interrupted = [this] { return stop_ && stop_(); };
 
-  JobRecord record;
-  record.job = job;
-  record.machine = machine_;
-  record.folder = folder_;
-  record.when = utc_now();
+  JobRecord record = record_of(job);
   const auto rendered = timed_render(snapshot_for(job, scene_, camera_),
                                      [&] { return interrupted() || out_of_time(); });
   if (interrupted()) return tl::unexpected(Error{"report", "interrupted"});

@@ -17,12 +17,16 @@ class JobRunner {
   /// `stop` is asked often; once it says so, `run` ends with an error.
   JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop);
 
-  /// Renders and writes. A pass of the reference after the first is given up after `seconds`, and
-  /// its record says so. Errors: a scene that cannot be opened or that the method cannot render, a
+  /// Renders and writes. A point, and a pass of the reference after the first, is given up after
+  /// `seconds`, and its record says so. Errors: a scene that cannot be opened or that the method cannot render, a
   /// file that cannot be written, a stop.
   [[nodiscard]] Result<JobRecord> run(const Job& job, double seconds);
 
+  /// Writes down that a point was not even begun.
+  [[nodiscard]] Result<JobRecord> give_up(const Job& job) const;
+
  private:
+  [[nodiscard]] JobRecord record_of(const Job& job) const;
   [[nodiscard]] Result<void> open(const StudyScene& subject);
   [[nodiscard]] Result<void> write_picture(const JobRecord& record, const Film& film) const;
 

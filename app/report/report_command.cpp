@@ -11,13 +11,13 @@
 #include "app/report/report_files.h"
 #include "app/report/study_report.h"
 #include "app/scene_argument.h"
+#include "renderer/study/given_up.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <ostream>
 
@@ -114,11 +114,14 @@ Result<void> run_all(const ReportArguments& arguments, const std::vector<Job>& j
   JobRecords done{arguments.plan, jobs, {}};
   for (const StudyScene& subject : scenes_of(arguments.plan)) {
     const std::string scene = subject.name();
+    GivenUp given_up;
     for (const Job& job : jobs) {
       if (job.scene != scene || job.kind == JobKind::reference) continue;
       journal.begin(job);
-      auto record = runner.run(job, std::numeric_limits<double>::infinity());
+      auto record = given_up.holds(job) ? runner.give_up(job)
+                                        : runner.run(job, arguments.plan.longest_seconds);
       if (!record) return tl::unexpected(record.error());
+      if (!record->finished) given_up.add(job);
       done.records.push_back(*std::move(record));
     }
     if (const auto ran = run_reference(runner, done, scene, journal); !ran) return ran;
@@ -144,7 +147,9 @@ Result<std::string> run_one(const ReportArguments& arguments, const std::vector<
   const std::string folder = jobs_folder(arguments.output);
   if (const auto made = make_folder(folder); !made) return tl::unexpected(made.error());
   JobRunner runner(arguments.plan, folder, [&] { return interrupt.interrupted(); });
-  const auto record = runner.run(job, arguments.plan.budget_seconds);
+  const StudyPlan& plan = arguments.plan;
+  const auto record =
+      runner.run(job, job.kind == JobKind::reference ? plan.budget_seconds : plan.longest_seconds);
   if (!record) return tl::unexpected(record.error());
   return job_file(folder, job.id, ".json");
 }
@@ -221,6 +226,14 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
       [](const std::string& text) { return parse_number(text, 0.0, 1e9, true); },
       [&](double seconds) { plan.budget_seconds = seconds; })
       ->default_str(fmt::format("{}", plan.budget_seconds));
+  add_parsed_option(
+      app, "--longest", "SECONDS",
+      "Wall time for one picture of a setting; where it takes longer it is given up, and so are "
+      "the "
+      "dearer settings of its ladder",
+      [](const std::string& text) { return parse_number(text, 0.0, 1e9, true); },
+      [&](double seconds) { plan.longest_seconds = seconds; })
+      ->default_str(fmt::format("{}", plan.longest_seconds));
   std::string known;
   for (const std::string& name : ladder_methods()) known += (known.empty() ? "" : ", ") + name;
   app.add_option("--methods", plan.methods, "Which to compare, with commas between them: " + known)

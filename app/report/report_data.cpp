@@ -57,6 +57,7 @@ json scene_json(const SceneReport& scene) {
          {"triangles", scene.facts.triangles},
          {"lights", scene.facts.lights},
          {"left_out", scene.facts.left_out},
+         {"given_up", scene.given_up},
          {"reference",
           {{"passes", scene.passes},
            {"samples", scene.samples},

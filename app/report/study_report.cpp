@@ -33,7 +33,7 @@ Result<void> check_complete(const JobRecords& jobs) {
   for (const Job& job : jobs.jobs) {
     if (job.kind == JobKind::reference && job.pass > 0) continue;
     const JobRecord* record = record_of(jobs, job);
-    if (record && record->finished) continue;
+    if (record && (record->finished || job.kind == JobKind::point)) continue;
     if (missing++ == 0) first = &job;
   }
   if (missing == 0) return {};
@@ -42,14 +42,23 @@ Result<void> check_complete(const JobRecords& jobs) {
             fmt::format("has not been run, {} of {} jobs are missing", missing, jobs.jobs.size())});
 }
 
-/// The first repetition of each setting of a scene.
+/// The first repetition of each setting of a scene that ran to its end.
 std::vector<const JobRecord*> first_repetitions(const JobRecords& jobs, const std::string& scene) {
   std::vector<const JobRecord*> found;
   for (const JobRecord& record : jobs.records)
-    if (record.job.kind == JobKind::point && record.job.repetition == 1 &&
+    if (record.job.kind == JobKind::point && record.job.repetition == 1 && record.finished &&
         record.job.scene == scene)
       found.push_back(&record);
   return found;
+}
+
+std::vector<std::string> given_up(const JobRecords& jobs, const std::string& scene) {
+  std::vector<std::string> settings;
+  for (const JobRecord& record : jobs.records)
+    if (record.job.kind == JobKind::point && record.job.repetition == 1 && !record.finished &&
+        record.job.scene == scene)
+      settings.push_back(record.job.rung.method + " " + record.job.rung.setting);
+  return settings;
 }
 
 Result<double> smallest_error(const std::vector<const JobRecord*>& points, const Film& reference) {
@@ -87,7 +96,7 @@ StudyPoint point_of(const JobRecords& jobs, const JobRecord& first) {
   point.rejected_samples = first.rejected_samples;
   for (const JobRecord& record : jobs.records) {
     const Job& job = record.job;
-    if (job.kind != JobKind::point || job.scene != first.job.scene ||
+    if (job.kind != JobKind::point || !record.finished || job.scene != first.job.scene ||
         job.rung.method != point.rung.method || job.rung.setting != point.rung.setting)
       continue;
     point.costs.push_back(record.cost);
@@ -122,6 +131,7 @@ Result<SceneReport> assemble_scene(const JobRecords& jobs, const std::string& na
   scene.samples = made->reference.samples();
   scene.quiet = made->quiet;
   scene.study.noise = made->reference.noise();
+  scene.given_up = given_up(jobs, name);
   if (const auto added = add_regions(jobs, scene); !added) return tl::unexpected(added.error());
 
   // Ladder by ladder, however the jobs took turns

@@ -20,6 +20,7 @@ struct SceneReport {
   int passes = 0;      ///< of the reference
   long samples = 0;    ///< of the reference, a pixel
   bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less
+  std::vector<std::string> given_up;  ///< settings that would have taken too long
 };
 
 /// All that a report tells.

@@ -71,6 +71,7 @@ EyeCaster::EyeCaster(const RenderScene& scene, const Viewer& viewer, const Rende
     const bool casts = settings.shadows && light.casts_shadows;
     cast_shadows_ |= casts;
     extended_lights_ |= casts && light.extended();
+    spots_ |= light.cone_scale > 0.0;
   }
 }
 

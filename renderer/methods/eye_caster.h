@@ -106,10 +106,11 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
   [[nodiscard]] Patch patch_of(SampleId sample, double share) const;
   [[nodiscard]] float bump_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
+  [[nodiscard]] bool glints(SampleId sample, double share) const;
   [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
   void finish_leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region);
   std::uint32_t add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
-                            double weight);
+                            double weight, std::uint32_t fewest);
   glm::vec3 add_leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region);
   bool add_texture_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
                            double weight);
@@ -151,6 +152,7 @@ class EyeCaster final : public Caster, private PatchView, private LightTransport
   CountedLights counted_shadows_{shadows_};
   bool cast_shadows_ = false;     // some light does
   bool extended_lights_ = false;  // and has a size
+  bool spots_ = false;
   std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

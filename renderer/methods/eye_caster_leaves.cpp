@@ -9,6 +9,14 @@
 // What becomes of a pyray's leaves: shaded as they are, divided for their textures, or sampled.
 
 namespace asos {
+namespace {
+
+/// Samples of a part of a pixel, at least: so many tell how far their mean may be off; so few are
+/// right where there are many such parts, or the part is only one of what a mirror shows.
+constexpr std::uint32_t enough_samples = 16;
+constexpr std::uint32_t few_samples = 4;
+
+}  // namespace
 
 void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) {
   if (cancelled()) return;
@@ -29,8 +37,10 @@ void EyeCaster::leaf(std::uint32_t root, SampleId sample, double weight, const L
 void EyeCaster::finish_leaf(std::uint32_t root, SampleId sample, double weight,
                             const LeafRegion& region) {
   if (mask_ && !mask_->holds(points_[sample])) return;
-  if (uneven_at_last(sample, weight, region) && add_samples(root, sample, region, weight) > 0)
-    return;
+  const std::uint32_t fewest = glints(sample, weight)                   ? few_samples
+                               : uneven_at_last(sample, weight, region) ? enough_samples
+                                                                        : 0;
+  if (fewest > 0 && add_samples(root, sample, region, weight, fewest) > 0) return;
   if (add_texture_samples(root, sample, region, weight)) return;
   const glm::vec3 radiance = add_leaf(root, sample, weight, region);
   if (root == logged_root_) log_leaf(sample, weight, radiance);
@@ -130,7 +140,7 @@ Caster::TakenOver EyeCaster::sample_tangle(std::uint32_t root, const Square& squ
   rays_.push_back(ray_through(points_.back()));
   hits_.emplace_back();
   const std::uint64_t before = counts_.rays();
-  const std::uint32_t taken = add_samples(root, sample, {square, {}}, weight);
+  const std::uint32_t taken = add_samples(root, sample, {square, {}}, weight, enough_samples);
   sums_[root].rays += counts_.rays() - before;
   return {taken, sample};
 }
@@ -139,14 +149,18 @@ Caster::TakenOver EyeCaster::sample_tangle(std::uint32_t root, const Square& squ
 // within it together; one sample for each finest cell at least, and four at most, or sixteen where
 // what is mirrored may be far brighter than white.
 std::uint32_t EyeCaster::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
-                                     double weight) {
+                                     double weight, std::uint32_t fewest) {
   if (!sampler_) sampler_.emplace(scene_, viewer_, settings_, block_, mask_);
   RegionSampler::Goal goal;
   goal.standard_error = 0.5 * static_cast<double>(most_uneven_) / std::sqrt(weight);
   const double finest_cells = weight * std::ldexp(1.0, 2 * settings_.max_level);
-  goal.least = std::bit_ceil(std::max(16u, static_cast<std::uint32_t>(finest_cells)));
-  goal.most = std::bit_ceil(
-      std::max(16u, static_cast<std::uint32_t>((viewer_.bounces > 0 ? 16.0 : 4.0) * finest_cells)));
+  const bool reflected = viewer_.bounces > 0;
+  if (reflected) fewest = few_samples;
+  const auto number = [&](double samples) {
+    return std::bit_ceil(std::max(fewest, static_cast<std::uint32_t>(samples)));
+  };
+  goal.least = number(finest_cells);
+  goal.most = number((reflected ? 16.0 : 4.0) * finest_cells);
   const bool blurred = mask_ && mask_->blur;
   std::optional<BlurKernel> kernel;
   // The first sample is that of the root's middle.

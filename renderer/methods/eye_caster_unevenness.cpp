@@ -15,7 +15,8 @@ Unevenness EyeCaster::uneven(SampleId sample, double share, const LeafRegion& re
   const Hit& hit = hits_[sample];
   if (!hit.valid() || !std::isfinite(most_uneven_)) return Unevenness::none;
   const bool shading =
-      shading_error(sample, share, region) > most_uneven_ || mirrors_too_widely(sample, region);
+      !glints(sample, share) &&
+      (shading_error(sample, share, region) > most_uneven_ || mirrors_too_widely(sample, region));
   if (extended_lights_ && !even_around(sample, region)) {
     if (shadow_uneven(sample, region)) return Unevenness::shadow;
     // What is split for its shading need not have its shadows found again for each part.
@@ -52,6 +53,26 @@ bool EyeCaster::mirrors_too_widely(SampleId sample, const LeafRegion& region) co
   if (!surface.bent()) return false;
   return settings_.curved_mirror == CurvedMirror::supersample ||
          reflected_angle(pyray, surface) > glm::radians(settings_.mirror_angle);
+}
+
+// Whether a normal map scatters the lights' highlights all over a leaf: splitting would not make it
+// even, so it is sampled as it is.
+bool EyeCaster::glints(SampleId sample, double share) const {
+  const Hit& hit = hits_[sample];
+  if (!scene_.needs.normal_maps || !hit.valid() || !std::isfinite(most_uneven_) || share <= 0.0 ||
+      settings_.max_level == 0)
+    return false;
+  const Material& material = scene_.world.material_of(hit.triangle);
+  if (!material.normal_texture.used() || material.unlit || scene_.world.lights.empty())
+    return false;
+  const SampleExtent extent{&spacing_, &scene_.mips, side_of(share)};
+  const glm::vec3 to_viewer = -rays_[sample].direction;
+  const SurfacePoint point = surface_point(scene_.world, scene_.needs, hit, to_viewer, extent);
+  if (!(point.spread.variance > 0.0f)) return false;
+  const SurfaceMaterial seen =
+      surface_material(scene_.world, scene_.needs, hit, point.footprint, &scene_.mips);
+  return glint_error(scene_.world, material, seen.roughness, point.shading_normal,
+                     point.spread.variance, point.position, to_viewer) > most_uneven_;
 }
 
 // Whether a leaf would be split further for its shading, were there any levels left.
@@ -107,16 +128,19 @@ Patch EyeCaster::patch_around(SampleId sample, const LeafRegion& region) const {
   return patch;
 }
 
-// How light from what has a size falls off across a leaf.
+// How light from what has a size, or a cone, falls off across a leaf.
 float EyeCaster::light_error(SampleId sample, const LeafRegion& region) const {
   const Hit& hit = hits_[sample];
-  if (!extended_lights_ || scene_.world.material_of(hit.triangle).unlit) return 0.0f;
+  if (!(extended_lights_ || spots_) || scene_.world.material_of(hit.triangle).unlit) return 0.0f;
   const Patch patch = patch_around(sample, region);
   const SurfacePoint point =
       surface_point(scene_.world, scene_.needs, hit, -rays_[sample].direction);
   float error = 0.0f;
-  for (const PreparedLight& light : shader_.lights())
-    if (light.extended()) error += falloff_error(light, receiver_at(point), patch);
+  for (const PreparedLight& light : shader_.lights()) {
+    if (extended_lights_ && light.extended())
+      error += falloff_error(light, receiver_at(point), patch);
+    error += cone_error(light, receiver_at(point), patch);
+  }
   return error;
 }
 

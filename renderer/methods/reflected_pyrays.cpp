@@ -20,10 +20,12 @@ constexpr Square whole_square{0.0f, 0.0f, 1.0f};
 constexpr double outline_matters = 0.25;
 
 /// What is left for a reflection of this weight in its root: a level less for each quarter.
-int levels_left(const RenderSettings& settings, const MirroredLeaf& leaf, double weight) {
+int levels_left(const RenderSettings& settings, const MirroredLeaf& leaf, double weight,
+                int bounces) {
   if (leaf.region.marginal || settings.max_level == 0) return 0;
   const int used = static_cast<int>(std::floor(0.5 * std::log2(1.0 / weight)));
-  return std::clamp(settings.max_level - std::max(0, used), 1, settings.max_level);
+  return std::clamp(settings.max_level - std::max(0, used),
+                    bounces > 0 || used > settings.max_level ? 0 : 1, settings.max_level);
 }
 
 std::optional<Segment> projected(const Frame& frame, glm::dvec3 a, glm::dvec3 b) {
@@ -169,7 +171,7 @@ ReflectionWorkspace::Bounce& ReflectedPyrays::level_of(const Reflection& reflect
   const double reflected = std::clamp(static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
   ReflectionWorkspace::Bounce& level = work.reflections.at(viewer.bounces);
   level.settings = settings;
-  level.settings.max_level = levels_left(settings, leaf, leaf.weight * reflected);
+  level.settings.max_level = levels_left(settings, leaf, leaf.weight * reflected, viewer.bounces);
   level.settings.eps = std::min(1.0, settings.eps / reflected);
   level.settings.seed = static_cast<int>(leaf.seed >> 33);
   return level;

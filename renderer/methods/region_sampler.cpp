@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-constexpr std::uint32_t per_sum = 4;
+constexpr std::uint32_t per_sum = 1;
 
 }  // namespace
 

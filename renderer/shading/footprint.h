@@ -59,6 +59,7 @@ inline constexpr float steepest_patch = 1.0f / 64.0f;
 struct Footprint {
   glm::vec2 right{0.0f};
   glm::vec2 down{0.0f};
+  float side = 1.0f;  ///< of the square that shows it, in pixels: how much what is seen there counts
 
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }
 };

@@ -205,6 +205,7 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
     point.footprint = footprint_on(
         world, hit,
         patch_on_plane(*extent.spacing, -to_viewer, hit.t, point.geometric_normal, extent.side));
+    point.footprint.side = extent.side;
   }
   shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
   return point;

@@ -38,8 +38,8 @@ float held(const TexelPatch& patch) {
 
 /// The patch with both edges long enough for an area, and short enough for the number of texels
 /// where not even the coarsest level is coarse enough: there it repeats itself.
-TexelPatch bounded(TexelPatch patch) {
-  const float longest = held(patch) > most_texels ? std::sqrt(most_texels) : most_texels;
+TexelPatch bounded(TexelPatch patch, float most) {
+  const float longest = held(patch) > most ? std::sqrt(most) : most;
   const auto within = [&](glm::vec2 edge, glm::vec2 other) {
     const float length = glm::length(edge);
     if (length >= thinnest) return edge * std::min(1.0f, longest / length);
@@ -55,7 +55,8 @@ TexelPatch bounded(TexelPatch patch) {
 
 /// `patch` in the finest level's texels. Coarser ones are taken while it stays wide enough, or
 /// holds too many.
-LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch) {
+LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch,
+                    TexelBudget budget) {
   const float longest = patch.longest();
   if (!(longest > least_footprint) || !std::isfinite(longest * longest)) return {};
   if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
@@ -67,7 +68,7 @@ LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch)
                           static_cast<float>(texels.height) / static_cast<float>(image.height));
     const TexelPatch coarser{scale * patch.right, scale * patch.down};
     const float width = std::min(glm::length(coarser.right), glm::length(coarser.down));
-    if (width < texels_across && held(found.patch) <= most_texels) break;
+    if (width < budget.across && held(found.patch) <= budget.most) break;
     found = {level, coarser};
   }
   if (found.level > 0) {
@@ -75,7 +76,7 @@ LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch)
     found.patch.right = less_of_texels(found.patch.right, texels);
     found.patch.down = less_of_texels(found.patch.down, texels);
   }
-  found.patch = bounded(found.patch);
+  found.patch = bounded(found.patch, budget.most);
   return found;
 }
 
@@ -90,7 +91,7 @@ struct Axis {
     if (wrap == Wrap::repeat) u -= floor_near(u);
     if (wrap == Wrap::mirrored_repeat) u -= 2.0f * floor_near(0.5f * u);
     const float at = u * static_cast<float>(size) - 0.5f;
-    const float outside = 2.0f * most_texels;
+    const float outside = 2.0f * TexelBudget().most;
     return std::clamp(at, -outside, static_cast<float>(2 * size) + outside);
   }
 
@@ -137,7 +138,8 @@ LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse
   const Steps<glm::vec2> steps(place.footprint, at.at_0, at.at_1, at.at_2);
   const glm::mat2 turn(use.uv_transform);
   const glm::vec2 size(image->width, image->height);
-  return patch_in(chain, *image, {size * (turn * steps.right), size * (turn * steps.down)});
+  return patch_in(chain, *image, {size * (turn * steps.right), size * (turn * steps.down)},
+                  TexelBudget::of(place.footprint.side));
 }
 
 /// A level of normals as moments: the mean and, last, the mean square, so that they may be mixed.

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 
 // Textures averaged over the footprint of what a sample stands for: the integral over a
@@ -20,11 +21,18 @@ struct TexturePlace {
   Footprint footprint;
 };
 
-/// Of how many texels of the level that is looked up a footprint is wide at least, where it has so
-/// many; less than twice as many.
-inline constexpr float texels_across = 8.0f;
-/// Texels of the level that count for a footprint, at most; those of longer ones are coarser.
-inline constexpr float most_texels = 1024.0f;
+/// How finely a footprint is looked at: the finer, the more of the picture it is.
+struct TexelBudget {
+  float across = 8.0f;   ///< texels that it is wide at least, where it has so many
+  float most = 1024.0f;  ///< texels that count for it, at most; those of longer ones are coarser
+
+  /// Of what is seen through a square of `side` pixels.
+  [[nodiscard]] static TexelBudget of(float side) {
+    const TexelBudget whole;
+    const float share = side < 1.0f ? side : 1.0f;
+    return {std::max(1.0f, share * whole.across), std::max(16.0f, share * share * whole.most)};
+  }
+};
 /// Sides, in texels, up to which a footprint is a point.
 inline constexpr float least_footprint = 0.25f;
 

@@ -33,8 +33,8 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
 // What a light's highlight can add to the error. A GGX lobe of width alpha is peak / (1 + (x /
 // alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak; farther out its
 // width is what it has fallen over.
-float highlight_error(const Light& light, const Material& material, const Bend& bend,
-                      glm::vec3 position, glm::vec3 to_viewer) {
+float highlight_error(const Light& light, const Material& material, float roughness,
+                      const Bend& bend, glm::vec3 position, glm::vec3 to_viewer) {
   glm::vec3 to_light = -glm::vec3(light.direction);
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
   if (light.type != Light::Type::directional) {
@@ -42,8 +42,8 @@ float highlight_error(const Light& light, const Material& material, const Bend& 
     irradiance /= glm::dot(d, d);
     to_light = glm::normalize(d);
   }
-  const float roughness = std::max(material.roughness, roughness_floor);
-  const float alpha = roughness * roughness;
+  const float least_roughness = std::max(roughness, roughness_floor);
+  const float alpha = least_roughness * least_roughness;
   const glm::vec3 c = glm::vec3(material.base_color);
   const float f0 = glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic);
   const float peak = irradiance * f0 / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
@@ -82,8 +82,19 @@ float midpoint_error(const World& world, const Hit& hit, glm::vec3 position, glm
   float error = reflected * (bend.turn2 + 6.0f * nearness2(world, position, patch)) / 24.0f;
   if (bend.turn2 > 0.0f && material.roughness < least_broad_roughness) {
     for (const Light& light : world.lights)
-      error += highlight_error(light, material, bend, position, to_viewer);
+      error += highlight_error(light, material, material.roughness, bend, position, to_viewer);
   }
+  return error < 1.0f ? error : 1.0f;
+}
+
+float glint_error(const World& world, const Material& material, float roughness, glm::vec3 normal,
+                  float variance, glm::vec3 position, glm::vec3 to_viewer) {
+  if (material.unlit || roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
+  // An even turn along an edge has a twelfth of its square for a variance.
+  const Bend bend{normal, 12.0f * variance};
+  float error = 0.0f;
+  for (const Light& light : world.lights)
+    error += highlight_error(light, material, roughness, bend, position, to_viewer);
   return error < 1.0f ? error : 1.0f;
 }
 
@@ -108,6 +119,36 @@ float falloff_error(const PreparedLight& light, const Receiver& receiver, const 
     error += std::abs(shown(half) + shown(-half) - 2.0f * middle) / 6.0f;
   }
   return error;
+}
+
+float cone_error(const PreparedLight& light, const Receiver& receiver, const Patch& patch) {
+  if (light.cone_scale <= 0.0) return 0.0f;
+  const glm::dvec3 to_light = light.position - receiver.position;
+  const double distance = glm::length(to_light);
+  if (!(distance > 0.0)) return 0.0f;
+  const double cosine = glm::dot(to_light, light.towards) / distance;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  // As seen from the light the patch's corners are this far from its middle at most.
+  const double angle =
+      static_cast<double>(glm::length(patch.right) + glm::length(patch.down)) / (2.0 * distance);
+  const double reach = angle * (sine + 0.5 * angle);
+  const auto inside = [&](double c) {
+    const double cone = std::clamp(c * light.cone_scale + light.cone_offset, 0.0, 1.0);
+    return cone * cone;
+  };
+  const double least = inside(cosine - reach), most = inside(cosine + reach);
+  if (least == most) return 0.0f;
+  // Simpson's rule beside the midpoint's; that tells nothing of a rim that is narrower.
+  const bool whole_rim = least == 0.0 && most == 1.0;
+  const double bend = whole_rim ? 1.0 : std::abs(least - 2.0 * inside(cosine) + most);
+  const glm::vec3 power = light.power;
+  const double squared = light.shape == PreparedLight::Shape::ball
+                             ? std::numbers::pi * light.radius * light.radius
+                             : 1.0;
+  const double shown = static_cast<double>(std::max({power.x, power.y, power.z})) * squared *
+                       std::max(0.0, glm::dot(receiver.normal, to_light) / distance) /
+                       (distance * distance) * std::numbers::inv_pi;
+  return static_cast<float>(std::min(1.0, shown) * bend / 6.0);
 }
 
 }  // namespace asos

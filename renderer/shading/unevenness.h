@@ -18,10 +18,23 @@ namespace asos {
 [[nodiscard]] float midpoint_error(const World& world, const Hit& hit, glm::vec3 position,
                                    glm::vec3 to_viewer, const Patch& patch);
 
+/// The same for what the lights' highlights do across a patch whose normals have this `variance`
+/// (MeanNormal) about `normal`, as those of a normal map have: 0 for materials without narrow
+/// highlights. `roughness` is what textures leave of it.
+[[nodiscard]] float glint_error(const World& world, const Material& material, float roughness,
+                                glm::vec3 normal, float variance, glm::vec3 position,
+                                glm::vec3 to_viewer);
+
 /// The same for the irradiance that a light of some size gives unshadowed, which falls off steeply
 /// beside it: relative to what white would show of it. 0 for lights that are not near, compared
 /// with the patch's size.
 [[nodiscard]] float falloff_error(const PreparedLight& light, const Receiver& receiver,
                                   const Patch& patch);
+
+/// The same for the rim of a spot's cone (its soft edge, KHR_lights_punctual), which may be
+/// narrower than the patch: relative to what white would show inside the cone. 0 for other lights,
+/// and where the patch lies wholly inside or outside, or the rim is about linear across it.
+[[nodiscard]] float cone_error(const PreparedLight& light, const Receiver& receiver,
+                               const Patch& patch);
 
 }  // namespace asos

@@ -143,6 +143,8 @@ Result<void> check(const StudyPlan& plan) {
         Error{"repetitions", fmt::format("{} is not from 1 to 99", plan.repetitions)});
   if (!(plan.budget_seconds > 0.0 && std::isfinite(plan.budget_seconds)))
     return unexpected(Error{"budget", fmt::format("{} s is not above 0", plan.budget_seconds)});
+  if (!(plan.longest_seconds > 0.0 && std::isfinite(plan.longest_seconds)))
+    return unexpected(Error{"longest", fmt::format("{} s is not above 0", plan.longest_seconds)});
   for (std::size_t i = 0; i < plan.scenes.size(); ++i)
     if (std::count(plan.scenes.begin(), plan.scenes.end(), plan.scenes[i]) > 1)
       return unexpected(Error{plan.scenes[i], "the scene is named twice"});

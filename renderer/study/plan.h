@@ -61,6 +61,9 @@ struct StudyPlan {
   int height = 180;
   int repetitions = 3;
   double budget_seconds = 60.0;  ///< for the reference of one scene
+  /// What one picture of a setting may take. One that takes longer is given up, and with it the
+  /// dearer settings of its curve.
+  double longest_seconds = 600.0;
   int threads = 0;               ///< of each render; 0: all cores but one
   bool paper = false;            ///< also the cases of CGF'98 table 2
   NeedsChoice needs = NeedsChoice::scene;

@@ -239,6 +239,23 @@ TEST(ReportCommand, AMissingJobIsNamed) {
   EXPECT_FALSE(fs::exists(folder.path() / "report.html"));
 }
 
+TEST(ReportCommand, WhatTakesTooLongIsGivenUpAndNamed) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path().string();
+  const std::vector<std::string> alone{"--repetitions", "1", "--longest", "1e-9"};
+  const AsosRun outcome = run_asos(tiny_study(path, alone));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = json::parse(content_of(folder.path() / "report.json"));
+  const auto& scene = report["scenes"][0];
+  EXPECT_TRUE(scene["points"].empty());
+  ASSERT_EQ(scene["given_up"].size(), 15u);  // twice MAX 1 to 5, and five of sobol
+  EXPECT_EQ(scene["given_up"][0], "asos MAX 1 EPS 0");
+  EXPECT_EQ(report["settings"]["longest_seconds"], 1e-9);
+  const std::string page = content_of(folder.path() / "report.html");
+  EXPECT_TRUE(contains(page, "given up after")) << page.substr(0, 2000);
+  EXPECT_TRUE(contains(page, "sobol 256 spp"));
+}
+
 TEST(ReportCommand, JobsOfAnotherStudyAreRefused) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path().string();

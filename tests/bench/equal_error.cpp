@@ -7,13 +7,13 @@
 //
 //   bench_equal_error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
 //                     [--reference N] [--runs N] [--causes MAX] [--matte] [--key-light]
-//                     [--qualities] [--dfr MIN,MAX,N] [--tr N] SCENE
+//                     [--qualities] [--dfr MIN,MAX,N] [--tr N] [--levels K] SCENE
 //
 // --matte takes textures, highlights and emission away: what is left is visibility and smooth
 // shading. --key-light keeps the first rectangular light only, of the scene's or of the rig that it
 // gets. --qualities has a row for each shadow quality at MAX 2, 3 and 4 instead of the ladder.
-// --causes tells where time and error are at one MAX: by what became of the pixels, and by what
-// they show.
+// --levels ends the ladder of ASOS at MAX K. --causes tells where time and error are at one MAX: by
+// what became of the pixels, and by what they show.
 
 #include "app/values.h"
 #include "renderer/methods/names.h"
@@ -45,6 +45,7 @@ struct Settings {
   int reference = 1024;
   int runs = 3;
   int causes = -1;
+  int levels = 5;
   bool matte = false;
   bool key_light = false;
   bool qualities = false;
@@ -64,10 +65,10 @@ struct Rung {
   double unresolved = 0.0;  ///< share of the picture's area
 };
 
-std::vector<Rung> asos_ladder(const RenderSettings& base) {
+std::vector<Rung> asos_ladder(const RenderSettings& base, int levels) {
   std::vector<Rung> ladder;
   for (const double eps : {0.0, 1.0 / 256.0}) {
-    for (int level = 1; level <= 5; ++level) {
+    for (int level = 1; level <= levels; ++level) {
       Rung& rung = ladder.emplace_back();
       rung.name = fmt::format("asos MAX {}{}", level, eps > 0.0 ? " EPS 1/256" : "");
       rung.settings = base;
@@ -195,7 +196,8 @@ Result<void> measure(const Settings& settings) {
   snapshot.settings.spp = settings.reference;
   const Film reference = render_to_end(snapshot).film;
 
-  std::vector<Rung> asos = settings.qualities ? quality_rows(base) : asos_ladder(base);
+  std::vector<Rung> asos =
+      settings.qualities ? quality_rows(base) : asos_ladder(base, settings.levels);
   std::vector<Rung> stochastic = sampling_ladder(base, Method::stochastic);
   std::vector<Rung> sobol = sampling_ladder(base, Method::sobol);
   for (int run = 0; run < settings.runs; ++run) {
@@ -246,6 +248,7 @@ int main(int argc, char** argv) {
   options.number("--reference", settings.reference, 256, 65536, "samples");
   options.number("--runs", settings.runs, 1, 99);
   options.number("--causes", settings.causes, 0, 8, "MAX to look into");
+  options.number("--levels", settings.levels, 1, 8, "deepest MAX of the ladder");
   options.flag("--matte", settings.matte, "without textures, highlights and emission");
   options.flag("--key-light", settings.key_light, "the first rectangular light only");
   options.parsed("--dfr", "MIN,MAX,N of all that mirrors", [&](const std::string& text) {

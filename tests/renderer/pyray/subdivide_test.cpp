@@ -189,6 +189,7 @@ TEST(Subdivide, ASphereMeshShowsItsSilhouetteWhateverItsWinding) {
       }
     }
     scene.world.parts.push_back(part);
+    scene.world.materials[0].double_sided = true;
     const FeatureSet features(scene.world);
     EXPECT_EQ(features.counts().open, 0u);
     EXPECT_EQ(features.counts().crease, 0u);

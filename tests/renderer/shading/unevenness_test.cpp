@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asos::test {
 namespace {
@@ -107,6 +108,79 @@ TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
   EXPECT_EQ(midpoint_error(world, middle, origin, up, square(1.0f)), 1.0f);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(midpoint_error(world, middle, origin, up, square(nan)), 0.0f);
+}
+
+TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
+  World world = bent(0.0f);
+  Material& material = world.materials.front();
+  material.metallic = 1.0f;
+  Light light;
+  light.type = Light::Type::directional;
+  light.direction = {0, 0, -1};
+  light.intensity = 3.0f;
+  world.lights.push_back(light);
+  const auto error = [&](float roughness, float variance) {
+    return glint_error(world, material, roughness, up, variance, origin, up);
+  };
+  EXPECT_EQ(error(0.2f, 0.0f), 0.0f);
+  EXPECT_GT(error(0.2f, 0.01f), 0.5f);
+  EXPECT_EQ(error(1.0f, 0.01f), 0.0f);
+  EXPECT_LT(error(0.2f, 1e-6f), 0.01f);
+  // Far from where the highlight is.
+  world.lights.front().direction = glm::normalize(glm::vec3(-1, 0, -0.2f));
+  EXPECT_LT(error(0.2f, 1e-4f), 0.01f);
+  material.unlit = true;
+  EXPECT_EQ(error(0.2f, 0.01f), 0.0f);
+}
+
+// A spot above the origin, whose circle of light on z = 0 has the radius 1.
+PreparedLight spot(double inner, double outer) {
+  Light light;
+  light.type = Light::Type::spot;
+  light.position = {0, 0, 1};
+  light.direction = {0, 0, -1};
+  light.intensity = 100.0f;
+  light.inner_cone_rad = inner;
+  light.outer_cone_rad = outer;
+  return prepare_light(light);
+}
+
+Receiver on_floor(double x) {
+  Receiver receiver;
+  receiver.position = {x, 0, 0};
+  receiver.normal = receiver.geometric = {0, 0, 1};
+  return receiver;
+}
+
+TEST(ConeError, IsFoundWhereTheRimIs) {
+  const double quarter = std::numbers::pi / 4.0;
+  const PreparedLight sharp = spot(quarter - 1e-4, quarter);
+  EXPECT_NEAR(cone_error(sharp, on_floor(1.0), square(0.1f)), 1.0f / 6.0f, 1e-6f);
+  EXPECT_NEAR(cone_error(sharp, on_floor(1.04), square(0.1f)), 1.0f / 6.0f, 1e-6f);
+  EXPECT_EQ(cone_error(sharp, on_floor(0.8), square(0.1f)), 0.0f);
+  EXPECT_EQ(cone_error(sharp, on_floor(1.2), square(0.1f)), 0.0f);
+  EXPECT_EQ(cone_error(sharp, on_floor(0.0), square(0.1f)), 0.0f);
+}
+
+TEST(ConeError, OfASoftRimFallsWithTheSquareOfTheSize) {
+  const PreparedLight soft = spot(0.2, 1.2);
+  const float large = cone_error(soft, on_floor(0.7), square(0.04f));
+  const float small = cone_error(soft, on_floor(0.7), square(0.01f));
+  EXPECT_GT(large, 0.0f);
+  EXPECT_LT(large, 0.01f);
+  EXPECT_NEAR(large / small, 16.0f, 1.0f);
+}
+
+TEST(ConeError, OnlySpotsHaveOneAndDimOnesLess) {
+  Light light;
+  light.type = Light::Type::point;
+  light.position = {0, 0, 1};
+  light.intensity = 100.0f;
+  EXPECT_EQ(cone_error(prepare_light(light), on_floor(1.0), square(0.1f)), 0.0f);
+  PreparedLight dim = spot(0.7, 0.7001);
+  const float bright = cone_error(dim, on_floor(std::tan(0.7)), square(0.1f));
+  dim.power *= 1e-4f;
+  EXPECT_LT(cone_error(dim, on_floor(std::tan(0.7)), square(0.1f)), 0.01f * bright);
 }
 
 }  // namespace

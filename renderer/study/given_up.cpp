@@ -1,0 +1,24 @@
+#include "renderer/study/given_up.h"
+
+namespace asos {
+namespace {
+
+std::string setting_of(const Job& job) {
+  return job.rung.method + " " + job.rung.setting;
+}
+
+}  // namespace
+
+void GivenUp::add(const Job& job) {
+  settings_.insert(setting_of(job));
+  // Later on, the ones before have shown that their curve goes on.
+  if (job.repetition == 1) curves_.insert(job.rung.curve);
+}
+
+bool GivenUp::holds(const Job& job) const {
+  if (job.kind != JobKind::point) return false;
+  return settings_.contains(setting_of(job)) ||
+         (job.repetition == 1 && curves_.contains(job.rung.curve));
+}
+
+}  // namespace asos
