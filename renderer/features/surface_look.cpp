@@ -53,20 +53,18 @@ bool same_look(const World& world, const Material& a, const Material& b) {
                       m.alpha_mode, m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f,
                       m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.dfr);
   };
+  const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
   return numbers(a) == numbers(b) &&
-         same_texture(world, a.base_color_texture, b.base_color_texture) &&
-         same_texture(world, a.metallic_roughness_texture, b.metallic_roughness_texture) &&
-         same_texture(world, a.normal_texture, b.normal_texture) &&
-         same_texture(world, a.emissive_texture, b.emissive_texture);
+         std::equal(
+             textures_a.begin(), textures_a.end(), textures_b.begin(),
+             [&](const TextureUse* x, const TextureUse* y) { return same_texture(world, *x, *y); });
 }
 
 SurfaceLook::SurfaceLook(const World& world, TextureAt texture_at)
     : world_(world), texture_at_(texture_at), uses_texcoord_(world.materials.size()) {
   for (std::size_t m = 0; m < world.materials.size(); ++m) {
     const Material& material = world.materials[m];
-    for (const TextureUse* use :
-         {&material.base_color_texture, &material.metallic_roughness_texture,
-          &material.normal_texture, &material.emissive_texture})
+    for (const TextureUse* use : texture_uses(material))
       if (use->used()) uses_texcoord_[m] |= static_cast<std::uint8_t>(1 << use->texcoord);
   }
 }
@@ -128,9 +126,7 @@ bool SurfaceLook::textures_differ(std::uint32_t x, std::uint32_t y,
   // How a normal map is turned depends on how the coordinates run beside the edge.
   const Material& material = world_.material_of(x);
   if (texture_at_ == nullptr || material.normal_texture.used()) return true;
-  const std::array<const TextureUse*, 3> uses{&material.base_color_texture,
-                                              &material.metallic_roughness_texture,
-                                              &material.emissive_texture};
+  const auto uses = texture_uses(material);
   return std::any_of(uses.begin(), uses.end(), [&](const TextureUse* use) {
     return use->used() && texture_differs(*use, x, y, ends);
   });

@@ -1,6 +1,7 @@
 #include "renderer/methods/eye_caster.h"
 
 #include "renderer/geometry/hit_plane.h"
+#include "renderer/methods/part_shape.h"
 #include "renderer/sampling/random.h"
 
 #include <algorithm>
@@ -184,8 +185,9 @@ glm::vec3 EyeCaster::shade(SampleId sample, double weight, const LeafRegion& reg
   shadows_.set_leaf({region, root, seed_of(points_[sample], block_), weight,
                      divided_ ? divided_ : even_around(sample, region)});
   leaf_ = {region, weight, seed_of(points_[sample], block_), points_[sample]};
-  return shader_.radiance(viewer_.viewed(rays_[sample], hits_[sample], side_of(weight)), *this,
-                          counts);
+  const PartShape shape = part_shape(region, points_[sample]);
+  return shader_.radiance(viewer_.viewed(rays_[sample], hits_[sample], side_of(weight), shape),
+                          *this, counts);
 }
 
 void EyeCaster::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {

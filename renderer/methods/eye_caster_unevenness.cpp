@@ -1,5 +1,6 @@
 #include "renderer/methods/eye_caster.h"
 #include "renderer/reflections/mirror_surface.h"
+#include "renderer/shading/brdf.h"
 #include "renderer/shading/unevenness.h"
 
 #include <algorithm>
@@ -64,6 +65,9 @@ bool EyeCaster::glints(SampleId sample, double share) const {
     return false;
   const Material& material = scene_.world.material_of(hit.triangle);
   if (!material.normal_texture.used() || material.unlit || scene_.world.lights.empty())
+    return false;
+  // Textures make roughness less only.
+  if (!material.metallic_roughness_texture.used() && material.roughness >= least_broad_roughness)
     return false;
   const SampleExtent extent{&spacing_, &scene_.mips, side_of(share)};
   const glm::vec3 to_viewer = -rays_[sample].direction;

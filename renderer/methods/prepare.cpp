@@ -72,17 +72,8 @@ glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, floa
     emission *=
         glm::vec3(sample_texture(world, m.emissive_texture, triangle, b1, b2, Encoding::srgb));
   }
-  if (m.alpha_mode == AlphaMode::opaque) return emission;
   // Without what transmission lets through: glass shines all the same.
-  const float solid = 1.0f - std::clamp(m.transmission, 0.0f, 1.0f);
-  if (!(solid > 0.0f)) return emission;
-  float opacity = alpha_at(world, triangle, b1, b2);
-  if (surface_kind(m) == SurfaceKind::masked) {
-    opacity = opacity >= m.alpha_cutoff ? 1.0f : 0.0f;
-  } else {
-    opacity = std::min(1.0f, opacity / solid);
-  }
-  return opacity * emission;
+  return opacity_at(world, triangle, b1, b2) * emission;
 }
 
 /// Whether no light of the file shines at all and emissive meshes give next to nothing.

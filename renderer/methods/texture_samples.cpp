@@ -20,9 +20,13 @@ std::uint64_t bits_of(glm::dvec2 pixels, int seed) {
 }  // namespace
 
 bool is_textured(const Material& material, const SceneNeeds& needs) {
-  if (needs.textures && material.base_color_texture.used()) return true;
+  if (needs.textures &&
+      (material.base_color_texture.used() || material.transmission_texture.used()))
+    return true;
   if (material.unlit) return false;
-  return (needs.textures && material.metallic_roughness_texture.used()) ||
+  return (needs.textures &&
+          (material.metallic_roughness_texture.used() || material.specular_texture.used() ||
+           material.specular_color_texture.used())) ||
          (needs.normal_maps && material.normal_texture.used()) ||
          (needs.emission && material.emissive_texture.used());
 }

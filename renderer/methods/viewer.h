@@ -28,8 +28,9 @@ struct Viewer {
     viewer.pixel = static_cast<float>(filter_width);
     return viewer;
   }
-  [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side) const {
-    return {ray, hit, side, &spacing, width, bounces, throughput};
+  [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side,
+                                 const PartShape& shape = {}) const {
+    return {ray, hit, side, &spacing, width, bounces, throughput, shape};
   }
 };
 

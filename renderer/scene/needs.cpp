@@ -83,13 +83,6 @@ bool may_mirror(const Material& m) {
   return reflects && smooth;
 }
 
-/// All textures that a material names, whether it uses them or not: where its surfaces differ is
-/// judged by all of them.
-std::array<const TextureUse*, 4> uses_of(const Material& m) {
-  return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-          &m.emissive_texture};
-}
-
 template <typename Visit>
 void for_each_shown_material(const World& world, Visit visit) {
   // Only materials that some triangle shows count: files often bring along more.
@@ -104,7 +97,8 @@ void for_each_shown_material(const World& world, Visit visit) {
 std::vector<bool> images_of_shown_materials(const World& world) {
   std::vector<bool> used(world.images.size(), false);
   for_each_shown_material(world, [&](const Material& m) {
-    for (const TextureUse* use : uses_of(m)) {
+    // Used or not: where surfaces differ is judged by all of them.
+    for (const TextureUse* use : texture_uses(m)) {
       if (!use->used() || static_cast<std::size_t>(use->texture) >= world.textures.size()) continue;
       const int image = world.textures[static_cast<std::size_t>(use->texture)].image;
       if (image >= 0 && static_cast<std::size_t>(image) < used.size())
@@ -116,11 +110,13 @@ std::vector<bool> images_of_shown_materials(const World& world) {
 
 void add_material(SceneNeeds& needs, const Material& m) {
   needs.textures |= m.base_color_texture.used();
+  needs.textures |= m.transmission > 0.0f && m.transmission_texture.used();
   needs.alpha_blend |= m.alpha_mode == AlphaMode::blend || m.transmission > 0.0f;
   needs.alpha_mask |= m.alpha_mode == AlphaMode::mask;
   needs.culling |= !m.double_sided;
   if (m.unlit) return;  // an unlit material uses nothing but its base colour
   needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
+                    m.specular_texture.used() || m.specular_color_texture.used() ||
                     (m.emissive_texture.used() && emits(m));
   needs.normal_maps |= m.normal_texture.used();
   needs.emission |= emits(m);

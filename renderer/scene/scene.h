@@ -89,8 +89,18 @@ struct Material {
   float transmission = 0.0f;       ///< KHR_materials_transmission, thin surface
   float specular = 1.0f;           ///< KHR_materials_specular: of a dielectric's reflection, 0 to 1
   glm::vec3 specular_color{1.0f};  ///< the same, linear, at normal incidence; may exceed 1
-  std::optional<Dfr> dfr;          ///< how reflections are blurred; none: by roughness
+  TextureUse specular_texture;     ///< A of `specular`, linear
+  TextureUse specular_color_texture;  ///< sRGB
+  TextureUse transmission_texture;    ///< R, linear
+  std::optional<Dfr> dfr;             ///< how reflections are blurred; none: by roughness
 };
+
+/// All textures that a material names, whether it uses them or not.
+[[nodiscard]] inline std::array<const TextureUse*, 7> texture_uses(const Material& m) {
+  return {&m.base_color_texture,  &m.metallic_roughness_texture, &m.normal_texture,
+          &m.emissive_texture,    &m.specular_texture,           &m.specular_color_texture,
+          &m.transmission_texture};
+}
 
 /// One primitive's triangles in its own space. Attribute arrays are empty or as long as
 /// `positions`; every index is below that length; positions and normals are finite.

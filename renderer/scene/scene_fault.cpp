@@ -25,8 +25,7 @@ bool valid_mesh(const Mesh& mesh) {
 }
 
 bool valid_textures(const Scene& scene, const Material& m) {
-  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
-                                &m.normal_texture, &m.emissive_texture}) {
+  for (const TextureUse* use : texture_uses(m)) {
     if (!in_range(use->texture, scene.textures.size()) || use->texcoord < 0 || use->texcoord > 1) {
       return false;
     }

@@ -97,9 +97,7 @@ Attributes find_attributes(const Scene& scene, const std::vector<bool>& shown) {
     };
     use(m.base_color_texture);
     if (m.unlit) continue;
-    use(m.metallic_roughness_texture);
-    use(m.normal_texture);
-    use(m.emissive_texture);
+    for (const TextureUse* texture : texture_uses(m)) use(*texture);
     keep.tangents |= m.normal_texture.used();
   }
   return keep;

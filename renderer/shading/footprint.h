@@ -27,6 +27,14 @@ struct PixelSpacing {
   [[nodiscard]] static PixelSpacing of(const View& view);
 };
 
+/// The shape of the part of the picture that a sample stands for, beside a square of the same area
+/// around it: a parallelogram with the part's centroid and covariance. In sides of that square.
+struct PartShape {
+  glm::vec2 offset{0.0f};  ///< of the centroid from the sample
+  glm::vec2 right{1.0f, 0.0f};
+  glm::vec2 down{0.0f, 1.0f};
+};
+
 /// A parallelogram on a surface by its edges, in world units. A default one is a point.
 struct Patch {
   glm::vec3 right{0.0f};
@@ -59,7 +67,9 @@ inline constexpr float steepest_patch = 1.0f / 64.0f;
 struct Footprint {
   glm::vec2 right{0.0f};
   glm::vec2 down{0.0f};
-  float side = 1.0f;  ///< of the square that shows it, in pixels: how much what is seen there counts
+  glm::vec2 offset{0.0f};  ///< of its middle from the hit
+  float side =
+      1.0f;  ///< of the square that shows it, in pixels: how much what is seen there counts
 
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }
 };
@@ -79,7 +89,9 @@ struct Footprint {
     const float p2 = glm::dot(e2, p);
     return glm::vec2(g22 * p1 - g12 * p2, g11 * p2 - g12 * p1) * per_det;
   };
-  const Footprint f{along(patch.right), along(patch.down)};
+  Footprint f;
+  f.right = along(patch.right);
+  f.down = along(patch.down);
   return std::isfinite(f.right.x + f.right.y + f.down.x + f.down.y) ? f : Footprint{};
 }
 
@@ -93,6 +105,18 @@ struct Footprint {
   const glm::uvec3 v = world.triangles[hit.triangle];
   const glm::vec3 p0 = world.positions[v.x];
   return footprint_between(world.positions[v.y] - p0, world.positions[v.z] - p0, patch);
+}
+
+/// A square's footprint, shown by a part of another shape instead.
+[[nodiscard]] inline Footprint shaped(const Footprint& square, const PartShape& part) {
+  const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
+  return {along(part.right), along(part.down), along(part.offset), square.side};
+}
+
+/// The same of a patch.
+[[nodiscard]] inline Patch shaped(const Patch& square, const PartShape& part) {
+  const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
+  return {along(part.right), along(part.down)};
 }
 
 /// How far what is linear over a triangle goes along the footprint's edges, from its values at the

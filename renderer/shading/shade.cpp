@@ -177,8 +177,9 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   ViewedPoint view{point, to_viewer, n_dot_v, {}};
   const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
   if (settings_.mips && viewed_ray.side > 0.0f && seen.roughness < least_broad_roughness) {
-    view.patch = patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
-                                point.geometric_normal, viewed_ray.side);
+    view.patch = shaped(patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
+                                       point.geometric_normal, viewed_ray.side),
+                        viewed_ray.shape);
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
   const Receiver receiver = receiver_at(point);
@@ -215,7 +216,7 @@ ViewedRay Shader::eye_ray(const Ray& ray, const Hit& hit, float side) const {
 glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
                            RenderStatistics& counts) const {
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
-                            seen.side};
+                            seen.side, seen.shape};
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   glm::vec3 sum{0.0f};
   glm::vec3 share{1.0f};  // of what lies behind the layers so far

@@ -25,6 +25,9 @@ class Sky;
 /// is the value that its cut-off is compared with.
 [[nodiscard]] float alpha_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
+/// The same without transmission, and with a masked material's cut-off applied: 0 or 1.
+[[nodiscard]] float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2);
+
 /// What is shaded and what is left out.
 struct ShadingSettings {
   bool shadows = true;  ///< lights cast shadows

@@ -122,8 +122,9 @@ NormalSpread interpolated_spread(const std::array<glm::vec3, 3>& normals,
 bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t triangle,
                      const Triangle& t) {
   const Material& m = world.material_of(triangle);
-  if (needs.textures && (m.base_color_texture.used() || m.metallic_roughness_texture.used() ||
-                         m.normal_texture.used() || m.emissive_texture.used()))
+  const auto uses = texture_uses(m);
+  if (needs.textures &&
+      std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); }))
     return true;
   if (m.unlit || m.roughness > least_broad_roughness || world.lights.empty()) return false;
   if (t.face) return world.face(triangle).kind != ShapeFace::Kind::disk;
@@ -202,9 +203,10 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
   }
 
   if (!extent.point() && shows_footprint(world, needs, hit.triangle, t)) {
-    point.footprint = footprint_on(
-        world, hit,
-        patch_on_plane(*extent.spacing, -to_viewer, hit.t, point.geometric_normal, extent.side));
+    point.footprint = shaped(footprint_on(world, hit,
+                                          patch_on_plane(*extent.spacing, -to_viewer, hit.t,
+                                                         point.geometric_normal, extent.side)),
+                             extent.shape);
     point.footprint.side = extent.side;
   }
   shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
@@ -239,6 +241,8 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   surface.base_color = glm::vec3(base);
   surface.unlit = material.unlit;
   surface.transmission = std::clamp(material.transmission, 0.0f, 1.0f);
+  if (surface.transmission > 0.0f && needs.textures && material.transmission_texture.used())
+    surface.transmission *= sample(material.transmission_texture, TexelKind::data).r;
   if (material.alpha_mode == AlphaMode::blend) {
     surface.opacity = std::clamp(base.a, 0.0f, 1.0f);
   } else if (material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
@@ -256,9 +260,14 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   }
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
   // KHR_materials_specular. An index of 0 stands for an infinite one: all is reflected.
-  surface.f0 = glm::min(dielectric * dielectric * material.specular_color, glm::vec3(1.0f)) *
-               material.specular;
-  surface.f90 = material.specular;
+  glm::vec3 specular_color = material.specular_color;
+  float specular = material.specular;
+  if (needs.textures && material.specular_color_texture.used())
+    specular_color *= glm::vec3(sample(material.specular_color_texture, TexelKind::color));
+  if (needs.textures && material.specular_texture.used())
+    specular *= sample(material.specular_texture, TexelKind::data).a;
+  surface.f0 = glm::min(dielectric * dielectric * specular_color, glm::vec3(1.0f)) * specular;
+  surface.f90 = specular;
   if (needs.metals) {
     surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
     surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);

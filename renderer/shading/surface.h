@@ -44,6 +44,7 @@ struct SampleExtent {
   const PixelSpacing* spacing = nullptr;
   const MipChains* mips = nullptr;
   float side = 0.0f;
+  PartShape shape = {};
 
   [[nodiscard]] bool point() const { return !spacing || !mips || !(side > 0.0f); }
 };

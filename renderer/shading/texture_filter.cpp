@@ -124,7 +124,8 @@ TexelShape shape_of(const Texture& texture, std::size_t level) {
 }
 
 glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlace& place) {
-  const glm::vec2 uv = texcoord_at(world, use.texcoord, place.triangle, place.b1, place.b2);
+  const glm::vec2 middle = glm::vec2(place.b1, place.b2) + place.footprint.offset;
+  const glm::vec2 uv = texcoord_at(world, use.texcoord, place.triangle, middle.x, middle.y);
   return {use.uv_transform * glm::vec3(uv, 1.0f)};
 }
 

@@ -19,6 +19,7 @@ struct ViewedRay {
   float width = 0.0f;
   int bounces = 0;          ///< reflections on its way
   float throughput = 1.0f;  ///< the most that the picture gets of its radiance, by colour
+  PartShape shape = {};     ///< of what it stands for, beside the square
 };
 
 }  // namespace asos

@@ -49,11 +49,16 @@ void write_reflection(const Material& material, json& out, GltfDocument& documen
     document.use_extension("KHR_materials_ior");
     out["extensions"]["KHR_materials_ior"]["ior"] = material.ior;
   }
-  if (material.specular != 1.0f || material.specular_color != glm::vec3(1.0f)) {
+  if (material.specular != 1.0f || material.specular_color != glm::vec3(1.0f) ||
+      material.specular_texture.used() || material.specular_color_texture.used()) {
     document.use_extension("KHR_materials_specular");
-    out["extensions"]["KHR_materials_specular"] = {
-        {"specularFactor", material.specular},
-        {"specularColorFactor", numbers(material.specular_color)}};
+    json& specular = out["extensions"]["KHR_materials_specular"];
+    specular = {{"specularFactor", material.specular},
+                {"specularColorFactor", numbers(material.specular_color)}};
+    if (material.specular_texture.used())
+      specular["specularTexture"] = texture_info(material.specular_texture, document);
+    if (material.specular_color_texture.used())
+      specular["specularColorTexture"] = texture_info(material.specular_color_texture, document);
   }
   if (!material.dfr) return;
   out["extras"]["asos_dfr"] = {{"min", by_colour(*material.dfr, &DfrCurve::min)},
@@ -98,7 +103,10 @@ json material_json(const Material& material, GltfDocument& document) {
   write_reflection(material, out, document);
   if (material.transmission != 0.0f) {
     document.use_extension("KHR_materials_transmission");
-    out["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = material.transmission;
+    json& transmission = out["extensions"]["KHR_materials_transmission"];
+    transmission["transmissionFactor"] = material.transmission;
+    if (material.transmission_texture.used())
+      transmission["transmissionTexture"] = texture_info(material.transmission_texture, document);
   }
   return out;
 }

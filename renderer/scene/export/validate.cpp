@@ -120,8 +120,7 @@ std::string material_fault(const Material& m, const Scene& scene) {
   if (m.dfr) {
     if (std::string fault = dfr_fault(*m.dfr); !fault.empty()) return fault;
   }
-  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
-                                &m.normal_texture, &m.emissive_texture}) {
+  for (const TextureUse* use : texture_uses(m)) {
     if (std::string fault = texture_fault(*use, scene); !fault.empty()) return fault;
   }
   return {};

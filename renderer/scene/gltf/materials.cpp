@@ -34,11 +34,17 @@ class MaterialReader {
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = use(pbr.baseColorTexture, "base colour");
+    if (const auto* e = extension(source_.extensions, "KHR_materials_transmission"))
+      m.transmission_texture = use_in(*e, "transmissionTexture", "transmission");
     if (m.unlit) return m;
     m.metallic_roughness_texture = use(pbr.metallicRoughnessTexture, "metallic-roughness");
     m.normal_texture = use(source_.normalTexture, "normal");
     m.normal_texture.scale = finite(source_.normalTexture.scale, 1.0, "normal scale");
     m.emissive_texture = use(source_.emissiveTexture, "emissive");
+    if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
+      m.specular_texture = use_in(*e, "specularTexture", "specular");
+      m.specular_color_texture = use_in(*e, "specularColorTexture", "specular colour");
+    }
     return m;
   }
 
@@ -116,9 +122,6 @@ class MaterialReader {
     if (const auto* e = extension(source_.extensions, "KHR_materials_transmission")) {
       m.transmission = within(number(*e, "transmissionFactor").value_or(0.0), 0.0, 1.0, 0.0,
                               "transmission factor");
-      if (e->Has("transmissionTexture") && m.transmission > 0.0f) {
-        warnings_.add(place_ + ": its transmission texture is not used, only the factor");
-      }
     }
   }
 
@@ -131,8 +134,6 @@ class MaterialReader {
       m.specular_color[c] = within(number_at(*e, "specularColorFactor", c).value_or(1.0), 0.0, 1e30,
                                    1.0, "specular colour factor");
     }
-    if (e->Has("specularTexture") || e->Has("specularColorTexture"))
-      warnings_.add(place_ + ": its specular textures are not used, only the factors");
   }
 
   /// `Info` is one of tinygltf's texture references, which share these members.
@@ -154,6 +155,18 @@ class MaterialReader {
     }
     use.texture = textures_.use(info.index);
     return use;
+  }
+
+  /// The same, of a texture that an extension names.
+  TextureUse use_in(const tinygltf::Value& parent, const char* name, const char* what) {
+    if (!parent.Has(name)) return {};
+    const tinygltf::Value& value = parent.Get(name);
+    tinygltf::TextureInfo info;
+    info.index = whole(value, "index").value_or(-1);
+    info.texCoord = whole(value, "texCoord").value_or(0);
+    if (const auto* e = extension(value, "KHR_texture_transform"))
+      info.extensions["KHR_texture_transform"] = *e;
+    return use(info, what);
   }
 
   static glm::mat3 transform(const tinygltf::Value& e) {

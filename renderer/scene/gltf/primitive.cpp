@@ -92,9 +92,9 @@ Selection select_used(std::vector<glm::uvec3>& triangles, std::size_t vertices) 
 
 void check_texcoords(const PrimitiveRequest& request, const VertexData& data, Warnings& warnings) {
   if (!request.material) return;
-  for (const TextureUse* use :
-       {&request.material->base_color_texture, &request.material->metallic_roughness_texture,
-        &request.material->emissive_texture}) {
+  for (const TextureUse* use : texture_uses(*request.material)) {
+    // Without coordinates a normal map has no directions either; tangents say so.
+    if (use == &request.material->normal_texture) continue;
     if (!use->used() || !data.texcoords[use->texcoord].empty()) continue;
     warnings.add(fmt::format("{}: its textures need TEXCOORD_{}, which is missing", request.place,
                              use->texcoord));

@@ -17,6 +17,13 @@ inline const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions
   return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
 }
 
+/// The same of an object within an extension.
+inline const tinygltf::Value* extension(const tinygltf::Value& object, const std::string& name) {
+  if (!object.Has("extensions") || !object.Get("extensions").Has(name)) return nullptr;
+  const tinygltf::Value& found = object.Get("extensions").Get(name);
+  return found.IsObject() ? &found : nullptr;
+}
+
 inline std::optional<double> number(const tinygltf::Value& object, const std::string& name) {
   if (!object.Has(name)) return std::nullopt;
   const tinygltf::Value& value = object.Get(name);

@@ -136,6 +136,10 @@ Scene rich_scene() {
   full.transmission = 0.9f;
   full.specular = 0.4f;
   full.specular_color = {1.0f, 0.5f, 2.0f};
+  full.specular_texture.texture = 1;
+  full.specular_color_texture = moved(0, 0.7, {2.0f, -3.0f}, {0.25f, -0.5f});
+  full.transmission_texture.texture = 0;
+  full.transmission_texture.texcoord = 1;
   full.dfr = Dfr{{{{0.1, 0.9, 2.0}, {0.2, 1.0 / 3.0, 2.5}, {0.0, 1.0, 32.0}}}, 0.125};
   Material flat;
   flat.name = "flat";
@@ -381,10 +385,8 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.specular, b.specular);
   EXPECT_EQ(a.specular_color, b.specular_color);
   EXPECT_EQ(a.dfr, b.dfr);
-  expect_equal(a.base_color_texture, b.base_color_texture);
-  expect_equal(a.metallic_roughness_texture, b.metallic_roughness_texture);
-  expect_equal(a.normal_texture, b.normal_texture);
-  expect_equal(a.emissive_texture, b.emissive_texture);
+  const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
+  for (std::size_t i = 0; i < textures_a.size(); ++i) expect_equal(*textures_a[i], *textures_b[i]);
 }
 
 void expect_equal(const Camera& a, const Camera& b) {

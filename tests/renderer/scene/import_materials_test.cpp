@@ -62,10 +62,28 @@ TEST(ImportMaterials, BadSpecularFactorsAreBroughtIntoRangeByName) {
       import_material(with_specular({{"specularColorFactor", {-1, 1, 1e300}}}));
   EXPECT_EQ(negative.material.specular_color, glm::vec3(0, 1, 1));
   EXPECT_EQ(negative.warnings.size(), 2u);
-  const Imported texture = import_material(with_specular({{"specularTexture", {{"index", 0}}}}));
-  ASSERT_EQ(texture.warnings.size(), 1u);
-  EXPECT_EQ(texture.warnings[0],
-            "material 'desk': its specular textures are not used, only the factors");
+}
+
+TEST(ImportMaterials, TexturesOfExtensionsAreRead) {
+  const Imported specular = import_material(with_specular(
+      {{"specularTexture", {{"index", 0}}},
+       {"specularColorTexture",
+        {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}}}}}}}}));
+  EXPECT_TRUE(specular.material.specular_texture.used());
+  EXPECT_TRUE(specular.material.specular_color_texture.used());
+  EXPECT_EQ(specular.material.specular_color_texture.uv_transform[2], glm::vec3(0.25f, 0.5f, 1.0f));
+  EXPECT_FALSE(specular.material.transmission_texture.used());
+  const Imported glass = import_material(
+      {{"extensions",
+        {{"KHR_materials_transmission",
+          {{"transmissionFactor", 0.5}, {"transmissionTexture", {{"index", 0}}}}}}}});
+  EXPECT_TRUE(glass.material.transmission_texture.used());
+  EXPECT_EQ(glass.material.transmission, 0.5f);
+  // A second set that there is not.
+  const Imported third =
+      import_material(with_specular({{"specularTexture", {{"index", 0}, {"texCoord", 2}}}}));
+  EXPECT_FALSE(third.material.specular_texture.used());
+  EXPECT_FALSE(third.warnings.empty());
 }
 
 TEST(ImportMaterials, AnIndexOfZeroIsInfinite) {

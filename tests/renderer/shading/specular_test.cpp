@@ -1,5 +1,7 @@
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
+#include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +40,47 @@ TEST(Specular, IsTheExtensionsFormula) {
   EXPECT_EQ(tinted.f90, 0.5f);
   const SurfaceMaterial limited = shaded(glass(1.5f, 0.5f, glm::vec3(1000)));
   EXPECT_EQ(limited.f0, glm::vec3(0.5f)) << "the colour's part is at most 1";
+}
+
+// sRGB 188 is 0.5029 linear; alpha is linear.
+TEST(Specular, TexturesScaleTheFactors) {
+  World world;
+  Material m = glass(1.5f, 0.5f, {2, 1, 1});
+  m.transmission = 0.8f;
+  m.specular_texture.texture = test::add_texture(world,
+                                                 test::make_image(1, 1,
+                                                                  [](int, int) {
+                                                                    return test::Texel{0, 0, 0, 51};
+                                                                  }),
+                                                 Wrap::repeat, Filter::linear);
+  m.specular_color_texture.texture =
+      test::add_texture(world,
+                        test::make_image(1, 1,
+                                         [](int, int) {
+                                           return test::Texel{188, 255, 0, 7};
+                                         }),
+                        Wrap::repeat, Filter::linear);
+  m.transmission_texture.texture =
+      test::add_texture(world,
+                        test::make_image(1, 1,
+                                         [](int, int) {
+                                           return test::Texel{51, 0, 9, 7};
+                                         }),
+                        Wrap::repeat, Filter::linear);
+  test::add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
+  Hit hit;
+  hit.t = 1.0f;
+  hit.b1 = hit.b2 = 0.25f;
+  hit.triangle = 0;
+  const SurfaceMaterial seen = surface_material(world, find_needs(world), hit);
+  EXPECT_NEAR(seen.f90, 0.1f, 1e-6f);
+  EXPECT_NEAR(seen.f0.r, 0.04f * 2.0f * 0.5029f * 0.1f, 1e-6f);
+  EXPECT_NEAR(seen.f0.g, 0.004f, 1e-6f);
+  EXPECT_EQ(seen.f0.b, 0.0f);
+  EXPECT_NEAR(seen.transmission, 0.16f, 1e-6f);
+  // Shadow rays see the same.
+  EXPECT_NEAR(alpha_at(world, 0, 0.25f, 0.25f), 0.84f, 1e-6f);
+  EXPECT_EQ(opacity_at(world, 0, 0.25f, 0.25f), 1.0f);
 }
 
 TEST(Specular, AnIndexOfZeroReflectsAll) {
