@@ -18,8 +18,8 @@ class JobRunner {
   JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop);
 
   /// Renders and writes. A point, and a pass of the reference after the first, is given up after
-  /// `seconds`, and its record says so. Errors: a scene that cannot be opened or that the method cannot render, a
-  /// file that cannot be written, a stop.
+  /// `seconds`, and its record says so. Errors: a scene that cannot be opened or that the method
+  /// cannot render, a file that cannot be written, a stop.
   [[nodiscard]] Result<JobRecord> run(const Job& job, double seconds);
 
   /// Writes down that a point was not even begun.

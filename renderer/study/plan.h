@@ -64,8 +64,8 @@ struct StudyPlan {
   /// What one picture of a setting may take. One that takes longer is given up, and with it the
   /// dearer settings of its curve.
   double longest_seconds = 600.0;
-  int threads = 0;               ///< of each render; 0: all cores but one
-  bool paper = false;            ///< also the cases of CGF'98 table 2
+  int threads = 0;     ///< of each render; 0: all cores but one
+  bool paper = false;  ///< also the cases of CGF'98 table 2
   NeedsChoice needs = NeedsChoice::scene;
 
   bool operator==(const StudyPlan&) const = default;
