@@ -128,4 +128,16 @@ std::vector<std::vector<glm::dvec3>> light_outlines(const PreparedLight& light,
   return {circle(light.position - back * axis, radius * u, radius * glm::cross(axis, u))};
 }
 
+bool may_show(const PreparedLight& light, glm::dvec3 apex, glm::dvec3 axis, double half_angle) {
+  if (light.shape != LightShape::polygon && light.shape != LightShape::disk &&
+      light.shape != LightShape::ball)
+    return false;
+  const double radius = light.radius + glm::length(light.half_u) + glm::length(light.half_v);
+  const glm::dvec3 to_middle = light.position - apex;
+  const double distance = glm::length(to_middle);
+  if (!(distance > radius)) return true;
+  const double away = std::acos(std::clamp(glm::dot(to_middle, axis) / distance, -1.0, 1.0));
+  return away <= half_angle + std::asin(radius / distance);
+}
+
 }  // namespace asos

@@ -33,4 +33,9 @@ inline constexpr int circle_points = 128;
                                                                   std::optional<glm::dvec3> apex,
                                                                   glm::dvec3 direction);
 
+/// Whether a cone may show some of a light with an area, from its apex: by the ball around the
+/// light. `axis` is unit, the angle to the cone's side in radians. Conservative.
+[[nodiscard]] bool may_show(const PreparedLight& light, glm::dvec3 apex, glm::dvec3 axis,
+                            double half_angle);
+
 }  // namespace asos

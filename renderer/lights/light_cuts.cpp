@@ -1,5 +1,7 @@
 #include "renderer/lights/light_cuts.h"
 
+#include "renderer/geometry/cross.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,10 +22,6 @@ constexpr double margin = 1.0 / 16.0;
 constexpr double touching = 1e-6;
 // Roundings of float32 by which the place of a vertex may be off.
 constexpr double place_error = 2.4e-7;
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-  return a.x * b.y - a.y * b.x;
-}
 
 struct Piece {
   glm::dvec2 p, q;  // in half edges from the light's middle

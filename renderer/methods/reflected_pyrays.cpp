@@ -163,12 +163,29 @@ std::optional<MirroredSight> ReflectedPyrays::sight_of(const Reflection& reflect
   return sight;
 }
 
+// The radiance that a pyray may show: a picture's white, or a light's.
+double ReflectedPyrays::brightest_in(const PyrayPicture& picture) const {
+  double brightest = 1.0;
+  const glm::dvec3 middle = glm::normalize(picture.corner + 0.5 * (picture.right + picture.down));
+  const double half_angle =
+      std::atan(0.5 * (glm::length(picture.right) + glm::length(picture.down)));
+  for (const PreparedLight& light : viewer.shader.lights()) {
+    const auto radiance =
+        static_cast<double>(std::max({light.power.x, light.power.y, light.power.z}));
+    if (radiance > brightest && may_show(light, picture.apex, middle, half_angle))
+      brightest = radiance;
+  }
+  return brightest;
+}
+
 // One budget for all: the levels that this share of the root deserves, and EPS of what is
 // reflected, so that all leaves together stay within EPS of their root.
 ReflectionWorkspace::Bounce& ReflectedPyrays::level_of(const Reflection& reflection,
-                                                       const MirroredLeaf& leaf) const {
+                                                       const MirroredLeaf& leaf,
+                                                       double brightest) const {
   const glm::vec3 c = reflection.reflected;
-  const double reflected = std::clamp(static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
+  const double reflected =
+      std::clamp(brightest * static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
   ReflectionWorkspace::Bounce& level = work.reflections.at(viewer.bounces);
   level.settings = settings;
   level.settings.max_level = levels_left(settings, leaf, leaf.weight * reflected, viewer.bounces);
@@ -200,7 +217,8 @@ Mirrored ReflectedPyrays::trace(const Reflection& reflection, const MirroredLeaf
   if (!leaf.region.sides.empty() && 1.0 - sharp < outline_matters * sharp)
     mask.outline = outline_in(leaf.region, part);
 
-  ReflectionWorkspace::Bounce& level = level_of(reflection, leaf);
+  ReflectionWorkspace::Bounce& level =
+      level_of(reflection, leaf, brightest_in(sight->pyray.picture));
   RenderStatistics own;
   EyeCaster caster(scene, mirrored_viewer, level.settings, mirrored_frame, {0, 0, 1, 1}, 1, work,
                    stop, own, &mask);

@@ -80,8 +80,10 @@ struct ReflectedPyrays {
   [[nodiscard]] glm::dvec3 start_of(const Bounds2& part) const;
   [[nodiscard]] std::optional<MirroredSight> sight_of(const Reflection& reflection,
                                                       const Bounds2& part, float width) const;
+  [[nodiscard]] double brightest_in(const PyrayPicture& picture) const;
   [[nodiscard]] ReflectionWorkspace::Bounce& level_of(const Reflection& reflection,
-                                                      const MirroredLeaf& leaf) const;
+                                                      const MirroredLeaf& leaf,
+                                                      double brightest) const;
   bool subdivide(ReflectionWorkspace::Bounce& level, const Root& root, EyeCaster& caster) const;
   void find_boundaries(ReflectionWorkspace::Bounce& level, const Frame& mirrored_frame,
                        const MirroredSight& sight, const MirroredMask& mask) const;

@@ -55,6 +55,17 @@ bool finite(glm::dvec3 v) {
   return std::isfinite(v.x + v.y + v.z);
 }
 
+// Where a pyramid of these edges has to begin for neither of them to be longer, where it leaves the
+// surface, than the patch's: one that is would look at what lies beside the mirror. Nothing where
+// they do not begin anywhere.
+std::optional<double> apex_within(const MirrorPatch& patch, glm::dvec3 axis, glm::dvec3 right,
+                                  glm::dvec3 down) {
+  const glm::dvec3 a = across(right, axis), b = across(down, axis);
+  const double nearest = std::min(glm::dot(across(patch.right, axis), a) / glm::dot(a, a),
+                                  glm::dot(across(patch.down, axis), b) / glm::dot(b, b));
+  return nearest > 0.0 && std::isfinite(nearest) ? std::optional(nearest) : std::nullopt;
+}
+
 // Where the rays through the patch, continued backwards, come nearest to each other: the distance s
 // for which the patch's edges, less s times what the directions change by, are least.
 double nearest_apex(const MirrorPatch& patch, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 down) {
@@ -139,9 +150,10 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
               ? diverging(edges, pyray.distance * glm::length(pyray.axis), lobe, surface)
               : parallel(edges, patch, surface);
   } else {
-    const double apex =
-        nearest_apex(patch, edges.axis, widened(edges.right, lobe.right, lobe.width),
-                     widened(edges.down, lobe.down, lobe.width));
+    const glm::dvec3 right = widened(edges.right, lobe.right, lobe.width);
+    const glm::dvec3 down = widened(edges.down, lobe.down, lobe.width);
+    const auto within = sharp ? std::nullopt : apex_within(patch, edges.axis, right, down);
+    const double apex = within ? *within : nearest_apex(patch, edges.axis, right, down);
     if (apex > 0.0 && std::isfinite(apex)) {
       out = diverging(edges, apex, lobe, surface);
     } else if (surface.bent()) {

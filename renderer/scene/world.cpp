@@ -1,6 +1,7 @@
 #include "renderer/scene/world.h"
 
 #include "renderer/scene/origin.h"
+#include "renderer/scene/placed_mesh.h"
 #include "renderer/scene/scene_fault.h"
 
 #include <fmt/format.h>
@@ -22,85 +23,9 @@ bool finite(glm::dvec3 p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// Which of a mesh's vertices go into the world, and as what triangles.
-struct PlacedMesh {
-  const Mesh* mesh = nullptr;
-  bool flat = false;                      ///< no normals: each triangle has vertices of its own
-  std::vector<std::uint32_t> source;      ///< world vertex -> mesh vertex; empty: the same
-  std::vector<glm::uvec3> own_triangles;  ///< where `source` is not empty
-  [[nodiscard]] const std::vector<glm::uvec3>& triangles() const {
-    return source.empty() ? mesh->triangles : own_triangles;
-  }
-  [[nodiscard]] std::size_t vertex_count() const {
-    return source.empty() ? mesh->positions.size() : source.size();
-  }
-  [[nodiscard]] std::size_t vertex(std::size_t i) const { return source.empty() ? i : source[i]; }
-};
-
-/// What attributes the world keeps.
-struct Attributes {
-  bool tangents = false;
-  bool texcoords[2] = {false, false};
-  bool colors = false;
-};
-
 unexpected<Error> refuse(const Scene& scene, std::string reason) {
   return unexpected(
       Error{scene.source.empty() ? std::string("scene") : scene.source, std::move(reason)});
-}
-
-// --- What is placed ----------------------------------------------------------------------------
-
-PlacedMesh place_flat(const Mesh& mesh) {
-  PlacedMesh placed{&mesh, true, {}, {}};
-  placed.source.reserve(mesh.triangles.size() * 3);
-  placed.own_triangles.reserve(mesh.triangles.size());
-  for (const glm::uvec3 t : mesh.triangles) {
-    const auto first = static_cast<std::uint32_t>(placed.source.size());
-    placed.source.insert(placed.source.end(), {t.x, t.y, t.z});
-    placed.own_triangles.emplace_back(first, first + 1, first + 2);
-  }
-  return placed;
-}
-
-/// Leaves out the vertices that no triangle uses, since they may lie anywhere.
-PlacedMesh place(const Mesh& mesh) {
-  if (mesh.normals.empty()) return place_flat(mesh);
-  PlacedMesh placed{&mesh, false, {}, {}};
-  constexpr std::uint32_t unused = 0xffffffffu;
-  std::vector<std::uint32_t> to_placed(mesh.positions.size(), unused);
-  for (const glm::uvec3 t : mesh.triangles) to_placed[t.x] = to_placed[t.y] = to_placed[t.z] = 0;
-  if (std::find(to_placed.begin(), to_placed.end(), unused) == to_placed.end()) return placed;
-  for (std::size_t i = 0; i < to_placed.size(); ++i) {
-    if (to_placed[i] == unused) continue;
-    to_placed[i] = static_cast<std::uint32_t>(placed.source.size());
-    placed.source.push_back(static_cast<std::uint32_t>(i));
-  }
-  placed.own_triangles.reserve(mesh.triangles.size());
-  for (const glm::uvec3 t : mesh.triangles) {
-    placed.own_triangles.emplace_back(to_placed[t.x], to_placed[t.y], to_placed[t.z]);
-  }
-  return placed;
-}
-
-Attributes find_attributes(const Scene& scene, const std::vector<bool>& shown) {
-  Attributes keep;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (!shown[i]) continue;
-    const Mesh& mesh = scene.meshes[i];
-    keep.colors |= std::any_of(mesh.colors.begin(), mesh.colors.end(),
-                               [](glm::vec4 c) { return c != glm::vec4(1.0f); });
-    if (mesh.material < 0) continue;
-    const Material& m = scene.materials[static_cast<std::size_t>(mesh.material)];
-    const auto use = [&](const TextureUse& t) {
-      if (t.used()) keep.texcoords[t.texcoord] = true;
-    };
-    use(m.base_color_texture);
-    if (m.unlit) continue;
-    for (const TextureUse* texture : texture_uses(m)) use(*texture);
-    keep.tangents |= m.normal_texture.used();
-  }
-  return keep;
 }
 
 glm::vec3 any_perpendicular(glm::vec3 n) {
