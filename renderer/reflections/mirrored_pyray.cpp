@@ -55,6 +55,14 @@ bool finite(glm::dvec3 v) {
   return std::isfinite(v.x + v.y + v.z);
 }
 
+// What stands for the patch of a plane across the mirrored axis: the pyray's own edges, mirrored.
+// The patch itself is not as long as it looks where it is seen very steeply.
+MirrorPatch mirrored_patch(const IncidentPyray& pyray, const MirrorSurface& surface) {
+  const double scale = pyray.perspective ? pyray.distance : 1.0;
+  return {scale * glm::reflect(pyray.right, surface.normal),
+          scale * glm::reflect(pyray.down, surface.normal)};
+}
+
 // Where a pyramid of these edges has to begin for neither of them to be longer, where it leaves the
 // surface, than the patch's: one that is would look at what lies beside the mirror. Nothing where
 // they do not begin anywhere.
@@ -152,8 +160,9 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
   } else {
     const glm::dvec3 right = widened(edges.right, lobe.right, lobe.width);
     const glm::dvec3 down = widened(edges.down, lobe.down, lobe.width);
-    const auto within = sharp ? std::nullopt : apex_within(patch, edges.axis, right, down);
-    const double apex = within ? *within : nearest_apex(patch, edges.axis, right, down);
+    const MirrorPatch seen = surface.bent() ? patch : mirrored_patch(pyray, surface);
+    const auto within = sharp ? std::nullopt : apex_within(seen, edges.axis, right, down);
+    const double apex = within ? *within : nearest_apex(seen, edges.axis, right, down);
     if (apex > 0.0 && std::isfinite(apex)) {
       out = diverging(edges, apex, lobe, surface);
     } else if (surface.bent()) {

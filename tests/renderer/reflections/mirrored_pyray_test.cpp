@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace asos {
 namespace {
@@ -75,6 +76,25 @@ TEST(MirroredPyray, ABlurredOneOfAStripDoesNotLeaveBesideIt) {
                 << tilt << " " << down << " " << width;
           }
         }
+      }
+    }
+  }
+}
+
+// Down to a ten-thousandth of a radian above the mirror, and with any lobe.
+TEST(MirroredPyray, ABlurredOneIsThereHoweverSteepTheView) {
+  for (const double above : {0.1, 1e-2, 2.4e-3, 1e-4}) {
+    for (const double width : {1e-9, 1e-6, 1e-3, 0.1}) {
+      for (const double aside : {0.0, 0.6}) {
+        Meeting m = meeting(std::numbers::pi / 2.0 - above, 2e-2, 2e-2);
+        // As at a wide picture's side, where pixels are seen at an angle.
+        m.pyray.down = std::cos(aside) * m.pyray.down + std::sin(aside) * 2e-3 * m.pyray.axis;
+        const MirrorLobe lobe = lobe_around(m.surface, mirrored_direction(m.surface, m.pyray.axis),
+                                            m.pyray.right, width);
+        const auto found = mirrored(m.pyray, m.surface, lobe);
+        ASSERT_TRUE(found) << above << " " << width;
+        EXPECT_GT(found->apex_distance, 0.0);
+        EXPECT_LE(found->apex_distance, 10.0 * 1.001);
       }
     }
   }
