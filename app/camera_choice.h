@@ -2,7 +2,7 @@
 
 #include "app/values.h"
 #include "renderer/result.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <optional>
 

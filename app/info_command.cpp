@@ -3,7 +3,7 @@
 #include "app/picture_options.h"
 #include "app/scene_argument.h"
 #include "app/scene_info.h"
-#include "renderer/methods/render_scene.h"
+#include "renderer/prepared/render_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/methods/names.h"
 #include "renderer/result.h"
+#include "renderer/settings/names.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -27,7 +27,7 @@ Result<void> write_split_map(const std::string& path, const Film& film, const Re
   RenderReport of_map = report;
   PictureDisplay& display = of_map.description.display;
   display = {display.exposure_ev, true, colours, 1.0f};
-  return write_split_map_png(path, film, {colours, report.description.settings.max_level},
+  return write_split_map_png(path, film, {colours, report.description.settings.asos.max_level},
                              picture_metadata(of_map));
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/option.h"
 #include "app/scene_argument.h"
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 
 #include <fmt/format.h>
 
@@ -23,20 +23,20 @@ auto number(double lo, double hi, bool open = false) {
 void add_mirror_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--reflections", "N",
                     "Bounces that mirror-like surfaces are followed for, 0 (none) to 64",
-                    whole(0, RenderSettings::max_reflections),
-                    [&](int n) { settings.reflections = n; })
-      ->default_str(std::to_string(settings.reflections));
+                    whole(0, MirrorSettings::max_bounces),
+                    [&](int n) { settings.mirror.bounces = n; })
+      ->default_str(std::to_string(settings.mirror.bounces));
   add_parsed_option(app, "--roughest-mirror", "R",
                     "Surfaces rougher than this, 0 to 1, show the sky's mean and lights' "
                     "highlights instead of what they reflect",
-                    number(0, 1), [&](double r) { settings.roughest_mirror = r; })
-      ->default_str(fmt::format("{}", settings.roughest_mirror));
+                    number(0, 1), [&](double r) { settings.mirror.roughest = r; })
+      ->default_str(fmt::format("{}", settings.mirror.roughest));
   add_parsed_option(
       app, "--dfr", "MIN,MAX,N",
       "How all that mirrors blurs, instead of what its material says: DFR = MIN + "
       "(MAX - MIN) sin(alpha)^N at the angle of incidence alpha (CGF'98 section 5.1)",
       [](const std::string& text) { return parse_dfr(text); },
-      [&](const Dfr& dfr) { settings.dfr = dfr; });
+      [&](const Dfr& dfr) { settings.mirror.dfr = dfr; });
 }
 
 void add_curved_mirror_options(CLI::App& app, RenderSettings& settings) {
@@ -44,21 +44,21 @@ void add_curved_mirror_options(CLI::App& app, RenderSettings& settings) {
              "How curved surfaces reflect a pyray: approximate (the nearest pyramid), tangent (by "
              "the tangent plane), supersample (split to MAX first) or adaptive (split where it "
              "widens; CGF'98 sections 5.2.1 to 5.2.4)",
-             curved_mirror_names, settings.curved_mirror);
+             curved_mirror_names, settings.mirror.curved);
   add_parsed_option(app, "--mirror-angle", "DEG",
                     "Degrees that a pyray may be wide that a curved surface reflects, 0 to 180; "
                     "wider ones are split",
-                    number(0, 180), [&](double a) { settings.mirror_angle = a; })
-      ->default_str(fmt::format("{}", settings.mirror_angle));
+                    number(0, 180), [&](double a) { settings.mirror.widest_angle_deg = a; })
+      ->default_str(fmt::format("{}", settings.mirror.widest_angle_deg));
 }
 
 void add_texture_resolution(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--tr", "N",
                     "TR, 1 to 8: asos takes N x N jittered samples of a pixel of textured surface "
                     "that no boundary passes through (CGF'98 section 3.2)",
-                    whole(1, RenderSettings::max_texture_resolution),
-                    [&](int n) { settings.texture_resolution = n; })
-      ->default_str(std::to_string(settings.texture_resolution));
+                    whole(1, TextureSettings::max_resolution),
+                    [&](int n) { settings.texture.resolution = n; })
+      ->default_str(std::to_string(settings.texture.resolution));
 }
 
 // What only the methods that ASOS is compared with have.
@@ -66,21 +66,21 @@ void add_rival_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--contrast", "C",
                     "whitted: by how much the display intensities of a square's corners may differ "
                     "without its being split: 0 to 1",
-                    number(0, 1), [&](double c) { settings.contrast = c; })
-      ->default_str(fmt::format("{}", settings.contrast));
+                    number(0, 1), [&](double c) { settings.sampling.contrast = c; })
+      ->default_str(fmt::format("{}", settings.sampling.contrast));
   add_parsed_option(app, "--depth", "K",
                     "whitted: the deepest level that squares are split to, 0 to 8",
-                    whole(0, RenderSettings::max_level_limit), [&](int k) { settings.depth = k; })
-      ->default_str(std::to_string(settings.depth));
-  app.add_flag("--spheres", settings.spheres,
+                    whole(0, max_level_limit), [&](int k) { settings.sampling.depth = k; })
+      ->default_str(std::to_string(settings.sampling.depth));
+  app.add_flag("--spheres", settings.sampling.spheres,
                "whitted: split, too, where a ray misses a small object but not the enlarged sphere "
                "around it");
   add_parsed_option(app, "--contrast-scale", "S",
                     "mitchell: scale of the contrasts 0.4, 0.3, 0.6 of red, green, blue that ask "
                     "for the high density: 0 (it is taken everywhere) to 4 (nowhere)",
-                    number(0, RenderSettings::max_contrast_scale),
-                    [&](double s) { settings.contrast_scale = s; })
-      ->default_str(fmt::format("{}", settings.contrast_scale));
+                    number(0, SamplingSettings::max_contrast_scale),
+                    [&](double s) { settings.sampling.contrast_scale = s; })
+      ->default_str(fmt::format("{}", settings.sampling.contrast_scale));
 }
 
 void add_method_options(CLI::App& app, RenderSettings& settings) {
@@ -93,66 +93,65 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
              method_names, settings.method);
   add_parsed_option(app, "--max", "K",
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
-                    whole(0, RenderSettings::max_level_limit),
-                    [&](int k) { settings.max_level = k; })
-      ->default_str(std::to_string(settings.max_level));
+                    whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
+      ->default_str(std::to_string(settings.asos.max_level));
   add_parsed_option(app, "--eps", "E",
                     "EPS, the change of a pixel's display intensity that is let pass: 0 to 1",
-                    number(0, 1), [&](double e) { settings.eps = e; })
-      ->default_str(fmt::format("{}", settings.eps));
+                    number(0, 1), [&](double e) { settings.asos.eps = e; })
+      ->default_str(fmt::format("{}", settings.asos.eps));
   add_choice(app, "--leaf", "KIND",
              "exact (cells are cut along their few boundaries) or point (sampled)", leaf_names,
-             settings.leaf);
+             settings.asos.leaf);
   add_choice(app, "--rule", "NAME",
              "When splitting stops: unresolved (marginal area <= EPS) or published (each object's "
              "L / 2^2K <= EPS)",
-             rule_names, settings.rule);
+             rule_names, settings.asos.rule);
   add_choice(app, "--detect", "KIND",
              "What a boundary has to cross: the pyray itself (square) or the cone around it (cone)",
-             detection_names, settings.detect);
+             detection_names, settings.asos.detect);
   add_parsed_option(app, "--fat", "N",
                     "Pixels along the side of the fat pyrays that fetch boundaries: 2, 4, 8 or 16",
-                    whole(2, 16), [&](int n) { settings.fat = n; })
-      ->default_str(std::to_string(settings.fat));
+                    whole(2, 16), [&](int n) { settings.asos.fat = n; })
+      ->default_str(std::to_string(settings.asos.fat));
   add_parsed_option(
       app, "--filter-width", "W",
       "Side, in pixels, of the square around its middle that a pixel is the mean of: 1 "
       "to 4; of asos, uniform, stochastic and sobol (CGF'98 section 3)",
       number(1, RenderSettings::max_filter_width), [&](double w) { settings.filter_width = w; })
       ->default_str(fmt::format("{}", settings.filter_width));
-  app.add_flag("--jitter", settings.jitter,
+  app.add_flag("--jitter", settings.asos.jitter,
                "Jitter the samples of cells that stay unresolved at MAX");
   add_parsed_option(
       app, "--spp", "N",
       "Samples a pixel of sobol, of mitchell where the contrast is high, and, rounded up to a "
       "square, of uniform, stochastic and ray-bound (there at boundaries)",
-      whole(1, 65536), [&](int n) { settings.spp = n; })
-      ->default_str(std::to_string(settings.spp));
+      whole(1, 65536), [&](int n) { settings.sampling.spp = n; })
+      ->default_str(std::to_string(settings.sampling.spp));
   add_rival_options(app, settings);
   add_choice(app, "--texture-filter", "KIND",
              "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
              "for (footprint) or looked up at its ray's hit (point)",
-             texture_filter_names, settings.texture_filter);
+             texture_filter_names, settings.texture.filter);
   add_texture_resolution(app, settings);
-  app.add_flag("!--no-shading-refinement", settings.refine_shading,
+  app.add_flag("!--no-shading-refinement", settings.asos.refine_shading,
                "Do not split what is shaded unevenly, only what boundaries cross");
   app.add_flag("!--no-culling", settings.cull,
                "Show the backs of single-sided materials, which glTF hides");
-  app.add_flag("!--no-shadows", settings.shadows, "Lights cast no shadows");
+  app.add_flag("!--no-shadows", settings.shadow.cast, "Lights cast no shadows");
   add_choice(
       app, "--shadow-quality", "NAME",
       "How soft shadows are found over the patch that a leaf shows: refined (split where one "
       "pyray would be off), centre, supersampling, forced, extended, extended-divided or "
       "extended-adaptive (CGF'98 sections 4.2 to 4.3.4)",
-      shadow_quality_names, settings.shadow_quality);
+      shadow_quality_names, settings.shadow.quality);
   add_parsed_option(app, "--shadow-divisions", "N",
                     "Parts along a patch's side of the shadow qualities that divide it: 1 to 16",
-                    whole(1, 16), [&](int n) { settings.shadow_divisions = n; })
-      ->default_str(std::to_string(settings.shadow_divisions));
+                    whole(1, 16), [&](int n) { settings.shadow.divisions = n; })
+      ->default_str(std::to_string(settings.shadow.divisions));
   add_choice(app, "--light-rule", "NAME",
              "Irradiance of lights of some size: physical (closed forms) or published (I A cos "
              "theta with inverse square at each leaf)",
-             light_rule_names, settings.light_rule);
+             light_rule_names, settings.shadow.light_rule);
   add_mirror_options(app, settings);
   add_curved_mirror_options(app, settings);
   add_parsed_option(

@@ -2,10 +2,10 @@
 
 #include "app/camera_choice.h"
 #include "app/values.h"
-#include "renderer/methods/settings.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
-#include "renderer/scene/needs.h"
+#include "renderer/settings/settings.h"
+#include "renderer/world/needs.h"
 
 #include <optional>
 #include <string>

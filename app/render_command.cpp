@@ -10,7 +10,7 @@
 #include "app/render_job.h"
 #include "app/render_report.h"
 #include "app/scene_argument.h"
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

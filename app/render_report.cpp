@@ -1,9 +1,9 @@
 #include "app/render_report.h"
 
 #include "app/scene_info.h"
-#include "renderer/methods/names.h"
 #include "renderer/picture/picture_text.h"
 #include "renderer/picture/settings_json.h"
+#include "renderer/settings/names.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,8 +4,8 @@
 #include "renderer/film/image_io.h"
 #include "renderer/film/statistics.h"
 #include "renderer/picture/picture_description.h"
-#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
+#include "renderer/world/needs.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/methods/render_scene.h"
-#include "renderer/scene/needs.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/scene/scene.h"
+#include "renderer/world/needs.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -5,7 +5,7 @@
 #include "app/progress_bar.h"
 #include "app/scene_argument.h"
 #include "app/trace_report.h"
-#include "renderer/methods/pixel_trace.h"
+#include "renderer/asos/pixel_trace.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

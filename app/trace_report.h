@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/methods/pixel_trace.h"
-#include "renderer/methods/render_scene.h"
-#include "renderer/methods/settings.h"
+#include "renderer/asos/pixel_trace.h"
+#include "renderer/prepared/render_scene.h"
+#include "renderer/settings/settings.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,6 @@
 #include "ui/equal_time.h"
 
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "renderer/study/timed_render.h"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method, d
   snapshot.progressive = false;
   snapshot.settings.method = method;
   const auto render = [&](int samples) {
-    snapshot.settings.spp = samples;
+    snapshot.settings.sampling.spp = samples;
     return timed_render(snapshot, stop);
   };
   auto rendered = render(1);

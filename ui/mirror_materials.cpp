@@ -1,7 +1,7 @@
 #include "ui/mirror_materials.h"
 
 #include "renderer/features/surface_look.h"
-#include "renderer/methods/settings.h"
+#include "renderer/settings/settings.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 bool can_mirror(const Material& material) {
   if (material.unlit) return false;
   return material.dfr || material.metallic_roughness_texture.used() ||
-         static_cast<double>(material.roughness) <= RenderSettings{}.roughest_mirror ||
+         static_cast<double>(material.roughness) <= RenderSettings{}.mirror.roughest ||
          (material.metallic > 0.0f && material.roughness < 1.0f);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/methods/pixel_trace.h"
-#include "renderer/methods/render_scene.h"
+#include "renderer/asos/pixel_trace.h"
+#include "renderer/prepared/render_scene.h"
 #include "ui/latest_job.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 #include "ui/previewer.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/scene/load.h"
 
 #include <algorithm>

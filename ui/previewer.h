@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/film/film.h"
-#include "renderer/methods/edited_materials.h"
+#include "renderer/prepared/edited_materials.h"
 #include "renderer/session/render_session.h"
 #include "ui/edited_light.h"
 #include "ui/latest_job.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/methods/render_scene.h"
 #include "renderer/picture/picture_description.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "ui/file_watch.h"
 #include "ui/latest_job.h"

@@ -88,7 +88,7 @@ void check_view(const CheckRequest& request, const std::stop_token& stop,
   const auto render = [&](Method method, int spp, int seed) {
     Snapshot snapshot = request.snapshot;
     snapshot.settings.method = method;
-    snapshot.settings.spp = spp;
+    snapshot.settings.sampling.spp = spp;
     snapshot.settings.seed = seed;
     return timed_render(std::move(snapshot), [&] { return stop.stop_requested(); });
   };

@@ -1,6 +1,6 @@
 #include "ui/split_forecast.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "ui/previewer.h"
 
 #include <algorithm>

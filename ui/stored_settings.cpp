@@ -1,7 +1,7 @@
 #include "ui/stored_settings.h"
 
 #include "renderer/film/image_io.h"
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "ui/view_study.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/study/given_up.h"
 #include "renderer/study/measures.h"
 #include "renderer/study/reference.h"

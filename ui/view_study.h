@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/methods/render_scene.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
 #include "renderer/study/analysis.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/methods/settings.h"
-#include "renderer/scene/needs.h"
+#include "renderer/settings/settings.h"
+#include "renderer/world/needs.h"
 
 #include <string>
 

@@ -92,7 +92,7 @@ void WindowContent::draw(const FrameInput& in) {
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
   check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm);
   const std::vector<PixelRect> changed = previewer_.take_changed();
-  display_.update(previewer_.film(), changed, state_.display, previewer_.settings().max_level);
+  display_.update(previewer_.film(), changed, state_.display, previewer_.settings().asos.max_level);
   display_.update_compared(previewer_.film(), changed, state_.frames);
   if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
   keep_saving();
@@ -260,7 +260,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
   compare_panel(controls_, previewer_, state_.frames);
   equal_time_panel(controls_, previewer_, state_.equal_time, equal_time_, state_.frames);
   check_panel(controls_, previewer_, state_.check, check_);
-  display_panel(controls_, state_.display, previewer_.settings().max_level);
+  display_panel(controls_, state_.display, previewer_.settings().asos.max_level);
   camera_panel(controls_, previewer_);
   if (scene) {
     statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings(), *scene,

@@ -18,7 +18,7 @@ std::string chip(glm::u8vec3 colour, const std::string& word) {
 std::string legend_of_maps(int which) {
   std::string text;
   if (which == 0) {
-    const int max_level = region_settings({}).max_level;
+    const int max_level = region_settings({}).asos.max_level;
     for (int level = 0; level <= max_level; ++level)
       text += chip(split_colour(level, max_level),
                    level == 0 ? "not split" : fmt::format("level {}", level));

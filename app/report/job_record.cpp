@@ -2,7 +2,7 @@
 
 #include "app/output_file.h"
 #include "renderer/film/image_io.h"
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 
 #include "app/camera_choice.h"
 #include "app/scene_argument.h"
+#include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
-#include "renderer/methods/method.h"
 #include "renderer/sampling/random.h"
 #include "renderer/study/timed_render.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/report/job_record.h"
-#include "renderer/methods/render_scene.h"
+#include "renderer/prepared/render_scene.h"
 
 #include <functional>
 #include <memory>

@@ -66,7 +66,7 @@ Result<void> take_look(ReportArguments& arguments) {
   if (const auto& look = arguments.look.camera.look_at)
     plan.look.camera.look_at = {look->eye.x,    look->eye.y,    look->eye.z,
                                 look->target.x, look->target.y, look->target.z};
-  plan.texture_resolution = settings->texture_resolution;
+  plan.texture_resolution = settings->texture.resolution;
   plan.needs = arguments.look.needs;
   return {};
 }

@@ -1,6 +1,6 @@
 #include "app/report/subdivision_tables.h"
 
-#include "renderer/methods/pixel_trace.h"
+#include "renderer/asos/pixel_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -47,8 +47,8 @@ Result<std::vector<SubdivisionRow>> subdivide_pixel(const Polygon& polygon) {
   settings.width = 1;
   settings.height = 1;
   settings.method = Method::asos_published;
-  settings.max_level = 8;
-  settings.eps = 1.0 / 16.0;
+  settings.asos.max_level = 8;
+  settings.asos.eps = 1.0 / 16.0;
   const View view(pixel_camera((*scene)->world), 1, 1);
   std::vector<SubdivisionRow> rows;
   for (const LevelTally& tally : trace_pixel(**scene, view, settings, 0, 0).levels) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/shape_face.h"
+#include "renderer/geometry/shape_face.h"
 
 #include <glm/glm.hpp>
 

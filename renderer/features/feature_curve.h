@@ -2,8 +2,8 @@
 
 #include "renderer/geometry/ellipse_arc.h"
 #include "renderer/geometry/frame.h"
-#include "renderer/scene/shape_face.h"
-#include "renderer/scene/world.h"
+#include "renderer/geometry/shape_face.h"
+#include "renderer/world/world.h"
 
 #include <cstdint>
 #include <vector>

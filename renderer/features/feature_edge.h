@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/features/surface_look.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <cstdint>
 #include <vector>

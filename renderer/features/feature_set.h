@@ -4,7 +4,7 @@
 #include "renderer/features/feature_edge.h"
 #include "renderer/features/hierarchy.h"
 #include "renderer/features/intersections.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <cstdint>
 #include <span>

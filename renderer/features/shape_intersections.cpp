@@ -3,7 +3,7 @@
 #include "renderer/features/face_contours.h"
 #include "renderer/geometry/edge_range.h"
 #include "renderer/geometry/half_space.h"
-#include "renderer/geometry/hit_plane.h"
+#include "renderer/world/hit_plane.h"
 
 #include <algorithm>
 #include <array>

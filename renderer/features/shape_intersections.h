@@ -2,7 +2,7 @@
 
 #include "renderer/features/feature_curve.h"
 #include "renderer/features/intersections.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <cstdint>
 #include <vector>

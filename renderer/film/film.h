@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/film/split_cause.h"
-#include "renderer/geometry/view.h"
+#include "renderer/geometry/pixel_rect.h"
 
 #include <glm/glm.hpp>
 

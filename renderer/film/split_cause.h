@@ -8,7 +8,7 @@
 
 namespace asos {
 
-/// Why a pixel was split. A pixel has one cause: cause_of (renderer/methods/split_causes.h) says
+/// Why a pixel was split. A pixel has one cause: cause_of (renderer/asos/split_causes.h) says
 /// which of several counts.
 enum class SplitCause : std::uint8_t {
   none,

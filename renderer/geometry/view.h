@@ -1,10 +1,11 @@
 #pragma once
 
+#include "renderer/geometry/box.h"
+#include "renderer/geometry/camera.h"
 #include "renderer/geometry/frame.h"
 #include "renderer/geometry/half_space.h"
+#include "renderer/geometry/pixel_rect.h"
 #include "renderer/geometry/ray.h"
-#include "renderer/scene/scene.h"
-#include "renderer/scene/world.h"
 
 #include <glm/glm.hpp>
 
@@ -12,17 +13,6 @@
 #include <optional>
 
 namespace asos {
-
-/// Pixels, x to the right and y down, from (x, y) inclusive to (x + width, y + height) exclusive.
-struct PixelRect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-
-  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
-  bool operator==(const PixelRect&) const = default;
-};
 
 /// Of the ball around the origin that holds a box; infinite for an empty one. What a view of a
 /// world needs to know of it.

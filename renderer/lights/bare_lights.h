@@ -2,7 +2,7 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/lights/emitters.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

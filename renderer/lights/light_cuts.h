@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/lights/prepared_light.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include "renderer/lights/polygon_rows.h"
 #include "renderer/lights/receiver.h"
 #include "renderer/scene/scene.h"
+#include "renderer/settings/choices.h"
 
 #include <glm/glm.hpp>
 
@@ -10,14 +11,6 @@
 #include <vector>
 
 namespace asos {
-
-/// How the light of what is seen of a light is summed up.
-enum class LightRule {
-  physical,   ///< closed forms: the projected solid angle times radiance
-  published,  ///< I A cos(theta) with inverse square at a leaf's middle; without the cosine for
-              ///< balls; points along linear lights (CGF'98 section 4.2; GI'93 "Distributed Light
-              ///< Sources")
-};
 
 /// A straight line in a light's own plane where a surface passes through it.
 struct LightCut {

@@ -1,10 +1,10 @@
 #include "renderer/picture/picture_description.h"
 
-#include "renderer/methods/names.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/light_json.h"
 #include "renderer/picture/settings_json.h"
+#include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
 
 #include <algorithm>

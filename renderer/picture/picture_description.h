@@ -2,13 +2,13 @@
 
 #include "renderer/film/image_io.h"
 #include "renderer/film/split_map.h"
-#include "renderer/methods/edited_materials.h"
-#include "renderer/methods/render_scene.h"
-#include "renderer/methods/settings.h"
+#include "renderer/prepared/edited_materials.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
-#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
 #include "renderer/shading/sky_choice.h"
+#include "renderer/world/needs.h"
 
 #include <glm/glm.hpp>
 

@@ -1,8 +1,8 @@
 #include "renderer/picture/settings_json.h"
 
-#include "renderer/methods/names.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
+#include "renderer/settings/names.h"
 
 #include <algorithm>
 
@@ -15,30 +15,30 @@ void each_setting(Fields& fields, Settings& s) {
   fields("width", s.width);
   fields("height", s.height);
   fields.named("method", method_names, s.method);
-  fields("max_level", s.max_level);
-  fields("eps", s.eps);
-  fields.named("leaf", leaf_names, s.leaf);
-  fields.named("rule", rule_names, s.rule);
-  fields.named("detect", detection_names, s.detect);
-  fields("fat", s.fat);
-  fields("refine_shading", s.refine_shading);
+  fields("max_level", s.asos.max_level);
+  fields("eps", s.asos.eps);
+  fields.named("leaf", leaf_names, s.asos.leaf);
+  fields.named("rule", rule_names, s.asos.rule);
+  fields.named("detect", detection_names, s.asos.detect);
+  fields("fat", s.asos.fat);
+  fields("refine_shading", s.asos.refine_shading);
   fields("filter_width", s.filter_width);
-  fields("jitter", s.jitter);
-  fields("spp", s.spp);
-  fields("contrast", s.contrast);
-  fields("depth", s.depth);
-  fields("spheres", s.spheres);
-  fields("contrast_scale", s.contrast_scale);
-  fields.named("texture_filter", texture_filter_names, s.texture_filter);
-  fields("texture_resolution", s.texture_resolution);
-  fields("shadows", s.shadows);
-  fields.named("shadow_quality", shadow_quality_names, s.shadow_quality);
-  fields("shadow_divisions", s.shadow_divisions);
-  fields.named("light_rule", light_rule_names, s.light_rule);
-  fields("reflections", s.reflections);
-  fields("roughest_mirror", s.roughest_mirror);
-  fields.named("curved_mirror", curved_mirror_names, s.curved_mirror);
-  fields("mirror_angle", s.mirror_angle);
+  fields("jitter", s.asos.jitter);
+  fields("spp", s.sampling.spp);
+  fields("contrast", s.sampling.contrast);
+  fields("depth", s.sampling.depth);
+  fields("spheres", s.sampling.spheres);
+  fields("contrast_scale", s.sampling.contrast_scale);
+  fields.named("texture_filter", texture_filter_names, s.texture.filter);
+  fields("texture_resolution", s.texture.resolution);
+  fields("shadows", s.shadow.cast);
+  fields.named("shadow_quality", shadow_quality_names, s.shadow.quality);
+  fields("shadow_divisions", s.shadow.divisions);
+  fields.named("light_rule", light_rule_names, s.shadow.light_rule);
+  fields("reflections", s.mirror.bounces);
+  fields("roughest_mirror", s.mirror.roughest);
+  fields.named("curved_mirror", curved_mirror_names, s.mirror.curved);
+  fields("mirror_angle", s.mirror.widest_angle_deg);
   fields("cull", s.cull);
   fields("seed", s.seed);
 }
@@ -107,7 +107,7 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   FieldWriter fields;
   each_setting(fields, settings);
   fields.other("crop", crop_json(settings.crop));
-  fields.other("dfr", dfr_json(settings.dfr));
+  fields.other("dfr", dfr_json(settings.mirror.dfr));
   fields.other("sky", sky_json(sky));
   return fields.take();
 }
@@ -117,7 +117,7 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
   FieldReader fields(json, "settings");
   each_setting(fields, read.settings);
   read_crop(fields, read.settings.crop);
-  read_dfr(fields, read.settings.dfr);
+  read_dfr(fields, read.settings.mirror.dfr);
   read_sky_choice(fields, read.sky);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});

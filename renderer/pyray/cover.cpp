@@ -1,6 +1,6 @@
 #include "renderer/pyray/cover.h"
 
-#include "renderer/geometry/hit_plane.h"
+#include "renderer/world/hit_plane.h"
 
 #include <algorithm>
 #include <cmath>

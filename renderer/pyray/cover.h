@@ -3,7 +3,7 @@
 #include "renderer/features/feature_set.h"
 #include "renderer/geometry/frame.h"
 #include "renderer/geometry/ray.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

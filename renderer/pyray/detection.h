@@ -2,16 +2,11 @@
 
 #include "renderer/geometry/frame.h"
 #include "renderer/pyray/square.h"
+#include "renderer/settings/choices.h"
 
 #include <glm/glm.hpp>
 
 namespace asos {
-
-/// How it is found out whether a boundary passes through a (sub-)pyray: by its exact square, or by
-/// the circular cone that surrounds it, as published (CGF'98 section 3). The cone takes boundaries
-/// for near that miss the pyray by up to a fifth of its side (more where it is seen askew): more
-/// marginal pyrays, no less accuracy, for samples lie in the square all the same.
-enum class Detection { square, cone };
 
 /// The detection test of one root frame's cells.
 class Detector {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/geometry/bounds2.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -70,12 +72,6 @@ struct LeafRegion {
     const glm::vec2 corners[4] = {{square.u, square.v}, {u1, square.v}, {u1, v1}, {square.u, v1}};
     for (int i = 0; i < 4; ++i) visit(Side{corners[i], corners[(i + 1) % 4]});
   }
-};
-
-/// An upright rectangle of a root frame.
-struct Bounds2 {
-  glm::vec2 lo{0.0f};
-  glm::vec2 hi{0.0f};
 };
 
 /// Around what a leaf covers.

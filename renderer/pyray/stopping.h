@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/settings/choices.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,13 +9,6 @@
 #include <vector>
 
 namespace asos {
-
-/// When the marginal cells of a level need not be split any further.
-enum class StoppingRule {
-  unresolved,  ///< M / 2^2K <= EPS: the area of all marginal cells bounds the error, whatever is
-               ///< seen
-  published,   ///< L / 2^2K <= EPS for each object by itself (CGF'98 sections 3.1 and 6.2)
-};
 
 /// How one object stands after level K: a row of the papers' tables (GI'93 tables 1 and 2).
 struct ObjectTally {

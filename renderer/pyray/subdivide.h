@@ -8,6 +8,7 @@
 #include "renderer/pyray/square.h"
 #include "renderer/pyray/stopping.h"
 #include "renderer/pyray/subdivision_trace.h"
+#include "renderer/settings/settings.h"
 
 #include <array>
 #include <cstdint>
@@ -16,8 +17,6 @@
 #include <vector>
 
 namespace asos {
-
-inline constexpr int max_level_limit = 8;
 
 /// How far the engine goes to cut a cell instead of splitting it. The defaults suit pixels, of
 /// which there are many and whose children are cheap; a light is looked at once, from afar, and its

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/geometry/hit_plane.h"
 #include "renderer/geometry/ray.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/hit_plane.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "renderer/rays/filters.h"
 #include "renderer/result.h"
-#include "renderer/scene/needs.h"
+#include "renderer/world/needs.h"
 
 #include <embree3/rtcore.h>
 

@@ -2,7 +2,7 @@
 
 #include "renderer/rays/ray_scene.h"
 #include "renderer/rays/surface_kind.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <embree3/rtcore.h>
 

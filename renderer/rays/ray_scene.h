@@ -2,8 +2,8 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/result.h"
-#include "renderer/scene/needs.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/needs.h"
+#include "renderer/world/world.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "renderer/geometry/half_space.h"
 #include "renderer/rays/ray_scene.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <span>
 

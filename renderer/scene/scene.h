@@ -1,6 +1,7 @@
 #pragma once
 
-#include "renderer/scene/shape.h"
+#include "renderer/geometry/camera.h"
+#include "renderer/geometry/shape.h"
 
 #include <glm/glm.hpp>
 
@@ -155,19 +156,6 @@ struct Light {
   /// Index into World::parts of the surface that shines this light, which does not shade it; -1:
   /// none. Only in a World.
   std::int32_t own_part = -1;
-};
-
-/// A camera placed in the world; it looks along -Z of `world_from_camera`, +Y is up, the columns of
-/// its upper 3x3 are orthonormal.
-struct Camera {
-  enum class Type { perspective, orthographic };
-
-  std::string name;
-  Type type = Type::perspective;
-  glm::dmat4 world_from_camera{1.0};
-  double fov_y_rad = 0.8726646259971648;  ///< perspective: full vertical angle, in (0, pi)
-  double height = 1.0;                    ///< orthographic: full height in world units
-  std::optional<double> aspect_ratio;     ///< width over height, where the file asks for one
 };
 
 /// What the file held that is not drawn or not supported, in words for a person.

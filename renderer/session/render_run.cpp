@@ -1,6 +1,6 @@
 #include "renderer/session/render_run.h"
 
-#include "renderer/methods/sample_block.h"
+#include "renderer/samples/sample_block.h"
 #include "renderer/shading/shade.h"
 
 #include <algorithm>
@@ -145,7 +145,7 @@ void RenderRun::work_centres(const std::stop_token& stop) {
   // A pixel's centre is what the regular grid of one sample takes.
   RenderSettings settings = snapshot_.settings;
   settings.method = Method::uniform;
-  settings.spp = 1;
+  settings.sampling.spp = 1;
   while (!stop.stop_requested()) {
     const std::size_t index = next_centres_++;
     if (index >= plan_.groups.size()) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
 

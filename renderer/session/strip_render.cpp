@@ -1,6 +1,6 @@
 #include "renderer/session/strip_render.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/session/work_plan.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "renderer/session/work_plan.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 
 #include <algorithm>
 #include <tuple>

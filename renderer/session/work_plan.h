@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/view.h"
-#include "renderer/methods/settings.h"
+#include "renderer/settings/settings.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "renderer/geometry/hit_plane.h"
 #include "renderer/geometry/ray.h"
 #include "renderer/geometry/view.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/hit_plane.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

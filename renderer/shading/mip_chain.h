@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/scene/needs.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/needs.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

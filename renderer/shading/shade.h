@@ -5,10 +5,10 @@
 #include "renderer/lights/bare_lights.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
-#include "renderer/scene/needs.h"
-#include "renderer/scene/world.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
+#include "renderer/world/needs.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

@@ -1,9 +1,9 @@
 #include "renderer/shading/surface.h"
 
-#include "renderer/geometry/hit_plane.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_filter.h"
+#include "renderer/world/hit_plane.h"
 
 #include <algorithm>
 #include <cmath>

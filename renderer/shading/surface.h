@@ -1,11 +1,11 @@
 #pragma once
 
 #include "renderer/geometry/ray.h"
-#include "renderer/scene/needs.h"
-#include "renderer/scene/world.h"
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/mip_chain.h"
 #include "renderer/shading/normal_spread.h"
+#include "renderer/world/needs.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/scene/world.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/world/world.h"
 
 namespace asos {
 

@@ -28,7 +28,7 @@ struct ShadowScene {
 /// derived classes choose. One object serves one pyray after another and keeps its memory.
 class ShadowCaster : public Caster {
  public:
-  /// `see_through`: see ShadowSettings.
+  /// `see_through`: see ShadowRules.
   ShadowCaster(const ShadowScene& scene, bool see_through)
       : scene_(scene), see_through_(see_through) {}
 

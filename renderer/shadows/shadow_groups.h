@@ -3,11 +3,11 @@
 #include "renderer/geometry/half_space.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
-#include "renderer/scene/world.h"
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shadows/shadow_caster.h"
 #include "renderer/shadows/shaft.h"
+#include "renderer/world/world.h"
 
 #include <cstdint>
 #include <span>

@@ -51,7 +51,7 @@ Receiver receiver_above(const SurfacePoint& point) {
   return receiver;
 }
 
-ShadowPyrays::ShadowPyrays(const ShadowScene& scene, const ShadowSettings& settings,
+ShadowPyrays::ShadowPyrays(const ShadowScene& scene, const ShadowRules& settings,
                            const Frame& frame, const PatchView& view, ShadowGroups& groups,
                            ShadowWorkspace& work)
     : scene_(scene),

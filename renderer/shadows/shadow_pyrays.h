@@ -10,7 +10,7 @@
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/patch_view.h"
 #include "renderer/shadows/shadow_groups.h"
-#include "renderer/shadows/shadow_settings.h"
+#include "renderer/shadows/shadow_rules.h"
 #include "renderer/shadows/window_caster.h"
 
 #include <cstdint>
@@ -71,7 +71,7 @@ struct ShadowWorkspace {
 class ShadowPyrays final : public LightTransport {
  public:
   /// `frame` is that of the block, whose viewer `view` is; all have to outlive this.
-  ShadowPyrays(const ShadowScene& scene, const ShadowSettings& settings, const Frame& frame,
+  ShadowPyrays(const ShadowScene& scene, const ShadowRules& settings, const Frame& frame,
                const PatchView& view, ShadowGroups& groups, ShadowWorkspace& work);
 
   /// What is shaded from now on.
@@ -144,7 +144,7 @@ class ShadowPyrays final : public LightTransport {
   };
 
   const ShadowScene& scene_;
-  ShadowSettings settings_;
+  ShadowRules settings_;
   const Frame& frame_;
   const PatchView& view_;
   ShadowGroups& groups_;

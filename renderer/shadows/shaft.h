@@ -3,7 +3,7 @@
 #include "renderer/features/feature_set.h"
 #include "renderer/geometry/half_space.h"
 #include "renderer/pyray/search_bounds.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <array>
 #include <cstddef>

@@ -175,7 +175,7 @@ Scene facing(float reflected, double half) {
 
 void add_bounces(std::vector<Case>& cases) {
   RenderSettings deepest = settings_of(small_side, small_side);
-  deepest.reflections = RenderSettings::max_reflections;
+  deepest.mirror.bounces = MirrorSettings::max_bounces;
   cases.push_back({"facing mirrors, 64 bounces, nothing lost", mirror_group, true, [deepest] {
                      return worst_pixel(
                          {worst_of_small, 65.0 * 8.0 * rounding,
@@ -203,7 +203,7 @@ void add_bounces(std::vector<Case>& cases) {
                    }});
   cases.push_back({"a mirror without bounces shows the sky's mean", mirror_group, true, [] {
                      RenderSettings settings = settings_of(small_side, small_side);
-                     settings.reflections = 0;
+                     settings.mirror.bounces = 0;
                      const Camera camera = look_at({0, 3, 4}, {0, 0, 0}, 50.0);
                      return worst_pixel(
                          {worst_of_small, 64.0 * rounding, "0.6 of the sky, as where bounces end"},
@@ -250,7 +250,7 @@ void add_curved(std::vector<Case>& cases) {
            Scene scene = dish(look_at({0, 1, 0}, {0, 0, 0}, 30.0));
            add(scene, dark_half(1e4));
            RenderSettings settings = settings_of(picture_side, picture_side);
-           settings.curved_mirror = kind;
+           settings.mirror.curved = kind;
            return one_value(
                {"mean radiance of 16x16 pixels", background / 256.0,
                 "the dish is symmetrical: half of it mirrors the dark half; the pixels "
@@ -264,7 +264,7 @@ void add_curved(std::vector<Case>& cases) {
     cases.push_back({fmt::format("a dish in an even sky, seen from its focus, {}", name),
                      mirror_group, true, [kind = kind] {
                        RenderSettings settings = settings_of(small_side, small_side);
-                       settings.curved_mirror = kind;
+                       settings.mirror.curved = kind;
                        return worst_pixel(
                            all_of_the_sky,
                            render(dish(look_at({0, 1, 0}, {0, 0, 0}, 30.0)), settings),

@@ -1,6 +1,6 @@
 #include "renderer/stability/picture.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/session/render_session.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ RenderSettings settings_of(int width, int height, int max_level) {
   RenderSettings settings;
   settings.width = width;
   settings.height = height;
-  settings.max_level = max_level;
-  settings.eps = 0.0;
+  settings.asos.max_level = max_level;
+  settings.asos.eps = 0.0;
   settings.threads = 1;
   return settings;
 }

@@ -2,9 +2,9 @@
 
 #include "renderer/film/film.h"
 #include "renderer/film/statistics.h"
-#include "renderer/methods/settings.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
 #include "renderer/stability/case.h"
 
 #include <cstdint>

@@ -32,27 +32,28 @@ Case refused(const std::string& name, const std::string& subject, void (*change)
 
 void add_refusals(std::vector<Case>& cases) {
   using S = RenderSettings;
-  cases.push_back(refused("EPS -0.001", "eps", [](S& s) { s.eps = -0.001; }));
-  cases.push_back(refused("EPS 1.5", "eps", [](S& s) { s.eps = 1.5; }));
+  cases.push_back(refused("EPS -0.001", "eps", [](S& s) { s.asos.eps = -0.001; }));
+  cases.push_back(refused("EPS 1.5", "eps", [](S& s) { s.asos.eps = 1.5; }));
   cases.push_back(refused("EPS not a number", "eps",
-                          [](S& s) { s.eps = std::numeric_limits<double>::quiet_NaN(); }));
+                          [](S& s) { s.asos.eps = std::numeric_limits<double>::quiet_NaN(); }));
   cases.push_back(refused("EPS infinite", "eps",
-                          [](S& s) { s.eps = std::numeric_limits<double>::infinity(); }));
-  cases.push_back(refused("MAX -1", "max", [](S& s) { s.max_level = -1; }));
-  cases.push_back(refused("MAX 9", "max", [](S& s) { s.max_level = 9; }));
+                          [](S& s) { s.asos.eps = std::numeric_limits<double>::infinity(); }));
+  cases.push_back(refused("MAX -1", "max", [](S& s) { s.asos.max_level = -1; }));
+  cases.push_back(refused("MAX 9", "max", [](S& s) { s.asos.max_level = 9; }));
   cases.push_back(refused("a width of 0", "width", [](S& s) { s.width = 0; }));
   cases.push_back(refused("a height of 32769", "height", [](S& s) { s.height = 32769; }));
   cases.push_back(refused("a crop beyond the picture", "crop", [](S& s) {
     s.crop = {15, 15, 2147483647, 2147483647};
   }));
-  cases.push_back(refused("TR 0", "tr", [](S& s) { s.texture_resolution = 0; }));
-  cases.push_back(refused("TR 9", "tr", [](S& s) { s.texture_resolution = 9; }));
-  cases.push_back(refused("65 bounces", "reflections", [](S& s) { s.reflections = 65; }));
+  cases.push_back(refused("TR 0", "tr", [](S& s) { s.texture.resolution = 0; }));
+  cases.push_back(refused("TR 9", "tr", [](S& s) { s.texture.resolution = 9; }));
+  cases.push_back(refused("65 bounces", "reflections", [](S& s) { s.mirror.bounces = 65; }));
   cases.push_back(refused("DFRMIN not a number", "dfr", [](S& s) {
-    s.dfr.emplace().rgb[1].min = std::numeric_limits<double>::quiet_NaN();
+    s.mirror.dfr.emplace().rgb[1].min = std::numeric_limits<double>::quiet_NaN();
   }));
-  cases.push_back(refused("N -1", "dfr", [](S& s) { s.dfr.emplace().rgb[2].exponent = -1.0; }));
-  cases.push_back(refused("0 samples", "spp", [](S& s) { s.spp = 0; }));
+  cases.push_back(
+      refused("N -1", "dfr", [](S& s) { s.mirror.dfr.emplace().rgb[2].exponent = -1.0; }));
+  cases.push_back(refused("0 samples", "spp", [](S& s) { s.sampling.spp = 0; }));
 }
 
 /// A face under settings, against exact areas; `more` of a pixel's area may be off besides.
@@ -102,7 +103,7 @@ void add_levels(std::vector<Case>& cases) {
                    }});
   cases.push_back({"nothing is split at EPS 1", setting_group, true, [] {
                      RenderSettings settings = settings_of(1, 1, 8);
-                     settings.eps = 1.0;
+                     settings.asos.eps = 1.0;
                      return one_value(
                          {"deepest level", 0.0, "EPS 1 lets any change of a pixel pass"}, 0.0,
                          render(comb(1024), settings), [](const Picture& p) {
@@ -112,7 +113,7 @@ void add_levels(std::vector<Case>& cases) {
   for (const int fat : {2, 16}) {
     cases.push_back({fmt::format("fat pyrays of {0}x{0} pixels", fat), setting_group, true, [fat] {
                        RenderSettings settings = settings_of(37, 19, 5);
-                       settings.fat = fat;
+                       settings.asos.fat = fat;
                        return face_under(tilted_card(), settings, std::ldexp(1.0, -10),
                                          "; the finest cell at a corner may stay unresolved");
                      }});
@@ -166,7 +167,7 @@ void add_same(std::vector<Case>& cases) {
   cases.push_back({"65536 Sobol points in one pixel", setting_group, true, [] {
                      RenderSettings settings = settings_of(1, 1);
                      settings.method = Method::sobol;
-                     settings.spp = 65536;
+                     settings.sampling.spp = 65536;
                      return face_under(half_plane(), settings, 4.0 * 0.5 * std::sqrt(2.72) / 256.0,
                                        "; the deviation is at most that of as many random points, "
                                        "1/2 / 256, times the root of e (Owen 1997): four of them");

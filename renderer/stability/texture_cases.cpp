@@ -94,7 +94,7 @@ void add_texture_sizes(std::vector<Case>& cases) {
   cases.push_back(
       {"a texture 16384 wide, sampled at points", texture_group, true, [] {
          RenderSettings settings = settings_of(small_side, small_side);
-         settings.texture_filter = TextureFilter::point;
+         settings.texture.filter = TextureFilter::point;
          std::vector<std::uint8_t> greys(16384, 255);
          for (std::size_t i = 0; i < greys.size(); i += 2) greys[i] = 188;
          return worst_pixel(
@@ -107,7 +107,7 @@ void add_texture_sizes(std::vector<Case>& cases) {
 void add_resolutions(std::vector<Case>& cases) {
   for (const int tr : {1, 8}) {
     RenderSettings settings = settings_of(small_side, small_side);
-    settings.texture_resolution = tr;
+    settings.texture.resolution = tr;
     cases.push_back({fmt::format("TR {} on one grey", tr), texture_group, true, [settings] {
                        return worst_pixel(
                            {worst, 16.0 * rounding, "one texel's float, and the sum of samples"},
@@ -123,8 +123,8 @@ void add_resolutions(std::vector<Case>& cases) {
   }
   cases.push_back({"TR 8 on a texture 16384 wide, at points", texture_group, true, [] {
                      RenderSettings settings = settings_of(small_side, small_side);
-                     settings.texture_resolution = 8;
-                     settings.texture_filter = TextureFilter::point;
+                     settings.texture.resolution = 8;
+                     settings.texture.filter = TextureFilter::point;
                      return worst_pixel(
                          {worst, 4.0 * std::sqrt(0.25 / 64.0),
                           "64 samples at random, whose deviation is at most 1/2: four deviations "
@@ -135,7 +135,7 @@ void add_resolutions(std::vector<Case>& cases) {
   cases.push_back(
       {"TR 8 takes 64 samples of a pixel", texture_group, true, [] {
          RenderSettings settings = settings_of(small_side, small_side);
-         settings.texture_resolution = 8;
+         settings.texture.resolution = 8;
          return one_value(
              {"eye rays a pixel", 1.0, "8 x 8 samples, and the one that found the texture"}, 65.0,
              render(Textured{row({188, 255})}.scene(), settings), [](const Picture& p) {

@@ -171,7 +171,7 @@ Result<Outcome> boxes() {
   scene->cameras[0].fov_y_rad = 0.05;
   const auto asos = render(*scene, settings);
   settings.method = Method::sobol;
-  settings.spp = 16384;
+  settings.sampling.spp = 16384;
   const auto points = render(*scene, settings);
   if (!asos) return unexpected(asos.error());
   // The deviation of points of a radiance from 0 to 1 is at most 1/2.
@@ -204,7 +204,7 @@ void add_tiny(std::vector<Case>& cases) {
        }});
   cases.push_back({"the same with jittered samples", view_group, true, [] {
                      RenderSettings settings = settings_of(1, 1, 5);
-                     settings.jitter = true;
+                     settings.asos.jitter = true;
                      return one_value(
                          {"radiance of the pixel", 0.65 * 4.0 * std::sqrt(0.25 / 1024.0),
                           "each of the 1024 finest cells of MAX 5 takes one sample at "

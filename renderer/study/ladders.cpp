@@ -1,6 +1,6 @@
 #include "renderer/study/ladders.h"
 
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 
 #include <fmt/format.h>
 
@@ -65,9 +65,9 @@ Rungs whitted_rungs(const std::string& method, const RenderSettings& base) {
       const char* with = spheres ? " spheres" : "";
       rung.setting = fmt::format("contrast {} depth {}{}", contrast, depth, with);
       rung.curve = method + with;
-      rung.settings.contrast = contrast;
-      rung.settings.depth = depth;
-      rung.settings.spheres = spheres;
+      rung.settings.sampling.contrast = contrast;
+      rung.settings.sampling.depth = depth;
+      rung.settings.sampling.spheres = spheres;
     }
   }
   return rungs;
@@ -130,17 +130,17 @@ Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSetti
 Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level, double eps) {
   Rung rung = make_rung(method, base);
   rung.setting = fmt::format("MAX {} EPS {}", max_level, eps_text(eps));
-  if (base.texture_resolution > 1) rung.setting += fmt::format(" TR {}", base.texture_resolution);
+  if (base.texture.resolution > 1) rung.setting += fmt::format(" TR {}", base.texture.resolution);
   rung.curve = fmt::format("{} EPS {}", method, eps_text(eps));
-  rung.settings.max_level = max_level;
-  rung.settings.eps = eps;
+  rung.settings.asos.max_level = max_level;
+  rung.settings.asos.eps = eps;
   return rung;
 }
 
 Rung sampling_rung(const std::string& method, const RenderSettings& base, int spp) {
   Rung rung = make_rung(method, base);
   rung.setting = fmt::format("{} spp", spp);
-  rung.settings.spp = spp;
+  rung.settings.sampling.spp = spp;
   return rung;
 }
 

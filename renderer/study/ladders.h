@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/methods/settings.h"
 #include "renderer/result.h"
+#include "renderer/settings/settings.h"
 
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ StudyScene scene_of(const PaperCase& row) {
 
 Rung asos_rung(const PaperCase& row, const std::string& method, const RenderSettings& base) {
   RenderSettings settings = base;
-  settings.texture_resolution = row.texture_resolution;
+  settings.texture.resolution = row.texture_resolution;
   return asos_rung(method, settings, row.max_level, row.eps);
 }
 

@@ -23,9 +23,9 @@ RenderSettings base_settings(const StudyPlan& plan, const StudyLook& look) {
   base.height = plan.height;
   base.threads = plan.threads;
   base.sky = look.opened_sky;
-  base.reflections = look.reflections;
-  base.roughest_mirror = look.roughest_mirror;
-  base.dfr = look.dfr;
+  base.mirror.bounces = look.reflections;
+  base.mirror.roughest = look.roughest_mirror;
+  base.mirror.dfr = look.dfr;
   return base;
 }
 
@@ -84,7 +84,7 @@ Result<Ladders> ladders_of(const StudyPlan& plan, const StudyScene& scene) {
   RenderSettings base = base_settings(plan, scene.look);
   Ladders ladders;
   if (contains(own_scenes(plan), scene)) {
-    base.texture_resolution = plan.texture_resolution;
+    base.texture.resolution = plan.texture_resolution;
     for (const std::string& method : plan.methods.empty() ? default_methods() : plan.methods) {
       auto ladder = ladder_of(method, base);
       if (!ladder) return unexpected(ladder.error());
@@ -117,7 +117,7 @@ Job reference_job(const StudyPlan& plan, const StudyScene& scene, int pass, int 
   // Points of their own for each half and pass; every sample looked up as a point, so that nothing
   // but the pixel's own filter is averaged.
   job.rung.settings.seed = half_seeds[static_cast<std::size_t>(half)] + pass;
-  job.rung.settings.texture_filter = TextureFilter::point;
+  job.rung.settings.texture.filter = TextureFilter::point;
   return job;
 }
 
@@ -152,7 +152,7 @@ Result<void> check(const StudyPlan& plan) {
     if (std::count(plan.methods.begin(), plan.methods.end(), plan.methods[i]) > 1)
       return unexpected(Error{plan.methods[i], "the method is named twice"});
   RenderSettings asked = base_settings(plan, plan.look);
-  asked.texture_resolution = plan.texture_resolution;
+  asked.texture.resolution = plan.texture_resolution;
   const auto settings = validated(asked);
   if (!settings) return unexpected(settings.error());
   return {};
@@ -164,9 +164,9 @@ StudyLook look_of(const RenderSettings& settings) {
   StudyLook look;
   if (settings.sky) look.sky = settings.sky->name();
   look.opened_sky = settings.sky;
-  look.reflections = settings.reflections;
-  look.roughest_mirror = settings.roughest_mirror;
-  look.dfr = settings.dfr;
+  look.reflections = settings.mirror.bounces;
+  look.roughest_mirror = settings.mirror.roughest;
+  look.dfr = settings.mirror.dfr;
   return look;
 }
 
@@ -191,7 +191,7 @@ std::string Job::title() const {
       return fmt::format("{} regions", scene);
     case JobKind::reference:
       return fmt::format("{} reference pass {} half {} ({} spp)", scene, pass + 1,
-                         half == 0 ? "a" : "b", rung.settings.spp);
+                         half == 0 ? "a" : "b", rung.settings.sampling.spp);
     case JobKind::point:
       break;
   }

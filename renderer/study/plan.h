@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/result.h"
-#include "renderer/scene/needs.h"
 #include "renderer/study/ladders.h"
+#include "renderer/world/needs.h"
 
 #include <array>
 #include <cstddef>
@@ -28,8 +28,8 @@ struct StudyLook {
   std::string sky = "neutral";            ///< what it is called: Sky::name
   std::shared_ptr<const Sky> opened_sky;  ///< the same to render with, not compared; null: neutral,
                                           ///< or not opened, as where jobs are only merged
-  int reflections = RenderSettings{}.reflections;
-  double roughest_mirror = RenderSettings{}.roughest_mirror;
+  int reflections = RenderSettings{}.mirror.bounces;
+  double roughest_mirror = RenderSettings{}.mirror.roughest;
   std::optional<Dfr> dfr;
 
   bool operator==(const StudyLook& other) const {

@@ -2,9 +2,9 @@
 
 #include "renderer/features/feature_set.h"
 #include "renderer/geometry/face_crossings.h"
-#include "renderer/pyray/cone_tests.h"
 #include "renderer/pyray/hit_list.h"
-#include "renderer/scene/world.h"
+#include "renderer/study/cone_tests.h"
+#include "renderer/world/world.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "renderer/study/regions.h"
 
+#include "renderer/asos/texture_samples.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/methods/texture_samples.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/shadow_ray.h"
@@ -35,7 +35,7 @@ class Looker {
     // A metal shows no shadows, but what it mirrors.
     const bool mirrors = in_mirror(ray, hit, point, material);
     if (mirrors && material.metallic > 0.5f) return Region::reflections;
-    if (settings_.shadows && !material.unlit && in_penumbra(point)) return Region::penumbrae;
+    if (settings_.shadow.cast && !material.unlit && in_penumbra(point)) return Region::penumbrae;
     if (mirrors) return Region::reflections;
     return is_textured(scene_.world.material_of(hit.triangle), scene_.needs) ? Region::textures
                                                                              : Region::rest;
@@ -105,12 +105,12 @@ RenderSettings region_settings(RenderSettings settings) {
   fixed.width = settings.width;
   fixed.height = settings.height;
   fixed.threads = settings.threads;
-  fixed.shadows = settings.shadows;
+  fixed.shadow.cast = settings.shadow.cast;
   fixed.sky = settings.sky;
-  fixed.reflections = settings.reflections;
-  fixed.roughest_mirror = settings.roughest_mirror;
-  fixed.dfr = settings.dfr;
-  fixed.max_level = 4;
+  fixed.mirror.bounces = settings.mirror.bounces;
+  fixed.mirror.roughest = settings.mirror.roughest;
+  fixed.mirror.dfr = settings.mirror.dfr;
+  fixed.asos.max_level = 4;
   return fixed;
 }
 

@@ -75,10 +75,10 @@ TEST_F(FromOption, OptionsBesideItOverride) {
                 .exit_code,
             0);
   const PictureDescription d = said("b.png");
-  EXPECT_EQ(d.settings.eps, 0.5);
-  EXPECT_EQ(d.settings.max_level, 1);
+  EXPECT_EQ(d.settings.asos.eps, 0.5);
+  EXPECT_EQ(d.settings.asos.max_level, 1);
   EXPECT_EQ(d.settings.crop, (PixelRect{0, 0, 48, 27}));
-  EXPECT_EQ(d.settings.texture_resolution, 2) << "the rest stays";
+  EXPECT_EQ(d.settings.texture.resolution, 2) << "the rest stays";
   EXPECT_EQ(d.sky, said("a.png").sky);
   EXPECT_EQ(d.camera.world_from_camera, said("a.png").camera.world_from_camera);
   ASSERT_EQ(
@@ -100,7 +100,7 @@ TEST_F(FromOption, FilesAreFoundFromAnywhere) {
 // What the window shows and saves, its lights edited.
 TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   RenderSettings settings;
-  settings.max_level = 2;
+  settings.asos.max_level = 2;
   settings.threads = 2;
   Previewer previewer({{}, {}}, settings);
   previewer.open("builtin:boxes");
@@ -143,7 +143,7 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   ASSERT_NE(other.scene(), nullptr);
-  EXPECT_EQ(other.settings().max_level, 2);
+  EXPECT_EQ(other.settings().asos.max_level, 2);
   EXPECT_EQ(other.settings().width, 64) << "the window's size stays";
   EXPECT_EQ(choice_of(other.settings().sky.get()), choice_of(previewer.settings().sky.get()));
   EXPECT_NEAR(glm::distance(other.camera().eye(), previewer.camera().eye()), 0.0, 1e-9);

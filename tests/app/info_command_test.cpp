@@ -1,5 +1,5 @@
 #include "app/scene_info.h"
-#include "renderer/methods/render_scene.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/scene/load.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/shared_dir.h"

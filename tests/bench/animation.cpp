@@ -52,18 +52,18 @@ std::vector<Contender> contenders(int size) {
   RenderSettings base;
   base.width = base.height = size;
   base.threads = 1;
-  base.max_level = 4;
+  base.asos.max_level = 4;
   std::vector<Contender> list;
   const auto add_one = [&](const std::string& name, auto change) {
     change(list.emplace_back(Contender{name, base}).settings);
   };
   add_one("asos MAX 4", [](RenderSettings&) {});
-  add_one("asos MAX 4, EPS 0", [](RenderSettings& s) { s.eps = 0.0; });
+  add_one("asos MAX 4, EPS 0", [](RenderSettings& s) { s.asos.eps = 0.0; });
   add_one("published MAX 4", [](RenderSettings& s) { s.method = Method::asos_published; });
   for (const int spp : {16, 64, 256})
     add_one(fmt::format("stochastic {}", spp), [spp](RenderSettings& s) {
       s.method = Method::stochastic;
-      s.spp = spp;
+      s.sampling.spp = spp;
     });
   return list;
 }

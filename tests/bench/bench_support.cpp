@@ -87,7 +87,7 @@ std::size_t samples_of(const PixelTrace& trace) {
 
 PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel) {
   RenderSettings settings = snapshot.settings;
-  settings.fat = 2;
+  settings.asos.fat = 2;
   const auto width = static_cast<std::size_t>(settings.width);
   return trace_pixel(*snapshot.scene, View(snapshot.camera, settings.width, settings.height),
                      settings, static_cast<int>(pixel % width), static_cast<int>(pixel / width));

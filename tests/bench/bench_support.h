@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/camera_choice.h"
-#include "renderer/methods/pixel_trace.h"
+#include "renderer/asos/pixel_trace.h"
 #include "renderer/scene/load.h"
 #include "renderer/session/render_session.h"
 #include "renderer/study/curves.h"

@@ -9,7 +9,7 @@
 // For exact leaves also: how many pixels carry 90 % of the squared error, and how that error
 // divides among pixels that are resolved, unresolved and so on. --worst lists pixels.
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/options.h"
 
@@ -103,8 +103,8 @@ class Study {
         title_(std::move(title)),
         snapshot_(snapshot_of(std::move(scene), settings.size.width, settings.size.height)) {
     snapshot_.camera = camera;
-    snapshot_.settings.shadows = false;
-    snapshot_.settings.eps = 0.0;
+    snapshot_.settings.shadow.cast = false;
+    snapshot_.settings.asos.eps = 0.0;
     snapshot_.settings.method = Method::beam;
     exact_ = render_to_end(snapshot_).film;
   }
@@ -124,9 +124,9 @@ class Study {
     Row last;
     for (int level = 0; level <= settings_.max_level; ++level) {
       snapshot_.settings.method = contender.method;
-      snapshot_.settings.leaf = contender.leaf;
-      snapshot_.settings.max_level = level;
-      snapshot_.settings.spp = 1 << (2 * level);
+      snapshot_.settings.asos.leaf = contender.leaf;
+      snapshot_.settings.asos.max_level = level;
+      snapshot_.settings.sampling.spp = 1 << (2 * level);
       const auto [row, film] = measure();
       print(contender, level, row, last);
       last = row;
@@ -137,7 +137,7 @@ class Study {
 
   std::pair<Row, Film> measure() {
     Times times;
-    const int runs = snapshot_.settings.spp > 256 ? 1 : 3;
+    const int runs = snapshot_.settings.sampling.spp > 256 ? 1 : 3;
     RenderResult result;
     for (int run = 0; run < runs; ++run) result = times.render(snapshot_);
     Row row;

@@ -60,7 +60,7 @@ Contender make_contender(std::string name, const SharedScene& scene, const Setti
   Contender c;
   c.name = std::move(name);
   c.snapshot = snapshot_of(scene, settings.size.width, settings.size.height);
-  c.snapshot.settings.max_level = settings.max_level;
+  c.snapshot.settings.asos.max_level = settings.max_level;
   if (change) change(c.snapshot.settings);
   return c;
 }
@@ -85,7 +85,7 @@ Result<void> measure_wall(const Settings& settings) {
   const auto b = prepare(*scene);
   if (!a || !b) return unexpected(a ? b.error() : a.error());
   for (const bool shadows : {false, true}) {
-    const auto set = [shadows](RenderSettings& s) { s.shadows = shadows; };
+    const auto set = [shadows](RenderSettings& s) { s.shadow.cast = shadows; };
     std::vector<Contender> list{make_contender("wall alone", *a, settings, set),
                                 make_contender("wall before dense", *b, settings, set)};
     time_in_turns(list, settings.runs);
@@ -147,11 +147,12 @@ Result<void> measure_saturated(const Settings& settings) {
     if (!scene) return unexpected(scene.error());
     for (const bool shadows : {false, true}) {
       std::vector<Contender> list{
-          make_contender("asos", *scene, settings, [=](RenderSettings& s) { s.shadows = shadows; }),
+          make_contender("asos", *scene, settings,
+                         [=](RenderSettings& s) { s.shadow.cast = shadows; }),
           make_contender("stochastic", *scene, settings, [&](RenderSettings& s) {
-            s.shadows = shadows;
+            s.shadow.cast = shadows;
             s.method = Method::stochastic;
-            s.spp = 1 << (2 * settings.max_level);
+            s.sampling.spp = 1 << (2 * settings.max_level);
           })};
       time_in_turns(list, settings.runs);
       const auto pixels = static_cast<double>(settings.size.width * settings.size.height);
@@ -196,7 +197,8 @@ Result<void> compare(const char* title, const std::vector<Change>& variants,
 Result<void> measure_fat(const Settings& settings) {
   std::vector<Change> variants;
   for (const int fat : {8, 2, 4, 16})
-    variants.emplace_back(fmt::format("fat {}", fat), [fat](RenderSettings& s) { s.fat = fat; });
+    variants.emplace_back(fmt::format("fat {}", fat),
+                          [fat](RenderSettings& s) { s.asos.fat = fat; });
   return compare("fat", variants, settings);
 }
 
@@ -204,8 +206,8 @@ Result<void> measure_detect(const Settings& settings) {
   for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
     const auto with = [leaf](Detection detect) {
       return [=](RenderSettings& s) {
-        s.leaf = leaf;
-        s.detect = detect;
+        s.asos.leaf = leaf;
+        s.asos.detect = detect;
       };
     };
     const auto done =
@@ -220,8 +222,8 @@ Result<void> measure_rule(const Settings& settings) {
   for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
     const auto with = [leaf](StoppingRule rule) {
       return [=](RenderSettings& s) {
-        s.leaf = leaf;
-        s.rule = rule;
+        s.asos.leaf = leaf;
+        s.asos.rule = rule;
       };
     };
     const auto done = compare(leaf == Leaf::exact ? "rule, exact leaves" : "rule, point leaves",

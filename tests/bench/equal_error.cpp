@@ -16,7 +16,7 @@
 // what became of the pixels, and by what they show.
 
 #include "app/values.h"
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/error_causes.h"
@@ -73,8 +73,8 @@ std::vector<Rung> asos_ladder(const RenderSettings& base, int levels) {
       rung.name = fmt::format("asos MAX {}{}", level, eps > 0.0 ? " EPS 1/256" : "");
       rung.settings = base;
       rung.settings.method = Method::asos;
-      rung.settings.max_level = level;
-      rung.settings.eps = eps;
+      rung.settings.asos.max_level = level;
+      rung.settings.asos.eps = eps;
     }
   }
   return ladder;
@@ -88,8 +88,8 @@ std::vector<Rung> quality_rows(const RenderSettings& base) {
       rung.name = fmt::format("{} {}", quality.name, level);
       rung.settings = base;
       rung.settings.method = Method::asos;
-      rung.settings.max_level = level;
-      rung.settings.shadow_quality = quality.value;
+      rung.settings.asos.max_level = level;
+      rung.settings.shadow.quality = quality.value;
     }
   }
   return rows;
@@ -102,7 +102,7 @@ std::vector<Rung> sampling_ladder(const RenderSettings& base, Method method) {
     rung.name = fmt::format("{} {}", name_in(method_names, method), spp);
     rung.settings = base;
     rung.settings.method = method;
-    rung.settings.spp = spp;
+    rung.settings.sampling.spp = spp;
   }
   return ladder;
 }
@@ -130,7 +130,8 @@ double rival_seconds(const std::vector<Rung>& ladder, double error) {
 double extrapolated_error(const std::vector<Rung>& ladder, int spp) {
   const Rung& a = *(ladder.end() - 3);
   const Rung& b = ladder.back();
-  return between_log_log(spp, a.settings.spp, b.settings.spp, a.error.shown, b.error.shown);
+  return between_log_log(spp, a.settings.sampling.spp, b.settings.sampling.spp, a.error.shown,
+                         b.error.shown);
 }
 
 void print_rung(const Rung& rung, double floor) {
@@ -186,14 +187,14 @@ Result<void> measure(const Settings& settings) {
                     static_cast<double>(settings.size.width) / settings.size.height);
   if (!camera) return unexpected(camera.error());
   snapshot.camera = *camera;
-  snapshot.settings.shadows = settings.shadows;
-  snapshot.settings.dfr = settings.dfr;
-  snapshot.settings.texture_resolution = settings.texture_resolution;
+  snapshot.settings.shadow.cast = settings.shadows;
+  snapshot.settings.mirror.dfr = settings.dfr;
+  snapshot.settings.texture.resolution = settings.texture_resolution;
 
   RenderSettings base = snapshot.settings;
   snapshot.settings.method = Method::sobol;
   snapshot.settings.seed = 12345;
-  snapshot.settings.spp = settings.reference;
+  snapshot.settings.sampling.spp = settings.reference;
   const Film reference = render_to_end(snapshot).film;
 
   std::vector<Rung> asos =
@@ -229,8 +230,8 @@ Result<void> measure(const Settings& settings) {
   }
   if (settings.causes >= 0) {
     snapshot.settings = base;
-    snapshot.settings.eps = 0.0;
-    snapshot.settings.max_level = settings.causes;
+    snapshot.settings.asos.eps = 0.0;
+    snapshot.settings.asos.max_level = settings.causes;
     print_causes(snapshot, render_to_end(snapshot).film, reference);
   }
   return {};

@@ -73,7 +73,7 @@ void print_causes(const Snapshot& snapshot, const Film& film, const Film& refere
     all.add(samples_of(trace), error);
   }
   fmt::print("causes at MAX {}, EPS {:.4f}; percent of the pixels, the squared error, the leaves\n",
-             snapshot.settings.max_level, snapshot.settings.eps);
+             snapshot.settings.asos.max_level, snapshot.settings.asos.eps);
   fmt::print("  {:<24}{:>9}{:>9}{:>9}{:>11}\n", "", "pixels", "error", "leaves", "leaves/pix");
   for (int o = 0; o < outcome_count; ++o) {
     for (int l = 0; l < look_count; ++l) {

@@ -62,7 +62,7 @@ Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Setting
   cost.build.push_back((*prepared)->build_seconds);
   cost.memory_mb = (*prepared)->memory_mb;
   Snapshot snapshot = snapshot_of(*prepared, settings.size.width, settings.size.height);
-  snapshot.settings.max_level = settings.max_level;
+  snapshot.settings.asos.max_level = settings.max_level;
   snapshot.settings.threads = 1;
   cost.film = cost.render.render(snapshot).film;
   return {};

@@ -96,8 +96,8 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
 
   Snapshot snapshot = snapshot_of(*prepared, settings.width, settings.height);
   snapshot.settings.threads = settings.threads;
-  snapshot.settings.max_level = settings.max_level;
-  snapshot.settings.spp = 1;
+  snapshot.settings.asos.max_level = settings.max_level;
+  snapshot.settings.sampling.spp = 1;
   measure_first_picture(snapshot, started, row);
   Times sample;
   Times asos;
@@ -170,8 +170,7 @@ bool read_words(int argc, char** argv, Settings& settings) {
   }
   if (settings.scenes.empty())
     settings.scenes = {"builtin:boxes", "builtin:mixed", "builtin:dense"};
-  return settings.width > 0 && settings.height > 0 &&
-         settings.max_level <= RenderSettings::max_level_limit;
+  return settings.width > 0 && settings.height > 0 && settings.max_level <= max_level_limit;
 }
 
 }  // namespace

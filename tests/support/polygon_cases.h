@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/methods/exact_visibility.h"
+#include "renderer/comparison/exact_visibility.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/subdivide_polygons.h"
 

@@ -4,7 +4,7 @@
 #include "renderer/geometry/ray.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/hit_list.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 #include "tests/support/polygon.h"
 #include "tests/support/triangle_crossing.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "renderer/lights/light_cuts.h"
-#include "renderer/scene/needs.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shadows/shadow_pyrays.h"
+#include "renderer/world/needs.h"
 #include "tests/support/tiny_world.h"
 
 #include <glm/glm.hpp>
@@ -28,7 +28,7 @@ class NoView final : public PatchView {
 /// say of each, one pyray a receiver.
 class ShadowFixture {
  public:
-  ShadowFixture(World world, const Light& light, ShadowSettings settings = {})
+  ShadowFixture(World world, const Light& light, ShadowRules settings = {})
       : world_(with_light(std::move(world), light)),
         features_(world_),
         rays_(std::move(RayScene::build(world_, alpha_at).value())),
@@ -77,7 +77,7 @@ class ShadowFixture {
   World world_;
   FeatureSet features_;
   RayScene rays_;
-  ShadowSettings settings_;
+  ShadowRules settings_;
   PreparedLight light_;
   NoView view_;
   ShadowWorkspace work_;

@@ -2,7 +2,7 @@
 
 #include "renderer/lights/form_factor.h"
 #include "renderer/lights/receiver.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 #include "tests/support/tiny_world.h"
 
 #include <glm/glm.hpp>

@@ -2,10 +2,10 @@
 
 #include "renderer/features/feature_set.h"
 #include "renderer/lights/light_cuts.h"
-#include "renderer/methods/render_scene.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/rays/ray_scene.h"
-#include "renderer/scene/needs.h"
 #include "renderer/shading/shade.h"
+#include "renderer/world/needs.h"
 #include "tests/support/tiny_world.h"
 
 #include <memory>

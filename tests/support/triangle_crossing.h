@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 

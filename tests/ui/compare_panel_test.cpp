@@ -23,8 +23,8 @@ class ComparePanelTest : public PanelsTest {
     rig.click("Store frame");
     rig.frame();
     ASSERT_EQ(frames().stored.size(), 1u);
-    settings().max_level = 0;
-    settings().leaf = Leaf::point;
+    settings().asos.max_level = 0;
+    settings().asos.leaf = Leaf::point;
     EXPECT_TRUE(restarted());
     ASSERT_NE(rig.previewer().film().radiance, frames().stored[0].film.radiance);
   }

@@ -24,31 +24,31 @@ class EditHistoryTest : public PanelsTest {
 };
 
 TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
-  const double eps = settings().eps;
+  const double eps = settings().asos.eps;
   slide("EPS", 0.5f, 0.9f);
-  const double second = settings().eps;
+  const double second = settings().asos.eps;
   rest();
   rig.click("Jitter");
   rest();
-  EXPECT_TRUE(settings().jitter);
+  EXPECT_TRUE(settings().asos.jitter);
   undo();
-  EXPECT_FALSE(settings().jitter);
-  EXPECT_EQ(settings().eps, second);
+  EXPECT_FALSE(settings().asos.jitter);
+  EXPECT_EQ(settings().asos.eps, second);
   undo();
-  EXPECT_EQ(settings().eps, eps) << "a drag is one step";
+  EXPECT_EQ(settings().asos.eps, eps) << "a drag is one step";
   EXPECT_TRUE(restarted());
   undo();
-  EXPECT_EQ(settings().eps, eps) << "nothing more to take back";
+  EXPECT_EQ(settings().asos.eps, eps) << "nothing more to take back";
   redo();
-  EXPECT_EQ(settings().eps, second);
+  EXPECT_EQ(settings().asos.eps, second);
   redo();
-  EXPECT_TRUE(settings().jitter);
+  EXPECT_TRUE(settings().asos.jitter);
   undo();
   rig.click("Leaf/Point");
   rest();
   redo();
-  EXPECT_FALSE(settings().jitter) << "a new step ends what could be done again";
-  EXPECT_EQ(settings().leaf, Leaf::point);
+  EXPECT_FALSE(settings().asos.jitter) << "a new step ends what could be done again";
+  EXPECT_EQ(settings().asos.leaf, Leaf::point);
 }
 
 TEST_F(EditHistoryTest, TheCameraGoesBackExactly) {
@@ -87,20 +87,20 @@ TEST_F(EditHistoryTest, LightsAndDisplayGoBack) {
 
 TEST_F(EditHistoryTest, AnotherSceneAndAnotherSizeAreNoSteps) {
   slide("EPS", 0.5f, 0.9f);
-  const double eps = settings().eps;
+  const double eps = settings().asos.eps;
   rest();
   rig.resize({700, 1000});
   EXPECT_TRUE(rig.settle());
   const int width = settings().width;
   undo();
-  EXPECT_NE(settings().eps, eps);
+  EXPECT_NE(settings().asos.eps, eps);
   EXPECT_EQ(settings().width, width) << "the window's";
   redo();
   rig.previewer().open("grating");
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "grating"; }));
   rest();
   undo();
-  EXPECT_EQ(settings().eps, eps);
+  EXPECT_EQ(settings().asos.eps, eps);
 }
 
 TEST_F(EditHistoryTest, AnIdleWindowSleepsAfterAStep) {

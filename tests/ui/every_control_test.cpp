@@ -50,17 +50,19 @@ class EveryControlTest : public PanelsTest {
     const DisplaySettings& d = s.display;
     switch (part) {
       case Part::settings:
-        return numbers(static_cast<int>(r.method), r.eps, r.max_level, static_cast<int>(r.leaf),
-                       static_cast<int>(r.rule), static_cast<int>(r.detect), r.refine_shading,
-                       r.jitter, r.filter_width, r.spp, r.seed, static_cast<int>(r.texture_filter),
-                       r.cull, r.shadows, static_cast<int>(r.shadow_quality), r.shadow_divisions,
-                       static_cast<int>(r.light_rule), r.texture_resolution, r.reflections,
-                       r.roughest_mirror, static_cast<int>(r.curved_mirror), r.mirror_angle);
+        return numbers(static_cast<int>(r.method), r.asos.eps, r.asos.max_level,
+                       static_cast<int>(r.asos.leaf), static_cast<int>(r.asos.rule),
+                       static_cast<int>(r.asos.detect), r.asos.refine_shading, r.asos.jitter,
+                       r.filter_width, r.sampling.spp, r.seed, static_cast<int>(r.texture.filter),
+                       r.cull, r.shadow.cast, static_cast<int>(r.shadow.quality),
+                       r.shadow.divisions, static_cast<int>(r.shadow.light_rule),
+                       r.texture.resolution, r.mirror.bounces, r.mirror.roughest,
+                       static_cast<int>(r.mirror.curved), r.mirror.widest_angle_deg);
       case Part::mirrors: {
-        std::string text = numbers(p.edits().dfrs_revision, r.dfr.has_value());
-        for (const DfrCurve& c : r.dfr.value_or(Dfr{}).rgb)
+        std::string text = numbers(p.edits().dfrs_revision, r.mirror.dfr.has_value());
+        for (const DfrCurve& c : r.mirror.dfr.value_or(Dfr{}).rgb)
           text += numbers(c.min, c.max, c.exponent);
-        return text + numbers(r.dfr.value_or(Dfr{}).perturbation);
+        return text + numbers(r.mirror.dfr.value_or(Dfr{}).perturbation);
       }
       case Part::sky:
         return s.sky.error + (r.sky ? r.sky->name() : "") + numbers(s.sky.file, r.sky.use_count());
@@ -212,7 +214,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
             [&] { settings().method = method; });
   use_all("soft shadows, divided", [&] {
     select_kind(LightKind::sphere);
-    settings().shadow_quality = ShadowQuality::extended_divided;
+    settings().shadow.quality = ShadowQuality::extended_divided;
   });
   for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})
     use_all("split map", [&] {
@@ -235,20 +237,20 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   open("textured");
   use_all("textures", [] {});
   use_all("textures looked up at points",
-          [&] { settings().texture_filter = TextureFilter::point; });
+          [&] { settings().texture.filter = TextureFilter::point; });
   open("mirrors");
   use_all("a blur for each colour", [&] {
-    settings().dfr.emplace();
-    settings().dfr->rgb = {DfrCurve{0.1, 1.0, 2.0}, DfrCurve{0.2, 0.8, 8.0},
-                           DfrCurve{0.3, 0.7, 4.0}};
+    settings().mirror.dfr.emplace();
+    settings().mirror.dfr->rgb = {DfrCurve{0.1, 1.0, 2.0}, DfrCurve{0.2, 0.8, 8.0},
+                                  DfrCurve{0.3, 0.7, 4.0}};
     rig.frame();
     s.reflections.channel = DfrChannel::blue;
   });
   for (const DfrChannel channel : {DfrChannel::blue, DfrChannel::all})
     use_all("one blur for all", [&] {
       s.reflections.channel = channel;
-      settings().dfr.emplace();
-      settings().dfr->rgb.fill({0.3, 0.7, 4.0});
+      settings().mirror.dfr.emplace();
+      settings().mirror.dfr->rgb.fill({0.3, 0.7, 4.0});
     });
   for (const int pyray : {-1, 0})
     use_all("mirrors", [&] {
@@ -263,7 +265,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
           2.0);
       s.picked_pyray = pyray;
     });
-  use_all("curved mirrors", [&] { settings().curved_mirror = CurvedMirror::adaptive; });
+  use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
   use_all("a material's own blur", [&] { rig.previewer().edit_dfrs()[0].emplace(); });
   for (const char* section :
        {"section/Refinement", "section/Sky", "section/Equal time", "section/Missed splits"})
@@ -294,11 +296,11 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   rig.click("section/Error against run time");
   use_all("study", [] {});
   use_all("other choices", [&] {
-    settings().leaf = Leaf::point;
-    settings().rule = StoppingRule::published;
-    settings().detect = Detection::cone;
-    settings().texture_filter = TextureFilter::point;
-    settings().light_rule = LightRule::published;
+    settings().asos.leaf = Leaf::point;
+    settings().asos.rule = StoppingRule::published;
+    settings().asos.detect = Detection::cone;
+    settings().texture.filter = TextureFilter::point;
+    settings().shadow.light_rule = LightRule::published;
     s.study.reduction = 1;
     s.frames.store(rig.previewer().film(), "one");
     s.frames.store(rig.previewer().film(), "two");

@@ -1,4 +1,4 @@
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
   EXPECT_EQ(settings().method, Method::sobol);
   EXPECT_TRUE(restarted());
   slide("Samples", 0.3f, 0.0f);
-  EXPECT_EQ(settings().spp, 1);
+  EXPECT_EQ(settings().sampling.spp, 1);
   slide("Samples", 0.0f, 0.25f);
-  EXPECT_EQ(settings().spp, 8);
+  EXPECT_EQ(settings().sampling.spp, 8);
   EXPECT_TRUE(restarted());
   slide("Seed", 0.01f, 0.5f);
   EXPECT_GT(settings().seed, 0);
@@ -40,18 +40,18 @@ TEST_F(LightControlsTest, ShadowControlsRestart) {
   rig.click("Quality");
   rig.frame();
   rig.click("Quality/extended-divided");
-  EXPECT_EQ(settings().shadow_quality, ShadowQuality::extended_divided);
+  EXPECT_EQ(settings().shadow.quality, ShadowQuality::extended_divided);
   EXPECT_TRUE(restarted());
   slide("Divisions", 0.1f, 2.0f);
-  EXPECT_EQ(settings().shadow_divisions, 16);
+  EXPECT_EQ(settings().shadow.divisions, 16);
   slide("Divisions", 0.95f, -1.0f);
-  EXPECT_EQ(settings().shadow_divisions, 1);
+  EXPECT_EQ(settings().shadow.divisions, 1);
   EXPECT_TRUE(restarted());
   rig.click("Light rule/Published");
-  EXPECT_EQ(settings().light_rule, LightRule::published);
+  EXPECT_EQ(settings().shadow.light_rule, LightRule::published);
   EXPECT_TRUE(restarted());
   rig.click("Shadows");
-  EXPECT_FALSE(settings().shadows);
+  EXPECT_FALSE(settings().shadow.cast);
   EXPECT_TRUE(restarted());
   rig.click("Culling");
   EXPECT_FALSE(settings().cull);
@@ -64,16 +64,16 @@ TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
     return rig.content().controls().all().contains(name);
   };
   for (const auto& [name, quality] : shadow_quality_names) {
-    settings().shadow_quality = quality;
+    settings().shadow.quality = quality;
     const bool divided = quality == ShadowQuality::supersampling ||
                          quality == ShadowQuality::forced ||
                          quality == ShadowQuality::extended_divided;
     EXPECT_EQ(shown("Divisions"), divided) << name;
   }
   EXPECT_TRUE(shown("Quality"));
-  settings().shadows = false;
+  settings().shadow.cast = false;
   EXPECT_FALSE(shown("Quality"));
-  settings().shadows = true;
+  settings().shadow.cast = true;
   settings().method = Method::asos_published;  // which brings its own
   EXPECT_FALSE(shown("Quality"));
   EXPECT_FALSE(shown("Light rule/Physical"));

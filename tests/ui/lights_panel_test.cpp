@@ -253,12 +253,12 @@ TEST_F(LightsPanelTest, ADoubleClickResets) {
   rig.content().state().display.exposure_ev = 2.0f;
   double_click("Exposure");
   EXPECT_EQ(display().exposure_ev, 0.0f);
-  settings().max_level = 5;
+  settings().asos.max_level = 5;
   double_click("MAX");
-  EXPECT_EQ(settings().max_level, RenderSettings{}.max_level);
-  settings().eps = 0.5;
+  EXPECT_EQ(settings().asos.max_level, RenderSettings{}.asos.max_level);
+  settings().asos.eps = 0.5;
   double_click("EPS");
-  EXPECT_EQ(settings().eps, RenderSettings{}.eps);
+  EXPECT_EQ(settings().asos.eps, RenderSettings{}.asos.eps);
 }
 
 }  // namespace

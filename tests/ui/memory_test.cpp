@@ -72,7 +72,7 @@ Memory memory() {
 TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
   RenderSettings settings;
   settings.threads = 1;
-  settings.max_level = 1;
+  settings.asos.max_level = 1;
   Previewer previewer({[](const std::string& source) -> Result<Scene> {
                          return waves(source == "large" ? 100 : 8, source);
                        },

@@ -13,19 +13,19 @@ using test::PanelsTest;
 
 TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
   slide("EPS", 0.6f, 0.9f);
-  const double high = settings().eps;
+  const double high = settings().asos.eps;
   EXPECT_TRUE(restarted());
   EXPECT_GT(high, 0.1);
   EXPECT_LE(high, 1.0);
   slide("EPS", 0.9f, 0.5f);
-  const double middle = settings().eps;
+  const double middle = settings().asos.eps;
   EXPECT_TRUE(restarted());
   EXPECT_LT(middle, 0.05);
   EXPECT_GT(middle, 1e-4);
   slide("EPS", 0.5f, -1.0f);
-  EXPECT_EQ(settings().eps, 0.0);
+  EXPECT_EQ(settings().asos.eps, 0.0);
   slide("EPS", 0.0f, 2.0f);
-  EXPECT_EQ(settings().eps, 1.0);
+  EXPECT_EQ(settings().asos.eps, 1.0);
 }
 
 TEST_F(PanelsTest, TypedValuesStayInTheirRange) {
@@ -38,25 +38,25 @@ TEST_F(PanelsTest, TypedValuesStayInTheirRange) {
     rig.chord(Key::ctrl, Key::a);
     rig.type(typed);
     rig.key(Key::enter);
-    EXPECT_EQ(settings().eps, expected) << typed;
+    EXPECT_EQ(settings().asos.eps, expected) << typed;
   }
 }
 
 TEST_F(PanelsTest, MaxLeafAndJitterRestart) {
   slide("MAX", 0.2f, 2.0f);
-  EXPECT_EQ(settings().max_level, RenderSettings::max_level_limit);
+  EXPECT_EQ(settings().asos.max_level, max_level_limit);
   EXPECT_TRUE(restarted());
   slide("MAX", 0.99f, -1.0f);
-  EXPECT_EQ(settings().max_level, 0);
+  EXPECT_EQ(settings().asos.max_level, 0);
   EXPECT_TRUE(restarted());
   rig.click("Leaf/Point");
-  EXPECT_EQ(settings().leaf, Leaf::point);
+  EXPECT_EQ(settings().asos.leaf, Leaf::point);
   EXPECT_TRUE(restarted());
   rig.click("Leaf/Exact");
-  EXPECT_EQ(settings().leaf, Leaf::exact);
+  EXPECT_EQ(settings().asos.leaf, Leaf::exact);
   EXPECT_TRUE(restarted());
   rig.click("Jitter");
-  EXPECT_TRUE(settings().jitter);
+  EXPECT_TRUE(settings().asos.jitter);
   EXPECT_TRUE(restarted());
 }
 
@@ -83,8 +83,8 @@ TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("EPS"));
   slide("Samples", 0.1f, 0.2f);
-  const int side = static_cast<int>(std::lround(std::sqrt(settings().spp)));
-  EXPECT_EQ(side * side, settings().spp);
+  const int side = static_cast<int>(std::lround(std::sqrt(settings().sampling.spp)));
+  EXPECT_EQ(side * side, settings().sampling.spp);
   EXPECT_TRUE(restarted());
   rig.click("Method/Uniform");
   EXPECT_EQ(settings().method, Method::uniform);
@@ -112,13 +112,13 @@ TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
   rig.frame();
   const Controls::Placed legend = rig.control("Legend");
   const std::vector<glm::u8vec3> pixels = rig.pixels();
-  const int levels = settings().max_level + 1;
+  const int levels = settings().asos.max_level + 1;
   for (int level = 0; level < levels; ++level) {
     const float share = (static_cast<float>(level) + 0.5f) / static_cast<float>(levels);
     const int x = static_cast<int>(glm::mix(legend.lo.x, legend.hi.x, share));
     const int y = static_cast<int>(legend.lo.y) + 5;
     EXPECT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
-              split_colour(level, settings().max_level))
+              split_colour(level, settings().asos.max_level))
         << "level " << level;
   }
 }

@@ -117,7 +117,7 @@ TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
 }
 
 TEST_F(PixelPanelTest, PyraysOfAMirrorAreSteppedInto) {
-  settings().reflections = 2;
+  settings().mirror.bounces = 2;
   rig.previewer().open("mirrors");
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "mirrors"; }));
   rig.previewer().set_paused(true);

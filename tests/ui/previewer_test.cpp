@@ -40,7 +40,7 @@ class Loader {
 RenderSettings small() {
   RenderSettings settings;
   settings.threads = 1;
-  settings.max_level = 2;
+  settings.asos.max_level = 2;
   return settings;
 }
 
@@ -104,10 +104,10 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
     previewer.update(now);
     EXPECT_EQ(previewer.restarts(), ++expected);
   };
-  restarts_after([&] { previewer.settings().eps = 0.1; });
-  restarts_after([&] { previewer.settings().max_level = 4; });
-  restarts_after([&] { previewer.settings().leaf = Leaf::point; });
-  restarts_after([&] { previewer.settings().jitter = true; });
+  restarts_after([&] { previewer.settings().asos.eps = 0.1; });
+  restarts_after([&] { previewer.settings().asos.max_level = 4; });
+  restarts_after([&] { previewer.settings().asos.leaf = Leaf::point; });
+  restarts_after([&] { previewer.settings().asos.jitter = true; });
   restarts_after([&] { previewer.settings().method = Method::stochastic; });
   restarts_after([&] { previewer.camera().orbit(0.1, 0.0); });
   restarts_after([&] { previewer.frame_all(); });

@@ -11,7 +11,7 @@ class RefinementTest : public PanelsTest {
  protected:
   /// A render that begins anew.
   void change() {
-    settings().jitter = !settings().jitter;
+    settings().asos.jitter = !settings().asos.jitter;
     rig.frame();
   }
   [[nodiscard]] bool rests(Rest rest) {

@@ -54,43 +54,43 @@ TEST_F(PanelsTest, AMatteSceneHasNoReflectionsPanel) {
 
 TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
   slide("Bounces", 0.5f, 2.0f);
-  EXPECT_EQ(settings().reflections, RenderSettings::max_reflections);
+  EXPECT_EQ(settings().mirror.bounces, MirrorSettings::max_bounces);
   EXPECT_TRUE(begun());
   EXPECT_FALSE(shows("Divergence"));
   rig.click("Curved");
   rig.frame();
   rig.click("Curved/adaptive");
-  EXPECT_EQ(settings().curved_mirror, CurvedMirror::adaptive);
+  EXPECT_EQ(settings().mirror.curved, CurvedMirror::adaptive);
   EXPECT_TRUE(begun());
   slide("Divergence", 0.1f, 2.0f);
-  EXPECT_EQ(settings().mirror_angle, 180.0);
+  EXPECT_EQ(settings().mirror.widest_angle_deg, 180.0);
   slide("Roughest", 0.5f, 2.0f);
-  EXPECT_EQ(settings().roughest_mirror, 1.0);
+  EXPECT_EQ(settings().mirror.roughest, 1.0);
   EXPECT_TRUE(validated(settings()).has_value());
   slide("Bounces", 0.9f, -1.0f);
-  EXPECT_EQ(settings().reflections, 0);
+  EXPECT_EQ(settings().mirror.bounces, 0);
   rig.frame();
   EXPECT_FALSE(shows("Blur/By material")) << "nothing mirrors then";
 }
 
 TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
   rig.click("Blur/One for all");
-  ASSERT_TRUE(settings().dfr.has_value());
+  ASSERT_TRUE(settings().mirror.dfr.has_value());
   rig.frame();
-  const DfrCurve first = settings().dfr->rgb[0];
+  const DfrCurve first = settings().mirror.dfr->rgb[0];
   const Controls::Placed plot = rig.control("DFR curve");
   const float step = 0.25f * (plot.hi.y - plot.lo.y);
   glm::vec2 at = rig.control("DFRMIN point").centre();
   rig.drag(at, at - glm::vec2(0.0f, step));
-  EXPECT_GT(settings().dfr->rgb[0].min, first.min + 0.1);
-  EXPECT_EQ(settings().dfr->rgb[0], settings().dfr->rgb[2]) << "all colours alike";
+  EXPECT_GT(settings().mirror.dfr->rgb[0].min, first.min + 0.1);
+  EXPECT_EQ(settings().mirror.dfr->rgb[0], settings().mirror.dfr->rgb[2]) << "all colours alike";
   EXPECT_TRUE(begun());
   at = rig.control("DFRMAX point").centre();
   rig.drag(at, at + glm::vec2(0.0f, step));
-  EXPECT_LT(settings().dfr->rgb[1].max, first.max - 0.1);
+  EXPECT_LT(settings().mirror.dfr->rgb[1].max, first.max - 0.1);
   at = rig.control("N point").centre();
   rig.drag(at, at - glm::vec2(2.0f * step, 0.0f));
-  EXPECT_LT(settings().dfr->rgb[1].exponent, 0.5 * first.exponent);
+  EXPECT_LT(settings().mirror.dfr->rgb[1].exponent, 0.5 * first.exponent);
   // Far beyond the plot nothing breaks.
   for (const char* point : {"DFRMIN point", "DFRMAX point", "N point"}) {
     for (const glm::vec2 way : {glm::vec2(-900, -900), glm::vec2(900, 900)}) {
@@ -99,9 +99,9 @@ TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
       EXPECT_TRUE(validated(settings()).has_value()) << point;
     }
   }
-  EXPECT_EQ(settings().dfr->rgb[0].min, 0.0);
-  EXPECT_EQ(settings().dfr->rgb[0].max, 0.0);
-  EXPECT_EQ(settings().dfr->rgb[0].exponent, most_plotted_exponent);
+  EXPECT_EQ(settings().mirror.dfr->rgb[0].min, 0.0);
+  EXPECT_EQ(settings().mirror.dfr->rgb[0].max, 0.0);
+  EXPECT_EQ(settings().mirror.dfr->rgb[0].exponent, most_plotted_exponent);
   EXPECT_TRUE(begun()) << "the widest blur there is renders";
 }
 
@@ -110,30 +110,30 @@ TEST_F(ReflectionsPanelTest, AColourIsEditedAloneAndUndone) {
   rest();
   rig.click("DFR of/Blue");
   rig.frame();
-  const DfrCurve first = settings().dfr->rgb[0];
+  const DfrCurve first = settings().mirror.dfr->rgb[0];
   const glm::vec2 at = rig.control("DFRMIN point").centre();
   rig.drag(at, at - glm::vec2(0.0f, 60.0f));
-  EXPECT_EQ(settings().dfr->rgb[0], first);
-  EXPECT_EQ(settings().dfr->rgb[1], first);
-  EXPECT_GT(settings().dfr->rgb[2].min, first.min);
+  EXPECT_EQ(settings().mirror.dfr->rgb[0], first);
+  EXPECT_EQ(settings().mirror.dfr->rgb[1], first);
+  EXPECT_GT(settings().mirror.dfr->rgb[2].min, first.min);
   rest();
   rig.chord(Key::ctrl, Key::z);
-  EXPECT_EQ(settings().dfr->rgb[2], first);
+  EXPECT_EQ(settings().mirror.dfr->rgb[2], first);
   rig.chord(Key::ctrl, Key::z);
-  EXPECT_FALSE(settings().dfr.has_value());
+  EXPECT_FALSE(settings().mirror.dfr.has_value());
 }
 
 TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
   rig.click("Blur/One for all");
   rig.frame();
-  const DfrCurve first = settings().dfr->rgb[0];
+  const DfrCurve first = settings().mirror.dfr->rgb[0];
   const glm::vec2 at = rig.control("DFRMIN point").centre();
   rig.drag(at, at - glm::vec2(0.0f, 60.0f));
-  ASSERT_NE(settings().dfr->rgb[0].min, first.min);
+  ASSERT_NE(settings().mirror.dfr->rgb[0].min, first.min);
   rest();
   rig.click("DFRMIN point");
   rig.click("DFRMIN point");
-  EXPECT_EQ(settings().dfr->rgb[0].min, first.min);
+  EXPECT_EQ(settings().mirror.dfr->rgb[0].min, first.min);
   rest();
   for (const auto& [typed, expected] :
        {std::pair<std::string, double>{"0.25", 0.25}, {"7", 1.0}, {"-1", 0.0}}) {
@@ -145,7 +145,7 @@ TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
     rig.chord(Key::ctrl, Key::a);
     rig.type(typed);
     rig.key(Key::enter);
-    EXPECT_EQ(settings().dfr->rgb[1].max, expected) << typed;
+    EXPECT_EQ(settings().mirror.dfr->rgb[1].max, expected) << typed;
   }
 }
 
@@ -236,7 +236,7 @@ TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
 
 TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {
   rig.click("Blur/One for all");
-  settings().dfr->rgb.fill({0.5, 0.5, 1.0});
+  settings().mirror.dfr->rgb.fill({0.5, 0.5, 1.0});
   rig.move_to({-10.0f, -10.0f});
   for (int i = 0; i < 3; ++i) rig.frame();
   // The plot's own area lies between its handles: DFRMIN at the left, DFRMAX at the right.

@@ -126,13 +126,13 @@ TEST_F(SaveTest, WhyItCouldNotBeSavedIsSaid) {
 // A picture that is dropped brings its display along; one without settings says so.
 TEST_F(SaveTest, SavedPicturesCanBeOpened) {
   display().exposure_ev = 1.5f;
-  settings().eps = 0.25;
+  settings().asos.eps = 0.25;
   rig.key(Key::p);
   ASSERT_TRUE(saved("scene-001.png"));
   display().exposure_ev = 0.0f;
-  settings().eps = 0.5;
+  settings().asos.eps = 0.5;
   rig.previewer().open(folder.file("scene-001.png"));
-  ASSERT_TRUE(rig.frames_until([&] { return settings().eps == 0.25; }));
+  ASSERT_TRUE(rig.frames_until([&] { return settings().asos.eps == 0.25; }));
   rig.frame();
   EXPECT_EQ(display().exposure_ev, 1.5f);
 
@@ -142,7 +142,7 @@ TEST_F(SaveTest, SavedPicturesCanBeOpened) {
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
   EXPECT_EQ(rig.previewer().error()->subject, folder.file("plain.png"));
   EXPECT_NE(rig.previewer().error()->reason.find("holds no settings"), std::string::npos);
-  EXPECT_EQ(settings().eps, 0.25) << "the scene and its settings stay";
+  EXPECT_EQ(settings().asos.eps, 0.25) << "the scene and its settings stay";
 }
 
 }  // namespace

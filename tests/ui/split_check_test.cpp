@@ -1,6 +1,6 @@
 #include "ui/split_check.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/equal_time.h"
 #include "ui/split_forecast.h"
@@ -69,8 +69,8 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   EXPECT_EQ(check.findings()->missed_pixels, 0u);
   EXPECT_GT(check.findings()->split_pixels, 0u);
   EXPECT_LT(check.findings()->rmse, 0.02);
-  settings().max_level = 0;
-  settings().leaf = Leaf::point;
+  settings().asos.max_level = 0;
+  settings().asos.leaf = Leaf::point;
   EXPECT_TRUE(restarted());
   check.update(rig.previewer(), true, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr) << "it was of another picture";
@@ -85,8 +85,8 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
 }
 
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
-  settings().max_level = 0;
-  settings().leaf = Leaf::point;
+  settings().asos.max_level = 0;
+  settings().asos.leaf = Leaf::point;
   EXPECT_TRUE(restarted());
   const auto reds = [&] {
     int count = 0;
@@ -130,7 +130,7 @@ TEST_F(SplitCheckTest, DraggingEpsForecastsBeforeTheRenderIsThere) {
     waiting.update();
     return waiting.of(rig.previewer()) != nullptr;
   }));
-  settings().eps = 0.5;
+  settings().asos.eps = 0.5;
   EXPECT_EQ(waiting.of(rig.previewer()), nullptr) << "of other settings";
 }
 

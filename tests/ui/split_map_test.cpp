@@ -99,7 +99,7 @@ TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
   // The hard shadow's edge cuts pixels that by their level are not split.
   const glm::ivec2 shadow = pixel_of(card_left - 1.0, 0.13);
   show(SplitMapColours::level);
-  EXPECT_EQ(shown(shadow), split_colour(0, rig.previewer().settings().max_level));
+  EXPECT_EQ(shown(shadow), split_colour(0, rig.previewer().settings().asos.max_level));
   EXPECT_NE(shown(pixel_of(card_right, 0.13)), glm::u8vec3(0));
 }
 
@@ -128,7 +128,7 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
     rig.key(Key::c);
     EXPECT_EQ(display().split_colours, cost);
     const Film& film = rig.previewer().film();
-    const SplitMapKey key{cost, rig.previewer().settings().max_level};
+    const SplitMapKey key{cost, rig.previewer().settings().asos.max_level};
     EXPECT_EQ(shown(kink), key.colour(key.value(film, film.index(kink.x, kink.y))));
   }
   rig.key(Key::c);

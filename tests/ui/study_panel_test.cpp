@@ -294,8 +294,8 @@ TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
   shown.width = 641;
   shown.height = 3;
   shown.threads = 5;
-  shown.reflections = 2;
-  shown.texture_resolution = 3;
+  shown.mirror.bounces = 2;
+  shown.texture.resolution = 3;
   const StudyPlan plan = plan_of(choice, "scene", shown);
   EXPECT_EQ(plan.methods, (std::vector<std::string>{"asos", "sobol"}));
   EXPECT_EQ(plan.width, 320);

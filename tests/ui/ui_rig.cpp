@@ -23,7 +23,7 @@ T value_or_throw(Result<T> result) {
 
 RenderSettings small_settings() {
   RenderSettings settings;
-  settings.max_level = 2;
+  settings.asos.max_level = 2;
   settings.threads = 1;
   return settings;
 }

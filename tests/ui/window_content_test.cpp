@@ -83,7 +83,7 @@ TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
   rig.content().state().display.show_split_map = true;
   rig.content().state().display.split_dimming = 1.0f;
   rig.frame();
-  const int max_level = rig.previewer().settings().max_level;
+  const int max_level = rig.previewer().settings().asos.max_level;
   int deepest = 0;
   expect_area([&](const Film& film, std::size_t i) {
     deepest = std::max<int>(deepest, film.split_level[i]);
@@ -98,7 +98,7 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
   rig.content().state().display.show_split_map = true;
   rig.content().state().display.split_dimming = 0.25f;
   rig.frame();
-  const int max_level = rig.previewer().settings().max_level;
+  const int max_level = rig.previewer().settings().asos.max_level;
   const PixelRect area = rig.content().picture_rect();
   const Film& film = rig.previewer().film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();

@@ -1,4 +1,4 @@
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
@@ -119,39 +119,38 @@ void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& fore
                       "By how much a pixel's display intensity (0 to 1) may still change when its "
                       "splitting stops. Smaller: finer, slower. 1/256 is one step of an 8-bit "
                       "picture. Ctrl+click to type a value.",
-                      settings.eps, {0.0, 1.0, usual.eps}, eps_words);
+                      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
   bool held = is_held();
   controls.slider("MAX",
                   "The deepest level to which a pixel is split, 0 to 8. Each level halves the "
                   "side of a cell. Ctrl+click to type a value.",
-                  settings.max_level, {0, RenderSettings::max_level_limit, usual.max_level},
-                  level_words);
+                  settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
   held |= is_held();
   if (held) forecast.ask(previewer);
   forecast_row(controls, previewer, forecast);
   if (settings.method == Method::asos) {
-    choose(controls, "Leaf", leaves, settings.leaf, usual.leaf);
-    choose(controls, "Rule", rules, settings.rule, usual.rule);
-    choose(controls, "Detection", detections, settings.detect, usual.detect);
+    choose(controls, "Leaf", leaves, settings.asos.leaf, usual.asos.leaf);
+    choose(controls, "Rule", rules, settings.asos.rule, usual.asos.rule);
+    choose(controls, "Detection", detections, settings.asos.detect, usual.asos.detect);
     controls.checkbox("Shading",
                       "Split what is shaded unevenly, too: strongly bent surfaces, and what lies "
                       "close to a light.",
-                      settings.refine_shading, usual.refine_shading);
+                      settings.asos.refine_shading, usual.asos.refine_shading);
   }
   controls.checkbox("Jitter",
                     "Move the samples of cells that are still undecided at level MAX to random "
                     "places: noise instead of steps.",
-                    settings.jitter, usual.jitter);
+                    settings.asos.jitter, usual.asos.jitter);
 }
 
 // The methods round up to n x n samples, so n is what the slider offers.
 void sample_controls(Controls& controls, RenderSettings& settings) {
   constexpr int max_side = 32;
-  int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(settings.spp))));
+  int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(settings.sampling.spp))));
   side = std::clamp(side, 1, max_side);
   const auto words = [](int n) { return fmt::format("{} x {} = {}", n, n, n * n); };
   if (controls.slider("Samples", "Samples in each pixel: n x n.", side, {1, max_side, 4}, words)) {
-    settings.spp = side * side;
+    settings.sampling.spp = side * side;
   }
 }
 
@@ -159,11 +158,12 @@ void sample_controls(Controls& controls, RenderSettings& settings) {
 void sobol_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   constexpr int most_doublings = 12;
-  int doublings = static_cast<int>(std::lround(std::log2(static_cast<double>(settings.spp))));
+  int doublings =
+      static_cast<int>(std::lround(std::log2(static_cast<double>(settings.sampling.spp))));
   doublings = std::clamp(doublings, 0, most_doublings);
   if (controls.slider("Samples", "Samples in each pixel, a power of two.", doublings,
                       {0, most_doublings, 4}, [](int n) { return fmt::format("{}", 1 << n); })) {
-    settings.spp = 1 << doublings;
+    settings.sampling.spp = 1 << doublings;
   }
   controls.slider("Seed",
                   "Number of the scrambling: another seed gives another picture of the same noise. "
@@ -194,14 +194,14 @@ void filter_control(Controls& controls, RenderSettings& settings) {
 
 void texture_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
-  choose(controls, "Textures", texture_filters, settings.texture_filter, usual.texture_filter);
+  choose(controls, "Textures", texture_filters, settings.texture.filter, usual.texture.filter);
   if (settings.method != Method::asos && settings.method != Method::asos_published) return;
   controls.slider("TR",
                   "Texture resolution: TR x TR jittered samples of each pixel of textured surface "
                   "that nothing bounds, 1 to 8 (CGF'98 section 3.2). Needed where textures are "
                   "looked up at points.",
-                  settings.texture_resolution,
-                  {1, RenderSettings::max_texture_resolution, usual.texture_resolution},
+                  settings.texture.resolution,
+                  {1, TextureSettings::max_resolution, usual.texture.resolution},
                   [](int n) { return n == 1 ? std::string("1") : fmt::format("{0} x {0}", n); });
 }
 

@@ -1,5 +1,5 @@
 #include "renderer/film/split_map.h"
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "renderer/study/measures.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
@@ -31,8 +31,8 @@ std::string summary_of(const Previewer& previewer) {
   const Progress progress = previewer.progress();
   std::string text = name_in(method_names, s.method);
   const bool asos = s.method == Method::asos || s.method == Method::asos_published;
-  text += asos ? fmt::format(", EPS {:.4g}, MAX {}", s.eps, s.max_level)
-               : fmt::format(", {} samples", s.spp);
+  text += asos ? fmt::format(", EPS {:.4g}, MAX {}", s.asos.eps, s.asos.max_level)
+               : fmt::format(", {} samples", s.sampling.spp);
   return text + fmt::format(", {} x {}, {:.0f} % in {:.2f} s", s.width, s.height,
                             100.0 * progress.fraction, progress.seconds);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/methods/settings.h"
+#include "renderer/settings/settings.h"
 #include "ui/equal_time.h"
 #include "ui/frames.h"
 #include "ui/panels/controls.h"

@@ -1,5 +1,5 @@
 #include "renderer/film/split_map.h"
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 

@@ -72,35 +72,35 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
   controls.slider("Bounces",
                   "How often a pyray is reflected, 0 to 64; 0: mirrors show the sky's mean and "
                   "highlights only. Ctrl+click to type a value.",
-                  settings.reflections, {0, RenderSettings::max_reflections, usual.reflections},
+                  settings.mirror.bounces, {0, MirrorSettings::max_bounces, usual.mirror.bounces},
                   [](int n) { return n == 0 ? std::string("0: none") : std::to_string(n); });
-  if (settings.reflections == 0) return;
-  float roughest = static_cast<float>(settings.roughest_mirror);
+  if (settings.mirror.bounces == 0) return;
+  float roughest = static_cast<float>(settings.mirror.roughest);
   if (controls.slider("Roughest",
                       "The largest roughness, 0 to 1, of what mirrors the scene; rougher surfaces "
                       "show the sky's mean and highlights instead. Larger costs more.",
-                      roughest, {0.0f, 1.0f, static_cast<float>(usual.roughest_mirror)},
+                      roughest, {0.0f, 1.0f, static_cast<float>(usual.mirror.roughest)},
                       [](float r) { return fmt::format("{:.2f}", r); }))
-    settings.roughest_mirror = static_cast<double>(roughest);
+    settings.mirror.roughest = static_cast<double>(roughest);
   // The others cast single rays.
   if (settings.method != Method::asos && settings.method != Method::asos_published) return;
-  int way = static_cast<int>(settings.curved_mirror);
+  int way = static_cast<int>(settings.mirror.curved);
   if (controls.list("Curved",
                     "How curved mirrors reflect a pyray (CGF'98 section 5.2). nearest pyramid: the "
                     "one nearest to its reflected corner rays. tangent plane: as the plane at its "
                     "axis would; cheapest, wrong where the surface bends within a pixel. split to "
                     "MAX: by tangent planes, each pyray split down to MAX first. adaptive: split "
                     "where the reflected corner rays diverge by more than an angle.",
-                    curved_ways, way, static_cast<int>(usual.curved_mirror)))
-    settings.curved_mirror = static_cast<CurvedMirror>(way);
-  if (settings.curved_mirror != CurvedMirror::adaptive) return;
-  float angle = static_cast<float>(settings.mirror_angle);
+                    curved_ways, way, static_cast<int>(usual.mirror.curved)))
+    settings.mirror.curved = static_cast<CurvedMirror>(way);
+  if (settings.mirror.curved != CurvedMirror::adaptive) return;
+  float angle = static_cast<float>(settings.mirror.widest_angle_deg);
   if (controls.slider("Divergence",
                       "The angle between reflected corner rays, 0 to 180 degrees, beyond which a "
                       "pyray is split.",
-                      angle, {0.0f, 180.0f, static_cast<float>(usual.mirror_angle)},
+                      angle, {0.0f, 180.0f, static_cast<float>(usual.mirror.widest_angle_deg)},
                       [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
-    settings.mirror_angle = static_cast<double>(angle);
+    settings.mirror.widest_angle_deg = static_cast<double>(angle);
 }
 
 /// The curve of one material, or that it has none.
@@ -137,18 +137,18 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
   if (choice.mirrors.empty() || !controls.section("Reflections")) return;
   RenderSettings& settings = previewer.settings();
   bounce_controls(controls, settings);
-  if (settings.reflections == 0) return;
+  if (settings.mirror.bounces == 0) return;
 
-  int source = settings.dfr ? 1 : 0;
+  int source = settings.mirror.dfr ? 1 : 0;
   if (controls.options("Blur", blur_sources, source, {true, 0})) {
-    settings.dfr.reset();
-    if (source == 1) settings.dfr = first_dfr();
+    settings.mirror.dfr.reset();
+    if (source == 1) settings.mirror.dfr = first_dfr();
   }
   const int at = seen ? find_mirror(choice.mirrors, seen->material) : -1;
   std::optional<double> incidence_rad;
-  if (settings.dfr) {
+  if (settings.mirror.dfr) {
     if (at >= 0) incidence_rad = seen->incidence_rad;
-    (void)dfr_editor(controls, *settings.dfr, choice.channel, first_dfr(), incidence_rad);
+    (void)dfr_editor(controls, *settings.mirror.dfr, choice.channel, first_dfr(), incidence_rad);
   } else {
     if (at >= 0 && at == choice.material) incidence_rad = seen->incidence_rad;
     material_controls(controls, previewer, choice, incidence_rad);
@@ -160,11 +160,11 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
           -1.0f)) {
     const RenderSettings usual;
     previewer.reset_dfrs();
-    settings.dfr.reset();
-    settings.reflections = usual.reflections;
-    settings.roughest_mirror = usual.roughest_mirror;
-    settings.curved_mirror = usual.curved_mirror;
-    settings.mirror_angle = usual.mirror_angle;
+    settings.mirror.dfr.reset();
+    settings.mirror.bounces = usual.mirror.bounces;
+    settings.mirror.roughest = usual.mirror.roughest;
+    settings.mirror.curved = usual.mirror.curved;
+    settings.mirror.widest_angle_deg = usual.mirror.widest_angle_deg;
   }
 }
 

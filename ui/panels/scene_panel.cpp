@@ -1,4 +1,4 @@
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "renderer/methods/names.h"
+#include "renderer/settings/names.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
@@ -30,20 +30,20 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
   std::vector<std::string> names;
   for (const auto& named : shadow_quality_names) names.emplace_back(named.name);
   static_assert(shadow_quality_names.back().value == ShadowQuality::extended_adaptive);
-  int chosen = static_cast<int>(settings.shadow_quality);
+  int chosen = static_cast<int>(settings.shadow.quality);
   if (controls.list("Quality",
                     "How soft shadows are found over the patch that a leaf shows. refined: one "
                     "pyray, and leaves are split where its shadow would be off the patch's mean. "
                     "centre: one pyray. supersampling, forced: from n x n jittered or regular "
                     "points. extended: one from behind the patch, whole, divided into n x n or "
                     "into as many parts as the light asks for.",
-                    names, chosen, static_cast<int>(usual.shadow_quality))) {
-    settings.shadow_quality = static_cast<ShadowQuality>(chosen);
+                    names, chosen, static_cast<int>(usual.shadow.quality))) {
+    settings.shadow.quality = static_cast<ShadowQuality>(chosen);
   }
-  if (!divides(settings.shadow_quality)) return;
+  if (!divides(settings.shadow.quality)) return;
   controls.slider("Divisions",
                   "Into n x n parts the patch is divided, 1 to 16. Ctrl+click to type a value.",
-                  settings.shadow_divisions, {1, 16, usual.shadow_divisions},
+                  settings.shadow.divisions, {1, 16, usual.shadow.divisions},
                   [](int n) { return fmt::format("{} x {}", n, n); });
 }
 
@@ -53,15 +53,16 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
   const RenderSettings usual;
   if (!controls.section("Shadows")) return;
   if (!scene || scene->needs.shadows)
-    controls.checkbox("Shadows", "Lights cast shadows.", settings.shadows, usual.shadows);
+    controls.checkbox("Shadows", "Lights cast shadows.", settings.shadow.cast, usual.shadow.cast);
   // What the papers published chooses its own quality and rule.
   const bool soft = scene && scene->needs.soft_shadows;
-  if (settings.method == Method::asos && settings.shadows && soft)
+  if (settings.method == Method::asos && settings.shadow.cast && soft)
     quality_controls(controls, settings);
   if (settings.method == Method::asos_published) return;
-  int rule = static_cast<int>(settings.light_rule);
-  if (controls.options("Light rule", light_rules, rule, {true, static_cast<int>(usual.light_rule)}))
-    settings.light_rule = static_cast<LightRule>(rule);
+  int rule = static_cast<int>(settings.shadow.light_rule);
+  if (controls.options("Light rule", light_rules, rule,
+                       {true, static_cast<int>(usual.shadow.light_rule)}))
+    settings.shadow.light_rule = static_cast<LightRule>(rule);
 }
 
 }  // namespace asos

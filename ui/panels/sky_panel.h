@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/methods/settings.h"
+#include "renderer/settings/settings.h"
 #include "ui/panels/controls.h"
 #include "ui/sky_reader.h"
 

@@ -164,7 +164,7 @@ StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
   for (const std::string& method : ladder_methods())
     if (method == subject || choice.rivals.contains(method)) plan.methods.push_back(method);
   plan.look = look_of(shown);
-  plan.texture_resolution = shown.texture_resolution;
+  plan.texture_resolution = shown.texture.resolution;
   plan.width = std::max(1, shown.width / choice.reduction);
   plan.height = std::max(1, shown.height / choice.reduction);
   plan.repetitions = choice.repetitions;

@@ -1,6 +1,7 @@
 #include "renderer/scene/builtin/stage.h"
 
 #include "renderer/scene/builtin/shapes.h"
+#include "renderer/scene/tessellate.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -7,6 +7,7 @@
 #include "renderer/scene/gltf/shapes.h"
 #include "renderer/scene/gltf/skin.h"
 #include "renderer/scene/load.h"
+#include "renderer/scene/tessellate.h"
 
 #include <fmt/format.h>
 

@@ -21,41 +21,45 @@ using nlohmann::ordered_json;
 RenderSettings odd_settings() {
   RenderSettings s;
   // A member that is added stops this line from compiling: write it, read it, and set it below.
-  const auto& [width, height, crop, method, max_level, eps, leaf, rule, detect, fat, refine_shading,
-               filter_width, jitter, spp, contrast, depth, spheres, contrast_scale, texture_filter,
-               texture_resolution, shadows, shadow_quality, shadow_divisions, light_rule,
-               reflections, roughest_mirror, dfr, curved_mirror, mirror_angle, sky, cull, seed,
-               threads] = s;
-  (void)threads;
+  const auto& [width, height, crop, method, filter_width, asos, sampling, texture, shadow, mirror,
+               sky, cull, seed, threads] = s;
+  const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
+  const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
+  const auto& [filter, resolution] = texture;
+  const auto& [cast, quality, divisions, light_rule] = shadow;
+  const auto& [bounces, roughest, dfr, curved, widest_angle_deg] = mirror;
+  (void)threads, (void)jitter, (void)contrast_scale, (void)resolution, (void)light_rule;
+  (void)widest_angle_deg;
   s.width = 321;
   s.height = 123;
   s.crop = {3, 5, 100, 50};
   s.method = Method::asos_published;
-  s.max_level = 5;
-  s.eps = 0.1 + 1e-17 + 1.0 / 3.0;
-  s.leaf = Leaf::point;
-  s.rule = StoppingRule::published;
-  s.detect = Detection::cone;
-  s.fat = 4;
-  s.refine_shading = false;
+  s.asos.max_level = 5;
+  s.asos.eps = 0.1 + 1e-17 + 1.0 / 3.0;
+  s.asos.leaf = Leaf::point;
+  s.asos.rule = StoppingRule::published;
+  s.asos.detect = Detection::cone;
+  s.asos.fat = 4;
+  s.asos.refine_shading = false;
   s.filter_width = 1.0 + 1.0 / 3.0;
-  s.jitter = true;
-  s.spp = 25;
-  s.contrast = 1.0 / 7.0;
-  s.depth = 2;
-  s.spheres = true;
-  s.contrast_scale = 0.3;
-  s.texture_filter = TextureFilter::point;
-  s.texture_resolution = 4;
-  s.shadows = false;
-  s.shadow_quality = ShadowQuality::extended_divided;
-  s.shadow_divisions = 7;
-  s.light_rule = LightRule::published;
-  s.reflections = 9;
-  s.roughest_mirror = 0.7;
-  s.dfr = Dfr{{DfrCurve{0.1, 0.9, 31.5}, DfrCurve{0.2, 0.8, 3}, DfrCurve{0.3, 0.7, 2}}, 0.25};
-  s.curved_mirror = CurvedMirror::adaptive;
-  s.mirror_angle = 11.25;
+  s.asos.jitter = true;
+  s.sampling.spp = 25;
+  s.sampling.contrast = 1.0 / 7.0;
+  s.sampling.depth = 2;
+  s.sampling.spheres = true;
+  s.sampling.contrast_scale = 0.3;
+  s.texture.filter = TextureFilter::point;
+  s.texture.resolution = 4;
+  s.shadow.cast = false;
+  s.shadow.quality = ShadowQuality::extended_divided;
+  s.shadow.divisions = 7;
+  s.shadow.light_rule = LightRule::published;
+  s.mirror.bounces = 9;
+  s.mirror.roughest = 0.7;
+  s.mirror.dfr =
+      Dfr{{DfrCurve{0.1, 0.9, 31.5}, DfrCurve{0.2, 0.8, 3}, DfrCurve{0.3, 0.7, 2}}, 0.25};
+  s.mirror.curved = CurvedMirror::adaptive;
+  s.mirror.widest_angle_deg = 11.25;
   s.cull = false;
   s.seed = 77;
   return s;

@@ -1,6 +1,6 @@
 #include "renderer/pyray/detection.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -206,10 +206,10 @@ TEST(Detection, ChildrensConesLieWithinTheirParents) {
 RenderSettings settings_of(Detection detect, Leaf leaf, double eps) {
   RenderSettings settings;
   settings.width = settings.height = 32;
-  settings.max_level = 6;
-  settings.eps = eps;
-  settings.detect = detect;
-  settings.leaf = leaf;
+  settings.asos.max_level = 6;
+  settings.asos.eps = eps;
+  settings.asos.detect = detect;
+  settings.asos.leaf = leaf;
   return settings;
 }
 
@@ -248,9 +248,9 @@ TEST(Detection, PicturesKeepEpsWhateverTheDetection) {
   const auto truth = render(*scene, exact);
   for (const double eps : {1.0 / 4.0, 1.0 / 16.0, 1.0 / 32.0}) {
     RenderSettings published = settings_of(Detection::square, Leaf::point, eps);
-    published.rule = StoppingRule::published;
+    published.asos.rule = StoppingRule::published;
     const auto by_square = render(*scene, published);
-    published.detect = Detection::cone;
+    published.asos.detect = Detection::cone;
     const auto by_cone = render(*scene, published);
     published.method = Method::asos_published;
     EXPECT_EQ(greatest_difference(render(*scene, published), by_cone), 0.0);

@@ -17,7 +17,7 @@ constexpr float fov = 0.8f;
 double share_of_pixel(const World& world, const Camera& camera, int max_level) {
   RenderSettings settings;
   settings.width = settings.height = 1;
-  settings.max_level = max_level;
+  settings.asos.max_level = max_level;
   const auto scene = make_render_scene(world);
   const double background = static_cast<double>(
       render_picture(*make_render_scene({}), camera, settings).film.radiance[0].x);

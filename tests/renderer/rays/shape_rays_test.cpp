@@ -1,4 +1,4 @@
-#include "renderer/geometry/hit_plane.h"
+#include "renderer/world/hit_plane.h"
 #include "tests/renderer/rays/ray_worlds.h"
 #include "tests/support/random_space.h"
 #include "tests/support/shape_world.h"

@@ -1,5 +1,5 @@
 #include "renderer/scene/gltf/light_fault.h"
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
 #include "tests/renderer/scene/load_timer.h"
 

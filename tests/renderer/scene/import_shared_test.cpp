@@ -1,4 +1,4 @@
-#include "renderer/scene/world.h"
+#include "renderer/world/world.h"
 #include "tests/renderer/scene/load_timer.h"
 #include "tests/support/shared_dir.h"
 

@@ -1,5 +1,6 @@
 #include "renderer/scene/load.h"
-#include "renderer/scene/world.h"
+#include "renderer/scene/tessellate.h"
+#include "renderer/world/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
 
 #include <glm/gtc/matrix_transform.hpp>

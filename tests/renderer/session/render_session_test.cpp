@@ -1,6 +1,6 @@
 #include "renderer/session/render_session.h"
 
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/session/work_plan.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/sanitized.h"
@@ -29,7 +29,7 @@ Snapshot snapshot_of(Method method, int width, int height, int threads) {
   snapshot.settings.width = width;
   snapshot.settings.height = height;
   snapshot.settings.threads = threads;
-  snapshot.settings.spp = 4;
+  snapshot.settings.sampling.spp = 4;
   return snapshot;
 }
 
@@ -77,7 +77,7 @@ TEST(WorkPlan, ACropTakesTheBlocksThatItTouchesFromTheMiddle) {
 
 TEST(RenderToEnd, ReportsProgressAndEndsWithAllOfIt) {
   Snapshot snapshot = snapshot_of(Method::stochastic, 200, 150, 2);
-  snapshot.settings.spp = 64;
+  snapshot.settings.sampling.spp = 64;
   std::vector<Progress> reports;
   const RenderResult result =
       render_to_end(snapshot, [&](const Progress& p) { reports.push_back(p); });
@@ -124,7 +124,7 @@ TEST(RenderSession, PassesFollowEachOtherAndEndAsHeadless) {
 
 TEST(RenderSession, APauseHoldsTheFinalPassAndTheClock) {
   Snapshot snapshot = snapshot_of(Method::stochastic, 100, 70, 2);
-  snapshot.settings.spp = 16;
+  snapshot.settings.sampling.spp = 16;
   RenderSession session;
   session.pause();
   session.restart(snapshot);
@@ -213,7 +213,7 @@ TEST(RenderSession, RestartsAThousandTimes) {
 
 TEST(RenderSession, CancelKeepsWhatWasPublishedAndIsQuick) {
   Snapshot snapshot = snapshot_of(Method::stochastic, 1280, 720, 2);
-  snapshot.settings.spp = 65536;  // hours of work, and seconds for one block
+  snapshot.settings.sampling.spp = 65536;  // hours of work, and seconds for one block
   RenderSession session;
   std::vector<double> milliseconds;
   for (int i = 0; i < 9; ++i) {
@@ -258,7 +258,7 @@ TEST(RenderSession, EstimateOfTheTimeLeftIsHonest) {
   Snapshot snapshot = snapshot_of(Method::stochastic, 512, 512, 2);
   snapshot.scene = flat_scene(0.5f);  // even work, so that the truth is known
   snapshot.camera = test::orthographic(8.0);
-  snapshot.settings.spp = 16;
+  snapshot.settings.sampling.spp = 16;
   snapshot.progressive = false;
   RenderSession session;
   session.restart(snapshot);

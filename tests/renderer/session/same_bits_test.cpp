@@ -1,4 +1,4 @@
-#include "renderer/methods/method.h"
+#include "renderer/comparison/method.h"
 #include "renderer/scene/load.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
@@ -29,8 +29,8 @@ std::vector<Choice> choices() {
   RenderSettings base;
   base.width = 90;  // the last blocks are clipped, of all sizes
   base.height = 54;
-  base.spp = 4;
-  base.max_level = 2;
+  base.sampling.spp = 4;
+  base.asos.max_level = 2;
   std::vector<Choice> all;
   const auto add = [&](const std::string& name, auto change) {
     change(all.emplace_back(Choice{name, base}).settings);
@@ -39,32 +39,32 @@ std::vector<Choice> choices() {
   add("uniform", [](RenderSettings& s) { s.method = Method::uniform; });
   add("stochastic", [](RenderSettings& s) { s.method = Method::stochastic; });
   add("sobol", [](RenderSettings& s) { s.method = Method::sobol; });
-  add("forced shadows", [](RenderSettings& s) { s.shadow_quality = ShadowQuality::forced; });
+  add("forced shadows", [](RenderSettings& s) { s.shadow.quality = ShadowQuality::forced; });
   add("whitted", [](RenderSettings& s) { s.method = Method::whitted; });
   add("whitted with spheres", [](RenderSettings& s) {
     s.method = Method::whitted;
-    s.spheres = true;
-    s.depth = 5;  // in parts of a block
+    s.sampling.spheres = true;
+    s.sampling.depth = 5;  // in parts of a block
   });
   add("mitchell", [](RenderSettings& s) {
     s.method = Method::mitchell;
-    s.spp = 9;
+    s.sampling.spp = 9;
   });
   add("ray_bound", [](RenderSettings& s) { s.method = Method::ray_bound; });
   add("average", [](RenderSettings& s) { s.method = Method::average; });
   add("beam", [](RenderSettings& s) { s.method = Method::beam; });
   for (const int fat : {2, 4, 8, 16})
-    add("fat " + std::to_string(fat), [fat](RenderSettings& s) { s.fat = fat; });
-  add("published rule", [](RenderSettings& s) { s.rule = StoppingRule::published; });
-  add("cone", [](RenderSettings& s) { s.detect = Detection::cone; });
+    add("fat " + std::to_string(fat), [fat](RenderSettings& s) { s.asos.fat = fat; });
+  add("published rule", [](RenderSettings& s) { s.asos.rule = StoppingRule::published; });
+  add("cone", [](RenderSettings& s) { s.asos.detect = Detection::cone; });
   add("cone, fat 16", [](RenderSettings& s) {
-    s.detect = Detection::cone;
-    s.fat = 16;
+    s.asos.detect = Detection::cone;
+    s.asos.fat = 16;
   });
   add("wide filter", [](RenderSettings& s) { s.filter_width = 2.5; });
   add("jittered point leaves", [](RenderSettings& s) {
-    s.leaf = Leaf::point;
-    s.jitter = true;
+    s.asos.leaf = Leaf::point;
+    s.asos.jitter = true;
   });
   if (!sanitized) return all;
   // A fifth of them: what threads share does not depend on it.

@@ -34,7 +34,7 @@ Snapshot still_life_of(Method method) {
   snapshot.settings.method = method;
   snapshot.settings.width = 83;
   snapshot.settings.height = 131;
-  snapshot.settings.max_level = 2;
+  snapshot.settings.asos.max_level = 2;
   snapshot.settings.threads = 2;
   return snapshot;
 }

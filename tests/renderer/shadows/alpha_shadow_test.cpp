@@ -60,7 +60,7 @@ std::vector<Polygon3> add_checker(World& world) {
 
 /// The mean error over a row of receivers.
 double mean_checker_error(int max_level) {
-  ShadowSettings settings;
+  ShadowRules settings;
   settings.max_level = max_level;
   World world;
   const std::vector<Polygon3> opaque = add_checker(world);

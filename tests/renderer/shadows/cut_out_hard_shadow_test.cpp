@@ -156,7 +156,7 @@ struct Errors {
 /// Over pixels of one cut-out's shadow; each pixel's error is bounded by the area of the finest
 /// cells that texels' outlines pass through, and of which one sample stands for each.
 Errors errors_at(int max_level, const Light& light, const Pattern& pattern) {
-  ShadowSettings settings;
+  ShadowRules settings;
   settings.max_level = max_level;
   World world = floor_world();
   const std::vector<Polygon3> opaque =

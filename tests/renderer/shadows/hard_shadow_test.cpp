@@ -131,7 +131,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
   RandomSpace random(seed);
   double worst = 0.0;
   int partly = 0, off = 0;
-  ShadowSettings settings;
+  ShadowRules settings;
   settings.max_level = 4;
   for (int i = 0; i < 600; ++i) {
     const Light light = make(random);

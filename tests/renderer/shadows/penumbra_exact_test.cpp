@@ -149,7 +149,7 @@ TEST(Penumbra, ThroughAnApertureIsExact) {
 // A bar a hundredth as wide as the light, on its way between the light and the receiver.
 TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   for (int max_level = 1; max_level <= 4; ++max_level) {
-    ShadowSettings settings;
+    ShadowRules settings;
     settings.max_level = max_level;
     Light light;
     light.type = Light::Type::rectangle;

@@ -34,7 +34,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
   const PixelSpacing spacing = PixelSpacing::of(block.view);
   const Frame frame = block.view.frame(block.rect.x, block.rect.y, side, side);
   ShadowGroups groups(scene);
-  ShadowSettings settings;
+  ShadowRules settings;
   settings.max_level = 5;
   ShadowWorkspace work;
   const NoView view;

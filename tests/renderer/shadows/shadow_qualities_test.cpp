@@ -138,7 +138,7 @@ double adaptive_share(const Scene& scene, const Pixel& patch) {
 
 double found_share(const Scene& scene, ShadowQuality quality, int divisions,
                    std::uint64_t seed = 1) {
-  ShadowSettings settings;
+  ShadowRules settings;
   settings.quality = quality;
   settings.divisions = divisions;
   settings.max_level = 4;

@@ -139,7 +139,7 @@ TEST(ThroughLightPenumbra, APatchBelowAHangingWallIsToBeSplit) {
     ShadowWorkspace work;
     const NoView view;
     const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
-    ShadowSettings settings;
+    ShadowRules settings;
     settings.most_uneven = 1e-4f;
     ShadowPyrays pyrays(scene, settings, eye, view, groups, work);
     SurfacePoint point;

@@ -119,23 +119,23 @@ TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
       const Rung rung = asos_rung(row, method, {});
       const auto settings = settings_of(scene.name(), method, rung.setting);
       ASSERT_TRUE(settings);
-      EXPECT_EQ(settings->max_level, row.max_level);
-      EXPECT_EQ(settings->eps, row.eps);
-      EXPECT_EQ(settings->texture_resolution, row.texture_resolution);
-      EXPECT_EQ(settings->dfr, scene.look.dfr);
-      EXPECT_EQ(settings->reflections, scene.look.reflections);
+      EXPECT_EQ(settings->asos.max_level, row.max_level);
+      EXPECT_EQ(settings->asos.eps, row.eps);
+      EXPECT_EQ(settings->texture.resolution, row.texture_resolution);
+      EXPECT_EQ(settings->mirror.dfr, scene.look.dfr);
+      EXPECT_EQ(settings->mirror.bounces, scene.look.reflections);
     }
   }
   const auto blurred = settings_of("builtin:house-mirror DFR 0.05,1,32", "stochastic", "16 spp");
-  ASSERT_TRUE(blurred && blurred->dfr) << "the rival mirrors as ASOS does";
-  EXPECT_EQ(blurred->dfr->rgb[2], (DfrCurve{0.05, 1.0, 32.0}));
-  EXPECT_EQ(settings_of("builtin:solids bounces 6", "stochastic", "64 spp")->reflections, 6);
-  EXPECT_EQ(settings_of("builtin:house-textured", "asos", "MAX 2 EPS 0 TR 4")->texture_resolution,
+  ASSERT_TRUE(blurred && blurred->mirror.dfr) << "the rival mirrors as ASOS does";
+  EXPECT_EQ(blurred->mirror.dfr->rgb[2], (DfrCurve{0.05, 1.0, 32.0}));
+  EXPECT_EQ(settings_of("builtin:solids bounces 6", "stochastic", "64 spp")->mirror.bounces, 6);
+  EXPECT_EQ(settings_of("builtin:house-textured", "asos", "MAX 2 EPS 0 TR 4")->texture.resolution,
             4);
   EXPECT_EQ(scenes_of(plan).size(), 7u) << "as many true pictures, each with its own reference";
   for (const Job& job : *jobs)
     if (job.kind == JobKind::reference && job.scene == "builtin:house-mirror DFR 0.05,1,64") {
-      EXPECT_EQ(job.rung.settings.dfr->rgb[0].exponent, 64.0) << job.title();
+      EXPECT_EQ(job.rung.settings.mirror.dfr->rgb[0].exponent, 64.0) << job.title();
     }
 }
 
@@ -155,11 +155,11 @@ TEST(Plan, ALookIsThatOfAllMethodsAndOfTheReference) {
     ++own;
     EXPECT_EQ(job.scene, "builtin:boxes fov 30 sky 1,0.5,0.25 bounces 1");
     EXPECT_EQ(job.subject.source, "builtin:boxes");
-    EXPECT_EQ(job.rung.settings.reflections, 1) << job.title();
+    EXPECT_EQ(job.rung.settings.mirror.bounces, 1) << job.title();
     EXPECT_EQ(job.rung.settings.sky, plan.look.opened_sky) << job.title();
     if (job.rung.method == "asos" && job.kind == JobKind::point) {
       EXPECT_TRUE(job.rung.setting.ends_with(" TR 2")) << job.title();
-      EXPECT_EQ(job.rung.settings.texture_resolution, 2) << job.title();
+      EXPECT_EQ(job.rung.settings.texture.resolution, 2) << job.title();
     }
   }
   EXPECT_GT(own, 0u);
@@ -240,7 +240,7 @@ TEST_F(RenderedScene, MirrorsAreARegionOfTheirOwn) {
   EXPECT_GT(count(map, SplitCause::none, Region::reflections), 5u);
   EXPECT_GT(count(map, SplitCause::outline, Region::outlines), 5u);
 
-  snapshot_.settings.reflections = 0;
+  snapshot_.settings.mirror.bounces = 0;
   const RegionMap dull = find_regions(snapshot_, render_to_end(snapshot_).film);
   for (const Region region : dull.region) EXPECT_NE(region, Region::reflections);
 }
@@ -263,7 +263,7 @@ TEST_F(RenderedBoxes, ATimedRenderIsTheSamePicture) {
 
 TEST_F(RenderedBoxes, AStopEndsARender) {
   snapshot_.settings.method = Method::sobol;
-  snapshot_.settings.spp = 65536;
+  snapshot_.settings.sampling.spp = 65536;
   snapshot_.settings.width = 320;
   snapshot_.settings.height = 240;
   EXPECT_FALSE(timed_render(snapshot_, [] { return true; }));

@@ -1,0 +1,26 @@
+#include "renderer/asos/split_causes.h"
+
+namespace asos {
+
+SplitCause cause_of(const PixelFindings& pixel) {
+  const SubdivisionOutcome& outcome = pixel.outcome;
+  if (outcome.deepest == 0) {
+    if (pixel.mirror_cut) return SplitCause::reflection;
+    return pixel.shadow_cut ? SplitCause::shadow : SplitCause::none;
+  }
+  if (pixel.by_samples) return SplitCause::cut_out;
+  if (outcome.saturated) return SplitCause::saturation;
+  if (outcome.at_limit) return SplitCause::depth_limit;
+  const BoundaryKinds kinds = outcome.boundaries;
+  if (kinds.has(FeatureKind::open) || kinds.has(FeatureKind::silhouette))
+    return SplitCause::outline;
+  if (kinds.has(FeatureKind::intersection)) return SplitCause::intersection;
+  if (kinds.has(FeatureKind::crease) || kinds.has(FeatureKind::seam)) return SplitCause::crease;
+  if (pixel.mirror_cut) return SplitCause::reflection;
+  if (outcome.uneven_shadow) return SplitCause::shadow;
+  if (outcome.uneven_shading) return SplitCause::shading;
+  // Boundaries that looked visible and turned out hidden: groups of edges, of no one kind.
+  return SplitCause::outline;
+}
+
+}  // namespace asos

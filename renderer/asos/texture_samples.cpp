@@ -1,0 +1,67 @@
+#include "renderer/asos/texture_samples.h"
+
+#include "renderer/sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+/// Of a place of the picture, to a 2^16th of a pixel: the same by whatever frame it was reached.
+std::uint64_t bits_of(glm::dvec2 pixels, int seed) {
+  const auto x = static_cast<std::int64_t>(std::llround(pixels.x * 65536.0));
+  const auto y = static_cast<std::int64_t>(std::llround(pixels.y * 65536.0));
+  const auto within = static_cast<std::uint32_t>((x & 0xffff) << 16 | (y & 0xffff));
+  return mix_bits(pixel_random(static_cast<int>(x >> 16), static_cast<int>(y >> 16), within) ^
+                  static_cast<std::uint64_t>(seed));
+}
+
+}  // namespace
+
+bool is_textured(const Material& material, const SceneNeeds& needs) {
+  if (needs.textures &&
+      (material.base_color_texture.used() || material.transmission_texture.used()))
+    return true;
+  if (material.unlit) return false;
+  return (needs.textures &&
+          (material.metallic_roughness_texture.used() || material.specular_texture.used() ||
+           material.specular_color_texture.used())) ||
+         (needs.normal_maps && material.normal_texture.used()) ||
+         (needs.emission && material.emissive_texture.used());
+}
+
+int texture_divisions(int texture_resolution, double side) {
+  // Sides are powers of two up to the rounding of the frame's coordinates.
+  return std::max(1, static_cast<int>(std::ceil(texture_resolution * side - 1e-3)));
+}
+
+std::vector<TexturePart> texture_parts(const LeafRegion& region, int n, const LeafPlace& place,
+                                       int seed, bool jitter) {
+  const Square& all = region.square;
+  const float side = all.side / static_cast<float>(n);
+  std::vector<TexturePart> parts;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const Square square{all.u + static_cast<float>(i) * side,
+                          all.v + static_cast<float>(j) * side, side};
+      const glm::dvec2 corner = glm::dvec2(place.origin) +
+                                static_cast<double>(place.width) * glm::dvec2(square.u, square.v);
+      const RandomPair random = jitter ? unit_pair(bits_of(corner, seed)) : RandomPair{0.5, 0.5};
+      const glm::vec2 at(square.u + side * static_cast<float>(random.u),
+                         square.v + side * static_cast<float>(random.v));
+      if (!region.sides.empty() && !region.holds(at)) continue;
+      // Drawn in by more than the rounding of its place, so that a border along it is not in it.
+      const float edge = side / 1024.0f;
+      const Square inner{square.u + edge, square.v + edge, side - 2.0f * edge};
+      const bool marginal =
+          std::any_of(region.sides.begin(), region.sides.end(), [&](const Side& s) {
+            return !clip({s.from.x, s.from.y, 0, s.to.x, s.to.y, 0, 0}, inner).empty();
+          });
+      parts.push_back({square, at, marginal});
+    }
+  }
+  return parts;
+}
+
+}  // namespace asos

@@ -1,0 +1,74 @@
+#include "renderer/samples/sample_sums.h"
+#include "renderer/samples/sobol_places.h"
+
+#include <array>
+
+// "Replacing each pixel value by a (weighted) average of its neighbours" (CGF'98 section 2.1).
+
+namespace asos {
+namespace {
+
+constexpr std::array<double, 3> weights{0.25, 0.5, 0.25};
+
+/// The samples of a block's pixels and of the pixels around it, which may lie beyond the picture.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(PixelRect block)
+      : x_(block.x - 1), y_(block.y - 1), width_(block.width + 2), height_(block.height + 2) {}
+
+  void take(SampleSums& sums, const std::stop_token& stop) const {
+    sums.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    for (int y = y_; y < y_ + height_; ++y) {
+      for (int x = x_; x < x_ + width_; ++x) {
+        if (sums.add({{x + 0.5, y + 0.5}, 1.0f, x, y, 0, index(x, y)}) && stop.stop_requested())
+          return;
+      }
+    }
+    sums.trace();
+  }
+
+  /// Of the 3 x 3 samples around a pixel of the block, those that are finite.
+  [[nodiscard]] glm::vec3 mean(const SampleSums& sums, int x, int y) const {
+    glm::dvec3 sum(0.0);
+    double weight = 0.0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const SampleSums::Sum sample =
+            sums.sum(index(x + static_cast<int>(i) - 1, y + static_cast<int>(j) - 1));
+        if (sample.count == 0) continue;
+        const double share = weights[i] * weights[j];
+        sum += share * sample.mean();
+        weight += share;
+      }
+    }
+    return weight > 0.0 ? glm::vec3(sum / weight) : glm::vec3(0.0f);
+  }
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - y_) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x - x_);
+  }
+
+  int x_, y_, width_, height_;
+};
+
+}  // namespace
+
+BlockResult render_block_average(const RenderScene& scene, const View& view,
+                                 const RenderSettings& settings, PixelRect block,
+                                 const std::stop_token& stop) {
+  SobolPlaces places(settings.seed);
+  SampleSums sums(scene, view, settings, places);
+  const Neighbourhood neighbourhood(block);
+  neighbourhood.take(sums, stop);
+  BlockResult result = sums.block(block);
+  std::size_t pixel = 0;
+  for (int y = block.y; y < block.y + block.height; ++y) {
+    for (int x = block.x; x < block.x + block.width; ++x, ++pixel)
+      result.tile.radiance[pixel] = neighbourhood.mean(sums, x, y);
+  }
+  return result;
+}
+
+}  // namespace asos

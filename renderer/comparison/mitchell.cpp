@@ -1,0 +1,130 @@
+#include "renderer/samples/sample_sums.h"
+#include "renderer/samples/sobol_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+// Two-level sampling by contrast (Mitchell 1987, "Generating antialiased images at low sampling
+// densities", section 4).
+
+namespace asos {
+namespace {
+
+constexpr int most_base_samples = 4;
+/// Mitchell's, of red, green and blue.
+constexpr glm::dvec3 thresholds{0.4, 0.3, 0.6};
+
+class TwoLevels {
+ public:
+  TwoLevels(const RenderScene& scene, const View& view, const RenderSettings& settings,
+            PixelRect block)
+      : block_(block),
+        scale_(settings.sampling.contrast_scale),
+        base_(std::min(most_base_samples, settings.sampling.spp)),
+        high_(settings.sampling.spp),
+        pixels_(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height)),
+        places_(settings.seed),
+        sums_(scene, view, settings, places_) {}
+
+  // Sum 0 to pixels_ - 1: what the high density adds to a pixel. Then each base sample by itself.
+  BlockResult run(const std::stop_token& stop) {
+    sums_.resize(pixels_ * static_cast<std::size_t>(1 + base_));
+    if (take_base(stop) && high_ > base_) take_more(stop);
+    BlockResult result = sums_.block(block_);
+    for (std::size_t pixel = 0; pixel < pixels_; ++pixel) {
+      result.tile.radiance[pixel] = glm::vec3(whole(pixel).mean());
+      result.tile.split_level[pixel] = contrasting_.empty() ? std::uint8_t{0} : contrasting_[pixel];
+      result.statistics.split_pixels += result.tile.split_level[pixel];
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::size_t base_sum(std::size_t pixel, int index) const {
+    return pixels_ + pixel * static_cast<std::size_t>(base_) + static_cast<std::size_t>(index);
+  }
+
+  [[nodiscard]] bool take_base(const std::stop_token& stop) {
+    const float side = 1.0f / std::sqrt(static_cast<float>(base_));
+    for (std::size_t pixel = 0; pixel < pixels_; ++pixel) {
+      for (int index = 0; index < base_; ++index) {
+        if (add(pixel, index, side, base_sum(pixel, index)) && stop.stop_requested()) return false;
+      }
+    }
+    sums_.trace();
+    return !stop.stop_requested();
+  }
+
+  void take_more(const std::stop_token& stop) {
+    const float side = 1.0f / std::sqrt(static_cast<float>(high_));
+    contrasting_.resize(pixels_);
+    for (std::size_t pixel = 0; pixel < pixels_; ++pixel) {
+      contrasting_[pixel] = contrasts(pixel);
+      if (!contrasting_[pixel]) continue;
+      for (int index = base_; index < high_; ++index) {
+        if (add(pixel, index, side, pixel) && stop.stop_requested()) return;
+      }
+    }
+    sums_.trace();
+  }
+
+  bool add(std::size_t pixel, int index, float side, std::size_t target) {
+    const auto i = static_cast<int>(pixel);
+    const int x = block_.x + i % block_.width;
+    const int y = block_.y + i / block_.width;
+    places_.start_pixel(x, y);
+    places_.start_sample(index);
+    const PixelPoint p = places_.in_pixel();
+    return sums_.add({{x + p.x, y + p.y}, side, x, y, index, target});
+  }
+
+  // Whether (max - min) / (max + min) of the base samples reaches the threshold of some channel.
+  [[nodiscard]] bool contrasts(std::size_t pixel) const {
+    if (scale_ == 0.0) return true;
+    glm::dvec3 lo(0.0), hi(0.0);
+    bool first = true;
+    for (int index = 0; index < base_; ++index) {
+      const SampleSums::Sum sample = sums_.sum(base_sum(pixel, index));
+      if (sample.count == 0) continue;
+      lo = first ? sample.radiance : glm::min(lo, sample.radiance);
+      hi = first ? sample.radiance : glm::max(hi, sample.radiance);
+      first = false;
+    }
+    for (int c = 0; c < 3; ++c) {
+      if (hi[c] > lo[c] && hi[c] - lo[c] >= scale_ * thresholds[c] * (hi[c] + lo[c])) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] SampleSums::Sum whole(std::size_t pixel) const {
+    SampleSums::Sum all = sums_.sum(pixel);
+    for (int index = 0; index < base_; ++index) {
+      const SampleSums::Sum sample = sums_.sum(base_sum(pixel, index));
+      all.radiance += sample.radiance;
+      all.count += sample.count;
+    }
+    return all;
+  }
+
+  PixelRect block_;
+  double scale_;
+  int base_;
+  int high_;
+  std::size_t pixels_;
+  SobolPlaces places_;
+  SampleSums sums_;
+  std::vector<std::uint8_t> contrasting_;
+};
+
+}  // namespace
+
+BlockResult render_block_mitchell(const RenderScene& scene, const View& view,
+                                  const RenderSettings& settings, PixelRect block,
+                                  const std::stop_token& stop) {
+  return TwoLevels(scene, view, settings, block).run(stop);
+}
+
+}  // namespace asos

@@ -1,0 +1,257 @@
+#include "renderer/comparison/whitted_spheres.h"
+#include "renderer/film/film.h"
+#include "renderer/samples/sample_sums.h"
+#include "renderer/samples/sobol_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+// Adaptive supersampling in image space (Whitted 1980; CGF'98 section 2.3): rays through the
+// corners of pixels, and through those of quarters where the corners differ.
+
+namespace asos {
+namespace {
+
+/// A corner of squares, in units of 2^-depth pixels from the block's top left corner.
+struct Corner {
+  int x = 0;
+  int y = 0;
+};
+
+struct CornerSquare {
+  Corner corner;                       // the top left one
+  std::array<std::size_t, 4> samples;  // of its corners: left to right, then top to bottom
+  std::size_t pixel = 0;               // of the block
+};
+
+class AdaptiveBlock {
+ public:
+  AdaptiveBlock(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                PixelRect block, const std::stop_token& stop)
+      : world_(scene.world),
+        view_(view),
+        block_(block),
+        depth_(settings.sampling.depth),
+        contrast_(static_cast<float>(settings.sampling.contrast)),
+        stop_(stop),
+        places_(settings.seed),
+        sums_(scene, view, settings, places_),
+        spheres_(settings.sampling.spheres ? std::span<const ObjectSphere>(scene.object_spheres)
+                                           : std::span<const ObjectSphere>(),
+                 view, block) {
+    result_.tile.rect = block;
+    const auto pixels = static_cast<std::size_t>(block.width * block.height);
+    result_.tile.split_level.assign(pixels, 0);
+    sum_.resize(pixels, glm::dvec3(0.0));
+    area_.resize(pixels, 0.0);
+  }
+
+  BlockResult run() {
+    take_pixels_corners();
+    // What lies between them is kept for a few pixels at a time, so that memory stays bounded.
+    const int side = std::max(1, most_cells_across >> depth_);
+    for (int y = 0; y < block_.height; y += side) {
+      for (int x = 0; x < block_.width; x += side) {
+        if (stopped_) return publish();
+        subdivide({x, y, std::min(side, block_.width - x), std::min(side, block_.height - y)});
+      }
+    }
+    return publish();
+  }
+
+ private:
+  static constexpr int most_cells_across = 256;
+
+  [[nodiscard]] std::size_t pixels_corners() const {
+    return static_cast<std::size_t>(block_.width + 1) * static_cast<std::size_t>(block_.height + 1);
+  }
+
+  [[nodiscard]] std::size_t pixels_corner(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(block_.width + 1) +
+           static_cast<std::size_t>(x);
+  }
+
+  void take_pixels_corners() {
+    sums_.resize(pixels_corners());
+    for (int y = 0; y <= block_.height; ++y) {
+      for (int x = 0; x <= block_.width; ++x)
+        take({x << depth_, y << depth_}, 0, pixels_corner(x, y));
+    }
+    trace();
+  }
+
+  void trace() {
+    sums_.trace();
+    for (std::size_t i = shown_.size(); i < sums_.size(); ++i)
+      shown_.push_back(display_rgb(glm::vec3(sums_.sum(i).radiance), 0.0f));
+    stopped_ |= stop_.stop_requested();
+  }
+
+  // Subdivides the pixels of a part of the block, level by level.
+  void subdivide(PixelRect part) {
+    finer_.clear();
+    sums_.resize(pixels_corners());
+    shown_.resize(pixels_corners());
+    std::vector<CornerSquare> squares, quarters;
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        squares.push_back({{x << depth_, y << depth_},
+                           {pixels_corner(x, y), pixels_corner(x + 1, y), pixels_corner(x, y + 1),
+                            pixels_corner(x + 1, y + 1)},
+                           static_cast<std::size_t>(y * block_.width + x)});
+      }
+    }
+    for (int level = 0; !squares.empty() && !stopped_; ++level) {
+      quarters.clear();
+      for (const CornerSquare& square : squares) {
+        ++result_.statistics.pyrays_by_level[static_cast<std::size_t>(level)];
+        const bool uneven = differ(square, level);
+        if (uneven && level < depth_) {
+          split(square, level, quarters);
+        } else {
+          finish(square, level, uneven);
+        }
+      }
+      trace();
+      squares.swap(quarters);
+    }
+  }
+
+  void finish(const CornerSquare& square, int level, bool uneven) {
+    const double area = std::ldexp(1.0, -2 * level);
+    if (uneven) result_.statistics.unresolved_area += area;
+    SampleSums::Sum all;
+    for (const std::size_t i : square.samples) {
+      const SampleSums::Sum sample = sums_.sum(i);
+      all.radiance += sample.radiance;
+      all.count += sample.count;
+    }
+    if (all.count == 0) return;
+    sum_[square.pixel] += area * all.mean();
+    area_[square.pixel] += area;
+  }
+
+  // Its quarters, and rays through the corners that they have and it has not.
+  void split(const CornerSquare& square, int level, std::vector<CornerSquare>& quarters) {
+    std::uint8_t& deepest = result_.tile.split_level[square.pixel];
+    deepest = std::max(deepest, static_cast<std::uint8_t>(level + 1));
+    const int half = 1 << (depth_ - level - 1);
+    const auto at = [&](int i, int j) {
+      return Corner{square.corner.x + i * half, square.corner.y + j * half};
+    };
+    const auto& [a, c, g, i] = square.samples;
+    const std::size_t b = between(at(1, 0), level + 1), d = between(at(0, 1), level + 1),
+                      e = between(at(1, 1), level + 1), f = between(at(2, 1), level + 1),
+                      h = between(at(1, 2), level + 1);
+    quarters.push_back({at(0, 0), {a, b, d, e}, square.pixel});
+    quarters.push_back({at(1, 0), {b, c, e, f}, square.pixel});
+    quarters.push_back({at(0, 1), {d, e, g, h}, square.pixel});
+    quarters.push_back({at(1, 1), {e, f, h, i}, square.pixel});
+  }
+
+  // The sample of a corner that a level brings, taken when it is first asked for.
+  [[nodiscard]] std::size_t between(Corner corner, int level) {
+    const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(corner.y)} << 32 |
+                              static_cast<std::uint32_t>(corner.x);
+    const auto [found, is_new] = finer_.try_emplace(key, sums_.size());
+    if (is_new) {
+      sums_.resize(sums_.size() + 1);
+      take(corner, level, found->second);
+    }
+    return found->second;
+  }
+
+  // Whether a square's corners look different enough, or one of their rays may have missed a small
+  // object.
+  [[nodiscard]] bool differ(const CornerSquare& square, int level) const {
+    glm::vec3 lo(1.0f), hi(0.0f);
+    for (const std::size_t i : square.samples) {
+      if (sums_.sum(i).count == 0) continue;
+      lo = glm::min(lo, shown_[i]);
+      hi = glm::max(hi, shown_[i]);
+    }
+    const glm::vec3 contrast = hi - lo;
+    if (std::max({contrast.x, contrast.y, contrast.z}) > contrast_) return true;
+    if (spheres_.empty()) return false;
+    const int side = 1 << (depth_ - level);
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec2 p =
+          place({square.corner.x + (i & 1) * side, square.corner.y + (i >> 1) * side});
+      const Hit& hit = sums_.hit(square.samples[static_cast<std::size_t>(i)]);
+      if (spheres_.missed(view_.ray(p.x, p.y), hit, world_, level)) return true;
+    }
+    return false;
+  }
+
+  // A corner's sample depends on its place in the picture alone: it stands for a square of the
+  // coarsest level that has it, and looks at the lights as that level's first ones do.
+  void take(Corner corner, int level, std::size_t target) {
+    const int last = 1 << depth_;
+    const glm::dvec2 p = place(corner);
+    PointSample sample{p, std::ldexp(1.0f, -level)};
+    sample.x = block_.x + corner.x / last;
+    sample.y = block_.y + corner.y / last;
+    sample.index = rank(corner.x % last, corner.y % last);
+    sample.target = target;
+    if (!stopped_ && sums_.add(sample)) stopped_ = stop_.stop_requested();
+  }
+
+  // Of a place in a pixel: coarser levels first, so that what a level adds continues a Sobol
+  // sequence over the lights.
+  [[nodiscard]] int rank(int x, int y) const {
+    int number = 0;
+    for (int level = 1; level <= depth_; ++level) {
+      const int bit = depth_ - level;
+      number |= (((x >> bit) & 1) | ((y >> bit) & 1) << 1) << (2 * (level - 1));
+    }
+    return number;
+  }
+
+  [[nodiscard]] glm::dvec2 place(Corner corner) const {
+    return {block_.x + std::ldexp(corner.x, -depth_), block_.y + std::ldexp(corner.y, -depth_)};
+  }
+
+  BlockResult publish() {
+    BlockResult sampled = sums_.block({});
+    result_.statistics += sampled.statistics;
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+      result_.tile.radiance.push_back(area_[i] > 0.0 ? glm::vec3(sum_[i] / area_[i])
+                                                     : glm::vec3(0.0f));
+      result_.statistics.split_pixels += result_.tile.split_level[i] > 0;
+    }
+    return std::move(result_);
+  }
+
+  const World& world_;
+  const View& view_;
+  PixelRect block_;
+  int depth_;
+  float contrast_;
+  std::stop_token stop_;
+  bool stopped_ = false;
+  SobolPlaces places_;
+  SampleSums sums_;
+  EnlargedSpheres spheres_;
+  std::unordered_map<std::uint64_t, std::size_t> finer_;  // corners inside pixels and their sides
+  std::vector<glm::vec3> shown_;                          // display intensities of the samples
+  std::vector<glm::dvec3> sum_;
+  std::vector<double> area_;
+  BlockResult result_;
+};
+
+}  // namespace
+
+BlockResult render_block_whitted(const RenderScene& scene, const View& view,
+                                 const RenderSettings& settings, PixelRect block,
+                                 const std::stop_token& stop) {
+  return AdaptiveBlock(scene, view, settings, block, stop).run();
+}
+
+}  // namespace asos

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "renderer/film/film.h"
+#include "renderer/film/statistics.h"
+
+namespace asos {
+
+/// The final pixels of one block of a picture, and what they cost.
+struct BlockResult {
+  FinishedTile tile;
+  RenderStatistics statistics;
+};
+
+}  // namespace asos

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// An upright rectangle of a plane.
+struct Bounds2 {
+  glm::vec2 lo{0.0f};
+  glm::vec2 hi{0.0f};
+};
+
+}  // namespace asos

@@ -1,0 +1,41 @@
+#include "renderer/samples/sample_block.h"
+
+#include "renderer/samples/sample_sums.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace asos {
+
+int grid_side(int spp) {
+  int n = 1;
+  while (n * n < spp) ++n;
+  return n;
+}
+
+BlockResult sample_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                         PixelRect block, SamplePlaces& places, int samples,
+                         const std::stop_token& stop) {
+  SampleSums sums(scene, view, settings, places);
+  sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+  const double width = settings.filter_width;
+  const auto side = static_cast<float>(width / std::sqrt(samples));
+  std::size_t pixel = 0;
+  for (int y = block.y; y < block.y + block.height; ++y) {
+    for (int x = block.x; x < block.x + block.width; ++x, ++pixel) {
+      places.start_pixel(x, y);
+      for (int index = 0; index < samples; ++index) {
+        places.start_sample(index);
+        const PixelPoint p = places.in_pixel();
+        const glm::dvec2 at(x + 0.5 + width * (p.x - 0.5), y + 0.5 + width * (p.y - 0.5));
+        if (!sums.add({at, side, x, y, index, pixel})) continue;
+        if (stop.stop_requested()) return sums.block(block);
+        places.start_pixel(x, y);
+      }
+    }
+  }
+  sums.trace();
+  return sums.block(block);
+}
+
+}  // namespace asos

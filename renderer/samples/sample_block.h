@@ -1,0 +1,51 @@
+#pragma once
+
+#include "renderer/comparison/method.h"
+#include "renderer/samples/sampled_lights.h"
+
+namespace asos {
+
+/// A sample's place in its pixel, each coordinate 0 to 1.
+struct PixelPoint {
+  double x = 0.5;
+  double y = 0.5;
+};
+
+/// Where the samples of one pixel lie, in the pixel and on the lights: what the methods that only
+/// place samples differ in.
+class SamplePlaces : public LightPlaces {
+ public:
+  virtual void start_pixel(int x, int y) = 0;
+  /// Goes to sample `index` of the pixel.
+  virtual void start_sample(int index) = 0;
+  [[nodiscard]] virtual PixelPoint in_pixel() const = 0;
+};
+
+/// The side of the first square of at least `spp` samples.
+[[nodiscard]] int grid_side(int spp);
+
+/// A block of pixels as the mean of `samples` point samples each, through packets of rays. A sample
+/// stands for its share of the pixel's area.
+[[nodiscard]] BlockResult sample_block(const RenderScene& scene, const View& view,
+                                       const RenderSettings& settings, PixelRect block,
+                                       SamplePlaces& places, int samples,
+                                       const std::stop_token& stop);
+
+/// n x n strata of the pixel, and for each light another assignment of its own n x n strata to the
+/// samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in it.
+class GridPlaces final : public SamplePlaces {
+ public:
+  GridPlaces(int n, bool jittered) : n_(n), jittered_(jittered) {}
+
+  void start_pixel(int x, int y) override { x_ = x, y_ = y; }
+  void start_sample(int index) override { index_ = index; }
+  [[nodiscard]] PixelPoint in_pixel() const override;
+  [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
+
+ private:
+  int n_;
+  bool jittered_;
+  int x_ = 0, y_ = 0, index_ = 0;
+};
+
+}  // namespace asos

@@ -1,0 +1,128 @@
+#include "renderer/samples/sample_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                       SamplePlaces& places)
+    : own_shader_(shader_of(scene, settings, view)),
+      viewer_(Viewer::camera(view, *own_shader_)),
+      scene_(scene),
+      places_(places),
+      lights_(scene.rays, places),
+      reflections_(scene.world, places),
+      faces_(seen_faces(settings)) {}
+
+SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
+                       const RenderSettings& settings, SamplePlaces& places)
+    : viewer_(viewer),
+      scene_(scene),
+      places_(places),
+      lights_(scene.rays, places),
+      reflections_(scene.world, places),
+      faces_(seen_faces(settings)) {}
+
+void SampleSums::resize(std::size_t count) {
+  radiance_.resize(count, glm::dvec3(0.0));
+  count_.resize(count, 0);
+  hit_.resize(count);
+}
+
+bool SampleSums::add(const PointSample& sample) {
+  samples_[used_] = sample;
+  rays_[used_++] = viewer_.view.ray(sample.at.x, sample.at.y);
+  if (used_ < batch) return false;
+  trace();
+  return true;
+}
+
+void SampleSums::trace() {
+  const std::span rays = std::span(rays_).first(used_);
+  const std::span hits = std::span(hits_).first(used_);
+  scene_.rays.closest(rays, hits, faces_);
+  if (viewer_.mirror) pass_mirror(*viewer_.mirror, scene_.world, scene_.rays, faces_, rays, hits);
+  (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
+  for (std::size_t i = 0; i < used_; ++i) {
+    const PointSample& sample = samples_[i];
+    if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
+      places_.start_pixel(sample.x, sample.y);
+    start_sample(sample, glm::vec3(1.0f));
+    hit_[sample.target] = hits_[i];
+    if (add_radiance(viewer_.viewed(rays_[i], hits_[i], sample.side), radiance_[sample.target]))
+      ++count_[sample.target];
+  }
+  follow_reflections();
+  lights_.trace(radiance_);
+  used_ = 0;
+}
+
+void SampleSums::start_sample(const PointSample& sample, glm::vec3 weight) {
+  places_.start_sample(sample.index);
+  sample_ = sample;
+  weight_ = weight;
+  lights_.set_target(sample.target, weight);
+}
+
+// False, and nothing of the sample counts, where its radiance is not finite.
+bool SampleSums::add_radiance(const ViewedRay& seen, glm::dvec3& sum) {
+  const std::size_t lights = lights_.waiting(), reflections = reflections_.waiting();
+  const glm::vec3 radiance = weight_ * viewer_.shader.radiance(seen, *this, statistics_);
+  if (std::isfinite(radiance.x + radiance.y + radiance.z)) {
+    sum += glm::dvec3(radiance);
+    return true;
+  }
+  ++statistics_.rejected_samples;
+  lights_.forget_since(lights);
+  reflections_.forget_since(reflections);
+  return false;
+}
+
+// Bounce by bounce, a batch of rays at a time.
+void SampleSums::follow_reflections() {
+  while (reflections_.waiting() > 0) {
+    const std::vector<ReflectedSample> samples = reflections_.take();
+    for (std::size_t first = 0; first < samples.size(); first += batch) {
+      const std::size_t count = std::min(batch, samples.size() - first);
+      for (std::size_t i = 0; i < count; ++i) rays_[i] = samples[first + i].ray;
+      scene_.rays.closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
+      statistics_.reflection_rays += count;
+      for (std::size_t i = 0; i < count; ++i) {
+        const ReflectedSample& next = samples[first + i];
+        if (next.mirror) {
+          pass_mirror(*next.mirror, scene_.world, scene_.rays, faces_, {&rays_[i], 1},
+                      {&hits_[i], 1});
+        }
+        places_.start_pixel(next.sample.x, next.sample.y);
+        start_sample(next.sample, next.weight);
+        (void)add_radiance(next.viewed(hits_[i]), radiance_[next.sample.target]);
+      }
+    }
+  }
+}
+
+void SampleSums::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
+  lights_.add(lit, radiance, counts);
+}
+
+bool SampleSums::reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
+                         RenderStatistics& /*counts*/) {
+  reflections_.add(reflection, sample_, weight_, viewer_.shader);
+  return true;
+}
+
+BlockResult SampleSums::block(PixelRect rect) const {
+  BlockResult result;
+  result.statistics = statistics_;
+  result.tile.rect = rect;
+  const auto pixels = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+  result.tile.radiance.reserve(pixels);
+  result.tile.split_level.assign(pixels, 0);
+  for (std::size_t i = 0; i < pixels; ++i) result.tile.radiance.emplace_back(sum(i).mean());
+  return result;
+}
+
+}  // namespace asos

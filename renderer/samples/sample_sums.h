@@ -1,0 +1,90 @@
+#pragma once
+
+#include "renderer/comparison/method.h"
+#include "renderer/prepared/viewer.h"
+#include "renderer/samples/sample_block.h"
+#include "renderer/samples/sampled_lights.h"
+#include "renderer/samples/sampled_reflections.h"
+#include "renderer/shading/shade.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace asos {
+
+/// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
+/// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
+/// a sum may depend on which samples were added before, never on anything else.
+class SampleSums : private LightTransport {
+ public:
+  struct Sum {
+    glm::dvec3 radiance{0.0};  ///< linear, of all samples together
+    std::uint32_t count = 0;
+
+    [[nodiscard]] glm::dvec3 mean() const {
+      return count > 0 ? radiance / static_cast<double>(count) : glm::dvec3(0.0);
+    }
+  };
+
+  SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
+             SamplePlaces& places);
+  /// For who looks at the scene in its own way; `viewer` has to outlive this.
+  SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
+             SamplePlaces& places);
+  SampleSums(const SampleSums&) = delete;
+  SampleSums& operator=(const SampleSums&) = delete;
+
+  /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
+  /// of their samples may wait for `trace`.
+  void resize(std::size_t count);
+  [[nodiscard]] std::size_t size() const { return radiance_.size(); }
+
+  /// True once a batch was full and was traced, which moved the places to other samples.
+  bool add(const PointSample& sample);
+  /// Traces what waits. Sums are up to date only after it.
+  void trace();
+
+  [[nodiscard]] Sum sum(std::size_t target) const { return {radiance_[target], count_[target]}; }
+  /// What the ray of a sum's latest sample met first.
+  [[nodiscard]] const Hit& hit(std::size_t target) const { return hit_[target]; }
+  [[nodiscard]] RenderStatistics& statistics() { return statistics_; }
+
+  /// The block whose pixels' means are those of the first sums, row by row, and all that was
+  /// counted.
+  [[nodiscard]] BlockResult block(PixelRect rect) const;
+
+ private:
+  static constexpr std::size_t batch = 256;
+
+  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
+  bool reflect(const Reflection& reflection, glm::vec3& radiance,
+               RenderStatistics& counts) override;
+  void start_sample(const PointSample& sample, glm::vec3 weight);
+  [[nodiscard]] bool add_radiance(const ViewedRay& seen, glm::dvec3& sum);
+  void follow_reflections();
+
+  std::optional<Shader> own_shader_;
+  Viewer viewer_;
+  const RenderScene& scene_;
+  SamplePlaces& places_;
+  SampledLights lights_;
+  SampledReflections reflections_;
+  PointSample sample_;  // that is being shaded, and what it counts for
+  glm::vec3 weight_{1.0f};
+  Faces faces_;
+  std::vector<glm::dvec3> radiance_;
+  std::vector<std::uint32_t> count_;
+  std::vector<Hit> hit_;
+  RenderStatistics statistics_;
+  std::array<PointSample, batch> samples_{};
+  std::array<Ray, batch> rays_;
+  std::array<Hit, batch> hits_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace asos

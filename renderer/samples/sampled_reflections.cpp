@@ -1,0 +1,72 @@
+#include "renderer/samples/sampled_reflections.h"
+
+#include "renderer/reflections/horizon.h"
+#include "renderer/reflections/mirror_surface.h"
+#include "renderer/reflections/mirrored_pyray.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace asos {
+
+ViewedRay ReflectedSample::viewed(const Hit& hit) const {
+  return {ray, hit, side, &spacing, width, bounces, throughput};
+}
+
+void SampledReflections::add(const Reflection& reflection, const PointSample& sample,
+                             glm::vec3 weight, const Shader& shader) {
+  ReflectedSample start;
+  start.sample = sample;
+  start.weight = weight * reflection.reflected;
+  start.side = reflection.seen.side > 0.0f ? reflection.seen.side : 1.0f;
+  start.bounces = reflection.seen.bounces + 1;
+  start.throughput = reflection.throughput();
+  if (reflection.one_width()) {
+    add_ray(reflection, start, reflection.width.x, glm::vec3(1.0f), shader);
+    return;
+  }
+  for (int c = 0; c < 3; ++c) {
+    glm::vec3 colour(0.0f);
+    colour[c] = 1.0f;
+    add_ray(reflection, start, reflection.width[c], colour, shader);
+  }
+}
+
+void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSample& start,
+                                 float width, glm::vec3 colours, const Shader& shader) {
+  const ViewedRay& seen = reflection.seen;
+  const PixelSpacing& spacing = seen.spacing ? *seen.spacing : shader.spacing();
+  const IncidentPyray pyray = pyray_around(spacing, seen.ray, reflection.hit.t, start.side);
+  const MirrorSurface surface =
+      mirror_surface(world_, reflection.hit, reflection.point, pyray, true);
+  const auto picture = mirrored(pyray, surface, {});
+  if (!picture) return;
+  ReflectedSample next = start;
+  next.weight *= colours;
+  next.width = seen.width + width;
+  next.spacing = spacing_of(*picture, start.side);
+  glm::dvec3 direction = mirrored_direction(surface, pyray.axis);
+  if (width > 0.0f) {
+    const MirrorLobe lobe =
+        lobe_around(surface, direction, pyray.right, static_cast<double>(width));
+    const glm::dvec3 right = lobe.width * lobe.right, down = lobe.width * lobe.down;
+    const Horizon horizon{glm::dot(direction, surface.geometric),
+                          glm::dot(right, surface.geometric), glm::dot(down, surface.geometric)};
+    const glm::dvec2 at = places_.in_lobe(seen.bounces);
+    if (!(horizon.at(at) > 0.0)) return;
+    // What lies below the surface counts for nothing, and the rest for all.
+    next.weight /= static_cast<float>(horizon.share_above());
+    direction = glm::normalize(direction + (at.x - 0.5) * right + (at.y - 0.5) * down);
+  }
+  next.ray.direction = glm::vec3(direction);
+  // Along the ray itself: a start above the surface would move what is mirrored.
+  next.ray.origin = glm::vec3(surface.position);
+  // One that bent normals send below the surface meets nothing, as a pyray would (View::ray).
+  const double slope = glm::dot(direction, surface.geometric);
+  next.ray.t_near = slope > 0.0 ? static_cast<float>(surface.clearance / slope)
+                                : std::numeric_limits<float>::infinity();
+  next.mirror = plane_of(surface);
+  pending_.push_back(next);
+}
+
+}  // namespace asos

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "renderer/reflections/mirror_plane.h"
+#include "renderer/samples/sampled_lights.h"
+#include "renderer/shading/shade.h"
+#include "renderer/world/world.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace asos {
+
+/// A point sample of the picture, and which sum it belongs to.
+struct PointSample {
+  glm::dvec2 at{0.0};  ///< in pixels of the picture
+  float side = 1.0f;   ///< in pixels, of the square that it stands for
+  // Its place on lights and in lobes is that of sample `index` of the pixel (x, y).
+  int x = 0;
+  int y = 0;
+  int index = 0;
+  std::size_t target = 0;  ///< index of its sum
+};
+
+/// A ray that a sample follows on, after its reflection.
+struct ReflectedSample {
+  PointSample sample;
+  glm::vec3 weight{1.0f};  ///< of its radiance in the sample's
+  Ray ray;
+  PixelSpacing spacing;
+  float side = 1.0f;
+  float width = 0.0f;  ///< see ViewedRay
+  int bounces = 0;
+  float throughput = 1.0f;
+  std::optional<MirrorPlane> mirror;  ///< that the ray leaves, if it is flat
+
+  [[nodiscard]] ViewedRay viewed(const Hit& hit) const;
+};
+
+/// How sampling methods follow a reflection: by a ray to a random place of its lobe. The rays are
+/// gathered and go in packets.
+class SampledReflections {
+ public:
+  SampledReflections(const World& world, const LightPlaces& places)
+      : world_(world), places_(places) {}
+
+  /// Of a sample that counts by `weight`; `shader` is its picture's.
+  void add(const Reflection& reflection, const PointSample& sample, glm::vec3 weight,
+           const Shader& shader);
+
+  [[nodiscard]] std::size_t waiting() const { return pending_.size(); }
+  void forget_since(std::size_t count) { pending_.resize(count); }
+  /// What waits, in the order in which it came; nothing waits then.
+  [[nodiscard]] std::vector<ReflectedSample> take() { return std::exchange(pending_, {}); }
+
+ private:
+  void add_ray(const Reflection& reflection, const ReflectedSample& start, float width,
+               glm::vec3 colours, const Shader& shader);
+
+  const World& world_;
+  const LightPlaces& places_;
+  std::vector<ReflectedSample> pending_;
+};
+
+}  // namespace asos

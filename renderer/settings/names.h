@@ -1,0 +1,97 @@
+#pragma once
+
+#include "renderer/film/split_map.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
+
+#include <array>
+
+namespace asos {
+
+/// What a choice is called on the command line, in statistics and in pictures' texts.
+template <typename T>
+struct Named {
+  const char* name;
+  T value;
+};
+
+inline constexpr std::array method_names{
+    Named<Method>{"asos", Method::asos},
+    Named<Method>{"asos-published", Method::asos_published},
+    Named<Method>{"uniform", Method::uniform},
+    Named<Method>{"stochastic", Method::stochastic},
+    Named<Method>{"sobol", Method::sobol},
+    Named<Method>{"whitted", Method::whitted},
+    Named<Method>{"mitchell", Method::mitchell},
+    Named<Method>{"ray-bound", Method::ray_bound},
+    Named<Method>{"average", Method::average},
+    Named<Method>{"beam", Method::beam},
+};
+inline constexpr std::array leaf_names{
+    Named<Leaf>{"exact", Leaf::exact},
+    Named<Leaf>{"point", Leaf::point},
+};
+inline constexpr std::array rule_names{
+    Named<StoppingRule>{"unresolved", StoppingRule::unresolved},
+    Named<StoppingRule>{"published", StoppingRule::published},
+};
+inline constexpr std::array detection_names{
+    Named<Detection>{"square", Detection::square},
+    Named<Detection>{"cone", Detection::cone},
+};
+inline constexpr std::array texture_filter_names{
+    Named<TextureFilter>{"footprint", TextureFilter::footprint},
+    Named<TextureFilter>{"point", TextureFilter::point},
+};
+inline constexpr std::array curved_mirror_names{
+    Named<CurvedMirror>{"approximate", CurvedMirror::approximate},
+    Named<CurvedMirror>{"tangent", CurvedMirror::tangent},
+    Named<CurvedMirror>{"supersample", CurvedMirror::supersample},
+    Named<CurvedMirror>{"adaptive", CurvedMirror::adaptive},
+};
+
+inline constexpr std::array shadow_quality_names{
+    Named<ShadowQuality>{"refined", ShadowQuality::refined},
+    Named<ShadowQuality>{"centre", ShadowQuality::centre},
+    Named<ShadowQuality>{"supersampling", ShadowQuality::supersampling},
+    Named<ShadowQuality>{"forced", ShadowQuality::forced},
+    Named<ShadowQuality>{"extended", ShadowQuality::extended},
+    Named<ShadowQuality>{"extended-divided", ShadowQuality::extended_divided},
+    Named<ShadowQuality>{"extended-adaptive", ShadowQuality::extended_adaptive},
+};
+inline constexpr std::array light_rule_names{
+    Named<LightRule>{"physical", LightRule::physical},
+    Named<LightRule>{"published", LightRule::published},
+};
+
+inline constexpr std::array split_map_names{
+    Named<SplitMapColours>{"level", SplitMapColours::level},
+    Named<SplitMapColours>{"cause", SplitMapColours::cause},
+    Named<SplitMapColours>{"rays", SplitMapColours::rays},
+    Named<SplitMapColours>{"time", SplitMapColours::time},
+};
+
+inline constexpr std::array light_type_names{
+    Named<Light::Type>{"point", Light::Type::point},
+    Named<Light::Type>{"spot", Light::Type::spot},
+    Named<Light::Type>{"directional", Light::Type::directional},
+    Named<Light::Type>{"linear", Light::Type::linear},
+    Named<Light::Type>{"rectangle", Light::Type::rectangle},
+    Named<Light::Type>{"disk", Light::Type::disk},
+    Named<Light::Type>{"polygon", Light::Type::polygon},
+};
+
+inline constexpr std::array needs_names{
+    Named<NeedsChoice>{"scene", NeedsChoice::scene},
+    Named<NeedsChoice>{"all", NeedsChoice::all},
+};
+
+/// The name of `value` among `names`.
+template <typename Names, typename T>
+[[nodiscard]] constexpr const char* name_in(const Names& names, T value) {
+  for (const auto& named : names)
+    if (named.value == value) return named.name;
+  return "";
+}
+
+}  // namespace asos

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/geometry/ray.h"
+#include "renderer/world/world.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace asos {
+
+/// The plane of what a ray met, in the coordinates (b1, b2) of its hit: the point is
+/// corner + b1 * edge1 + b2 * edge2. Of a triangle its own plane; of a face of an analytic shape
+/// the one that touches it at (b1, b2), where the point is on the face to double precision.
+struct HitPlane {
+  glm::dvec3 corner{0.0};
+  glm::dvec3 edge1{0.0};
+  glm::dvec3 edge2{0.0};
+
+  /// Of any length, and of 0 for a triangle without area. A triangle's corners run
+  /// counter-clockwise around it; a face's points outwards or inwards.
+  [[nodiscard]] glm::dvec3 normal() const { return glm::cross(edge1, edge2); }
+  [[nodiscard]] glm::dvec3 point(float b1, float b2) const {
+    return corner + static_cast<double>(b1) * edge1 + static_cast<double>(b2) * edge2;
+  }
+};
+
+[[nodiscard]] inline HitPlane plane_of_triangle(const World& world, std::uint32_t triangle) {
+  const glm::uvec3 v = world.triangles[triangle];
+  const glm::dvec3 p0(world.positions[v.x]);
+  return {p0, glm::dvec3(world.positions[v.y]) - p0, glm::dvec3(world.positions[v.z]) - p0};
+}
+
+[[nodiscard]] inline HitPlane hit_plane(const World& world, const Hit& hit) {
+  if (!world.is_face(hit.triangle)) return plane_of_triangle(world, hit.triangle);
+  const double u = hit.b1, v = hit.b2;
+  const FacePoint p = face_point(world.face(hit.triangle), u, v);
+  return {p.position - u * p.along_u - v * p.along_v, p.along_u, p.along_v};
+}
+
+}  // namespace asos

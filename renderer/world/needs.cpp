@@ -1,0 +1,253 @@
+#include "renderer/world/needs.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+using Needs = SceneNeeds;
+
+constexpr std::array features{
+    SceneFeature{&Needs::textures, "textures", "no material that is shown has a texture",
+                 "texture lookups", "texture coordinates", "", ""},
+    SceneFeature{&Needs::mip_chains, "mip chains", "no texture is larger than one texel",
+                 "means of textures over footprints", "mip chains", "", ""},
+    SceneFeature{&Needs::unused_images, "unused images", "no material that is shown names them", "",
+                 "their texels", "", ""},
+    SceneFeature{&Needs::normal_maps, "normal maps", "no material that is shown has a normal map",
+                 "turning of normals by maps", "tangents, normal maps' mip chains", "", ""},
+    SceneFeature{&Needs::vertex_colors, "vertex colours", "no vertex has a colour other than white",
+                 "multiplication by vertex colours", "vertices' colours", "", ""},
+    SceneFeature{&Needs::alpha_mask, "alpha cut-outs",
+                 "no material that is shown cuts by its alpha",
+                 "test of opacity where rays meet surfaces", "", "", ""},
+    SceneFeature{&Needs::alpha_blend, "alpha blending and transmission",
+                 "no material that is shown lets light through",
+                 "layers behind a surface, attenuation of shadow rays", "", "", ""},
+    SceneFeature{&Needs::varying_opacity, "varying opacity",
+                 "the opacity is the same all over each surface",
+                 "samples of shadows for what differs between outlines", "", "", ""},
+    SceneFeature{&Needs::culling, "culling of backs",
+                 "every material that is shown is double-sided", "test of eye rays' hits for backs",
+                 "", "", ""},
+    SceneFeature{&Needs::metals, "metals", "no material that is shown is metallic",
+                 "reflectance from the base colour", "", "", ""},
+    SceneFeature{&Needs::mirrors, "mirrors",
+                 "no material that is shown is smooth enough, or has defocusing ratios of its own",
+                 "mirrored pyrays and rays, lights that only mirrors show", "", "",
+                 "Reflection rays"},
+    SceneFeature{&Needs::shapes, "analytic shapes", "no object that is shown is one",
+                 "faces among the rays' triangles, their contours and sections", "faces", "", ""},
+    SceneFeature{&Needs::emission, "emissive materials", "no material that is shown shines",
+                 "emission, search for surfaces that light the scene", "emission's mip chains", "",
+                 "emissive"},
+    SceneFeature{&Needs::punctual_lights, "punctual lights",
+                 "no light is a point, a spot or a direction without size", "hard shadows", "", "",
+                 ""},
+    SceneFeature{&Needs::rectangle_lights, "rectangular and polygonal lights",
+                 "no light is a rectangle or a polygon", "their irradiance and shadows", "", "",
+                 "rectangle, polygon"},
+    SceneFeature{&Needs::disk_lights, "disk lights", "no light is a disk",
+                 "their irradiance and shadows", "", "", "disk"},
+    SceneFeature{&Needs::ball_lights, "ball lights", "no point or spot light has a radius",
+                 "their irradiance and shadows", "", "", ""},
+    SceneFeature{&Needs::linear_lights, "linear lights", "no light is a line",
+                 "their irradiance and shadows", "", "", "linear"},
+    SceneFeature{&Needs::suns, "suns", "no directional light has an angular diameter",
+                 "their irradiance and shadows", "", "", ""},
+    SceneFeature{&Needs::shadows, "shadows", "no light casts shadows", "shadow rays and pyrays", "",
+                 "Shadows", "Shadow rays"},
+    SceneFeature{&Needs::soft_shadows, "soft shadows", "no light of some size casts shadows",
+                 "pyrays to lights, refinement of penumbrae", "", "Quality, Divisions", ""},
+    SceneFeature{&Needs::intersections, "intersections", "no surfaces pass through each other", "",
+                 "lines of intersection", "", "crossing"},
+    SceneFeature{&Needs::sky_picture, "sky picture", "no picture surrounds the scene (--sky)",
+                 "means of a picture over directions", "the picture and its means", "", ""},
+};
+static_assert(features.size() == sizeof(SceneNeeds) / sizeof(bool), "a member has no words");
+
+bool emits(const Material& m) {
+  return m.emissive_strength > 0.0f && std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0.0f;
+}
+
+/// A texture may make it smoother anywhere. What reflects nothing mirrors nothing.
+bool may_mirror(const Material& m) {
+  const bool reflects = m.metallic > 0.0f || m.specular > 0.0f;
+  const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
+                      m.metallic_roughness_texture.used() || m.dfr;
+  return reflects && smooth;
+}
+
+template <typename Visit>
+void for_each_shown_material(const World& world, Visit visit) {
+  // Only materials that some triangle shows count: files often bring along more.
+  std::vector<bool> seen(world.materials.size(), false);
+  for (const Part& part : world.parts) {
+    if (part.shows_nothing() || seen[part.material]) continue;
+    seen[part.material] = true;
+    visit(world.materials[part.material]);
+  }
+}
+
+std::vector<bool> images_of_shown_materials(const World& world) {
+  std::vector<bool> used(world.images.size(), false);
+  for_each_shown_material(world, [&](const Material& m) {
+    // Used or not: where surfaces differ is judged by all of them.
+    for (const TextureUse* use : texture_uses(m)) {
+      if (!use->used() || static_cast<std::size_t>(use->texture) >= world.textures.size()) continue;
+      const int image = world.textures[static_cast<std::size_t>(use->texture)].image;
+      if (image >= 0 && static_cast<std::size_t>(image) < used.size())
+        used[static_cast<std::size_t>(image)] = true;
+    }
+  });
+  return used;
+}
+
+void add_material(SceneNeeds& needs, const Material& m) {
+  needs.textures |= m.base_color_texture.used();
+  needs.textures |= m.transmission > 0.0f && m.transmission_texture.used();
+  needs.alpha_blend |= m.alpha_mode == AlphaMode::blend || m.transmission > 0.0f;
+  needs.alpha_mask |= m.alpha_mode == AlphaMode::mask;
+  needs.culling |= !m.double_sided;
+  if (m.unlit) return;  // an unlit material uses nothing but its base colour
+  needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
+                    m.specular_texture.used() || m.specular_color_texture.used() ||
+                    (m.emissive_texture.used() && emits(m));
+  needs.normal_maps |= m.normal_texture.used();
+  needs.emission |= emits(m);
+  needs.metals |= m.metallic > 0.0f;
+  needs.mirrors |= may_mirror(m);
+}
+
+void add_light(SceneNeeds& needs, const Light& light) {
+  bool sized = true;
+  switch (light.type) {
+    case Light::Type::point:
+    case Light::Type::spot:
+      sized = light.radius > 0.0;
+      (sized ? needs.ball_lights : needs.punctual_lights) = true;
+      break;
+    case Light::Type::directional:
+      sized = light.angular_diameter_rad > 0.0;
+      (sized ? needs.suns : needs.punctual_lights) = true;
+      break;
+    case Light::Type::linear:
+      needs.linear_lights = true;
+      break;
+    case Light::Type::rectangle:
+    case Light::Type::polygon:
+      needs.rectangle_lights = true;
+      break;
+    case Light::Type::disk:
+      needs.disk_lights = true;
+      break;
+  }
+  needs.shadows |= light.casts_shadows;
+  needs.soft_shadows |= light.casts_shadows && sized;
+}
+
+/// Whether the colours' alpha differs within a part.
+bool alpha_differs(const World& world, const Part& part) {
+  if (world.colors.empty() || part.vertex_count == 0) return false;
+  const auto first = world.colors.begin() + static_cast<std::ptrdiff_t>(part.first_vertex);
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(part.vertex_count),
+                     [a = first->a](glm::vec4 c) { return c.a != a; });
+}
+
+bool opacity_varies(const World& world) {
+  return std::any_of(world.parts.begin(), world.parts.end(), [&](const Part& part) {
+    const Material& m = world.materials[part.material];
+    return !part.shows_nothing() && m.alpha_mode != AlphaMode::opaque &&
+           (m.base_color_texture.used() || alpha_differs(world, part));
+  });
+}
+
+std::string joined(std::initializer_list<std::pair<const char*, const char*>> labelled) {
+  std::string text;
+  for (const auto& [label, words] : labelled) {
+    if (*words != '\0') text += std::string("; ") + label + ": " + words;
+  }
+  return text;
+}
+
+}  // namespace
+
+SceneNeeds SceneNeeds::all() {
+  SceneNeeds needs;
+  for (const SceneFeature& feature : features) needs.*feature.needed = true;
+  needs.varying_opacity = false;
+  needs.sky_picture = false;
+  return needs;
+}
+
+SceneNeeds SceneNeeds::with(const SceneNeeds& other) const {
+  SceneNeeds both = *this;
+  for (const SceneFeature& feature : features)
+    both.*feature.needed = both.*feature.needed || other.*feature.needed;
+  return both;
+}
+
+std::vector<std::string> SceneNeeds::left_out() const {
+  std::vector<std::string> sentences;
+  for (const SceneFeature& f : features_left_out(*this)) {
+    sentences.push_back(std::string(f.name) + " (" + f.reason +
+                        joined({{"stages", f.stages},
+                                {"memory", f.memory},
+                                {"controls", f.controls},
+                                {"rows", f.rows}}) +
+                        ")");
+  }
+  return sentences;
+}
+
+std::span<const SceneFeature> scene_features() {
+  return features;
+}
+
+std::vector<SceneFeature> features_left_out(const SceneNeeds& needs) {
+  std::vector<SceneFeature> left_out;
+  for (const SceneFeature& feature : features) {
+    if (!(needs.*feature.needed)) left_out.push_back(feature);
+  }
+  return left_out;
+}
+
+SceneNeeds find_needs(const World& world) {
+  SceneNeeds needs;
+  for_each_shown_material(world, [&](const Material& m) { add_material(needs, m); });
+  const std::vector<bool> used = images_of_shown_materials(world);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    needs.mip_chains |= used[i] && (world.images[i].width > 1 || world.images[i].height > 1);
+  needs.mip_chains &= needs.textures;
+  needs.unused_images = std::find(used.begin(), used.end(), false) == used.end();
+  needs.vertex_colors = !world.colors.empty();
+  needs.shapes = !world.faces.empty();
+  needs.varying_opacity = opacity_varies(world);
+  for (const Light& light : world.lights) add_light(needs, light);
+  needs.intersections = true;
+  return needs;
+}
+
+void release_unused_images(World& world) {
+  const std::vector<bool> used = images_of_shown_materials(world);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) world.images[i].rgba = std::vector<std::uint8_t>();
+  }
+}
+
+void fill_forced_attributes(World& world, const SceneNeeds& forced) {
+  const std::size_t vertices = world.positions.size();
+  if (forced.normal_maps && world.tangents.empty())
+    world.tangents.assign(vertices, glm::vec4(0.0f));
+  if (forced.vertex_colors && world.colors.empty()) world.colors.assign(vertices, glm::vec4(1.0f));
+  for (std::vector<glm::vec2>& coordinates : world.texcoords) {
+    if (forced.textures && coordinates.empty()) coordinates.assign(vertices, glm::vec2(0.0f));
+  }
+}
+
+}  // namespace asos

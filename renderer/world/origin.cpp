@@ -1,0 +1,37 @@
+#include "renderer/world/origin.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+// Rounding may move a part's corners by this share of its size before another origin is looked for.
+constexpr double let_pass = 1.0 / 1024.0;
+
+/// How far a float's rounding moves a part's corners, as a share of its size.
+double loss(const PlacedBox& part, glm::dvec3 origin) {
+  constexpr double half_ulp = 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  const double size = part.extent();
+  return size > 0.0 ? half_ulp * glm::distance(part.middle(), origin) / size : 0.0;
+}
+
+const PlacedBox& worst_of(const std::vector<PlacedBox>& parts, glm::dvec3 origin) {
+  return *std::max_element(parts.begin(), parts.end(), [&](const PlacedBox& a, const PlacedBox& b) {
+    return loss(a, origin) < loss(b, origin);
+  });
+}
+
+}  // namespace
+
+double PlacedBox::extent() const {
+  return std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z});
+}
+
+glm::dvec3 choose_origin(const std::vector<PlacedBox>& parts, glm::dvec3 middle) {
+  const PlacedBox& worst = worst_of(parts, middle);
+  if (!(loss(worst, middle) > let_pass)) return middle;
+  const glm::dvec3 there = worst.middle();
+  return loss(worst_of(parts, there), there) < 0.25 * loss(worst, middle) ? there : middle;
+}
+
+}  // namespace asos

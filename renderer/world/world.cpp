@@ -1,0 +1,355 @@
+#include "renderer/world/world.h"
+
+#include "renderer/scene/scene_fault.h"
+#include "renderer/scene/tessellate.h"
+#include "renderer/world/origin.h"
+#include "renderer/world/placed_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <span>
+
+namespace asos {
+
+namespace {
+
+// Beyond this the squares of distances between points do not fit a float either.
+constexpr double largest_extent = 1e18;
+
+bool finite(glm::dvec3 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+unexpected<Error> refuse(const Scene& scene, std::string reason) {
+  return unexpected(
+      Error{scene.source.empty() ? std::string("scene") : scene.source, std::move(reason)});
+}
+
+glm::vec3 any_perpendicular(glm::vec3 n) {
+  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, n));
+}
+
+/// A unit vector along `v`, or `fallback` where it has no direction.
+glm::vec3 unit_or(glm::dvec3 v, glm::vec3 fallback) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0.0) || !finite(v)) return fallback;
+  return glm::vec3(glm::normalize(v / largest));
+}
+
+/// A matrix brought to a size where products of its entries neither overflow nor vanish.
+glm::dmat3 linear_part(const glm::dmat4& m) {
+  glm::dmat3 linear(m);
+  double largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(linear[c][r]));
+  }
+  return largest > 0.0 ? linear * (1.0 / largest) : linear;
+}
+
+class Flattener {
+ public:
+  explicit Flattener(const Scene& scene) : scene_(scene) {}
+
+  Result<World> run(std::uint64_t max_triangles) {
+    if (std::string fault = scene_fault(scene_); !fault.empty()) return refuse(scene_, fault);
+    if (scene_.instanced_triangles() > max_triangles) {
+      return refuse(scene_, fmt::format("has {} triangles; the limit is {}",
+                                        scene_.instanced_triangles(), max_triangles));
+    }
+    choose_meshes();
+    std::uint64_t vertices = 0;
+    for (const Instance& instance : scene_.instances) {
+      if (const PlacedMesh& placed = mesh_of(instance); placed.mesh)
+        vertices += placed.vertex_count();
+    }
+    if (vertices > largest_vertex_count) {
+      return refuse(scene_, fmt::format("has {} vertices, more than 32 bits count", vertices));
+    }
+    if (std::string fault = find_origin(); !fault.empty()) return refuse(scene_, fault);
+    reserve(vertices, scene_.instanced_triangles());
+    for (const Instance& instance : scene_.instances) add(instance);
+    // Numbers of faces begin where those of triangles end.
+    for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
+    add_rest();
+    return std::move(world_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t index_of(const Instance& instance) const {
+    return static_cast<std::size_t>(&instance - scene_.instances.data());
+  }
+  [[nodiscard]] const PlacedMesh& mesh_of(const Instance& instance) const {
+    static const PlacedMesh none;
+    if (!faces_[index_of(instance)].empty()) return none;
+    return instance.shape >= 0 ? shape_meshes_.at(index_of(instance))
+                               : placed_[static_cast<std::size_t>(instance.mesh)];
+  }
+
+  void choose_meshes() {
+    choose_shapes();
+    std::vector<bool> shown(scene_.meshes.size(), false);
+    for (const Instance& instance : scene_.instances) {
+      if (instance.shape >= 0) continue;
+      const auto mesh = static_cast<std::size_t>(instance.mesh);
+      shown[mesh] = !scene_.meshes[mesh].triangles.empty();
+    }
+    placed_.resize(scene_.meshes.size());
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (shown[i]) placed_[i] = place(scene_.meshes[i]);
+    }
+    keep_ = find_attributes(scene_, shown);
+  }
+
+  /// What a shape is drawn as: faces, or triangles of its own. Lamps are found among triangles.
+  void choose_shapes() {
+    faces_.resize(scene_.instances.size());
+    for (const Instance& instance : scene_.instances) {
+      if (instance.shape < 0) continue;
+      const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
+      const std::size_t i = index_of(instance);
+      if (!shines(instance)) faces_[i] = place_shape(shape, instance.world_from_mesh);
+      if (!faces_[i].empty()) continue;
+      Mesh& mesh = *own_meshes_.emplace_back(std::make_unique<Mesh>(tessellated(shape)));
+      mesh.material = scene_.meshes[static_cast<std::size_t>(instance.mesh)].material;
+      shape_meshes_.emplace(i, place(mesh));
+    }
+  }
+
+  [[nodiscard]] bool shines(const Instance& instance) const {
+    const int material = scene_.meshes[static_cast<std::size_t>(instance.mesh)].material;
+    if (material < 0) return false;
+    const Material& m = scene_.materials[static_cast<std::size_t>(material)];
+    return m.emissive != glm::vec3(0.0f) && m.emissive_strength > 0.0f && !m.unlit;
+  }
+
+  /// The origin, of which all positions are as near as their floats need: see choose_origin.
+  std::string find_origin() {
+    std::vector<PlacedBox> boxes;
+    PlacedBox all;
+    for (const Instance& instance : scene_.instances) {
+      const PlacedMesh& placed = mesh_of(instance);
+      const std::vector<ShapeFace>& faces = faces_[index_of(instance)];
+      if (!placed.mesh && faces.empty()) continue;
+      PlacedBox box;
+      for (const ShapeFace& face : faces) {
+        const FaceBounds bounds = bounds_of(face);
+        if (!finite(bounds.lo) || !finite(bounds.hi)) {
+          return fmt::format("instance '{}' has a shape that is not finite", instance.name);
+        }
+        box.grow(bounds.lo);
+        box.grow(bounds.hi);
+      }
+      for (std::size_t i = 0; placed.mesh && i < placed.vertex_count(); ++i) {
+        const glm::dvec3 p = glm::dvec3(instance.world_from_mesh *
+                                        glm::dvec4(placed.mesh->positions[placed.vertex(i)], 1.0));
+        if (!finite(p)) {
+          return fmt::format("instance '{}' has positions that are not finite", instance.name);
+        }
+        box.grow(p);
+      }
+      all.grow(box.lo);
+      all.grow(box.hi);
+      boxes.push_back(box);
+    }
+    if (boxes.empty()) return {};
+    world_.origin = choose_origin(boxes, all.middle());
+    const double extent = all.extent();
+    if (!(extent <= largest_extent)) {
+      return fmt::format("is {:g} units across, too large for single precision", extent);
+    }
+    return {};
+  }
+
+  void reserve(std::size_t vertices, std::size_t triangles) {
+    world_.positions.reserve(vertices);
+    world_.normals.reserve(vertices);
+    if (keep_.tangents) world_.tangents.reserve(vertices);
+    for (int set = 0; set < 2; ++set) {
+      if (keep_.texcoords[set]) world_.texcoords[set].reserve(vertices);
+    }
+    if (keep_.colors) world_.colors.reserve(vertices);
+    world_.triangles.reserve(triangles);
+    world_.triangle_part.reserve(triangles);
+  }
+
+  void add(const Instance& instance) {
+    if (!faces_[index_of(instance)].empty()) return add_faces(instance);
+    const PlacedMesh& placed = mesh_of(instance);
+    if (!placed.mesh) return;
+    const glm::dmat3 linear = linear_part(instance.world_from_mesh);
+    const bool mirrored = glm::determinant(linear) < 0.0;
+
+    Part part;
+    part.name = instance.name.empty() ? placed.mesh->name : instance.name;
+    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
+    part.triangle_count = static_cast<std::uint32_t>(placed.triangles().size());
+    part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+    part.vertex_count = static_cast<std::uint32_t>(placed.vertex_count());
+    part.material = world_material(placed.mesh->material);
+    part.shows_light = instance.shows_light;
+
+    part.bounds = add_positions(placed, instance.world_from_mesh);
+
+    world_.bounds.grow(part.bounds);
+    for (glm::uvec3 t : placed.triangles()) {
+      t += part.first_vertex;
+      // A mirror turns triangles inside out; glTF keeps the front side in front.
+      if (mirrored) std::swap(t.y, t.z);
+      world_.triangles.push_back(t);
+      world_.triangle_part.push_back(static_cast<std::uint32_t>(world_.parts.size()));
+    }
+    if (placed.flat) {
+      add_flat_normals(part);
+    } else {
+      add_normals(placed, linear, mirrored, part);
+    }
+    add_attributes(placed, linear, mirrored, part);
+    world_.parts.push_back(std::move(part));
+  }
+
+  [[nodiscard]] std::uint32_t world_material(int material) const {
+    return static_cast<std::uint32_t>(material >= 0 ? static_cast<std::size_t>(material)
+                                                    : scene_.materials.size());
+  }
+
+  void add_faces(const Instance& instance) {
+    const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
+    Part part;
+    part.name = instance.name.empty() ? mesh.name : instance.name;
+    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
+    part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+    part.material = world_material(mesh.material);
+    part.shows_light = instance.shows_light;
+    for (ShapeFace face : faces_[index_of(instance)]) {
+      face.origin -= world_.origin;
+      face.part = static_cast<std::uint32_t>(world_.parts.size());
+      const FaceBounds box = bounds_of(face);
+      part.bounds.grow(glm::vec3(box.lo));
+      part.bounds.grow(glm::vec3(box.hi));
+      world_.faces.push_back(face);
+      ++part.face_count;
+    }
+    world_.bounds.grow(part.bounds);
+    world_.parts.push_back(std::move(part));
+  }
+
+  Box add_positions(const PlacedMesh& placed, const glm::dmat4& world_from_mesh) {
+    Box bounds;
+    for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
+      const glm::dvec4 p(placed.mesh->positions[placed.vertex(i)], 1.0);
+      const glm::vec3 q(glm::dvec3(world_from_mesh * p) - world_.origin);
+      world_.positions.push_back(q);
+      bounds.grow(q);
+    }
+    return bounds;
+  }
+
+  void add_normals(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored,
+                   const Part& part) {
+    // The cofactors are the inverse transpose times the determinant; they exist for singular
+    // matrices too, where a mesh is squeezed into a plane.
+    const double sign = mirrored ? -1.0 : 1.0;
+    const glm::dmat3 cofactors(sign * glm::cross(linear[1], linear[2]),
+                               sign * glm::cross(linear[2], linear[0]),
+                               sign * glm::cross(linear[0], linear[1]));
+    bool all_known = true;
+    for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
+      const glm::vec3 n = placed.mesh->normals[placed.vertex(i)];
+      // A singular matrix leaves a normal no direction; the author's own is the best guess.
+      const glm::vec3 unit =
+          unit_or(cofactors * glm::dvec3(n), unit_or(glm::dvec3(n), glm::vec3(0.0f)));
+      all_known &= unit != glm::vec3(0.0f);
+      world_.normals.push_back(unit);
+    }
+    if (!all_known) replace_unknown_normals(part);
+  }
+
+  /// Gives vertices whose normal is zero or not finite that of their triangles, weighted by area.
+  void replace_unknown_normals(const Part& part) {
+    std::vector<glm::dvec3> sums(part.vertex_count, glm::dvec3(0.0));
+    for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+      const glm::uvec3 v = world_.triangles[part.first_triangle + t];
+      const glm::dvec3 a(world_.positions[v.x]), b(world_.positions[v.y]), c(world_.positions[v.z]);
+      const glm::dvec3 cross = glm::cross(b - a, c - a);
+      for (int k = 0; k < 3; ++k) sums[v[k] - part.first_vertex] += cross;
+    }
+    for (std::uint32_t i = 0; i < part.vertex_count; ++i) {
+      glm::vec3& n = world_.normals[part.first_vertex + i];
+      if (n == glm::vec3(0.0f)) n = unit_or(sums[i], glm::vec3(0, 0, 1));
+    }
+  }
+
+  void add_flat_normals(const Part& part) {
+    for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+      const glm::uvec3 v = world_.triangles[part.first_triangle + t];
+      const glm::dvec3 a(world_.positions[v.x]), b(world_.positions[v.y]), c(world_.positions[v.z]);
+      const glm::vec3 n = unit_or(glm::cross(b - a, c - a), glm::vec3(0, 0, 1));
+      world_.normals.insert(world_.normals.end(), 3, n);
+    }
+  }
+
+  void add_attributes(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored,
+                      const Part& part) {
+    const Mesh& mesh = *placed.mesh;
+    const std::size_t n = placed.vertex_count();
+    for (std::size_t i = 0; keep_.tangents && i < n; ++i) {
+      glm::vec4 t(0.0f);
+      if (!mesh.tangents.empty()) {
+        const glm::vec3 across = any_perpendicular(world_.normals[part.first_vertex + i]);
+        const glm::vec4 s = mesh.tangents[placed.vertex(i)];
+        t = glm::vec4(unit_or(linear * glm::dvec3(s), across), mirrored ? -s.w : s.w);
+      }
+      world_.tangents.push_back(t);
+    }
+    for (int set = 0; set < 2; ++set) {
+      const std::vector<glm::vec2>& uv = mesh.texcoords[set];
+      for (std::size_t i = 0; keep_.texcoords[set] && i < n; ++i) {
+        world_.texcoords[set].push_back(uv.empty() ? glm::vec2(0.0f) : uv[placed.vertex(i)]);
+      }
+    }
+    for (std::size_t i = 0; keep_.colors && i < n; ++i) {
+      world_.colors.push_back(mesh.colors.empty() ? glm::vec4(1.0f)
+                                                  : mesh.colors[placed.vertex(i)]);
+    }
+  }
+
+  void add_rest() {
+    world_.materials = scene_.materials;
+    world_.materials.emplace_back();
+    world_.materials.back().name = "default";
+    world_.textures = scene_.textures;
+    world_.images = scene_.images;
+    world_.lights = scene_.lights;
+    for (Light& light : world_.lights) {
+      light.position -= world_.origin;
+      for (std::vector<glm::dvec3>& outline : light.outlines) {
+        for (glm::dvec3& corner : outline) corner -= world_.origin;
+      }
+    }
+    world_.cameras = scene_.cameras;
+    for (Camera& camera : world_.cameras) {
+      camera.world_from_camera[3] -= glm::dvec4(world_.origin, 0.0);
+    }
+  }
+
+  const Scene& scene_;
+  World world_;
+  std::vector<std::vector<ShapeFace>> faces_;       // one an instance; empty: drawn as triangles
+  std::vector<std::unique_ptr<Mesh>> own_meshes_;   // of shapes drawn as triangles
+  std::map<std::size_t, PlacedMesh> shape_meshes_;  // by instance
+  std::vector<PlacedMesh> placed_;  // one a mesh; `mesh` is null where nothing shows it
+  Attributes keep_;
+};
+
+}  // namespace
+
+Result<World> flatten(const Scene& scene, std::uint64_t max_triangles) {
+  return Flattener(scene).run(max_triangles);
+}
+
+}  // namespace asos

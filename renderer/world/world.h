@@ -1,0 +1,75 @@
+#pragma once
+
+#include "renderer/geometry/box.h"
+#include "renderer/geometry/shape_face.h"
+#include "renderer/result.h"
+#include "renderer/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// The consecutive triangles, or faces, of one instance: one object with one material.
+struct Part {
+  std::string name;
+  std::uint32_t first_triangle = 0;
+  std::uint32_t triangle_count = 0;
+  std::uint32_t first_vertex = 0;
+  std::uint32_t vertex_count = 0;
+  std::uint32_t material = 0;    ///< index into World::materials, always valid
+  bool shows_light = false;      ///< as Instance's
+  Box bounds;                    ///< of the positions that its triangles use; empty: not known
+  std::uint32_t face_count = 0;  ///< faces of an analytic shape; such a part has no triangles
+
+  [[nodiscard]] bool shows_nothing() const { return triangle_count == 0 && face_count == 0; }
+};
+
+/// A scene flattened into one indexed triangle soup, placed in the world and recentred in double
+/// precision (design section 10): `position + origin` is the author's coordinate. Immutable once
+/// shared. Arrays of attributes that no material needs are empty (design section 8).
+struct World {
+  glm::dvec3 origin{0.0};
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;            ///< unit, one a vertex
+  std::vector<glm::vec4> tangents;           ///< or empty; 0 for meshes that have none of their own
+  std::vector<glm::vec2> texcoords[2];       ///< or empty
+  std::vector<glm::vec4> colors;             ///< linear RGBA, or empty
+  std::vector<glm::uvec3> triangles;         ///< into positions
+  std::vector<ShapeFace> faces;              ///< of analytic shapes
+  std::vector<std::uint32_t> triangle_part;  ///< of each triangle, then of each face
+  std::vector<Part> parts;
+  std::vector<Material> materials;  ///< the scene's, then glTF's default material
+  std::vector<Texture> textures;
+  std::vector<Image> images;
+  std::vector<Light> lights;    ///< positions relative to origin
+  std::vector<Camera> cameras;  ///< relative to origin
+  Box bounds;                   ///< of the positions that triangles use; empty if none
+
+  /// What a ray meets has one number: a triangle's index, or that of a face of an analytic shape
+  /// behind them all.
+  [[nodiscard]] bool is_face(std::uint32_t surface) const { return surface >= triangles.size(); }
+  [[nodiscard]] const ShapeFace& face(std::uint32_t surface) const {
+    return faces[surface - triangles.size()];
+  }
+  [[nodiscard]] std::uint32_t surface_count() const {
+    return static_cast<std::uint32_t>(triangles.size() + faces.size());
+  }
+
+  [[nodiscard]] const Material& material_of(std::uint32_t triangle) const {
+    return materials[parts[triangle_part[triangle]].material];
+  }
+};
+
+/// Flattens `scene`. Shapes become faces, but for boxes and for what shines or has no inverse,
+/// which become triangles. Refuses a scene with more triangles than `max_triangles`, and one whose
+/// placed positions do not fit a float. Zero-area triangles are kept: rays miss them, and their
+/// edges bound nothing.
+[[nodiscard]] Result<World> flatten(const Scene& scene, std::uint64_t max_triangles = 60'000'000);
+
+/// The camera that frames all of `world` when the file has none: from front, right and above.
+[[nodiscard]] Camera default_camera(const World& world, double aspect_ratio);
+
+}  // namespace asos

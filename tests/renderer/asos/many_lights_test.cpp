@@ -1,0 +1,144 @@
+#include "tests/support/random_space.h"
+#include "tests/support/render_picture.h"
+#include "tests/support/sample_lights.h"
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+// A hundred lights: the sum of what each gives, and nothing spent on those that give nothing.
+
+namespace asos::test::many_lights_test {
+namespace {
+
+constexpr int light_count = 100;
+
+RenderSettings exact_settings() {
+  RenderSettings settings;
+  settings.width = 18;
+  settings.height = 12;
+  settings.cull = false;
+  settings.asos.eps = 0.0;               // or what is weak counts as seen
+  settings.asos.refine_shading = false;  // or leaves differ from picture to picture
+  return settings;
+}
+
+World furnished() {
+  World world;
+  const Material material = matte({0.6f, 0.6f, 0.6f});
+  add_quad(world, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, material);
+  add_sphere(world, {0.5f, 0.4f, 0.3f}, 0.4f, 8, material);
+  add_quad(world, {-0.8f, 0, 0.3f}, {0.6f, 0, 0.2f}, {0, 0.9f, 0}, material);
+  return world;
+}
+
+Picture picture_of(const std::vector<Light>& lights, const RenderSettings& settings) {
+  World world = furnished();
+  world.lights = lights;
+  const Camera camera = look_at({1.5, 1.5, 2.0}, {0, 0.2, 0}, 0.9);
+  return render_picture(*make_render_scene(std::move(world)), camera, settings);
+}
+
+/// A light of a sample's type, moved and shrunk.
+Light placed(Light light, RandomSpace& random) {
+  const glm::dvec3 step(random.between(-3, 3), random.between(-1, 1), random.between(-3, 3));
+  light = scaled(std::move(light), random.between(0.2, 0.8));
+  light.position += step;
+  for (auto& outline : light.outlines)
+    for (glm::dvec3& corner : outline) corner += step;
+  // Above the floor, and all about as bright.
+  const double rise = random.between(1.2, 2.5) - light.position.y;
+  light.position.y += rise;
+  for (auto& outline : light.outlines)
+    for (glm::dvec3& corner : outline) corner.y += rise;
+  light.intensity = 0.1f;
+  return light;
+}
+
+std::vector<Light> hundred_of(const std::vector<Light>& types, std::uint64_t seed) {
+  RandomSpace random(seed);
+  std::vector<Light> lights;
+  for (std::size_t i = 0; i < light_count; ++i)
+    lights.push_back(placed(types[i % types.size()], random));
+  return lights;
+}
+
+/// By how much a picture differs from the sum of those of single lights at worst, relative to its
+/// brightest pixel.
+double off_from_sum(const std::vector<Light>& lights, const RenderSettings& settings) {
+  const auto dark = picture_of({}, settings).film.radiance;
+  const auto together = picture_of(lights, settings).film.radiance;
+  std::vector<glm::dvec3> sum(dark.begin(), dark.end());
+  for (const Light& light : lights) {
+    const auto alone = picture_of({light}, settings).film.radiance;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += glm::dvec3(alone[i]) - glm::dvec3(dark[i]);
+  }
+  double worst = 0.0, brightest = 0.0;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_TRUE(std::isfinite(together[i][c])) << i;
+      worst = std::max(worst, std::abs(sum[i][c] - static_cast<double>(together[i][c])));
+      brightest = std::max(brightest, sum[i][c]);
+    }
+  }
+  return worst / brightest;
+}
+
+std::vector<Light> area_lights() {
+  return {rectangle_light(), disk_light(), polygon_light(), ball_light(), linear_light()};
+}
+
+// Each pixel is a sum of a hundred floats, and so is what it is compared with.
+constexpr double rounding = 1e-5;
+
+TEST(ManyLights, WithoutShadowsAreTheirSum) {
+  RenderSettings settings = exact_settings();
+  settings.shadow.cast = false;
+  for (const auto& types : {all_lights(), area_lights()})
+    EXPECT_LT(off_from_sum(hundred_of(types, 21), settings), rounding);
+}
+
+// Leaves are cut exactly along the few boundaries of these shadows: nothing is left to samples,
+// which would depend on a light's number.
+TEST(ManyLights, WithShadowsAreTheirSum) {
+  for (const auto& types : {all_lights(), area_lights()})
+    EXPECT_LT(off_from_sum(hundred_of(types, 22), exact_settings()), rounding);
+}
+
+// Two useful lights, then 98 that are out of range, below the floor or turned away.
+TEST(ManyLights, ThatGiveNothingCostNothing) {
+  RandomSpace random(23);
+  std::vector<Light> useful{rectangle_light(), point_light()};
+  std::vector<Light> lights = useful;
+  while (lights.size() < light_count) {
+    Light light = placed(lights.size() % 3 == 0 ? point_light() : rectangle_light(), random);
+    switch (lights.size() % 3) {
+      case 0:
+        light.range = 0.05;
+        break;
+      case 1:
+        light.direction = {0, 1, 0};
+        light.half_v = -light.half_v;
+        light.position.y = 4.0;
+        break;
+      default:
+        light.position.y = -1.0;
+    }
+    lights.push_back(light);
+  }
+  const Picture all = picture_of(lights, exact_settings());
+  const Picture few = picture_of(useful, exact_settings());
+  EXPECT_EQ(all.film.radiance, few.film.radiance);
+  EXPECT_EQ(all.statistics.shadow_rays, few.statistics.shadow_rays);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    EXPECT_EQ(all.statistics.of_light(i), few.statistics.of_light(i)) << i;
+  EXPECT_GT(few.statistics.shadow_rays, 0u);
+}
+
+}  // namespace
+}  // namespace asos::test::many_lights_test

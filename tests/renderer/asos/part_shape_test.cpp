@@ -1,0 +1,83 @@
+#include "renderer/asos/part_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace asos {
+namespace {
+
+std::vector<Side> around(const std::vector<glm::vec2>& corners) {
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sides.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  return sides;
+}
+
+PartShape shape_of(const std::vector<Side>& sides, glm::vec2 at) {
+  return part_shape({{0.0f, 0.0f, 1.0f}, sides, false}, at);
+}
+
+void expect_near(glm::vec2 got, glm::vec2 expected) {
+  EXPECT_NEAR(got.x, expected.x, 1e-5f);
+  EXPECT_NEAR(got.y, expected.y, 1e-5f);
+}
+
+TEST(PartShape, OfWholeSquaresIsTheSquare) {
+  const PartShape shape = shape_of({}, {0.5f, 0.5f});
+  EXPECT_EQ(shape.offset, glm::vec2(0.0f));
+  EXPECT_EQ(shape.right, glm::vec2(1.0f, 0.0f));
+  EXPECT_EQ(shape.down, glm::vec2(0.0f, 1.0f));
+}
+
+TEST(PartShape, OfAStripIsTheStrip) {
+  // 0.64 wide and 0.25 high: the square of its area has the side 0.4.
+  for (const bool turned : {false, true}) {
+    std::vector<glm::vec2> corners{{0.1f, 0.5f}, {0.74f, 0.5f}, {0.74f, 0.75f}, {0.1f, 0.75f}};
+    if (turned) std::reverse(corners.begin(), corners.end());
+    const PartShape shape = shape_of(around(corners), {0.5f, 0.6f});
+    expect_near(shape.offset, glm::vec2(0.42f - 0.5f, 0.625f - 0.6f) / 0.4f);
+    expect_near(shape.right, {1.6f, 0.0f});
+    expect_near(shape.down, {0.0f, 0.625f});
+  }
+}
+
+// The mean of any quadratic over the parallelogram is that over the part.
+TEST(PartShape, HasTheMomentsOfAnyPart) {
+  std::mt19937 rng(11);
+  std::uniform_real_distribution<float> u(0.0f, 1.0f);
+  for (int i = 0; i < 50; ++i) {
+    const std::vector<glm::vec2> corners{{u(rng), u(rng)}, {u(rng), u(rng)}, {u(rng), u(rng)}};
+    const glm::dvec2 a(corners[0]), b(corners[1]), c(corners[2]);
+    const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+    if (area < 0.02) continue;
+    const glm::vec2 at(u(rng), u(rng));
+    const PartShape shape = shape_of(around(corners), at);
+    const double side = std::sqrt(area);
+    const glm::dvec2 middle = glm::dvec2(at) + side * glm::dvec2(shape.offset);
+    const glm::dvec2 e = side * glm::dvec2(shape.right), f = side * glm::dvec2(shape.down);
+    // Of a triangle: the mean of its corners, and (sum of their outer products about it) / 12.
+    const glm::dvec2 mean = (a + b + c) / 3.0;
+    const auto product = [&](int x, int y) {
+      double sum = 0.0;
+      for (const glm::dvec2& p : {a, b, c}) sum += (p[x] - mean[x]) * (p[y] - mean[y]);
+      return sum / 12.0;
+    };
+    EXPECT_NEAR(middle.x, mean.x, 1e-5);
+    EXPECT_NEAR(middle.y, mean.y, 1e-5);
+    for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {1, 1}})
+      EXPECT_NEAR((e[x] * e[y] + f[x] * f[y]) / 12.0, product(x, y), 1e-5);
+  }
+}
+
+TEST(PartShape, WithoutAreaIsTheSquare) {
+  const PartShape shape =
+      shape_of(around({{0.2f, 0.2f}, {0.8f, 0.8f}, {0.2f, 0.2f}}), {0.3f, 0.3f});
+  EXPECT_EQ(shape.right, glm::vec2(1.0f, 0.0f));
+  EXPECT_EQ(shape.down, glm::vec2(0.0f, 1.0f));
+}
+
+}  // namespace
+}  // namespace asos

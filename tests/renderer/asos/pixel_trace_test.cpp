@@ -1,0 +1,338 @@
+#include "renderer/asos/pixel_trace.h"
+
+#include "renderer/comparison/method.h"
+#include "renderer/scene/load.h"
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <tuple>
+
+// The trace of a pixel tells what rendering it does: it is checked against the whole picture and
+// against itself.
+
+namespace asos::test::pixel_trace_test {
+namespace {
+
+using SharedScene = std::shared_ptr<const RenderScene>;
+
+Film render(const RenderScene& scene, const View& view, const RenderSettings& settings) {
+  Film film(settings.width, settings.height);
+  const int side = block_side(settings);
+  for (int y = 0; y < settings.height; y += side) {
+    for (int x = 0; x < settings.width; x += side) {
+      const PixelRect block{x, y, std::min(side, settings.width - x),
+                            std::min(side, settings.height - y)};
+      film.put(render_block(scene, view, settings, block).tile);
+    }
+  }
+  return film;
+}
+
+double area_of(const PixelTraceCell& cell) {
+  return static_cast<double>(cell.side) * static_cast<double>(cell.side);
+}
+
+bool is_marginal(CellFate fate) {
+  return fate == CellFate::split || fate == CellFate::stopped || fate == CellFate::finest;
+}
+
+// Corner and side in 1/256 of the pixel, in which all cells are whole but for rounding.
+using Place = std::tuple<long, long, long>;
+Place place_of(glm::vec2 corner, float side) {
+  return {std::lround(256.0f * corner.x), std::lround(256.0f * corner.y),
+          std::lround(256.0f * side)};
+}
+
+bool has_children(CellFate fate) {
+  return fate == CellFate::split || fate == CellFate::uneven;
+}
+
+// Every split cell has its four quarters, and every cell but the first a parent.
+void check_tree(const PixelTrace& trace) {
+  std::set<Place> expected{place_of({0, 0}, 1.0f)};
+  std::set<Place> found;
+  for (const PixelTraceCell& cell : trace.cells) {
+    EXPECT_NEAR(cell.side, std::ldexp(1.0, -cell.level), 1e-5);
+    EXPECT_TRUE(found.insert(place_of(cell.corner, cell.side)).second) << "twice";
+    if (!has_children(cell.fate)) continue;
+    EXPECT_TRUE(cell.samples.empty());
+    const float half = 0.5f * cell.side;
+    for (int i = 0; i < 4; ++i)
+      expected.insert(place_of(
+          cell.corner + half * glm::vec2(static_cast<float>(i & 1), static_cast<float>(i >> 1)),
+          half));
+  }
+  EXPECT_EQ(found, expected);
+}
+
+// Each finished cell's samples carry its area; together they make the pixel.
+void check_samples(const PixelTrace& trace) {
+  double total = 0.0, unresolved = 0.0;
+  glm::dvec3 colour(0.0);
+  for (const PixelTraceCell& cell : trace.cells) {
+    double weight = 0.0;
+    for (const PixelTraceSample& s : cell.samples) {
+      weight += s.weight;
+      colour += s.weight * glm::dvec3(s.radiance);
+      const glm::vec2 in = (s.at - cell.corner) / cell.side;
+      EXPECT_TRUE(in.x > -1e-4f && in.y > -1e-4f && in.x < 1.0001f && in.y < 1.0001f);
+    }
+    total += weight;
+    if (has_children(cell.fate)) continue;
+    EXPECT_NEAR(weight, area_of(cell), 1e-5);
+    const bool resolved = cell.fate == CellFate::uniform || cell.fate == CellFate::cut ||
+                          cell.fate == CellFate::by_samples;
+    if (!resolved) unresolved += area_of(cell);
+  }
+  EXPECT_NEAR(total, 1.0, 1e-6);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(colour[k], static_cast<double>(trace.radiance[k]), 1e-6);
+  if (trace.cells.front().fate != CellFate::by_samples) {
+    EXPECT_NEAR(trace.unresolved_area, unresolved, 1e-5);
+  }
+}
+
+// The tables count the cells that are told.
+void check_levels(const PixelTrace& trace) {
+  for (const LevelTally& tally : trace.levels) {
+    const auto marginal =
+        std::count_if(trace.cells.begin(), trace.cells.end(), [&](const PixelTraceCell& cell) {
+          return cell.level == tally.level && is_marginal(cell.fate);
+        });
+    EXPECT_EQ(static_cast<long>(tally.marginal), marginal);
+    for (const ObjectTally& object : tally.objects) EXPECT_LE(object.marginal(), tally.marginal);
+  }
+  for (const PixelTraceCell& cell : trace.cells) {
+    if (is_marginal(cell.fate)) {
+      EXPECT_TRUE(std::any_of(trace.levels.begin(), trace.levels.end(),
+                              [&](const LevelTally& tally) { return tally.level == cell.level; }));
+    }
+  }
+}
+
+/// How far a cone reaches beyond its cell, in cells: the circle around it reaches (sqrt 2 - 1) / 2,
+/// drawn out to an ellipse of 1 / cos off the axis, and most in the picture's corners. A cell's
+/// inner corner is seen larger than its middle by 2 tan times half its diagonal, and the cone
+/// reaches farther out by as much again.
+float reach_beyond(const Camera& camera, const RenderSettings& settings) {
+  if (as_published(settings).asos.detect == Detection::square) return 1e-4f;
+  const double half_height =
+      camera.type == Camera::Type::perspective ? std::tan(0.5 * camera.fov_y_rad) : 0.0;
+  const double pixel = 2.0 * half_height / settings.height;
+  const double tangent =
+      half_height * std::hypot(1.0, static_cast<double>(settings.width) / settings.height);
+  const double half = 0.5 * std::sqrt(2.0 + tangent * tangent);
+  return static_cast<float>(half * (1.0 + 4.0 * tangent * std::sqrt(0.5) * pixel) - 0.5) + 1e-3f;
+}
+
+void check_boundaries(const PixelTrace& trace, float beyond) {
+  for (const PixelTraceCell& cell : trace.cells) {
+    for (const PixelTraceBoundary& b : cell.boundaries) {
+      for (const glm::vec2 end : {b.from, b.to}) {
+        const glm::vec2 in = (end - cell.corner) / cell.side;
+        EXPECT_TRUE(in.x > -beyond && in.y > -beyond && in.x < 1.0f + beyond &&
+                    in.y < 1.0f + beyond)
+            << in.x << ", " << in.y;
+      }
+    }
+  }
+}
+
+/// Traces every `step`-th pixel, and those of the last row and column.
+void check_picture(const RenderScene& scene, const Camera& camera, const RenderSettings& settings,
+                   int step) {
+  const View view(camera, settings.width, settings.height);
+  const Film film = render(scene, view, settings);
+  int split = 0;
+  for (int y = 0; y < settings.height; ++y) {
+    for (int x = 0; x < settings.width; ++x) {
+      const bool last = x + 1 == settings.width || y + 1 == settings.height;
+      if (!last && (x + settings.width * y) % step != 0) continue;
+      SCOPED_TRACE(testing::Message() << "pixel " << x << "," << y);
+      const PixelTrace trace = trace_pixel(scene, view, settings, x, y);
+      ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
+                0);
+      ASSERT_FALSE(trace.cells.empty());
+      check_tree(trace);
+      check_samples(trace);
+      check_levels(trace);
+      check_boundaries(trace, reach_beyond(camera, settings));
+      if (testing::Test::HasFailure()) return;
+      split += trace.cells.size() > 1;
+    }
+  }
+  EXPECT_GT(split, 0);
+}
+
+RenderSettings settings_of(int width, int height) {
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  return settings;
+}
+
+SharedScene boxes() {
+  static const SharedScene scene =
+      load_scene("builtin:boxes").and_then([](const Scene& s) { return prepare(s); }).value();
+  return scene;
+}
+
+// 37 x 21 pixels end in blocks that are not whole.
+TEST(PixelTrace, IsWhatRenderingDoes) {
+  check_picture(*boxes(), boxes()->world.cameras.at(0), settings_of(37, 21), 7);
+}
+
+TEST(PixelTrace, IsWhatRenderingDoesAsPublished) {
+  RenderSettings settings = settings_of(37, 21);
+  settings.method = Method::asos_published;
+  settings.asos.eps = 1.0 / 16.0;
+  check_picture(*boxes(), boxes()->world.cameras.at(0), settings, 7);
+}
+
+TEST(PixelTrace, IsWhatRenderingDoesWhateverTheFatPyrays) {
+  for (const int fat : {2, 4, 16}) {
+    RenderSettings settings = settings_of(37, 21);
+    settings.asos.fat = fat;
+    settings.asos.max_level = 2;
+    settings.asos.jitter = true;
+    check_picture(*boxes(), boxes()->world.cameras.at(0), settings, 11);
+  }
+}
+
+TEST(PixelTrace, IsWhatRenderingDoesForOrthographicCameras) {
+  const auto scene = make_render_scene(still_life());
+  for (const Detection detect : {Detection::square, Detection::cone}) {
+    RenderSettings settings = settings_of(33, 26);
+    settings.asos.detect = detect;
+    check_picture(*scene, orthographic(4.0), settings, 5);
+  }
+}
+
+// A cut-out's outline is in its texture: no edge runs there, and samples find it.
+TEST(PixelTrace, TellsWhatTheSafetyNetSplit) {
+  World world;
+  add_quad(world, {-5, -5, -1}, {10, 0, 0}, {0, 10, 0}, unlit({0.2f, 0.4f, 0.8f}));
+  Image holes;
+  holes.width = holes.height = 8;
+  for (int i = 0; i < 64; ++i) {
+    const std::uint8_t alpha = (i / 8 + i) % 2 ? 255 : 0;
+    holes.rgba.insert(holes.rgba.end(), {255, 255, 255, alpha});
+  }
+  Material lattice = unlit({1, 1, 1});
+  lattice.alpha_mode = AlphaMode::mask;
+  lattice.base_color_texture.texture =
+      add_texture(world, std::move(holes), Wrap::clamp_to_edge, Filter::nearest);
+  add_quad(world, {-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, lattice);
+  const auto scene = make_render_scene(std::move(world));
+  const RenderSettings settings = settings_of(24, 24);
+  const View view(orthographic(9.0), settings.width, settings.height);
+  const Film film = render(*scene, view, settings);
+  int by_samples = 0;
+  for (int y = 0; y < settings.height; ++y) {
+    for (int x = 0; x < settings.width; ++x) {
+      const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
+      if (trace.cells.front().fate != CellFate::by_samples) continue;
+      ++by_samples;
+      ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
+                0);
+      check_samples(trace);
+      EXPECT_GE(trace.cells.front().samples.size(), 4u);
+      EXPECT_FALSE(trace.missed);  // nobody could have known
+    }
+  }
+  EXPECT_GT(by_samples, 0);
+}
+
+// Two planes that cross, with the boundaries of a world in which they do not.
+TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
+  const auto world = [](float height) {
+    World w;
+    add_quad(w, {-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, unlit({1, 1, 1}));
+    add_quad(w, {-50, -50, height - 5.03f}, {100, 0, 10}, {0, 100, 0}, unlit({0, 0, 0}));
+    return w;
+  };
+  const auto scene = std::const_pointer_cast<RenderScene>(make_render_scene(world(0)));
+  scene->index->features = FeatureSet(world(1000));
+  const RenderSettings settings = settings_of(16, 16);
+  const View view(orthographic(4.0), settings.width, settings.height);
+  RenderStatistics statistics;
+  for (int y = 0; y < 16; y += block_size)
+    for (int x = 0; x < 16; x += block_size)
+      statistics += render_block(*scene, view, settings, {x, y, block_size, block_size}).statistics;
+  std::uint64_t missed = 0;
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
+      missed += trace.missed;
+      EXPECT_EQ(trace.missed, trace.cells.front().fate == CellFate::by_samples);
+    }
+  }
+  EXPECT_GT(missed, 0u);
+  EXPECT_EQ(missed, statistics.missed_splits);
+}
+
+// Polished boxes under a ball of light: each leaf sends pyrays to it and to what it mirrors.
+TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
+  std::shared_ptr<const RenderScene> scene;
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    if (builtin.name != "boxes") continue;
+    Scene polished = builtin.make();
+    for (Material& material : polished.materials) {
+      material.metallic = 0.0f;
+      material.roughness = 0.0f;
+    }
+    Light ball;
+    ball.position = {1, 4, 3};
+    ball.radius = 0.5;
+    ball.intensity = 40.0f;
+    polished.lights = {ball};
+    scene = prepare(polished).value();
+  }
+  ASSERT_NE(scene, nullptr);
+  const RenderSettings settings = settings_of(16, 12);
+  const View view(scene->world.cameras.front(), 16, 12, radius_around_origin(scene->world.bounds));
+  const Film film = render(*scene, view, settings);
+  int shadows = 0, mirrors = 0, nested = 0, partly_lit = 0;
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
+      ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
+                0)
+          << "writing down changes nothing";
+      for (int i = 0; i < static_cast<int>(trace.pyrays.size()); ++i) {
+        const PixelTracePyray& pyray = trace.pyrays[static_cast<std::size_t>(i)];
+        ASSERT_LT(pyray.parent, i);
+        nested += pyray.parent >= 0;
+        ASSERT_FALSE(pyray.cells.empty());
+        double area = 0.0;
+        for (const PixelTraceCell& cell : pyray.cells)
+          for (const PixelTraceSample& sample : cell.samples) area += sample.weight;
+        EXPECT_NEAR(area, 1.0, 1e-5);
+        EXPECT_GE(std::min(pyray.from.x, pyray.from.y), -1e-3f);
+        EXPECT_LE(std::max(pyray.from.x, pyray.from.y), 1.001f);
+        if (pyray.kind == LoggedPyray::Kind::mirror) {
+          ++mirrors;
+          continue;
+        }
+        ++shadows;
+        EXPECT_LT(pyray.light, scene->world.lights.size());
+        partly_lit += pyray.result.x > 0.01f && pyray.result.x < 0.99f;
+        for (const PixelTraceCell& cell : pyray.cells)
+          for (const PixelTraceSample& sample : cell.samples)
+            EXPECT_TRUE(sample.radiance.x >= 0.0f && sample.radiance.x <= 1.0f);
+      }
+    }
+  }
+  EXPECT_GT(shadows, 0);
+  EXPECT_GT(mirrors, 0);
+  EXPECT_GT(nested, 0) << "what is mirrored has shadows, too";
+  EXPECT_GT(partly_lit, 0) << "a penumbra";
+}
+
+}  // namespace
+}  // namespace asos::test::pixel_trace_test

@@ -1,0 +1,98 @@
+#include "renderer/shading/environment.h"
+#include "renderer/shading/sky.h"
+#include "tests/support/render_picture.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asos::test::sky_picture_test {
+namespace {
+
+constexpr int sky_side = 16;
+
+/// Waves of some 12 degrees and some 3, which pixels of 4 degrees average.
+std::shared_ptr<const Sky> wavy_sky() {
+  constexpr int height = 256;
+  std::vector<glm::vec3> texels;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 2 * height; ++x)
+      texels.emplace_back(0.5f + 0.2f * std::sin(0.37f * static_cast<float>(x)),
+                          0.5f + 0.2f * std::sin(1.6f * static_cast<float>(x + y)), 0.5f);
+  return std::make_shared<const Sky>(SkyMap(2 * height, height, std::move(texels)), 0.0, "waves");
+}
+
+World speck() {
+  World world;
+  add_quad(world, {-0.001f, -0.001f, 50}, {0.002f, 0, 0}, {0, 0.002f, 0}, unlit(glm::vec3(1)));
+  return world;
+}
+
+RenderSettings under(std::shared_ptr<const Sky> sky, Method method, int spp = 1) {
+  RenderSettings settings;
+  settings.width = settings.height = sky_side;
+  settings.method = method;
+  settings.sampling.spp = spp;
+  settings.sky = std::move(sky);
+  return settings;
+}
+
+TEST(SkyPicture, BackgroundIsThePixelsMean) {
+  const auto scene = make_render_scene(speck());
+  // Ahead, and straight up, where all columns of the picture meet.
+  for (const glm::dvec3 target : {glm::dvec3(0, 0.2, -1), glm::dvec3(0.01, 1, 0.02)}) {
+    const Camera camera = look_at({0, 0, 0}, target, 1.0);
+    const Film found = render_picture(*scene, camera, under(wavy_sky(), Method::asos)).film;
+    RenderSettings dense = under(wavy_sky(), Method::uniform, 256);
+    dense.texture.filter = TextureFilter::point;
+    const Film expected = render_picture(*scene, camera, dense).film;
+    dense.sampling.spp = 1;
+    const Film points = render_picture(*scene, camera, dense).film;
+    double by_mean = 0.0, by_points = 0.0;
+    for (std::size_t i = 0; i < found.radiance.size(); ++i) {
+      by_mean += std::pow(glm::distance(found.radiance[i], expected.radiance[i]), 2.0f);
+      by_points += std::pow(glm::distance(points.radiance[i], expected.radiance[i]), 2.0f);
+    }
+    EXPECT_LT(by_mean, by_points / 16.0) << "a quarter of the error of a sample a pixel";
+  }
+}
+
+TEST(SkyPicture, AGreySkyIsTheNeutralOne) {
+  const auto scene = make_render_scene(still_life());
+  const Camera camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
+  const Film neutral = render_picture(*scene, camera, under(nullptr, Method::asos)).film;
+  const auto grey = std::make_shared<const Sky>(glm::vec3(sky_radiance));
+  const Film same = render_picture(*scene, camera, under(grey, Method::asos)).film;
+  for (std::size_t i = 0; i < neutral.radiance.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(neutral.radiance[i][k], same.radiance[i][k],
+                  1e-6f + 1e-5f * neutral.radiance[i][k]);
+}
+
+TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
+  World world;
+  Material white = matte(glm::vec3(0.5f));
+  white.specular = 0.0f;
+  add_quad(world, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, white);
+  Light dark;
+  dark.type = Light::Type::directional;
+  dark.direction = {0, 1, 0};
+  dark.intensity = 1e-6f;
+  world.lights.push_back(dark);
+  const auto scene = make_render_scene(std::move(world));
+  const auto sky = std::make_shared<const Sky>(glm::vec3(2, 1, 0), glm::vec3(0.5f));
+  const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
+  for (const Method method : {Method::asos, Method::sobol}) {
+    const Film film = render_picture(*scene, camera, under(sky, method)).film;
+    const glm::vec3 c = film.radiance[film.index(8, 8)];
+    // Two thirds of what the zenith has more than the horizon.
+    EXPECT_NEAR(c.r, 0.5f * sky_visibility * 1.5f, 1e-5f);
+    EXPECT_NEAR(c.b, 0.5f * sky_visibility * (0.5f - 1.0f / 3.0f), 1e-5f);
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::sky_picture_test

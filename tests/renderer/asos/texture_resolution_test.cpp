@@ -1,0 +1,273 @@
+#include "renderer/asos/pixel_trace.h"
+#include "renderer/asos/texture_samples.h"
+#include "tests/support/expect_same.h"
+#include "tests/support/render_picture.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace asos::test::texture_resolution_test {
+namespace {
+
+constexpr int picture_side = 24;
+
+/// A plane that fills the picture, black and white squares of 0.31 pixels, and more of the same
+/// behind a post in the middle if asked for.
+World checks(bool post) {
+  World world;
+  Material m = unlit(glm::vec3(1));
+  m.base_color_texture.texture = add_texture(world,
+                                             make_image(2, 2,
+                                                        [](int x, int y) {
+                                                          const std::uint8_t c =
+                                                              (x + y) % 2 == 0 ? 255 : 0;
+                                                          return Texel{c, c, c, 255};
+                                                        }),
+                                             Wrap::repeat, Filter::nearest);
+  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
+  // Four units are 48 pixels of 1 / 12.
+  for (glm::vec2& uv : world.texcoords[0]) uv = uv * (48.0f / 0.62f) + glm::vec2(0.123f, 0.237f);
+  if (post) add_quad(world, {-0.33f, -3, 1}, {0.5f, 0.1f, 0}, {0, 6, 0}, unlit({0.2f, 0.4f, 0.6f}));
+  return world;
+}
+
+RenderSettings with_tr(int tr) {
+  RenderSettings settings;
+  settings.width = settings.height = picture_side;
+  settings.texture.filter = TextureFilter::point;
+  settings.texture.resolution = tr;
+  return settings;
+}
+
+/// Root mean square of the pixels' distance from the plane's grey, and their mean.
+struct PictureSpread {
+  double error = 0.0;
+  double mean = 0.0;
+};
+
+PictureSpread spread_of(const Film& film) {
+  PictureSpread s;
+  for (const glm::vec3& c : film.radiance) {
+    s.mean += static_cast<double>(c.r);
+    s.error += std::pow(static_cast<double>(c.r) - 0.5, 2.0);
+  }
+  const auto pixels = static_cast<double>(film.radiance.size());
+  return {std::sqrt(s.error / pixels), s.mean / pixels};
+}
+
+TEST(TextureResolution, PointSamplesOfAFineTextureConvergeToItsMean) {
+  const auto scene = make_render_scene(checks(false));
+  for (const int tr : {1, 2, 4, 8}) {
+    const Picture picture = render_picture(*scene, orthographic(2.0), with_tr(tr));
+    const PictureSpread s = spread_of(picture.film);
+    EXPECT_EQ(picture.statistics.rejected_samples, 0u);
+    EXPECT_EQ(picture.statistics.eye_rays,
+              static_cast<std::uint64_t>(picture_side * picture_side * (tr > 1 ? tr * tr + 1 : 1)));
+    if (tr == 1) continue;
+    // Stratified samples of 0 and 1 are no worse than independent ones, whose mean of n has a
+    // standard deviation of 0.5 / sqrt(n); five of those for the picture's mean.
+    EXPECT_LT(s.error, 0.5 / tr) << tr;
+    EXPECT_NEAR(s.mean, 0.5, 5.0 * 0.5 / tr / picture_side) << tr;
+  }
+}
+
+TEST(TextureResolution, ChangesNothingWithoutTextures) {
+  const auto scene = make_render_scene(still_life());
+  const Camera camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
+  for (const Method method : {Method::asos, Method::asos_published}) {
+    RenderSettings settings = with_tr(1);
+    settings.method = method;
+    const Picture one = render_picture(*scene, camera, settings);
+    settings.texture.resolution = 8;
+    const Picture eight = render_picture(*scene, camera, settings);
+    EXPECT_EQ(one.film.radiance, eight.film.radiance);
+    EXPECT_EQ(one.statistics.eye_rays, eight.statistics.eye_rays);
+    EXPECT_EQ(one.statistics.pyrays_by_level, eight.statistics.pyrays_by_level);
+  }
+}
+
+TEST(TextureResolution, LeavesTheSubdivisionAndItsStatisticsAlone) {
+  const auto scene = make_render_scene(checks(true));
+  const Picture one = render_picture(*scene, orthographic(2.0), with_tr(1));
+  const Picture four = render_picture(*scene, orthographic(2.0), with_tr(4));
+  EXPECT_EQ(one.film.split_level, four.film.split_level);
+  EXPECT_EQ(one.statistics.pyrays_by_level, four.statistics.pyrays_by_level);
+  EXPECT_EQ(one.statistics.split_pixels, four.statistics.split_pixels);
+  EXPECT_GT(four.statistics.eye_rays, one.statistics.eye_rays);
+  // The post has no texture: it stays what it was.
+  const std::size_t inside = four.film.index(11, 12);
+  EXPECT_EQ(four.film.radiance[inside], one.film.radiance[inside]);
+}
+
+TEST(TextureResolution, WeightsAddUpToAPixel) {
+  // A constant texture gives a constant picture, whatever is divided and cut.
+  World world = checks(true);
+  for (std::uint8_t& byte : world.images[0].rgba) byte = 255;
+  const auto scene = make_render_scene(std::move(world));
+  RenderSettings settings = with_tr(1);
+  const Picture one = render_picture(*scene, orthographic(2.0), settings);
+  for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
+    settings.asos.leaf = leaf;
+    settings.texture.resolution = 1;
+    const Picture expected = render_picture(*scene, orthographic(2.0), settings);
+    settings.texture.resolution = 5;
+    const Picture found = render_picture(*scene, orthographic(2.0), settings);
+    for (std::size_t i = 0; i < found.film.radiance.size(); ++i)
+      EXPECT_NEAR(found.film.radiance[i].r, expected.film.radiance[i].r, 1e-5f);
+  }
+  const View view(orthographic(2.0), picture_side, picture_side);
+  for (int x = 0; x < picture_side; ++x) {
+    const PixelTrace trace = trace_pixel(*scene, view, with_tr(4), x, 9);
+    double weight = 0.0;
+    for (const PixelTraceCell& cell : trace.cells)
+      for (const PixelTraceSample& sample : cell.samples) weight += sample.weight;
+    EXPECT_NEAR(weight, 1.0, 1e-6) << x;
+  }
+}
+
+TEST(TextureResolution, ATraceAddsUpToThePicture) {
+  const auto scene = make_render_scene(checks(true));
+  const RenderSettings settings = with_tr(4);
+  const Picture picture = render_picture(*scene, orthographic(2.0), settings);
+  const View view(orthographic(2.0), picture_side, picture_side);
+  for (int x = 4; x < 16; ++x) {
+    const PixelTrace trace = trace_pixel(*scene, view, settings, x, 12);
+    glm::dvec3 sum(0.0);
+    for (const PixelTraceCell& cell : trace.cells)
+      for (const PixelTraceSample& sample : cell.samples)
+        sum += sample.weight * glm::dvec3(sample.radiance);
+    EXPECT_NEAR(sum.r, static_cast<double>(picture.film.radiance[picture.film.index(x, 12)].r),
+                1e-5)
+        << x;
+  }
+}
+
+TEST(TextureResolution, DoesNotDependOnWhichBlocksAreRendered) {
+  const auto scene = make_render_scene(checks(true));
+  RenderSettings settings = with_tr(3);
+  const Picture whole = render_picture(*scene, orthographic(2.0), settings);
+  // Other fat pyrays, other frames: the same random places, up to the frames' rounding.
+  settings.asos.fat = 4;
+  const Picture other = render_picture(*scene, orthographic(2.0), settings);
+  int differ = 0;
+  for (std::size_t i = 0; i < whole.film.radiance.size(); ++i)
+    differ += glm::distance(whole.film.radiance[i], other.film.radiance[i]) > 1e-3f ? 1 : 0;
+  EXPECT_EQ(differ, 0);
+  const View view(orthographic(2.0), picture_side, picture_side);
+  settings.asos.fat = 8;
+  const BlockResult again = render_block(*scene, view, settings, {8, 8, 8, 8});
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      EXPECT_EQ(again.tile.radiance[static_cast<std::size_t>(8 * y + x)],
+                whole.film.radiance[whole.film.index(8 + x, 8 + y)]);
+}
+
+// A texture that changes nothing, in the shadows of a post under a ball and a sun: the parts of a
+// leaf share one look at the lights, which tells what as many looks would.
+TEST(TextureResolution, PartsShareTheirShadows) {
+  World world;
+  Material m = matte(glm::vec3(0.6f));
+  m.base_color_texture.texture = add_texture(world,
+                                             make_image(1, 1,
+                                                        [](int, int) {
+                                                          return Texel{255, 255, 255, 255};
+                                                        }),
+                                             Wrap::repeat, Filter::nearest);
+  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
+  add_quad(world, {-0.33f, -3, 0.6f}, {0.5f, 0.1f, 0}, {0, 6, 0}, matte(glm::vec3(0.3f)));
+  Light ball;
+  ball.type = Light::Type::point;
+  ball.position = {-1.5, 0.4, 3.0};
+  ball.radius = 0.4;
+  ball.intensity = 6.0f;
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = glm::normalize(glm::dvec3(-0.7, 0.1, -1.0));
+  world.lights = {ball, sun};
+  const auto scene = make_render_scene(std::move(world));
+  const Picture once = render_picture(*scene, orthographic(2.0), with_tr(1));
+  const Picture parts = render_picture(*scene, orthographic(2.0), with_tr(4));
+  EXPECT_GT(parts.statistics.eye_rays, 10 * once.statistics.eye_rays);
+  EXPECT_LT(parts.statistics.shadow_rays, 5 * once.statistics.shadow_rays);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < once.film.radiance.size(); ++i)
+    worst = std::max(
+        worst, static_cast<double>(glm::length(once.film.radiance[i] - parts.film.radiance[i])));
+  EXPECT_LT(worst, 4e-3) << "let pass at MAX 3";
+}
+
+TEST(TextureResolution, SmallLeavesAreDividedLess) {
+  EXPECT_EQ(texture_divisions(1, 1.0), 1);
+  EXPECT_EQ(texture_divisions(4, 1.0), 4);
+  EXPECT_EQ(texture_divisions(4, 0.5), 2);
+  EXPECT_EQ(texture_divisions(3, 0.5), 2) << "no part is larger than a pixel's ninth";
+  EXPECT_EQ(texture_divisions(4, 0.25000001), 1);
+  EXPECT_EQ(texture_divisions(8, 1.0 / 16.0), 1);
+}
+
+TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
+  const Square square{0.25f, 0.5f, 0.125f};
+  const auto all = texture_parts({square, {}}, 5, {{16, 8}, 8}, 0, true);
+  ASSERT_EQ(all.size(), 25u);
+  std::set<float> places;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const glm::vec2 within = (all[i].at - glm::vec2(square.u, square.v)) / square.side * 5.0f;
+    EXPECT_EQ(static_cast<std::size_t>(within.x), i % 5);
+    EXPECT_EQ(static_cast<std::size_t>(within.y), i / 5);
+    EXPECT_FALSE(all[i].marginal);
+    places.insert(within.x - std::floor(within.x));
+  }
+  EXPECT_GT(places.size(), 20u) << "each has a place of its own";
+  for (const TexturePart& part : texture_parts({square, {}}, 5, {{16, 8}, 8}, 0, false)) {
+    EXPECT_FLOAT_EQ(part.at.x, part.square.centre_u());
+    EXPECT_FLOAT_EQ(part.at.y, part.square.centre_v());
+  }
+  // Another frame around the same pixel, another seed.
+  const auto moved = texture_parts({{0.5f, 0.5f, 0.25f}, {}}, 5, {{16, 10}, 4}, 0, true);
+  const auto reseeded = texture_parts({square, {}}, 5, {{16, 8}, 8}, 1, true);
+  int same = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(8.0f * all[i].at.x, 4.0f * moved[i].at.x, 1e-5f);
+    EXPECT_NEAR(8.0f * all[i].at.y, 2.0f + 4.0f * moved[i].at.y, 1e-5f);
+    same += all[i].at == reseeded[i].at ? 1 : 0;
+  }
+  EXPECT_EQ(same, 0);
+  // The half of the square above its diagonal.
+  const std::vector<Side> sides{{{0.25f, 0.625f}, {0.375f, 0.5f}},
+                                {{0.375f, 0.5f}, {0.25f, 0.5f}},
+                                {{0.25f, 0.5f}, {0.25f, 0.625f}}};
+  const LeafRegion half{square, sides};
+  const auto parts = texture_parts(half, 5, {{16, 8}, 8}, 0, true);
+  EXPECT_GE(parts.size(), 10u);
+  EXPECT_LE(parts.size(), 15u);
+  int marginal = 0;
+  for (const TexturePart& part : parts) {
+    EXPECT_TRUE(half.holds(part.at));
+    marginal += part.marginal ? 1 : 0;
+  }
+  EXPECT_EQ(parts.size() - static_cast<std::size_t>(marginal), 10u) << "those off the diagonal";
+}
+
+TEST(TextureResolution, KnowsWhatIsTextured) {
+  SceneNeeds needs;
+  needs.textures = needs.normal_maps = needs.emission = true;
+  Material m;
+  EXPECT_FALSE(is_textured(m, needs));
+  for (TextureUse Material::*use :
+       {&Material::base_color_texture, &Material::metallic_roughness_texture,
+        &Material::normal_texture, &Material::emissive_texture}) {
+    Material one;
+    (one.*use).texture = 0;
+    EXPECT_TRUE(is_textured(one, needs));
+    one.unlit = true;
+    EXPECT_EQ(is_textured(one, needs), use == &Material::base_color_texture);
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::texture_resolution_test

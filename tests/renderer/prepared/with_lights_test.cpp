@@ -1,0 +1,84 @@
+#include "renderer/prepared/render_scene.h"
+#include "renderer/scene/load.h"
+#include "tests/support/render_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+namespace asos::with_lights_test {
+namespace {
+
+std::shared_ptr<const RenderScene> boxes(std::vector<Light> lights = {}) {
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    if (builtin.name != "boxes") continue;
+    Scene scene = builtin.make();
+    if (!lights.empty()) scene.lights = std::move(lights);
+    return prepare(scene).value();
+  }
+  return nullptr;
+}
+
+std::vector<Light> other_lights() {
+  Light ball;
+  ball.name = "ball";
+  ball.position = {1, 4, 3};
+  ball.radius = 0.3;
+  ball.intensity = 30.0f;
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = glm::normalize(glm::dvec3(-1, -2, -1));
+  sun.intensity = 1.5f;
+  return {ball, sun};
+}
+
+test::Picture picture_of(const RenderScene& scene) {
+  RenderSettings settings;
+  settings.width = 32;
+  settings.height = 24;
+  return test::render_picture(scene, test::first_camera(scene.world, 4.0 / 3.0), settings);
+}
+
+TEST(WithLights, GivesThePictureOfASceneWithThoseLights) {
+  const auto before = boxes();
+  const auto fresh = boxes(other_lights());
+  std::vector<Light> lights = other_lights();
+  for (Light& light : lights) light.position -= before->world.origin;
+  const auto relit = with_lights(before, lights);
+  ASSERT_TRUE(relit.has_value());
+  EXPECT_EQ((*relit)->needs, fresh->needs);
+  EXPECT_EQ(&(*relit)->rays, &before->rays) << "nothing is built again";
+  EXPECT_EQ(&(*relit)->features, &before->features);
+  const test::Picture expected = picture_of(*fresh), got = picture_of(**relit);
+  EXPECT_EQ(got.film.radiance, expected.film.radiance);
+  EXPECT_NE(got.film.radiance, picture_of(*before).film.radiance);
+}
+
+TEST(WithLights, OutlivesTheSceneItCameFrom) {
+  auto before = boxes();
+  const auto film = picture_of(*before).film;
+  std::vector<Light> lights = before->world.lights;
+  auto relit = with_lights(with_lights(before, other_lights()).value(), lights).value();
+  EXPECT_EQ(relit->built_from, before);
+  before.reset();
+  EXPECT_EQ(picture_of(*relit).film.radiance, film.radiance);
+}
+
+TEST(WithLights, RefusesWhatIsNotFinite) {
+  const auto scene = boxes();
+  for (int broken = 0; broken < 4; ++broken) {
+    std::vector<Light> lights = other_lights();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (broken == 0) lights[0].position.y = nan;
+    if (broken == 1) lights[0].radius = std::numeric_limits<double>::infinity();
+    if (broken == 2) lights[0].color.x = std::numeric_limits<float>::infinity();
+    if (broken == 3) lights[0].own_part = 0;
+    const auto relit = with_lights(scene, lights);
+    ASSERT_FALSE(relit.has_value()) << broken;
+    EXPECT_EQ(relit.error().subject, "light 'ball'");
+  }
+}
+
+}  // namespace
+}  // namespace asos::with_lights_test

@@ -1,0 +1,155 @@
+#include "renderer/samples/region_sampler.h"
+
+#include "tests/support/render_picture.h"
+#include "tests/support/sample_lights.h"
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace asos::test::region_sampler_test {
+namespace {
+
+Material glowing(glm::vec3 color) {
+  Material material = matte(color);
+  material.unlit = true;
+  material.double_sided = true;
+  return material;
+}
+
+/// A wall across the view of 8x8 pixels, 8 units wide: red to the left of x = 0.3, green beside.
+class TwoColours : public testing::Test {
+ protected:
+  TwoColours() {
+    World world;
+    add_quad(world, {-50, -50, 0}, {50.3f, 0, 0}, {0, 100, 0}, glowing({1, 0, 0}));
+    add_quad(world, {0.3f, -50, 0}, {50, 0, 0}, {0, 100, 0}, glowing({0, 1, 0}));
+    scene_ = make_render_scene(std::move(world));
+    settings_.width = settings_.height = 8;
+    Camera camera = look_at({0, 0, 4}, {0, 0, 0}, 2.0 * std::atan(1.0));
+    view_.emplace(camera, 8, 8);
+    shader_.emplace(shader_of(*scene_, settings_, *view_));
+    viewer_.emplace(Viewer::camera(*view_, *shader_));
+  }
+
+  [[nodiscard]] RegionSampler::Estimate sample(const LeafRegion& region,
+                                               const RegionSampler::Goal& goal) {
+    RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8});
+    return sampler.sample(region, goal, counts_);
+  }
+
+  std::shared_ptr<const RenderScene> scene_;
+  RenderSettings settings_;
+  std::optional<View> view_;
+  std::optional<Shader> shader_;
+  std::optional<Viewer> viewer_;
+  RenderStatistics counts_;
+};
+
+// The pixel in column 4 shows x from 0 to 1.
+constexpr Square crossed{4.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
+
+TEST_F(TwoColours, AreMixedByTheirAreas) {
+  const auto found = sample({crossed, {}}, {-1.0, 1024});
+  EXPECT_EQ(found.samples, 1024u);
+  // A net of 1024 points: 32 columns of 32, of which one is crossed.
+  EXPECT_NEAR(found.mean.x, 0.3, 1.0 / 32.0);
+  EXPECT_NEAR(found.mean.x + found.mean.y, 1.0, 1e-6);
+  EXPECT_EQ(counts_.eye_rays, 1024u);
+}
+
+TEST_F(TwoColours, StopOnceTheGoalIsMet) {
+  const auto even = sample({{0.0f, 0.0f, 1.0f / 8.0f}, {}}, {1e-3, 1024});
+  EXPECT_EQ(even.samples, 16u);
+  EXPECT_EQ(even.mean.x, 1.0);
+  const auto rough = sample({crossed, {}}, {0.05, 1024});
+  const auto fine = sample({crossed, {}}, {0.005, 1024});
+  EXPECT_LT(rough.samples, fine.samples);
+  EXPECT_NEAR(rough.mean.x, 0.3, 3.0 * 0.05);
+  EXPECT_NEAR(fine.mean.x, 0.3, 3.0 * 0.005);
+}
+
+TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
+  // The part of the crossed pixel to the left of the seam, and a hair less.
+  const float u0 = crossed.u, u1 = crossed.u + 0.299f * crossed.side;
+  const float v0 = crossed.v, v1 = crossed.v + crossed.side;
+  const std::array<Side, 4> sides = {
+      Side{{u0, v0}, {u1, v0}}, {{u1, v0}, {u1, v1}}, {{u1, v1}, {u0, v1}}, {{u0, v1}, {u0, v0}}};
+  const auto found = sample({crossed, sides}, {-1.0, 256});
+  EXPECT_EQ(found.mean.x, 1.0);
+  EXPECT_EQ(found.mean.y, 0.0);
+  EXPECT_EQ(found.samples, 256u);
+}
+
+TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8});
+  const RegionSampler::Goal goal{-1.0, 64};
+  const auto first = sampler.sample({crossed, {}}, goal, counts_);
+  (void)sampler.sample({{0.25f, 0.25f, 0.5f}, {}}, goal, counts_);
+  const auto again = sampler.sample({crossed, {}}, goal, counts_);
+  EXPECT_EQ(first.mean, again.mean);
+}
+
+/// A floor whose normals swing from pixel to pixel, under a panel.
+World swinging(float amplitude) {
+  World world;
+  constexpr int n = 64;
+  std::vector<TinyVertex> vertices;
+  std::vector<glm::uvec3> triangles;
+  for (int z = 0; z <= n; ++z) {
+    for (int x = 0; x <= n; ++x) {
+      const auto u = static_cast<float>(x) / n, v = static_cast<float>(z) / n;
+      const float slope = amplitude * std::sin(40.0f * u);
+      vertices.push_back(
+          {{8.0f * u - 4.0f, 0, 4.0f - 8.0f * v}, glm::normalize(glm::vec3(slope, 1, 0)), {u, v}});
+    }
+  }
+  for (unsigned z = 0; z < n; ++z) {
+    for (unsigned x = 0; x < n; ++x) {
+      const unsigned i = z * (n + 1) + x;
+      triangles.push_back({i, i + 1, i + n + 2});
+      triangles.push_back({i, i + n + 2, i + n + 1});
+    }
+  }
+  add_part(world, vertices, triangles, matte({0.8f, 0.8f, 0.8f}));
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = {3, 3, 0};
+  light.half_u = {0.4, 0, 0};
+  light.half_v = {0, 0, 0.4};
+  light.direction = {0, -1, 0};
+  light.intensity = 12.0f;
+  world.lights = {light};
+  return world;
+}
+
+Picture picture_of(float amplitude, Method method) {
+  RenderSettings settings;
+  settings.width = settings.height = 32;
+  settings.method = method;
+  settings.asos.max_level = 3;
+  settings.sampling.spp = 256;
+  settings.cull = false;
+  return render_picture(*make_render_scene(swinging(amplitude)), look_at({0, 3, 3}, {0, 0, 0}, 0.6),
+                        settings);
+}
+
+// What is split for its shading only has its shadows found once: a ray and light for each pixel.
+TEST(SharedShadows, PartsOfABumpyPixelTakeOneShadowRayTogether) {
+  const Picture bumpy = picture_of(0.5f, Method::asos);
+  const double pixels = 32.0 * 32.0;
+  EXPECT_GT(static_cast<double>(bumpy.statistics.uneven_pixels), 0.25 * pixels);
+  EXPECT_GT(static_cast<double>(bumpy.statistics.eye_rays), 2.0 * pixels);
+  EXPECT_LE(static_cast<double>(bumpy.statistics.shadow_rays), pixels);
+  // And they are right: no farther from samples than what is let pass of a pixel at MAX 3.
+  const Picture sampled = picture_of(0.5f, Method::sobol);
+  for (std::size_t i = 0; i < bumpy.film.radiance.size(); ++i)
+    EXPECT_NEAR(bumpy.film.radiance[i].y, sampled.film.radiance[i].y, 1.0 / 256.0) << i;
+}
+
+}  // namespace
+}  // namespace asos::test::region_sampler_test
