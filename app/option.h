@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -30,24 +30,24 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std
       ->type_name(shape);
 }
 
-/// A parser of the names in a table such as method_names, which has to outlive it.
-template <typename T, std::size_t N>
-auto parse_name(const std::array<Named<T>, N>& known) {
-  return [&known](const std::string& text) -> Result<T> {
+/// A parser of the names in a table such as leaf_names, which has to outlive it.
+template <typename Named, std::size_t N>
+auto parse_name(std::span<const Named, N> known) {
+  return [known](const std::string& text) -> Result<decltype(Named::value)> {
     std::string names;
-    for (const auto& [name, value] : known) {
-      if (text == name) return value;
-      names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const Named& one : known) {
+      if (text == one.name) return one.value;
+      names += (names.empty() ? "" : ", ") + std::string(one.name);
     }
     return tl::unexpected(Error{fmt::format("\"{}\"", text), "not one of " + names});
   };
 }
 
 /// An option that takes one of the names in a table; its default is what `value` is.
-template <typename T, std::size_t N>
+template <typename Names, typename T>
 CLI::Option* add_choice(CLI::App& app, const char* option, const char* kind, const char* help,
-                        const std::array<Named<T>, N>& known, T& value) {
-  return add_parsed_option(app, option, kind, help, parse_name(known),
+                        const Names& known, T& value) {
+  return add_parsed_option(app, option, kind, help, parse_name(std::span(known)),
                            [&value](T chosen) { value = chosen; })
       ->default_str(name_in(known, value));
 }

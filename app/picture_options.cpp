@@ -2,11 +2,13 @@
 
 #include "app/option.h"
 #include "app/scene_argument.h"
+#include "renderer/comparison/method.h"
 #include "renderer/settings/names.h"
 
 #include <fmt/format.h>
 
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace asos {
@@ -83,14 +85,20 @@ void add_rival_options(CLI::App& app, RenderSettings& settings) {
       ->default_str(fmt::format("{}", settings.sampling.contrast_scale));
 }
 
+// Each method's name and hint.
+std::string method_words() {
+  std::string words;
+  const auto methods = method_table();
+  for (const MethodRow& method : methods) {
+    if (!words.empty()) words += &method == &methods.back() ? " or " : ", ";
+    words += method.name;
+    if (*method.hint) words += fmt::format(" ({})", method.hint);
+  }
+  return words;
+}
+
 void add_method_options(CLI::App& app, RenderSettings& settings) {
-  add_choice(app, "--method", "NAME",
-             "asos, asos-published (cone, point leaves, published rule), uniform (n x n grid), "
-             "stochastic (jittered), sobol (Owen-scrambled), whitted (adaptive between pixels' "
-             "corners), mitchell (two densities, by contrast), ray-bound (all samples where a "
-             "boundary is, else one), average (of 3 x 3 pixels' centres) or beam (exact, for small "
-             "scenes)",
-             method_names, settings.method);
+  add_choice(app, "--method", "NAME", method_words().c_str(), method_table(), settings.method);
   add_parsed_option(app, "--max", "K",
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
                     whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })

@@ -116,15 +116,15 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
   report.build_seconds = seconds_since(loaded);
-  report.triangles = ready.world.triangles.size();
-  report.feature_edges = ready.features.counts();
+  report.triangles = ready.world().triangles.size();
+  report.feature_edges = ready.features().counts();
   report.needs = needs_of(ready, wanted.settings);
-  for (const Light& light : ready.world.lights) report.lights.push_back({light.name, light.type});
+  for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
 
   // Render
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
-  if (wanted.from) wanted.camera.given = picture.camera_from(ready.world.origin);
-  const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
+  if (wanted.from) wanted.camera.given = picture.camera_from(ready.world().origin);
+  const Result<Camera> camera = choose_camera(ready.world(), wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
   report.description =
       describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f});

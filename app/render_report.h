@@ -27,7 +27,7 @@ struct RenderReport {
   std::uint64_t triangles = 0;
   FeatureCounts feature_edges;
   PictureDescription description;
-  std::vector<ReportedLight> lights;  ///< in the order of World::lights
+  std::vector<ReportedLight> lights;  ///< in the order of Lighting::lights
   int threads = 0;                    ///< that worked
   RenderStatistics statistics;
   double load_seconds = 0.0;   ///< reading the file or making the built-in scene

@@ -145,12 +145,12 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
           {"images", scene.images.size()},
           {"lights", lights_json(scene)},
           {"cameras", cameras_json(scene)},
-          {"bounds", bounds_json(ready.world)},
+          {"bounds", bounds_json(ready.world())},
           {"points_not_drawn", notes.points_not_drawn},
           {"lines_not_drawn", notes.lines_not_drawn},
           {"unsupported_extensions", notes.unsupported_extensions},
           {"warnings", notes.warnings},
-          {"memory_mb", ready.memory_mb},
+          {"memory_mb", ready.geometry->memory_mb},
           {"left_out", left_out_json(ready.needs)}};
 }
 

@@ -6,6 +6,7 @@
 #include "app/scene_argument.h"
 #include "app/trace_report.h"
 #include "renderer/asos/pixel_trace.h"
+#include "renderer/comparison/method.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ void check(const TraceArguments& arguments) {
   const RenderSettings& settings = arguments.picture.settings;
   if (const auto valid = validated(settings); !valid)
     throw CLI::ValidationError("--" + valid.error().subject, valid.error().reason);
-  if (settings.method != Method::asos && settings.method != Method::asos_published)
+  if (!in_object_space(settings.method))
     throw CLI::ValidationError("--method", "only asos and asos-published split pixels");
   if (arguments.pixel.x >= settings.width || arguments.pixel.y >= settings.height)
     throw CLI::ValidationError(
@@ -61,10 +62,10 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const RenderScene& ready = **prepared;
   const RenderSettings settings = as_published(*with);
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  const Result<Camera> camera = choose_camera(ready.world, wanted.camera, aspect);
+  const Result<Camera> camera = choose_camera(ready.world(), wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
   const View view(*camera, settings.width, settings.height,
-                  radius_around_origin(ready.world.bounds));
+                  radius_around_origin(ready.world().bounds));
   return trace_json(trace_pixel(ready, view, settings, arguments.pixel.x, arguments.pixel.y), ready,
                     {wanted.scene, camera->name, settings});
 }

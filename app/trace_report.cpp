@@ -64,9 +64,9 @@ const char* name_of(CellFate fate) {
 class Namer {
  public:
   explicit Namer(const RenderScene& scene) : scene_(scene) {
-    const World& world = scene.world;
+    const World& world = scene.world();
     for (std::uint32_t t = 0; t < world.surface_count(); ++t) {
-      const std::uint32_t sheet = scene.features.sheet(t);
+      const std::uint32_t sheet = scene.features().sheet(t);
       const std::uint32_t part = world.triangle_part[t];
       if (first_triangle_.try_emplace(sheet, t).second) number_[sheet] = ++count_[part];
     }
@@ -74,12 +74,12 @@ class Namer {
 
   [[nodiscard]] std::string of_triangle(std::uint32_t triangle) const {
     if (triangle == Hit::none) return "background";
-    return of_sheet(scene_.features.sheet(triangle));
+    return of_sheet(scene_.features().sheet(triangle));
   }
 
   [[nodiscard]] std::string of_sheet(std::uint32_t sheet) const {
     if (sheet == ObjectTally::clusters) return "small boundaries, not told apart";
-    const World& world = scene_.world;
+    const World& world = scene_.world();
     const std::uint32_t triangle = first_triangle_.at(sheet);
     const std::uint32_t part = world.triangle_part[triangle];
     const std::string& material = world.material_of(triangle).name;
@@ -116,13 +116,13 @@ Json level_json(const LevelTally& level, const Namer& namer) {
           {"objects", std::move(objects)}};
 }
 
-Json cell_json(const PixelTraceCell& cell, const Namer& namer) {
+Json cell_json(const TracedCell& cell, const Namer& namer) {
   Json boundaries = Json::array();
-  for (const PixelTraceBoundary& b : cell.boundaries)
+  for (const TracedBoundary& b : cell.boundaries)
     boundaries.push_back(
         {{"kind", name_of(b.kind)}, {"from", place_json(b.from)}, {"to", place_json(b.to)}});
   Json samples = Json::array();
-  for (const PixelTraceSample& s : cell.samples) {
+  for (const TracedSample& s : cell.samples) {
     samples.push_back({{"at", place_json(s.at)},
                        {"weight", s.weight},
                        {"radiance", colour_json(s.radiance)},
@@ -236,7 +236,7 @@ Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedP
   Json levels = Json::array();
   for (const LevelTally& level : trace.levels) levels.push_back(level_json(level, namer));
   Json cells = Json::array();
-  for (const PixelTraceCell& cell : trace.cells) cells.push_back(cell_json(cell, namer));
+  for (const TracedCell& cell : trace.cells) cells.push_back(cell_json(cell, namer));
   return {{"scene", picture.scene},
           {"camera", picture.camera},
           {"size", {picture.settings.width, picture.settings.height}},

@@ -12,16 +12,23 @@ constexpr double step_rest_seconds = 0.4;
 
 }  // namespace
 
+EditHistory::State EditHistory::state_of(const Previewer& previewer,
+                                         const DisplaySettings& display) {
+  return {previewer.edits().state(), previewer.viewpoint().state(), display};
+}
+
 void EditHistory::update(const Previewer& previewer, const DisplaySettings& display, bool holding,
                          double now_seconds) {
-  if (!settled_ || scene_ != previewer.scenes_opened()) {
+  if (!settled_ || scene_ != previewer.scene().times_opened()) {
     *this = {};
-    scene_ = previewer.scenes_opened();
-    settled_ = seen_ = State{previewer.edits(), display};
+    scene_ = previewer.scene().times_opened();
+    settled_ = seen_ = state_of(previewer, display);
     return;
   }
-  if (!previewer.same_as(seen_->edits) || display != seen_->display) {
-    seen_ = State{previewer.edits(), display};
+  const bool same = previewer.edits().same_as(seen_->edits) &&
+                    previewer.viewpoint().same_as(seen_->viewpoint) && display == seen_->display;
+  if (!same) {
+    seen_ = state_of(previewer, display);
     changed_ = true;
     changed_seconds_ = now_seconds;
   }
@@ -49,11 +56,12 @@ bool EditHistory::redo(Previewer& previewer, DisplaySettings& display) {
 bool EditHistory::step(std::deque<State>& from, std::deque<State>& to, Previewer& previewer,
                        DisplaySettings& display) {
   if (from.empty() || !settled_) return false;
-  previewer.restore(from.back().edits);
+  previewer.edits().restore(from.back().edits);
+  previewer.viewpoint().restore(from.back().viewpoint);
   display = from.back().display;
   from.pop_back();
   to.push_back(std::move(*settled_));
-  settled_ = seen_ = State{previewer.edits(), display};
+  settled_ = seen_ = state_of(previewer, display);
   return true;
 }
 

@@ -30,9 +30,11 @@ class EditHistory {
 
  private:
   struct State {
-    Previewer::Edits edits;
+    SceneEdits::State edits;
+    Viewpoint::State viewpoint;
     DisplaySettings display;
   };
+  [[nodiscard]] static State state_of(const Previewer& previewer, const DisplaySettings& display);
   void end_step();
   bool step(std::deque<State>& from, std::deque<State>& to, Previewer& previewer,
             DisplaySettings& display);

@@ -1,6 +1,6 @@
 #include "ui/equal_time.h"
 
-#include "renderer/settings/names.h"
+#include "renderer/comparison/method.h"
 #include "renderer/study/timed_render.h"
 
 #include <fmt/format.h>
@@ -19,8 +19,7 @@ constexpr int most_equal_samples = 1 << 14;
 /// What a method takes of the samples that it is given: squares, some of them.
 int samples_for(Method method, double wanted) {
   const double least = std::clamp(wanted, 1.0, 1.0 * most_equal_samples);
-  if (method == Method::sobol || method == Method::mitchell)
-    return static_cast<int>(std::lround(least));
+  if (row_of(method).samples == SampleCount::any) return static_cast<int>(std::lround(least));
   const auto side = static_cast<int>(std::lround(std::sqrt(least)));
   return side * side;
 }
@@ -60,7 +59,7 @@ std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method, d
   return EqualTimeFrame{
       std::move(rendered->film),
       fmt::format("{}, {} samples in {:.2f} s of one processor, {:.0f} % of {:.2f} s",
-                  name_in(method_names, method), wanted, taken, 100.0 * taken / seconds, seconds)};
+                  row_of(method).name, wanted, taken, 100.0 * taken / seconds, seconds)};
 }
 
 }  // namespace asos

@@ -16,12 +16,6 @@ namespace {
 // calls, small enough that one tile does not cost the whole picture.
 constexpr int cell_side = 64;
 
-PixelRect intersection(const PixelRect& a, const PixelRect& b) {
-  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
-  return {x, y, std::min(a.x + a.width, b.x + b.width) - x,
-          std::min(a.y + a.height, b.y + b.height) - y};
-}
-
 }  // namespace
 
 Result<GlDisplay> GlDisplay::make() {

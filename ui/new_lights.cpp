@@ -29,7 +29,7 @@ glm::dvec3 normal_of(const World& world, std::uint32_t triangle) {
 /// The triangles of the same smooth surface in the plane of `picked`, turned to the eye, as a world
 /// of their own that shines.
 World face_around(const RenderScene& scene, std::uint32_t picked, glm::dvec3 eye) {
-  const World& world = scene.world;
+  const World& world = scene.world();
   const glm::dvec3 normal = normal_of(world, picked), place = corner_of(world, picked, 0);
   const Part& part = world.parts[world.triangle_part[picked]];
   const double size = glm::distance(glm::dvec3(part.bounds.hi), glm::dvec3(part.bounds.lo));
@@ -40,7 +40,7 @@ World face_around(const RenderScene& scene, std::uint32_t picked, glm::dvec3 eye
   face.materials.emplace_back();
   face.materials.back().emissive = glm::vec3(1.0f);
   for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-    if (scene.features.sheet(t) != scene.features.sheet(picked) ||
+    if (scene.features().sheet(t) != scene.features().sheet(picked) ||
         !(std::abs(glm::dot(normal_of(world, t), normal)) > parallel) ||
         std::abs(glm::dot(corner_of(world, t, 0) - place, normal)) > in_plane * size)
       continue;
@@ -76,7 +76,7 @@ Light new_light(glm::dvec3 eye, glm::dvec3 subject, double scene_radius) {
 
 std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t triangle,
                                    glm::dvec3 eye) {
-  if (normal_of(scene.world, triangle) == glm::dvec3(0.0)) return std::nullopt;
+  if (normal_of(scene.world(), triangle) == glm::dvec3(0.0)) return std::nullopt;
   // What gives emissive meshes their lights finds the piece's outline.
   const World face = face_around(scene, triangle, eye);
   const std::vector<Light> lights = emissive_lights(
@@ -87,7 +87,7 @@ std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t trian
   if (largest == lights.end() || !(area_of(*largest) > 0.0)) return std::nullopt;
 
   Light light = *largest;
-  const std::string& part = scene.world.parts[scene.world.triangle_part[triangle]].name;
+  const std::string& part = scene.world().parts[scene.world().triangle_part[triangle]].name;
   light.name = part.empty() ? "face" : "face of " + part;
   light.own_part = -1;
   light.two_sided = false;

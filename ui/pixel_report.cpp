@@ -13,7 +13,7 @@ namespace asos {
 namespace {
 
 /// Whether the straight way from p to q crosses a boundary.
-bool crosses(glm::vec2 p, glm::vec2 q, const PixelTraceBoundary& b) {
+bool crosses(glm::vec2 p, glm::vec2 q, const TracedBoundary& b) {
   const auto side = [](glm::vec2 from, glm::vec2 to, glm::vec2 point) {
     const glm::vec2 d = to - from, e = point - from;
     return d.x * e.y - d.y * e.x > 0.0f;
@@ -23,10 +23,10 @@ bool crosses(glm::vec2 p, glm::vec2 q, const PixelTraceBoundary& b) {
 
 /// What a place in a cell counts as: the sample with the fewest boundaries between, of those the
 /// nearest.
-glm::vec3 seen_at(const PixelTraceCell& cell, glm::vec2 place) {
+glm::vec3 seen_at(const TracedCell& cell, glm::vec2 place) {
   glm::vec3 radiance(0.0f);
   auto best = std::pair(std::numeric_limits<std::ptrdiff_t>::max(), 0.0f);
-  for (const PixelTraceSample& sample : cell.samples) {
+  for (const TracedSample& sample : cell.samples) {
     const auto between = std::count_if(cell.boundaries.begin(), cell.boundaries.end(),
                                        [&](const auto& b) { return crosses(place, sample.at, b); });
     const glm::vec2 away = sample.at - place;
@@ -39,7 +39,7 @@ glm::vec3 seen_at(const PixelTraceCell& cell, glm::vec2 place) {
 }
 
 /// What each place of a grid counts as. A cell that was split has no samples of its own.
-std::vector<glm::vec3> seen_grid(const std::vector<PixelTraceCell>& cells) {
+std::vector<glm::vec3> seen_grid(const std::vector<TracedCell>& cells) {
   std::vector<glm::vec3> seen;
   if (cells.empty()) return seen;
   for (int y = 0; y < PixelReport::grid; ++y) {
@@ -51,13 +51,13 @@ std::vector<glm::vec3> seen_grid(const std::vector<PixelTraceCell>& cells) {
   return seen;
 }
 
-std::string name_of_pyray(const RenderScene& scene, const PixelTracePyray& pyray) {
+std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
   const double from = 100.0 * pyray.weight;
   const std::size_t count = pyray.cells.size();
   const std::string cells = fmt::format("{} cell{}", count, count == 1 ? "" : "s");
-  if (pyray.kind == LoggedPyray::Kind::mirror)
+  if (pyray.kind == TracedPyray::Kind::mirror)
     return fmt::format("mirror {}, of {:.3g} %: {}", pyray.bounces + 1, from, cells);
-  const std::string& name = scene.world.lights[pyray.light].name;
+  const std::string& name = scene.lights()[pyray.light].name;
   return fmt::format("{}, of {:.3g} %: {:.0f} % lit, {}",
                      name.empty() ? fmt::format("light {}", pyray.light + 1) : name, from,
                      100.0 * static_cast<double>(pyray.result.x), cells);
@@ -66,9 +66,9 @@ std::string name_of_pyray(const RenderScene& scene, const PixelTracePyray& pyray
 /// The part that a sheet belongs to.
 std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
   if (sheet == ObjectTally::clusters) return "small boundaries";
-  const World& world = scene.world;
+  const World& world = scene.world();
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
-    if (scene.features.sheet(t) != sheet) continue;
+    if (scene.features().sheet(t) != sheet) continue;
     const std::uint32_t part = world.triangle_part[t];
     return world.parts[part].name.empty() ? fmt::format("part {}", part + 1)
                                           : world.parts[part].name;
@@ -90,13 +90,13 @@ void find_boundaries(const RenderScene& scene, const View& view, PixelReport& re
   const Square whole;
   HitLists lists;
   // What is smaller than a quarter of a pixel needs no line of its own.
-  lists.reset(scene.features, view.frame(0.0, 0.0, view.width(), view.height()),
+  lists.reset(scene.features(), view.frame(0.0, 0.0, view.width(), view.height()),
               0.25f / std::max(size.x, size.y));
   HitLists::List open, found;
   lists.refine(whole, {}, lists.root(), open);
   for (const std::uint32_t i : open) {
-    report.all_boundaries = lists.tell_apart(i, whole, 0.25f / std::max(size.x, size.y),
-                                             PixelReport::most_boundaries, found) &&
+    report.all_boundaries = lists.resolve(i, whole, 0.25f / std::max(size.x, size.y),
+                                          PixelReport::most_boundaries, found) &&
                             report.all_boundaries;
     if (!report.all_boundaries) break;
   }
@@ -135,7 +135,7 @@ const char* words_of(CellFate fate) {
 std::string PixelReport::verdict() const {
   const auto any = [&](CellFate fate) {
     return std::any_of(trace.cells.begin(), trace.cells.end(),
-                       [&](const PixelTraceCell& cell) { return cell.fate == fate; });
+                       [&](const TracedCell& cell) { return cell.fate == fate; });
   };
   const double unresolved = 100.0 * trace.unresolved_area;
   if (trace.missed)
@@ -154,11 +154,11 @@ std::string PixelReport::verdict() const {
   return "Resolved: every cell has no visible boundary or was cut along its boundaries.";
 }
 
-std::size_t cell_at(const std::vector<PixelTraceCell>& cells, glm::vec2 place) {
+std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place) {
   std::size_t found = 0;
   // A level comes after the other, so the last one is the smallest.
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const PixelTraceCell& cell = cells[i];
+    const TracedCell& cell = cells[i];
     const glm::vec2 in = place - cell.corner;
     if (in.x >= 0.0f && in.y >= 0.0f && in.x < cell.side && in.y < cell.side) found = i;
   }
@@ -170,25 +170,26 @@ PixelInspector::PixelInspector() : job_(work, {}, Overtaken::kept) {}
 void PixelInspector::update(const Previewer& previewer, std::optional<glm::ivec2> picked,
                             bool boundaries) {
   if (std::optional<PixelReport> report = job_.take_outcome()) report_ = std::move(*report);
-  const RenderSettings& settings = previewer.rendered_settings();
+  const RenderSettings& settings = previewer.render().settings();
   const bool inside = picked && picked->x < settings.width && picked->y < settings.height;
-  if (!inside || !previewer.scene() || previewer.restarts() == 0) {
+  if (!inside || !previewer.scene() || previewer.render().restarts() == 0) {
     report_.reset();
     asked_ = {};
     return;
   }
-  const Asked wanted{previewer.scene(), previewer.camera().revision(), settings, picked,
-                     boundaries};
+  const Asked wanted{previewer.scene().get(), previewer.viewpoint().camera().revision(), settings,
+                     picked, boundaries};
   if (report_ && report_->pixel != *picked) report_.reset();
   if (wanted == asked_) return;
   asked_ = wanted;
-  job_.ask({previewer.shared_scene(), previewer.camera().camera(), settings, *picked, boundaries});
+  job_.ask({previewer.scene().shared(), previewer.viewpoint().camera().camera(), settings, *picked,
+            boundaries});
 }
 
 PixelReport PixelInspector::work(const Request& request) {
   const RenderScene& scene = *request.scene;
   const View view(request.camera, request.settings.width, request.settings.height,
-                  radius_around_origin(scene.world.bounds));
+                  radius_around_origin(scene.world().bounds));
   PixelReport report;
   report.pixel = request.pixel;
   report.settings = as_published(request.settings);
@@ -196,7 +197,7 @@ PixelReport PixelInspector::work(const Request& request) {
   for (const LevelTally& level : report.trace.levels)
     report.level_object.push_back(strongest_object(scene, level));
   report.seen = seen_grid(report.trace.cells);
-  for (const PixelTracePyray& pyray : report.trace.pyrays) {
+  for (const TracedPyray& pyray : report.trace.pyrays) {
     report.pyray_seen.push_back(seen_grid(pyray.cells));
     report.pyray_names.push_back(name_of_pyray(scene, pyray));
   }

@@ -45,7 +45,7 @@ struct PixelReport {
 };
 
 /// The smallest of the cells at a place of their square, 0 to 1 each way: an index. There is one.
-[[nodiscard]] std::size_t cell_at(const std::vector<PixelTraceCell>& cells, glm::vec2 place);
+[[nodiscard]] std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place);
 
 [[nodiscard]] const char* words_of(CellFate fate);
 

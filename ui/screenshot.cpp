@@ -31,14 +31,14 @@ std::string screenshot_stem(const std::string& source) {
 }
 
 ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display) {
-  const Progress progress = previewer.progress();
+  const Progress progress = previewer.render().progress();
   nlohmann::ordered_json statistics{
-      {"triangles", previewer.scene()->world.triangles.size()},
+      {"triangles", previewer.scene()->world().triangles.size()},
       {"render_seconds", progress.seconds},
       {"finished_percent", 100.0 * progress.fraction},
   };
-  statistics.update(counts_json(previewer.statistics()));
-  return picture_text(previewer.description(described(display)), statistics);
+  statistics.update(counts_json(previewer.render().statistics()));
+  return picture_text(previewer.render().description(described(display)), statistics);
 }
 
 PictureDisplay described(const DisplaySettings& display) {

@@ -1,5 +1,6 @@
 #include "ui/split_check.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/study/measures.h"
 #include "renderer/study/timed_render.h"
 #include "ui/previewer.h"
@@ -145,10 +146,10 @@ SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
 }
 
 void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm) {
-  const Method method = previewer.rendered_settings().method;
-  const bool splits = method == Method::asos || method == Method::asos_published;
-  const Subject subject{previewer.restarts(), alarm};
-  const bool ready = wanted && splits && previewer.scene() && previewer.progress().finished &&
+  const PreviewRender& render = previewer.render();
+  const bool splits = in_object_space(render.settings().method);
+  const Subject subject{render.restarts(), alarm};
+  const bool ready = wanted && splits && previewer.scene() && render.progress().finished &&
                      !previewer.seconds_to_update(0.0);
   current_ = ready && subject_ == subject;
   if (!ready) findings_.reset();
@@ -161,12 +162,13 @@ void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm) {
   subject_ = subject;
   current_ = true;
   findings_.reset();
-  job_.start([request = CheckRequest{{previewer.shared_scene(), previewer.camera().camera(),
-                                      previewer.rendered_settings(), false},
-                                     previewer.film(),
-                                     alarm}](const std::stop_token& stop, const auto& tell) {
-    check_view(request, stop, tell);
-  });
+  job_.start(
+      [request = CheckRequest{{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
+                               render.settings(), false},
+                              render.film(),
+                              alarm}](const std::stop_token& stop, const auto& tell) {
+        check_view(request, stop, tell);
+      });
 }
 
 }  // namespace asos

@@ -39,7 +39,7 @@ PixelRect block_at(const RenderSettings& settings, int index) {
 Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
   const RenderSettings& settings = snapshot.settings;
   const View view(snapshot.camera, settings.width, settings.height,
-                  radius_around_origin(snapshot.scene->world.bounds));
+                  radius_around_origin(snapshot.scene->world().bounds));
   const double start = own_processor_seconds();
   double pixels = 0.0, split = 0.0, squares = 0.0, taken = 0.0;
   int blocks = 0;
@@ -77,12 +77,12 @@ SplitForecast::SplitForecast()
           {}, Overtaken::kept) {}
 
 void SplitForecast::ask(const Previewer& previewer) {
-  const RenderSettings& settings = previewer.settings();
-  if (!previewer.scene() || !validated(settings) || !previewer.sized()) return;
-  if (asked_ == settings && camera_ == previewer.camera().revision()) return;
+  const RenderSettings& settings = previewer.edits().settings();
+  if (!previewer.scene() || !validated(settings) || !previewer.viewpoint().sized()) return;
+  if (asked_ == settings && camera_ == previewer.viewpoint().camera().revision()) return;
   asked_ = settings;
-  camera_ = previewer.camera().revision();
-  job_.ask({previewer.shared_scene(), previewer.camera().camera(), settings, false});
+  camera_ = previewer.viewpoint().camera().revision();
+  job_.ask({previewer.scene().shared(), previewer.viewpoint().camera().camera(), settings, false});
 }
 
 void SplitForecast::update() {
@@ -90,9 +90,9 @@ void SplitForecast::update() {
 }
 
 const Forecast* SplitForecast::of(const Previewer& previewer) const {
-  const bool current = told_ && told_->settings == previewer.settings() &&
-                       told_->scene == previewer.scene() &&
-                       camera_ == previewer.camera().revision();
+  const bool current = told_ && told_->settings == previewer.edits().settings() &&
+                       told_->scene == previewer.scene().get() &&
+                       camera_ == previewer.viewpoint().camera().revision();
   return current ? &told_->forecast : nullptr;
 }
 

@@ -24,7 +24,7 @@ class ViewStudy {
   /// What is studied. The plan names one scene, which is `scene`.
   struct Subject {
     std::shared_ptr<const RenderScene> scene;
-    Camera camera;  ///< relative to scene->world.origin
+    Camera camera;  ///< relative to scene->world().origin
     StudyPlan plan;
   };
 

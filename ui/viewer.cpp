@@ -72,7 +72,7 @@ class Loop {
     interaction_ |= !happened.input.empty() || happened.needs_redraw;
     for (const InputEvent& event : happened.input) content_.input().add(event);
     if (!happened.dropped_files.empty()) {
-      previewer_.open(happened.dropped_files.front());
+      previewer_.scene().open(happened.dropped_files.front());
       interaction_ = true;
     }
   }
@@ -80,8 +80,8 @@ class Loop {
   [[nodiscard]] double next_frame_seconds() const {
     double due = never;
     if (woken_) {
-      due = last_seconds_ +
-            (previewer_.first_picture_pending() ? input_frame_seconds : tiles_frame_seconds);
+      due = last_seconds_ + (previewer_.render().first_picture_pending() ? input_frame_seconds
+                                                                         : tiles_frame_seconds);
     }
     if (interaction_) due = std::min(due, last_seconds_ + input_frame_seconds);
     if (const std::optional<double> wish = content_.seconds_to_redraw()) {
@@ -96,8 +96,9 @@ class Loop {
     woken_ = false;
     content_.draw({window_.size(), window_.framebuffer_size(), window_.content_scale(), now});
     window_.present();
-    if (const RenderScene* scene = previewer_.scene(); scene && scene->source != titled_) {
-      titled_ = scene->source;
+    if (const RenderScene* scene = previewer_.scene().get();
+        scene && scene->geometry->source != titled_) {
+      titled_ = scene->geometry->source;
       save();
       window_.set_title(screenshot_stem(titled_) + " - ASOS");
     }
@@ -142,7 +143,7 @@ int run_viewer(const ViewerOptions& options) {
   if (const Result<StoredSettings> stored = load_settings(settings_path()))
     (*content)->apply(*stored);
   (*window)->connect_clipboard();
-  previewer.open(options.source);
+  previewer.scene().open(options.source);
   Loop(**window, previewer, **content, woken).run();
 
   // Waiting for a load that still runs is nothing to look at.

@@ -74,7 +74,7 @@ void WindowContent::draw(const FrameInput& in) {
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
       in.framebuffer_size.y <= 0) {
-    previewer_.set_picture_size(0, 0, in.time_seconds);
+    previewer_.viewpoint().set_picture_size(0, 0, in.time_seconds);
     time_seconds_ = in.time_seconds;
     return;
   }
@@ -86,14 +86,16 @@ void WindowContent::draw(const FrameInput& in) {
 
   history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
   // What the widgets changed takes effect in this frame, before it is shown.
-  previewer_.set_picture_size(picture_rect_.width, picture_rect_.height, in.time_seconds);
+  previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
+                                          in.time_seconds);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
   check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm);
-  const std::vector<PixelRect> changed = previewer_.take_changed();
-  display_.update(previewer_.film(), changed, state_.display, previewer_.settings().asos.max_level);
-  display_.update_compared(previewer_.film(), changed, state_.frames);
+  const std::vector<PixelRect> changed = previewer_.render().take_changed();
+  display_.update(previewer_.render().film(), changed, state_.display,
+                  previewer_.edits().settings().asos.max_level);
+  display_.update_compared(previewer_.render().film(), changed, state_.frames);
   if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
   keep_saving();
   present(in);
@@ -102,7 +104,7 @@ void WindowContent::draw(const FrameInput& in) {
 
 // What other threads found out.
 void WindowContent::take_outcomes() {
-  update_sky(previewer_.settings(), state_.sky, sky_reader_);
+  update_sky(previewer_.edits().settings(), state_.sky, sky_reader_);
   update_equal_time(previewer_, state_.equal_time, equal_time_, state_.frames);
   forecast_.update();
 }
@@ -156,7 +158,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
-  wipe_line(controls_, state_.frames, state_.view, previewer_.film(), shown);
+  wipe_line(controls_, state_.frames, state_.view, previewer_.render().film(), shown);
   picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();
@@ -171,12 +173,13 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (panel_width > 0.0f)
     panel_window({{picture_size.x, 0.0f}, {window.x - picture_size.x, window.y}});
   pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
-  notices(controls_, previewer_, picture);
+  notices(controls_, previewer_.scene(), picture);
   help_overlay(state_, picture);
   open_dialog(controls_, state_, previewer_);
-  const Film& film = previewer_.film();
+  const Film& film = previewer_.render().film();
   if (state_.save.show && state_.save.stem.empty() && previewer_.scene())
-    state_.save.stem = free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->source));
+    state_.save.stem =
+        free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
   save_dialog(controls_, state_.save, {film.width, film.height});
   saving_notice(controls_, picture_job_, picture);
 }
@@ -195,18 +198,20 @@ void WindowContent::apply(const StoredSettings& stored) {
 
 // Remembers what was opened, and loads again what has changed.
 void WindowContent::follow_files(double now_seconds) {
-  const RenderScene* scene = previewer_.scene();
+  const RenderScene* scene = previewer_.scene().get();
   if (!scene) return;
-  if (scenes_seen_ != previewer_.scenes_opened()) {
-    scenes_seen_ = previewer_.scenes_opened();
+  if (scenes_seen_ != previewer_.scene().times_opened()) {
+    scenes_seen_ = previewer_.scene().times_opened();
     StoredSettings stored = stored_settings();
-    stored.add_recent(scene->source);
+    stored.add_recent(scene->geometry->source);
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
-    if (const auto opened = previewer_.take_opened_display()) show_as(*opened, state_.display);
+    if (const auto opened = previewer_.scene().take_opened_display())
+      show_as(*opened, state_.display);
   }
-  if (state_.watch && !previewer_.loading() && watch_.changed(previewer_.files(), now_seconds))
-    previewer_.reload();
+  if (state_.watch && !previewer_.scene().loading() &&
+      watch_.changed(previewer_.scene().files(), now_seconds))
+    previewer_.scene().reload();
 }
 
 void WindowContent::take_back() {
@@ -218,11 +223,11 @@ void WindowContent::take_back() {
 
 void WindowContent::panel_window(const WindowRect& rect) {
   begin_fixed("panel", rect);
-  const RenderScene* scene = previewer_.scene();
+  const RenderScene* scene = previewer_.scene().get();
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(scene ? screenshot_stem(scene->source).c_str() : "ASOS");
+  ImGui::TextUnformatted(scene ? screenshot_stem(scene->geometry->source).c_str() : "ASOS");
   ImGui::PopTextWrapPos();
-  if (scene) controls_.placed("Source", scene->source.c_str());
+  if (scene) controls_.placed("Source", scene->geometry->source.c_str());
 
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   if (controls_.button("Open...", "Open another scene. Ctrl+O, or drop a file on the window.",
@@ -240,9 +245,9 @@ void WindowContent::panel_window(const WindowRect& rect) {
                        "Save as EXR, at another size, or with the window. Key: Ctrl+S.", width))
     state_.save.show = true;
   // A built-in scene never changes.
-  if (scene && !scene->source.starts_with("builtin:")) {
+  if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls_.button("Reload", "Load the file again; the view stays. Key: R.", width))
-      previewer_.reload();
+      previewer_.scene().reload();
     ImGui::SameLine();
     ImGui::Checkbox("Watch file", &state_.watch);
     controls_.placed("Watch file",
@@ -250,23 +255,24 @@ void WindowContent::panel_window(const WindowRect& rect) {
                      "that cannot be read leaves the scene as it is.",
                      Controls::Use::edits);
   }
-  if (scene) warnings_panel(controls_, scene->notes);
+  if (scene) warnings_panel(controls_, scene->geometry->notes);
   antialiasing_panel(controls_, previewer_, forecast_);
   refinement_panel(controls_, previewer_);
   lights_panel(controls_, previewer_, state_.lights, state_.picked);
-  shadows_panel(controls_, previewer_.settings(), scene);
+  shadows_panel(controls_, previewer_.edits().settings(), scene);
   reflections_panel(controls_, previewer_, state_.reflections, state_.picked);
-  sky_panel(controls_, previewer_.settings(), state_.sky, sky_reader_);
+  sky_panel(controls_, previewer_.edits().settings(), state_.sky, sky_reader_);
   compare_panel(controls_, previewer_, state_.frames);
   equal_time_panel(controls_, previewer_, state_.equal_time, equal_time_, state_.frames);
   check_panel(controls_, previewer_, state_.check, check_);
-  display_panel(controls_, state_.display, previewer_.settings().asos.max_level);
+  display_panel(controls_, state_.display, previewer_.edits().settings().asos.max_level);
   camera_panel(controls_, previewer_);
   if (scene) {
-    statistics_panel(controls_, previewer_.statistics(), previewer_.rendered_settings(), *scene,
-                     previewer_.progress().fraction);
+    statistics_panel(controls_, previewer_.render().statistics(), previewer_.render().settings(),
+                     *scene, previewer_.render().progress().fraction);
     study_panel(controls_, state_.study, study_, previewer_);
-    scene_panel(controls_, *scene, previewer_.rendered_settings(), previewer_.load_seconds());
+    scene_panel(controls_, *scene, previewer_.render().settings(),
+                previewer_.scene().load_seconds());
   }
   ImGui::Spacing();
   if (controls_.button("Reset scene settings",
@@ -274,7 +280,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
                        "method, lights, shadows, reflections, sky and materials. The view stays. "
                        "Ctrl+Z brings it back.",
                        -1.0f))
-    previewer_.reset_settings();
+    previewer_.edits().reset();
   if (controls_.button("Forget settings",
                        "Back to how the window was at first: display, panel, and no recent files. "
                        "The scene and what it is rendered with stay.",
@@ -299,7 +305,7 @@ void WindowContent::present(const FrameInput& in) {
 }
 
 void WindowContent::take_screenshot() {
-  const RenderScene* scene = previewer_.scene();
+  const RenderScene* scene = previewer_.scene().get();
   if (!scene || display_.width() <= 0) {
     say("There is no picture to save yet");
     return;
@@ -307,7 +313,7 @@ void WindowContent::take_screenshot() {
   const RgbImage image{display_.width(), display_.height(), display_.seen_rgb(state_.display),
                        screenshot_text(previewer_, state_.display)};
   const Result<std::string> saved =
-      save_screenshot(image, screenshot_folder(), screenshot_stem(scene->source));
+      save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source));
   say(saved ? "Saved " + *saved : "Not saved: " + saved.error().message());
 }
 
@@ -331,7 +337,7 @@ void WindowContent::begin_saving() {
     settling_frames_ = frames_to_settle;
     return;
   }
-  Snapshot snapshot = previewer_.rendered_snapshot();
+  Snapshot snapshot = previewer_.render().snapshot();
   if (choice.size.x > 0) {
     snapshot.settings.width = choice.size.x;
     snapshot.settings.height = choice.size.y;
@@ -372,9 +378,9 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (previewer_.loading() || picture_job_.state()) also(0.1);
+  if (previewer_.scene().loading() || picture_job_.state()) also(0.1);
   if (window_to_save_) also(std::max(0.0, save_window_seconds_ - time_seconds_));
-  if (previewer_.progress().running) also(0.25);
+  if (previewer_.render().progress().running) also(0.25);
   if (study_.busy()) also(study_redraw_seconds);
   return due;
 }

@@ -57,9 +57,9 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   if (!scene) return tl::unexpected(scene.error());
   auto ready = prepare(*scene, forced_by(plan_.needs));
   if (!ready) return tl::unexpected(ready.error());
-  if ((*ready)->world.surface_count() == 0)
+  if ((*ready)->world().surface_count() == 0)
     return tl::unexpected(Error{source, "the scene is empty: there is nothing to compare"});
-  const auto camera = choose_camera((*ready)->world, choice_of(subject.look.camera),
+  const auto camera = choose_camera((*ready)->world(), choice_of(subject.look.camera),
                                     static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
   scene_ = *std::move(ready);
@@ -125,8 +125,8 @@ Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
     record.pyrays = pyrays_of(rendered->statistics);
     record.rejected_samples = rendered->statistics.rejected_samples;
     record.picture_hash = hash_of(rendered->film);
-    record.scene = {scene_->world.triangles.size(), scene_->memory_mb, scene_->world.lights.size(),
-                    needs_of(*scene_, job.rung.settings).left_out()};
+    record.scene = {scene_->world().triangles.size(), scene_->geometry->memory_mb,
+                    scene_->lights().size(), needs_of(*scene_, job.rung.settings).left_out()};
     if (const auto written = write_picture(record, rendered->film); !written)
       return tl::unexpected(written.error());
   }

@@ -49,7 +49,7 @@ Result<std::vector<SubdivisionRow>> subdivide_pixel(const Polygon& polygon) {
   settings.method = Method::asos_published;
   settings.asos.max_level = 8;
   settings.asos.eps = 1.0 / 16.0;
-  const View view(pixel_camera((*scene)->world), 1, 1);
+  const View view(pixel_camera((*scene)->world()), 1, 1);
   std::vector<SubdivisionRow> rows;
   for (const LevelTally& tally : trace_pixel(**scene, view, settings, 0, 0).levels) {
     if (tally.level == 0 || tally.objects.size() != 1) continue;

@@ -1,35 +1,105 @@
-#include "renderer/asos/fat_pyray.h"
-#include "renderer/comparison/method.h"
+#include "renderer/asos/asos.h"
+
+#include "renderer/asos/eye_caster.h"
+#include "renderer/asos/split_causes.h"
+#include "renderer/pyray/detection.h"
+#include "renderer/pyray/tracer.h"
 
 #include <algorithm>
-
-// Adaptive supersampling in object space (CGF'98): a block of pixels as one fat pyray or several.
+#include <cmath>
+#include <numeric>
+#include <span>
 
 namespace asos {
 namespace {
 
-// Copies a part's pixels to where they are in the block.
-void copy_part(const FinishedTile& part, FinishedTile& block) {
-  for (int y = 0; y < part.rect.height; ++y) {
-    const auto from = static_cast<std::ptrdiff_t>(y * part.rect.width);
-    const auto to = static_cast<std::ptrdiff_t>(
-        (part.rect.y - block.rect.y + y) * block.rect.width + part.rect.x - block.rect.x);
-    std::copy_n(part.radiance.begin() + from, part.rect.width, block.radiance.begin() + to);
-    std::copy_n(part.split_level.begin() + from, part.rect.width, block.split_level.begin() + to);
-    std::copy_n(part.cause.begin() + from, part.rect.width, block.cause.begin() + to);
-    std::copy_n(part.rays.begin() + from, part.rect.width, block.rays.begin() + to);
+// How many pixels of frame a block needs around it: what the filters of its outermost pixels, and
+// their cones, reach beyond it; cones more the farther from the picture's middle they are.
+int border_of(const View& view, PixelRect block, const RenderSettings& settings) {
+  const int fat = settings.asos.fat;
+  FatPyray pyray{view.frame(block.x, block.y, fat, fat), fat};
+  pyray.width = settings.filter_width;
+  double beyond = 0.5 * (settings.filter_width - 1.0);  // in pixels
+  if (settings.asos.detect == Detection::cone) {
+    const Detector detector(pyray.frame, settings.asos.detect);
+    const double side = 1.0 / fat;
+    for (const int x : {0, fat - 1}) {
+      for (const int y : {0, fat - 1}) {
+        const auto reach = static_cast<double>(detector.reach(pyray.square_of(x, y, 1)).side);
+        beyond = std::max(beyond, 0.5 * (reach / side - 1.0));
+      }
+    }
   }
+  return static_cast<int>(std::ceil(beyond));
 }
+
+FatPyray fat_pyray(const View& view, PixelRect block, PixelRect framed,
+                   const RenderSettings& settings) {
+  FatPyray fat{view.frame(framed.x, framed.y, framed.width, framed.height), settings.asos.fat};
+  fat.columns = block.width;
+  fat.rows = block.height;
+  fat.border = block.x - framed.x;
+  fat.width = settings.filter_width;
+  fat.origin = {block.x, block.y};
+  return fat;
+}
+
+// Each cell that was examined has a sample of its own. What else the block cast, as to find out
+// whether a patch is evenly lit, its pixels share.
+void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
+  std::uint64_t told = 0;
+  for (const std::uint64_t of_pixel : rays) {
+    told += of_pixel;
+    result.tile.rays.push_back(static_cast<float>(of_pixel));
+  }
+  const std::uint64_t all = result.statistics.rays();
+  if (all <= told) return;
+  const float shared = static_cast<float>(all - told) / static_cast<float>(rays.size());
+  for (float& of_pixel : result.tile.rays) of_pixel += shared;
+}
+
+void publish(const FatPyray& fat, std::span<const Trace> traces, const EyeCaster& caster,
+             BlockResult& result) {
+  RenderStatistics& statistics = result.statistics;
+  // Middles beyond the picture's border were traced with the others and do not count.
+  statistics.eye_rays -= static_cast<std::uint64_t>(fat.side * fat.side - fat.columns * fat.rows);
+  std::vector<std::uint64_t> rays;
+  for (int y = 0; y < fat.rows; ++y) {
+    for (int x = 0; x < fat.columns; ++x) {
+      const std::uint32_t i = fat.index(x, y);
+      const SubdivisionOutcome& outcome = traces[i].outcome;
+      const auto& cells = outcome.pyrays_by_level;
+      for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
+      statistics.split_pixels += outcome.deepest > 0;
+      statistics.missed_splits += traces[i].missed;
+      statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
+      statistics.saturated_pixels += outcome.saturated;
+      statistics.unresolved_area += outcome.unresolved_area;
+      result.tile.radiance.push_back(caster.colour(i));
+      result.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
+      const RootSum& sum = caster.sum(i);
+      const SplitCause cause =
+          cause_of({outcome, traces[i].by_samples, sum.shadow_cut, sum.mirror_cut});
+      result.tile.cause.push_back(cause);
+      if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
+      rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));
+    }
+  }
+  publish_rays(rays, result);
+}
+
+/// Memory of fat pyrays that is worth keeping from one to the next. Holds no result.
+struct BlockWorkspace {
+  Tracer tracer;
+  EyeWorkspace eye;
+};
 
 }  // namespace
 
-BlockResult render_block_asos(const RenderScene& scene, const View& view,
-                              const RenderSettings& settings, PixelRect block,
-                              const std::stop_token& stop) {
-  thread_local FatPyrayWorkspace work;
-  const int fat = settings.asos.fat;
-  if (block.width <= fat && block.height <= fat)
-    return FatPyray(scene, view, settings, block, stop, work).run();
+BlockResult render_block_asos(const BlockJob& job) {
+  const int fat = job.settings.asos.fat;
+  const PixelRect& block = job.block;
+  if (block.width <= fat && block.height <= fat) return render_fat_pyray(job);
   BlockResult result;
   result.tile.rect = block;
   const auto pixels = static_cast<std::size_t>(block.width * block.height);
@@ -39,12 +109,58 @@ BlockResult render_block_asos(const RenderScene& scene, const View& view,
   result.tile.rays.resize(pixels);
   for (int y = 0; y < block.height; y += fat) {
     for (int x = 0; x < block.width; x += fat) {
-      const PixelRect part{block.x + x, block.y + y, std::min(fat, block.width - x),
-                           std::min(fat, block.height - y)};
-      const BlockResult done = FatPyray(scene, view, settings, part, stop, work).run();
-      copy_part(done.tile, result.tile);
+      BlockJob part = job;
+      part.block = {block.x + x, block.y + y, std::min(fat, block.width - x),
+                    std::min(fat, block.height - y)};
+      const BlockResult done = render_fat_pyray(part);
+      copy_pixels(done.tile, result.tile);
       result.statistics += done.statistics;
     }
+  }
+  return result;
+}
+
+BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
+  thread_local BlockWorkspace work;
+  const RenderSettings& settings = job.settings;
+  BlockResult result;
+  result.tile.rect = job.block;
+
+  // Frame the block, with what filters and cones reach beyond it.
+  const int border = border_of(job.view, job.block, settings);
+  const int side = settings.asos.fat + 2 * border;
+  const PixelRect framed{job.block.x - border, job.block.y - border, side, side};
+  const FatPyray fat = fat_pyray(job.view, job.block, framed, settings);
+
+  // Look along it as the camera does.
+  const Shader shader = shader_of(job.scene, settings, job.view);
+  EyeContext eye{&job.scene, &settings, Viewer::camera(job.view, shader, settings.filter_width),
+                 &fat.frame, framed};
+  eye.budget = Budget::of(settings.asos);
+  eye.seed = settings.seed;
+  eye.work = &work.eye;
+  eye.stop = job.stop;
+  eye.counts = &result.statistics;
+  if (watch) {
+    const glm::ivec2 at = watch->pixel - fat.origin;
+    eye.observed.observer = &watch->observer;
+    eye.observed_root = fat.index(at.x, at.y);
+    eye.observed_square = fat.square_of(at.x, at.y, 1);
+  }
+
+  // Trace: find boundaries, split, shade the leaves.
+  EyeCaster caster(eye, static_cast<std::size_t>(fat.side * fat.side));
+  const std::span<const Trace> traces =
+      work.tracer.trace(job.scene.features(), fat, SubdivisionRules::of(settings.asos), caster,
+                        eye.observed_root, watch ? &watch->observer.pixel : nullptr);
+
+  // Publish the pixels.
+  publish(fat, traces, caster, result);
+  if (watch) {
+    const Trace& trace = traces[eye.observed_root];
+    watch->missed = trace.missed;
+    watch->unresolved_area = trace.outcome.unresolved_area;
+    watch->observer.pixel.result = caster.colour(eye.observed_root);
   }
   return result;
 }

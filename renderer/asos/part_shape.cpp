@@ -6,11 +6,11 @@ namespace asos {
 
 // By Green's theorem, relative to the sample, so that nothing cancels.
 PartShape part_shape(const LeafRegion& region, glm::vec2 at) {
-  if (region.sides.empty()) return {};
+  if (region.border.empty()) return {};
   double area = 0.0;
   glm::dvec2 first(0.0), square(0.0);
   double mixed = 0.0;
-  for (const Side& side : region.sides) {
+  for (const BorderEdge& side : region.border) {
     const glm::dvec2 p(side.from - at), q(side.to - at);
     const double cross = p.x * q.y - q.x * p.y;
     area += cross / 2.0;

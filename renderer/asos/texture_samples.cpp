@@ -50,12 +50,12 @@ std::vector<TexturePart> texture_parts(const LeafRegion& region, int n, const Le
       const RandomPair random = jitter ? unit_pair(bits_of(corner, seed)) : RandomPair{0.5, 0.5};
       const glm::vec2 at(square.u + side * static_cast<float>(random.u),
                          square.v + side * static_cast<float>(random.v));
-      if (!region.sides.empty() && !region.holds(at)) continue;
+      if (!region.border.empty() && !region.holds(at)) continue;
       // Drawn in by more than the rounding of its place, so that a border along it is not in it.
       const float edge = side / 1024.0f;
       const Square inner{square.u + edge, square.v + edge, side - 2.0f * edge};
       const bool marginal =
-          std::any_of(region.sides.begin(), region.sides.end(), [&](const Side& s) {
+          std::any_of(region.border.begin(), region.border.end(), [&](const BorderEdge& s) {
             return !clip({s.from.x, s.from.y, 0, s.to.x, s.to.y, 0, 0}, inner).empty();
           });
       parts.push_back({square, at, marginal});

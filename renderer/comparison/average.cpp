@@ -1,3 +1,4 @@
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
 
@@ -55,13 +56,15 @@ class Neighbourhood {
 
 }  // namespace
 
-BlockResult render_block_average(const RenderScene& scene, const View& view,
-                                 const RenderSettings& settings, PixelRect block,
-                                 const std::stop_token& stop) {
-  SobolPlaces places(settings.seed);
-  SampleSums sums(scene, view, settings, places);
+/// One sample through each pixel's centre, then the mean of 3 x 3 neighbours with the weights 1 2 1
+/// each way (CGF'98 section 2.1), beyond the picture's border, too. The section's other way, rays
+/// through pixels' corners and their mean, is `whitted` at depth 0.
+BlockResult render_block_average(const BlockJob& job) {
+  const PixelRect& block = job.block;
+  SobolPlaces places(job.settings.seed);
+  SampleSums sums(job.scene, job.view, job.settings, places);
   const Neighbourhood neighbourhood(block);
-  neighbourhood.take(sums, stop);
+  neighbourhood.take(sums, job.stop);
   BlockResult result = sums.block(block);
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {

@@ -1,10 +1,8 @@
 #include "renderer/comparison/exact_visibility.h"
-#include "renderer/comparison/method.h"
 #include "renderer/rays/back_face.h"
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/shading/shade.h"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -22,30 +20,49 @@ std::array<glm::dvec3, 3> corners_of(const World& world, std::uint32_t triangle)
           glm::dvec3(world.positions[t.z])};
 }
 
-class BlockTracer final : private LightTransport {
+/// The lights of one visible part, each at as many points as the settings have samples.
+class PartLights final : public LightTransport {
  public:
-  BlockTracer(const RenderScene& scene, const View& view, const RenderSettings& settings,
-              PixelRect block)
-      : world_(scene.world),
-        view_(view),
-        block_(block),
-        frame_(view.frame(block.x, block.y, block_size, block_size)),
-        shader_(shader_of(scene, settings, view)),
-        places_(grid_side(settings.sampling.spp), true),
-        light_samples_(grid_side(settings.sampling.spp) * grid_side(settings.sampling.spp)),
-        lights_(scene.rays, places_) {
-    for (std::uint32_t t = 0; t < world_.triangles.size(); ++t) {
-      if (settings.cull && !world_.material_of(t).double_sided && shows_back(t)) continue;
-      if (const auto facet = make_facet(frame_, t, corners_of(world_, t)))
-        facets_.push_back(*facet);
+  PartLights(SampledLights& lights, SamplePlaces& places, int samples)
+      : lights_(lights), places_(places), samples_(samples) {}
+
+  void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
+    Illumination one = lit;
+    const int samples = lit.light.extended() ? samples_ : 1;
+    one.reflected /= static_cast<float>(samples);
+    for (int i = 0; i < samples; ++i) {
+      places_.start_sample(i);
+      lights_.add(one, {}, counts);
     }
   }
 
-  BlockResult run(const std::stop_token& stop) {
-    result_.tile.rect = block_;
-    for (int y = 0; y < block_.height; ++y) {
-      for (int x = 0; x < block_.width; ++x) {
-        if (stop.stop_requested()) return std::move(result_);
+ private:
+  SampledLights& lights_;
+  SamplePlaces& places_;
+  int samples_;
+};
+
+class BlockTracer {
+ public:
+  explicit BlockTracer(const BlockJob& job)
+      : job_(job),
+        frame_(job.view.frame(job.block.x, job.block.y, block_size, block_size)),
+        shader_(shader_of(job.scene, job.settings, job.view)),
+        places_(grid_side(job.settings.sampling.spp), true),
+        light_samples_(grid_side(job.settings.sampling.spp) * grid_side(job.settings.sampling.spp)),
+        lights_(job.scene.rays(), places_) {
+    const World& world = job.scene.world();
+    for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+      if (job.settings.cull && !world.material_of(t).double_sided && shows_back(t)) continue;
+      if (const auto facet = make_facet(frame_, t, corners_of(world, t))) facets_.push_back(*facet);
+    }
+  }
+
+  BlockResult run() {
+    result_.tile.rect = job_.block;
+    for (int y = 0; y < job_.block.height; ++y) {
+      for (int x = 0; x < job_.block.width; ++x) {
+        if (job_.stop.stop_requested()) return std::move(result_);
         trace_pixel(x, y);
       }
     }
@@ -54,9 +71,10 @@ class BlockTracer final : private LightTransport {
 
  private:
   [[nodiscard]] bool shows_back(std::uint32_t triangle) const {
+    const World& world = job_.scene.world();
     const glm::dvec3 towards =
-        frame_.parallel() ? frame_.direction() : corners_of(world_, triangle)[0] - frame_.apex();
-    return meets_back(world_, triangle, glm::vec3(towards));
+        frame_.parallel() ? frame_.direction() : corners_of(world, triangle)[0] - frame_.apex();
+    return meets_back(world, triangle, glm::vec3(towards));
   }
 
   void trace_pixel(int x, int y) {
@@ -82,26 +100,17 @@ class BlockTracer final : private LightTransport {
 
   glm::vec3 shade(const VisiblePart& part) {
     const glm::dvec2 c = part.centroid;
-    const Ray ray = view_.ray(block_.x + c.x * block_size, block_.y + c.y * block_size);
+    const PixelRect& block = job_.block;
+    const Ray ray = job_.view.ray(block.x + c.x * block_size, block.y + c.y * block_size);
     const auto side = static_cast<float>(std::sqrt(part.area) * block_size);
-    places_.start_pixel(block_.x + static_cast<int>(c.x * block_size),
-                        block_.y + static_cast<int>(c.y * block_size));
+    places_.start_pixel(block.x + static_cast<int>(c.x * block_size),
+                        block.y + static_cast<int>(c.y * block_size));
     sums_.assign(1, glm::dvec3(0.0));
+    PartLights transport(lights_, places_, light_samples_);
     const glm::vec3 radiance =
-        shader_.radiance(ray, hit_of(part, ray), side, *this, result_.statistics);
+        shader_.radiance(ray, hit_of(part, ray), side, transport, result_.statistics);
     lights_.trace(sums_);
     return radiance + glm::vec3(sums_.front());
-  }
-
-  // Lights at as many points as the settings have samples.
-  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override {
-    Illumination one = lit;
-    const int samples = lit.light.extended() ? light_samples_ : 1;
-    one.reflected /= static_cast<float>(samples);
-    for (int i = 0; i < samples; ++i) {
-      places_.start_sample(i);
-      lights_.add(one, radiance, counts);
-    }
   }
 
   // The hit from the exact point, for no ray was cast.
@@ -109,7 +118,7 @@ class BlockTracer final : private LightTransport {
     Hit hit;
     if (part.facet == VisiblePart::background) return hit;
     const Facet& facet = facets_[part.facet];
-    const auto corners = corners_of(world_, facet.triangle);
+    const auto corners = corners_of(job_.scene.world(), facet.triangle);
     const glm::dvec3 point =
         frame_.world({part.centroid.x, part.centroid.y, facet.q(part.centroid)});
     const glm::dvec3 e1 = corners[1] - corners[0];
@@ -124,9 +133,7 @@ class BlockTracer final : private LightTransport {
     return hit;
   }
 
-  const World& world_;
-  const View& view_;
-  PixelRect block_;
+  BlockJob job_;
   Frame frame_;
   Shader shader_;
   GridPlaces places_;
@@ -140,20 +147,13 @@ class BlockTracer final : private LightTransport {
 
 }  // namespace
 
-BlockResult render_block_beam(const RenderScene& scene, const View& view,
-                              const RenderSettings& settings, PixelRect block,
-                              const std::stop_token& stop) {
-  return BlockTracer(scene, view, settings, block).run(stop);
-}
-
-Result<void> check_method(const RenderScene& scene, const RenderSettings& settings) {
-  if (settings.method == Method::beam && !scene.world.faces.empty())
-    return unexpected(Error{"method", "beam is for triangles, and this scene has analytic shapes"});
-  const std::size_t triangles = scene.world.triangles.size();
-  if (settings.method != Method::beam || triangles <= most_beam_triangles) return {};
-  return unexpected(
-      Error{"method", fmt::format("beam is for scenes of up to {} triangles, and this one has {}",
-                                  most_beam_triangles, triangles)});
+/// Beam tracing (CGF'98 section 2.6): a pixel is the sum over its exactly visible polygons of area
+/// times radiance at the centroid, whatever MAX, EPS and the samples asked for. The areas are exact
+/// for opaque surfaces only: a cut-out or see-through surface hides with its whole triangles what
+/// lies behind, but for what the shader adds along the centroid's ray. For small scenes: see
+/// check_method.
+BlockResult render_block_beam(const BlockJob& job) {
+  return BlockTracer(job).run();
 }
 
 }  // namespace asos

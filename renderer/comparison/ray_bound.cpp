@@ -1,4 +1,5 @@
 #include "renderer/comparison/ray_bound_pixels.h"
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
 
 #include <cstddef>
@@ -13,27 +14,25 @@ namespace {
 
 class BoundedBlock {
  public:
-  BoundedBlock(const RenderScene& scene, const View& view, const RenderSettings& settings,
-               PixelRect block)
-      : scene_(scene),
-        view_(view),
-        block_(block),
-        n_(grid_side(settings.sampling.spp)),
-        pixels_(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height)),
+  explicit BoundedBlock(const BlockJob& job)
+      : job_(job),
+        n_(grid_side(job.settings.sampling.spp)),
+        pixels_(static_cast<std::size_t>(job.block.width) *
+                static_cast<std::size_t>(job.block.height)),
         places_(n_, true),
-        sums_(scene, view, settings, places_) {}
+        sums_(job.scene, job.view, job.settings, places_) {}
 
-  BlockResult run(const std::stop_token& stop) {
+  BlockResult run() {
     sums_.resize(pixels_);
     take_centres();
     std::vector<std::uint8_t> bounded(pixels_, 0);
-    if (n_ > 1 && !stop.stop_requested()) {
+    if (n_ > 1 && !job_.stop.stop_requested()) {
       std::vector<Hit> hits;
       for (std::size_t pixel = 0; pixel < pixels_; ++pixel) hits.push_back(sums_.hit(pixel));
-      bounded = pixels_with_boundaries(scene_, view_, block_, hits);
-      supersample(bounded, stop);
+      bounded = pixels_with_boundaries(job_.scene, job_.view, job_.block, hits);
+      supersample(bounded);
     }
-    BlockResult result = sums_.block(block_);
+    BlockResult result = sums_.block(job_.block);
     for (const std::uint8_t pixel : bounded) result.statistics.split_pixels += pixel;
     result.tile.split_level = std::move(bounded);
     return result;
@@ -45,10 +44,10 @@ class BoundedBlock {
   [[nodiscard]] int middle() const { return n_ / 2 * n_ + n_ / 2; }
 
   [[nodiscard]] int x_of(std::size_t pixel) const {
-    return block_.x + static_cast<int>(pixel) % block_.width;
+    return job_.block.x + static_cast<int>(pixel) % job_.block.width;
   }
   [[nodiscard]] int y_of(std::size_t pixel) const {
-    return block_.y + static_cast<int>(pixel) / block_.width;
+    return job_.block.y + static_cast<int>(pixel) / job_.block.width;
   }
 
   void take_centres() {
@@ -59,7 +58,7 @@ class BoundedBlock {
     sums_.trace();
   }
 
-  void supersample(const std::vector<std::uint8_t>& bounded, const std::stop_token& stop) {
+  void supersample(const std::vector<std::uint8_t>& bounded) {
     const float side = 1.0f / static_cast<float>(n_);
     for (std::size_t pixel = 0; pixel < pixels_; ++pixel) {
       if (!bounded[pixel]) continue;
@@ -69,16 +68,14 @@ class BoundedBlock {
         places_.start_pixel(x, y);
         places_.start_sample(index);
         const PixelPoint p = places_.in_pixel();
-        if (sums_.add({{x + p.x, y + p.y}, side, x, y, index, pixel}) && stop.stop_requested())
+        if (sums_.add({{x + p.x, y + p.y}, side, x, y, index, pixel}) && job_.stop.stop_requested())
           return;
       }
     }
     sums_.trace();
   }
 
-  const RenderScene& scene_;
-  const View& view_;
-  PixelRect block_;
+  BlockJob job_;
   int n_;
   std::size_t pixels_;
   GridPlaces places_;
@@ -87,10 +84,12 @@ class BoundedBlock {
 
 }  // namespace
 
-BlockResult render_block_ray_bound(const RenderScene& scene, const View& view,
-                                   const RenderSettings& settings, PixelRect block,
-                                   const std::stop_token& stop) {
-  return BoundedBlock(scene, view, settings, block).run(stop);
+/// Ray bound tracing (Ohta and Maekawa 1990; CGF'98 section 2.9): n x n jittered samples, as many
+/// as `uniform` would take, in pixels with an object's boundary (pixels_with_boundaries), and one
+/// through the centre in the others. The centre's sample is one of the n x n: it stands in for that
+/// of a middle stratum. Eye rays only: boundaries of shadows and cut-outs are not looked for.
+BlockResult render_block_ray_bound(const BlockJob& job) {
+  return BoundedBlock(job).run();
 }
 
 }  // namespace asos

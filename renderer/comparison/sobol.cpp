@@ -1,12 +1,13 @@
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sobol_places.h"
 
 namespace asos {
 
-BlockResult render_block_sobol(const RenderScene& scene, const View& view,
-                               const RenderSettings& settings, PixelRect block,
-                               const std::stop_token& stop) {
-  SobolPlaces places(settings.seed);
-  return sample_block(scene, view, settings, block, places, settings.sampling.spp, stop);
+/// `settings.sampling.spp` points of an Owen-scrambled Sobol sequence over the pixel and each
+/// light.
+BlockResult render_block_sobol(const BlockJob& job) {
+  SobolPlaces places(job.settings.seed);
+  return sample_block(job, places, job.settings.sampling.spp);
 }
 
 }  // namespace asos

@@ -1,13 +1,15 @@
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_block.h"
 
 namespace asos {
 
-BlockResult render_block_uniform(const RenderScene& scene, const View& view,
-                                 const RenderSettings& settings, PixelRect block,
-                                 const std::stop_token& stop) {
-  const int n = grid_side(settings.sampling.spp);
+/// n x n samples a pixel on a regular grid; n * n is the first square of at least
+/// `job.settings.sampling.spp`. Each looks at one point of each light, on a grid of its own in an
+/// order of the pixel's own.
+BlockResult render_block_uniform(const BlockJob& job) {
+  const int n = grid_side(job.settings.sampling.spp);
   GridPlaces places(n, false);
-  return sample_block(scene, view, settings, block, places, n * n, stop);
+  return sample_block(job, places, n * n);
 }
 
 }  // namespace asos

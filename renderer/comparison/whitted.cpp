@@ -1,5 +1,6 @@
 #include "renderer/comparison/whitted_spheres.h"
 #include "renderer/film/film.h"
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
 
@@ -33,21 +34,18 @@ struct CornerSquare {
 
 class AdaptiveBlock {
  public:
-  AdaptiveBlock(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                PixelRect block, const std::stop_token& stop)
-      : world_(scene.world),
-        view_(view),
-        block_(block),
-        depth_(settings.sampling.depth),
-        contrast_(static_cast<float>(settings.sampling.contrast)),
-        stop_(stop),
-        places_(settings.seed),
-        sums_(scene, view, settings, places_),
-        spheres_(settings.sampling.spheres ? std::span<const ObjectSphere>(scene.object_spheres)
-                                           : std::span<const ObjectSphere>(),
-                 view, block) {
-    result_.tile.rect = block;
-    const auto pixels = static_cast<std::size_t>(block.width * block.height);
+  explicit AdaptiveBlock(const BlockJob& job)
+      : job_(job),
+        depth_(job.settings.sampling.depth),
+        contrast_(static_cast<float>(job.settings.sampling.contrast)),
+        places_(job.settings.seed),
+        sums_(job.scene, job.view, job.settings, places_),
+        spheres_(job.settings.sampling.spheres
+                     ? std::span<const ObjectSphere>(job.scene.geometry->object_spheres)
+                     : std::span<const ObjectSphere>(),
+                 job.view, job.block) {
+    result_.tile.rect = job.block;
+    const auto pixels = static_cast<std::size_t>(job.block.width * job.block.height);
     result_.tile.split_level.assign(pixels, 0);
     sum_.resize(pixels, glm::dvec3(0.0));
     area_.resize(pixels, 0.0);
@@ -57,10 +55,11 @@ class AdaptiveBlock {
     take_pixels_corners();
     // What lies between them is kept for a few pixels at a time, so that memory stays bounded.
     const int side = std::max(1, most_cells_across >> depth_);
-    for (int y = 0; y < block_.height; y += side) {
-      for (int x = 0; x < block_.width; x += side) {
+    for (int y = 0; y < job_.block.height; y += side) {
+      for (int x = 0; x < job_.block.width; x += side) {
         if (stopped_) return publish();
-        subdivide({x, y, std::min(side, block_.width - x), std::min(side, block_.height - y)});
+        subdivide(
+            {x, y, std::min(side, job_.block.width - x), std::min(side, job_.block.height - y)});
       }
     }
     return publish();
@@ -70,18 +69,19 @@ class AdaptiveBlock {
   static constexpr int most_cells_across = 256;
 
   [[nodiscard]] std::size_t pixels_corners() const {
-    return static_cast<std::size_t>(block_.width + 1) * static_cast<std::size_t>(block_.height + 1);
+    return static_cast<std::size_t>(job_.block.width + 1) *
+           static_cast<std::size_t>(job_.block.height + 1);
   }
 
   [[nodiscard]] std::size_t pixels_corner(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(block_.width + 1) +
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.block.width + 1) +
            static_cast<std::size_t>(x);
   }
 
   void take_pixels_corners() {
     sums_.resize(pixels_corners());
-    for (int y = 0; y <= block_.height; ++y) {
-      for (int x = 0; x <= block_.width; ++x)
+    for (int y = 0; y <= job_.block.height; ++y) {
+      for (int x = 0; x <= job_.block.width; ++x)
         take({x << depth_, y << depth_}, 0, pixels_corner(x, y));
     }
     trace();
@@ -91,7 +91,7 @@ class AdaptiveBlock {
     sums_.trace();
     for (std::size_t i = shown_.size(); i < sums_.size(); ++i)
       shown_.push_back(display_rgb(glm::vec3(sums_.sum(i).radiance), 0.0f));
-    stopped_ |= stop_.stop_requested();
+    stopped_ |= job_.stop.stop_requested();
   }
 
   // Subdivides the pixels of a part of the block, level by level.
@@ -105,7 +105,7 @@ class AdaptiveBlock {
         squares.push_back({{x << depth_, y << depth_},
                            {pixels_corner(x, y), pixels_corner(x + 1, y), pixels_corner(x, y + 1),
                             pixels_corner(x + 1, y + 1)},
-                           static_cast<std::size_t>(y * block_.width + x)});
+                           static_cast<std::size_t>(y * job_.block.width + x)});
       }
     }
     for (int level = 0; !squares.empty() && !stopped_; ++level) {
@@ -185,7 +185,7 @@ class AdaptiveBlock {
       const glm::dvec2 p =
           place({square.corner.x + (i & 1) * side, square.corner.y + (i >> 1) * side});
       const Hit& hit = sums_.hit(square.samples[static_cast<std::size_t>(i)]);
-      if (spheres_.missed(view_.ray(p.x, p.y), hit, world_, level)) return true;
+      if (spheres_.missed(job_.view.ray(p.x, p.y), hit, job_.scene.world(), level)) return true;
     }
     return false;
   }
@@ -196,11 +196,11 @@ class AdaptiveBlock {
     const int last = 1 << depth_;
     const glm::dvec2 p = place(corner);
     PointSample sample{p, std::ldexp(1.0f, -level)};
-    sample.x = block_.x + corner.x / last;
-    sample.y = block_.y + corner.y / last;
+    sample.x = job_.block.x + corner.x / last;
+    sample.y = job_.block.y + corner.y / last;
     sample.index = rank(corner.x % last, corner.y % last);
     sample.target = target;
-    if (!stopped_ && sums_.add(sample)) stopped_ = stop_.stop_requested();
+    if (!stopped_ && sums_.add(sample)) stopped_ = job_.stop.stop_requested();
   }
 
   // Of a place in a pixel: coarser levels first, so that what a level adds continues a Sobol
@@ -215,7 +215,8 @@ class AdaptiveBlock {
   }
 
   [[nodiscard]] glm::dvec2 place(Corner corner) const {
-    return {block_.x + std::ldexp(corner.x, -depth_), block_.y + std::ldexp(corner.y, -depth_)};
+    return {job_.block.x + std::ldexp(corner.x, -depth_),
+            job_.block.y + std::ldexp(corner.y, -depth_)};
   }
 
   BlockResult publish() {
@@ -229,12 +230,9 @@ class AdaptiveBlock {
     return std::move(result_);
   }
 
-  const World& world_;
-  const View& view_;
-  PixelRect block_;
+  BlockJob job_;
   int depth_;
   float contrast_;
-  std::stop_token stop_;
   bool stopped_ = false;
   SobolPlaces places_;
   SampleSums sums_;
@@ -248,10 +246,15 @@ class AdaptiveBlock {
 
 }  // namespace
 
-BlockResult render_block_whitted(const RenderScene& scene, const View& view,
-                                 const RenderSettings& settings, PixelRect block,
-                                 const std::stop_token& stop) {
-  return AdaptiveBlock(scene, view, settings, block, stop).run();
+/// Adaptive supersampling in image space (Whitted 1980; CGF'98 section 2.3). Samples lie at the
+/// pixels' corners; a square of which they differ by more than `settings.sampling.contrast` in
+/// display intensity, in any channel, is split into four, down to `settings.sampling.depth`. A
+/// pixel is the mean of its squares' corners, by area. A corner is shared by all squares around it,
+/// and looks at one point of each light, which its place and the seed tell. With
+/// `settings.sampling.spheres` squares are also split where a corner's ray goes through the
+/// EnlargedSpheres of an object that it misses.
+BlockResult render_block_whitted(const BlockJob& job) {
+  return AdaptiveBlock(job).run();
 }
 
 }  // namespace asos

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 namespace asos {
 namespace {
@@ -52,7 +51,49 @@ struct ByteCurve {
 
 const ByteCurve byte_curve;
 
+std::size_t pixels_of(const PixelRect& rect) {
+  return static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+}
+
+/// Calls `f` with where each row that two rectangles share begins in the one and in the other, and
+/// with its length.
+template <typename F>
+void each_shared_row(const PixelRect& a, const PixelRect& b, const F& f) {
+  const PixelRect shared = intersection(a, b);
+  for (int y = shared.y; y < shared.y + shared.height; ++y) {
+    const auto index = [&](const PixelRect& r) {
+      return static_cast<std::ptrdiff_t>(y - r.y) * r.width + (shared.x - r.x);
+    };
+    f(index(a), index(b), shared.width);
+  }
+}
+
+template <typename T>
+void copy_shared(const std::vector<T>& from, const PixelRect& from_rect, std::vector<T>& to,
+                 const PixelRect& to_rect) {
+  each_shared_row(from_rect, to_rect, [&](std::ptrdiff_t begin, std::ptrdiff_t into, int count) {
+    std::copy_n(from.begin() + begin, count, to.begin() + into);
+  });
+}
+
+// Costs that are not told are 0.
+void copy_costs(const std::vector<float>& from, const PixelRect& from_rect, std::vector<float>& to,
+                const PixelRect& to_rect) {
+  if (from.size() >= pixels_of(from_rect)) return copy_shared(from, from_rect, to, to_rect);
+  each_shared_row(from_rect, to_rect, [&](std::ptrdiff_t, std::ptrdiff_t into, int count) {
+    std::fill_n(to.begin() + into, count, 0.0f);
+  });
+}
+
 }  // namespace
+
+void copy_pixels(const FinishedTile& from, FinishedTile& to) {
+  copy_shared(from.radiance, from.rect, to.radiance, to.rect);
+  copy_shared(from.split_level, from.rect, to.split_level, to.rect);
+  copy_shared(from.cause, from.rect, to.cause, to.rect);
+  if (!to.rays.empty()) copy_costs(from.rays, from.rect, to.rays, to.rect);
+  if (!to.seconds.empty()) copy_costs(from.seconds, from.rect, to.seconds, to.rect);
+}
 
 Film::Film(int w, int h)
     : width(std::max(w, 0)),
@@ -66,32 +107,16 @@ Film::Film(int w, int h)
 void Film::put(const FinishedTile& tile) {
   // What lies outside the picture is left out; a tile whose arrays are too short is not a tile.
   if (tile.rect.empty()) return;
-  const auto tile_width = static_cast<std::size_t>(tile.rect.width);
-  const std::size_t pixels = tile_width * static_cast<std::size_t>(tile.rect.height);
+  const std::size_t pixels = pixels_of(tile.rect);
   if (tile.radiance.size() < pixels || tile.split_level.size() < pixels ||
       tile.cause.size() < pixels)
     return;
-  const int x0 = std::max(tile.rect.x, 0);
-  const int x1 = std::min(tile.rect.x + tile.rect.width, width);
-  const int y0 = std::max(tile.rect.y, 0);
-  const int y1 = std::min(tile.rect.y + tile.rect.height, height);
-  if (x0 >= x1) return;
-  for (int y = y0; y < y1; ++y) {
-    const auto from =
-        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y - tile.rect.y) * tile_width +
-                                    static_cast<std::size_t>(x0 - tile.rect.x));
-    const auto to = static_cast<std::ptrdiff_t>(index(x0, y));
-    std::copy_n(tile.radiance.begin() + from, x1 - x0, radiance.begin() + to);
-    std::copy_n(tile.split_level.begin() + from, x1 - x0, split_level.begin() + to);
-    std::copy_n(tile.cause.begin() + from, x1 - x0, cause.begin() + to);
-    for (const auto& [told, kept] : {std::pair(&tile.rays, &rays), {&tile.seconds, &seconds}}) {
-      if (told->size() < pixels) {
-        std::fill_n(kept->begin() + to, x1 - x0, 0.0f);
-      } else {
-        std::copy_n(told->begin() + from, x1 - x0, kept->begin() + to);
-      }
-    }
-  }
+  const PixelRect whole{0, 0, width, height};
+  copy_shared(tile.radiance, tile.rect, radiance, whole);
+  copy_shared(tile.split_level, tile.rect, split_level, whole);
+  copy_shared(tile.cause, tile.rect, cause, whole);
+  copy_costs(tile.rays, tile.rect, rays, whole);
+  copy_costs(tile.seconds, tile.rect, seconds, whole);
 }
 
 glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev) {

@@ -25,6 +25,10 @@ struct FinishedTile {
   bool coarse = false;  ///< better pixels follow
 };
 
+/// Copies the pixels that two tiles of one picture share. What they cost is only copied where `to`
+/// keeps it, as 0 where `from` does not tell it.
+void copy_pixels(const FinishedTile& from, FinishedTile& to);
+
 /// A whole picture: linear radiance, the split map by level and by cause, and what each pixel cost,
 /// 0 where that is not told; row-major from the top left.
 struct Film {

@@ -25,8 +25,8 @@ struct RenderStatistics {
   std::uint64_t shadow_pyrays = 0;  ///< that were subdivided
   std::uint64_t reflection_rays = 0;
   std::array<std::uint64_t, 9> pyrays_by_level{};  ///< cells examined, by level 0..8
-  /// By World::lights; lights beyond its end, which grows as needed, were asked for nothing. Adds
-  /// up to `shadow_rays` and `shadow_pyrays`.
+  /// By Lighting::lights; lights beyond its end, which grows as needed, were asked for nothing.
+  /// Adds up to `shadow_rays` and `shadow_pyrays`.
   std::vector<LightStatistics> lights;
   std::uint64_t split_pixels = 0;      ///< pixels that went beyond level 0 or cut a cell
   std::uint64_t missed_splits = 0;     ///< pixels split by the safety net only (design section 3)

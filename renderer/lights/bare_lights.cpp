@@ -67,10 +67,10 @@ std::vector<glm::dvec3> circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
 
 }  // namespace
 
-BareLights find_bare_lights(const World& world) {
+BareLights find_bare_lights(const World& world, std::span<const Light> lights) {
   BareLights found;
-  for (std::uint32_t i = 0; i < world.lights.size(); ++i) {
-    const Light& light = world.lights[i];
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i];
     if (light.own_part >= 0 || !has_area(light)) continue;
     const auto shown = [&](const Part& part) { return stands_in(part, light); };
     if (std::none_of(world.parts.begin(), world.parts.end(), shown)) found.push_back(i);

@@ -8,15 +8,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace asos {
 
-/// Lights of some area that no surface of the scene shows, by index into World::lights: rays for
+/// Lights of some area that no surface of the world shows, by index: rays for
 /// the viewer go through them, but what is mirrored shows them, for they are its highlights (CGF'98
 /// section 5.1). A light is shown by its own part, and by an emissive stand-in around its middle.
 using BareLights = std::vector<std::uint32_t>;
-[[nodiscard]] BareLights find_bare_lights(const World& world);
+[[nodiscard]] BareLights find_bare_lights(const World& world, std::span<const Light> lights);
 
 /// Where a ray meets a light, and the radiance that it sends back.
 struct LightHit {

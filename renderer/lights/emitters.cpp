@@ -243,7 +243,7 @@ std::vector<Light> emissive_lights(const World& world, EmissionAt emission) {
   return lights;
 }
 
-double mean_irradiance(const std::vector<Light>& lights, double radius) {
+double mean_irradiance(std::span<const Light> lights, double radius) {
   double sum = 0.0;
   for (const Light& light : lights) sum += power(light);
   return radius > 0.0 ? sum / (4.0 * pi * radius * radius) : 0.0;

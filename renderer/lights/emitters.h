@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace asos {
@@ -42,6 +43,6 @@ inline constexpr std::size_t max_lights_of_curved_piece = 16;
 
 /// The mean irradiance that flat, linear and point lights like these give to a sphere of `radius`
 /// around them: their power over its area, in lux (largest channel). 0 for radius 0.
-[[nodiscard]] double mean_irradiance(const std::vector<Light>& lights, double radius);
+[[nodiscard]] double mean_irradiance(std::span<const Light> lights, double radius);
 
 }  // namespace asos

@@ -48,9 +48,9 @@ std::optional<Piece> clipped(const Piece& piece, double reach) {
 
 class CutLight {
  public:
-  explicit CutLight(const Light& light) : light_(prepare_light(light)) {
+  explicit CutLight(const PreparedLight& light) : light_(light) {
     flat_ = (light_.shape == LightShape::polygon || light_.shape == LightShape::disk) &&
-            light.casts_shadows;
+            light_.casts_shadows;
     if (!flat_) return;
     const glm::dvec3 reach = glm::abs(light_.half_u) + glm::abs(light_.half_v);
     const glm::dvec3 farthest = glm::abs(light_.position) + reach;
@@ -162,7 +162,7 @@ class CutLight {
     return true;
   }
 
-  PreparedLight light_;
+  const PreparedLight& light_;
   bool flat_ = false;
   double tolerance_ = 0.0;
   Box box_;
@@ -182,9 +182,9 @@ Box box_of(const World& world, std::size_t triangle) {
 
 }  // namespace
 
-LightCuts find_light_cuts(const World& world) {
-  LightCuts cuts(world.lights.size());
-  const std::vector<CutLight> lights(world.lights.begin(), world.lights.end());
+LightCuts find_light_cuts(const World& world, std::span<const PreparedLight> prepared) {
+  LightCuts cuts(prepared.size());
+  const std::vector<CutLight> lights(prepared.begin(), prepared.end());
   const std::size_t count = world.triangles.size();
   for (std::size_t first = 0; first < count && !lights.empty(); first += run_length) {
     const std::size_t end = std::min(count, first + run_length);

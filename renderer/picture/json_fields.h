@@ -33,7 +33,7 @@ class FieldWriter {
     OrderedJson& list = json_[key] = OrderedJson::array();
     for (glm::length_t i = 0; i < N; ++i) list.push_back(value[i]);
   }
-  /// One of the names of a table such as method_names.
+  /// One of the names of a table such as leaf_names.
   template <typename Names, typename T>
   void named(const char* key, const Names& names, T value) {
     for (const auto& known : names)

@@ -130,18 +130,15 @@ std::vector<Light> PictureDescription::lights_from(glm::dvec3 other_origin) cons
 PictureDescription describe(const RenderScene& scene, const Camera& camera,
                             const RenderSettings& settings, const PictureDisplay& display) {
   PictureDescription description;
-  description.scene = absolute_source(scene.source);
-  description.origin = scene.world.origin;
+  description.scene = absolute_source(scene.geometry->source);
+  description.origin = scene.world().origin;
   description.camera = camera;
   description.settings = settings;
   description.sky = choice_of(settings.sky.get());
   if (!description.sky.file.empty()) description.sky.file = absolute_source(description.sky.file);
   description.needs = scene.forced == SceneNeeds{} ? NeedsChoice::scene : NeedsChoice::all;
-  if (scene.built_from) {
-    description.lights = scene.world.lights;
-    MaterialDfrs dfrs = dfrs_of(scene.world);
-    if (dfrs != dfrs_of(scene.built_from->world)) description.dfrs = std::move(dfrs);
-  }
+  if (scene.lighting != scene.own_lighting) description.lights = scene.lights();
+  if (scene.dfrs() != dfrs_of(scene.world())) description.dfrs = scene.dfrs();
   description.display = display;
   return description;
 }
@@ -206,7 +203,7 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
   auto prepared = prepare(scene, forced_by(description.needs));
   if (!prepared) return prepared;
   if (description.lights)
-    prepared = with_lights(*prepared, description.lights_from((*prepared)->world.origin));
+    prepared = with_lights(*prepared, description.lights_from((*prepared)->world().origin));
   if (prepared && description.dfrs) prepared = with_dfrs(*prepared, *description.dfrs);
   return std::move(prepared).map_error([&](const Error& error) {
     return Error{scene.source, "is not the scene that the picture was made of: " + error.message()};

@@ -2,7 +2,6 @@
 
 #include "renderer/film/image_io.h"
 #include "renderer/film/split_map.h"
-#include "renderer/prepared/edited_materials.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"

@@ -1,5 +1,6 @@
 #include "renderer/picture/settings_json.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/settings/names.h"
@@ -14,7 +15,7 @@ template <typename Fields, typename Settings>
 void each_setting(Fields& fields, Settings& s) {
   fields("width", s.width);
   fields("height", s.height);
-  fields.named("method", method_names, s.method);
+  fields.named("method", method_table(), s.method);
   fields("max_level", s.asos.max_level);
   fields("eps", s.asos.eps);
   fields.named("leaf", leaf_names, s.asos.leaf);

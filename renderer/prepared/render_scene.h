@@ -1,52 +1,49 @@
 #pragma once
 
-#include "renderer/features/feature_set.h"
-#include "renderer/rays/ray_scene.h"
+#include "renderer/lights/lighting.h"
+#include "renderer/prepared/geometry.h"
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
 #include "renderer/shading/shade.h"
 #include "renderer/world/needs.h"
-#include "renderer/world/object_spheres.h"
 #include "renderer/world/world.h"
 
-#include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace asos {
 
-/// What of a scene takes long to build and does not depend on its lights.
-struct SceneIndex {
-  RayScene rays;
-  FeatureSet features;
-  MipChains mips;
+/// A scene made ready to render, of three parts that are immutable, shared, and replaced one at a
+/// time: editing a light or a material costs what that part costs. A small value; `assembled` keeps
+/// its needs those of its parts.
+struct RenderScene {
+  std::shared_ptr<const Geometry> geometry;
+  std::shared_ptr<const MaterialDfrs> materials;  ///< what of them can be edited, one for each
+  std::shared_ptr<const Lighting> lighting;
+  std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
+  SceneNeeds forced;                             ///< see prepare
+  SceneNeeds needs;                              ///< those of all parts, and what was forced
+
+  [[nodiscard]] const World& world() const { return geometry->world; }
+  [[nodiscard]] const RayScene& rays() const { return geometry->rays; }
+  [[nodiscard]] const FeatureSet& features() const { return geometry->features; }
+  [[nodiscard]] const MipChains& mips() const { return geometry->mips; }
+  [[nodiscard]] const std::vector<Light>& lights() const { return lighting->lights; }
+  [[nodiscard]] const MaterialDfrs& dfrs() const { return *materials; }
+  /// The defocusing ratios of a surface's material, if it has any of its own.
+  [[nodiscard]] const std::optional<Dfr>& dfr_of(std::uint32_t triangle) const {
+    return (*materials)[geometry->world.material_index(triangle)];
+  }
 };
 
-/// A scene made ready to render: flattened, with its rays' and its boundaries' hierarchies.
-/// Immutable once built, shared by all workers; `rays` points into a world, so it never moves.
-/// A copy shares the hierarchies.
-struct RenderScene {
-  World world;
-  SceneNeeds needs;          ///< those of the world, and what was forced
-  bool default_rig = false;  ///< next to no light came from the scene: `world.lights` ends in a rig
-  std::size_t emissive_lights = 0;  ///< lights in `world.lights` that stand for emissive meshes
-  SceneNeeds forced;                ///< see prepare
-  std::shared_ptr<SceneIndex> index = std::make_shared<SceneIndex>();
-  const RayScene& rays = index->rays;
-  const FeatureSet& features = index->features;
-  const MipChains& mips = index->mips;
-  /// The scene that the index was built for, whose world `rays` points into; null: this one.
-  std::shared_ptr<const RenderScene> built_from;
-  LightCuts light_cuts;  ///< of `world.lights`
-  BareLights bare_lights;
-  std::vector<ObjectSphere> object_spheres;
-  SceneNotes notes;
-  std::string name;
-  std::string source;
-  double build_seconds = 0.0;
-  double memory_mb = 0.0;  ///< of geometry, textures with their mip chains, and both hierarchies
-};
+/// The scene of these parts, with its needs. All parts are set.
+[[nodiscard]] std::shared_ptr<const RenderScene> assembled(RenderScene parts);
+
+/// The scene of these parts, with its materials' own defocusing ratios.
+[[nodiscard]] std::shared_ptr<const RenderScene> unedited_scene(
+    std::shared_ptr<const Geometry> geometry, Lighting lighting, const SceneNeeds& forced = {});
 
 [[nodiscard]] inline Faces seen_faces(const RenderSettings& settings) {
   return settings.cull ? Faces::as_material_says : Faces::all;
@@ -61,12 +58,12 @@ struct RenderScene {
                                       const View& view) {
   const bool filtered = settings.texture.filter == TextureFilter::footprint;
   const bool mirrors = needs_of(scene, settings).mirrors;
-  return Shader(scene.world, scene.needs, scene.rays,
-                {settings.shadow.cast, settings.shadow.light_rule, seen_faces(settings),
-                 filtered ? &scene.mips : nullptr, PixelSpacing::of(view), &scene.light_cuts,
-                 settings.sky.get(), &scene.bare_lights, mirrors ? settings.mirror.bounces : 0,
-                 static_cast<float>(settings.mirror.roughest),
-                 settings.mirror.dfr ? &*settings.mirror.dfr : nullptr});
+  return Shader(
+      scene.world(), scene.needs, scene.rays(), *scene.lighting,
+      {settings.shadow.cast, settings.shadow.light_rule, seen_faces(settings),
+       filtered ? &scene.mips() : nullptr, PixelSpacing::of(view), settings.sky.get(),
+       mirrors ? settings.mirror.bounces : 0, static_cast<float>(settings.mirror.roughest),
+       settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs()});
 }
 
 /// Flattens and indexes `scene` and lights it: by its own lights, its emissive meshes, and a rig
@@ -77,10 +74,15 @@ struct RenderScene {
                                                                  const SceneNeeds& forced = {});
 
 /// The same scene in the light of `lights` (relative to World::origin) instead of its own. Shares
-/// the hierarchies with `scene` and keeps it alive; copies its world, so that this takes time for
-/// each triangle and texel, but builds nothing. Errors: a light that is not finite, and one whose
-/// own part is none of a light of the scene that was prepared.
+/// geometry and materials with `scene`. Errors: a light that is not finite, and one whose own part
+/// is none of a light of the scene that was prepared.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_lights(
     const std::shared_ptr<const RenderScene>& scene, std::vector<Light> lights);
+
+/// The same scene with these defocusing ratios instead of its materials' own. Shares geometry and
+/// lighting with `scene`. Materials that look alike (same_look) should stay so: where they meet no
+/// boundary is looked for. Errors: not one entry for each material, a ratio out of range.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_dfrs(
+    const std::shared_ptr<const RenderScene>& scene, MaterialDfrs dfrs);
 
 }  // namespace asos

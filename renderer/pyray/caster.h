@@ -10,58 +10,91 @@
 
 namespace asos {
 
+/// A point sample of a caster, by number.
+using SampleId = std::uint32_t;
+inline constexpr SampleId no_sample = 0xffffffffu;
+
 /// Why one sample cannot stand for what a patch of a surface looks like.
 enum class Unevenness : std::uint8_t { none, shading, shadow };
 
-/// What asks the engine: knows how to look along points of the root frame's square, and what to do
-/// with what it saw. Eye, shadow and reflection pyrays are the same engine behind different
-/// casters. Samples are kept by the caster and named by number.
+/// A caster's word on whether one sample can stand for a leaf. The engine hands `note` on with the
+/// leaf: a caster finds there what it learned on the way (0: nothing).
+struct LeafVerdict {
+  Unevenness uneven = Unevenness::none;
+  std::uint32_t note = 0;
+};
+
+/// A finished part of a root, for which one sample stands.
+struct PyrayLeaf {
+  std::uint32_t root = 0;  ///< number of the root
+  SampleId sample = no_sample;
+  double weight = 1.0;     ///< share of the root's area
+  LeafRegion region;       ///< of the root frame
+  std::uint32_t note = 0;  ///< the verdict's
+};
+
+/// A caster's own samples of a cell that is saturated with boundaries.
+struct SaturatedSamples {
+  std::uint32_t count = 0;      ///< 0: it took none
+  SampleId sample = no_sample;  ///< stands for all of them
+};
+
+/// The side that asks the engine: knows how to look along points of the root frame's square, and
+/// what to make of the leaves. Each kind of pyray (from the eye, to a light, by way of a mirror) is
+/// the same engine behind another caster. A caster keeps its samples and numbers them.
 class Caster {
  public:
-  using SampleId = std::uint32_t;
-  static constexpr SampleId no_sample = 0xffffffffu;
-
   virtual ~Caster() = default;
 
   /// Looks along each of the points (u, v): coherent, so they can go in packets. The samples get
   /// consecutive numbers; returns the first.
   virtual SampleId probe(std::span<const glm::vec2> points) = 0;
 
-  /// What the surface that a sample met hides.
+  /// The roots' middles were looked through: side x side roots in rows, whose samples are the
+  /// first.
+  virtual void middles_known(int /*side*/) {}
+
+  /// The plane of the surface that a sample met, which hides boundaries behind it.
   [[nodiscard]] virtual Cover cover(SampleId sample) const = 0;
 
   /// The surface that a sample met: equal numbers for one smooth, connected piece.
   [[nodiscard]] virtual std::uint32_t surface(SampleId sample) const = 0;
 
-  /// Whether one sample cannot stand for what a patch of the surface around it looks like, because
-  /// its shading or a shadow on it varies by more than is let pass. `share` is the patch's share of
-  /// its root's area. The engine then splits the patch further, down to MAX.
-  [[nodiscard]] virtual Unevenness uneven(SampleId /*sample*/, double /*share*/,
-                                          const LeafRegion& /*region*/) const {
-    return Unevenness::none;
-  }
+  /// Whether nothing is seen through the surface that a sample met.
+  [[nodiscard]] virtual bool opaque(SampleId /*sample*/) const { return true; }
 
-  /// What was made of a square that a caster took over.
-  struct TakenOver {
-    std::uint32_t samples = 0;    ///< 0: it was not
-    SampleId sample = no_sample;  ///< that stands for all of them
-  };
-  /// Asks to take over a square of the root `root` whose boundaries are a tangle; `weight` is its
-  /// share of the root's area. Otherwise the engine takes jittered leaves of the finest size
-  /// (design section 5, "Saturation").
-  [[nodiscard]] virtual TakenOver sample_tangle(std::uint32_t /*root*/, const Square& /*square*/,
-                                                double /*weight*/) {
+  /// Whether one sample can stand for a part of a root, which is `share` of its area, or shading or
+  /// shadows vary over it by more than the tolerance. The engine then splits it, down to MAX.
+  [[nodiscard]] virtual LeafVerdict judge(SampleId /*sample*/, double /*share*/,
+                                          const LeafRegion& /*region*/) {
     return {};
   }
+
+  /// Asks for samples of a cell that is saturated with boundaries; `weight` is its share of the
+  /// root's area. Otherwise the engine takes jittered leaves of the finest size (design section 5,
+  /// "Saturation").
+  [[nodiscard]] virtual SaturatedSamples sample_saturated(std::uint32_t /*root*/,
+                                                          const Square& /*square*/,
+                                                          double /*weight*/) {
+    return {};
+  }
+
+  /// Whether the samples so far show that subdividing is hopeless. Asked of single pyrays only.
+  [[nodiscard]] virtual bool gives_up() const { return false; }
 
   /// True once nobody wants the result any more. The engine then returns early, with whatever it
   /// has; samples and leaves need not be meant from then on.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 
-  /// A finished leaf of the root whose id is `root`; `weight` is its share of the root's area, the
-  /// region what it covers of the root frame.
-  virtual void leaf(std::uint32_t root, SampleId sample, double weight,
-                    const LeafRegion& region) = 0;
+  /// Finished leaves, in an order that does not depend on threads. Their regions' borders live for
+  /// the call.
+  virtual void take(std::span<const PyrayLeaf> leaves) = 0;
+
+  /// The result of a sample that stood for a leaf, for observers: linear radiance, or a light's
+  /// visibility.
+  [[nodiscard]] virtual glm::vec3 result(SampleId /*sample*/) const { return glm::vec3(0.0f); }
+  /// The world's triangle that a sample met, for observers; 0xffffffff: none.
+  [[nodiscard]] virtual std::uint32_t triangle(SampleId /*sample*/) const { return 0xffffffffu; }
 };
 
 }  // namespace asos

@@ -52,6 +52,27 @@ bool is_silhouette(const Frame& frame, glm::dvec3 a, glm::dvec3 b, glm::dvec3 le
   return glm::dot(side, left - a) * glm::dot(side, right - a) >= 0.0;
 }
 
+// The first edge below an entry that is a node or a leaf.
+std::uint32_t first_edge(const FeatureSet& features, const HitEntry& e) {
+  if (e.type == HitEntry::Type::leaf) return e.ref;
+  const FeatureNode* node = &features.nodes()[e.ref];
+  while (node->edge_count[0] == FeatureNode::inner) node = &features.nodes()[node->child[0]];
+  return node->child[0];
+}
+
+// Whether a child's box lies outside of the bounds.
+bool outside(const SearchBounds& bounds, const FeatureNode& node, unsigned child) {
+  for (const HalfSpace& half : bounds.within) {
+    double farthest = -half.offset;
+    for (int k = 0; k < 3; ++k) {
+      const float* side = half.normal[k] > 0.0 ? node.hi[k] : node.lo[k];
+      farthest += half.normal[k] * static_cast<double>(side[child]);
+    }
+    if (farthest < 0.0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void HitLists::reset(const FeatureSet& features, const Frame& frame, float finest_side,
@@ -68,6 +89,7 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   entries_.clear();
   segments_.clear();
   root_.clear();
+  scene_entries_ = 0;
   if (features_->nodes().empty()) return;
   if (bounds_.cut) {
     for (const CutNode& part : *bounds_.cut)
@@ -80,6 +102,7 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   }
   root_.resize(entries_.size());
   std::iota(root_.begin(), root_.end(), 0u);
+  scene_entries_ = root_.size();
 }
 
 void HitLists::add_boundary(glm::vec2 p, glm::vec2 q) {
@@ -134,8 +157,8 @@ void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hid
   for (std::uint32_t c = 0; c < count; ++c) visit(first + c, cell, hiding, list);
 }
 
-bool HitLists::tell_apart(std::uint32_t i, const Square& cell, float tolerance, std::size_t limit,
-                          List& list) {
+bool HitLists::resolve(std::uint32_t i, const Square& cell, float tolerance, std::size_t limit,
+                       List& list) {
   if (!entries_[i].meets(cell)) return true;
   if (straight(entries_[i], tolerance) && replace_by_chord(i)) i = entries_[i].chord;
   if (entries_[i].is_segment()) {
@@ -147,7 +170,7 @@ bool HitLists::tell_apart(std::uint32_t i, const Square& cell, float tolerance, 
   const std::uint32_t first = entries_[i].first_child;
   const std::uint32_t count = entries_[i].child_count;
   for (std::uint32_t c = 0; c < count; ++c)
-    if (!tell_apart(first + c, cell, tolerance, limit, list)) return false;
+    if (!resolve(first + c, cell, tolerance, limit, list)) return false;
   return true;
 }
 
@@ -159,20 +182,13 @@ bool HitLists::straight(const HitEntry& e, float tolerance) const {
          e.chain_deviation * (frame_.parallel() ? 1.0f : e.q) * squares_a_unit_ <= tolerance;
 }
 
-std::uint32_t HitLists::first_edge(const HitEntry& e) const {
-  if (e.type == HitEntry::Type::leaf) return e.ref;
-  const FeatureNode* node = &features_->nodes()[e.ref];
-  while (node->edge_count[0] == FeatureNode::inner) node = &features_->nodes()[node->child[0]];
-  return node->child[0];
-}
-
 // Makes the segment between a chain's ends, once.
 bool HitLists::replace_by_chord(std::uint32_t i) {
   if (entries_[i].chord != FeatureEdge::none) return true;
-  if (bounds_.ignores(features_->edges()[first_edge(entries_[i])].a)) return false;
+  if (bounds_.ignores(features_->edges()[first_edge(*features_, entries_[i])].a)) return false;
   const std::span<const glm::vec3> positions = features_->positions();
   const auto chord = static_cast<std::uint32_t>(entries_.size());
-  add_segment(first_edge(entries_[i]), glm::dvec3(positions[entries_[i].chain[0]]),
+  add_segment(first_edge(*features_, entries_[i]), glm::dvec3(positions[entries_[i].chain[0]]),
               glm::dvec3(positions[entries_[i].chain[1]]));
   if (entries_.size() == chord) return false;
   entries_[i].chord = chord;
@@ -222,24 +238,11 @@ void HitLists::open(std::uint32_t i) {
   entries_[i].child_count = static_cast<std::uint16_t>(entries_.size() - first);
 }
 
-// Whether a child's box lies outside of the bounds.
-bool HitLists::outside(const FeatureNode& node, unsigned child) const {
-  for (const HalfSpace& half : bounds_.within) {
-    double farthest = -half.offset;
-    for (int k = 0; k < 3; ++k) {
-      const float* side = half.normal[k] > 0.0 ? node.hi[k] : node.lo[k];
-      farthest += half.normal[k] * static_cast<double>(side[child]);
-    }
-    if (farthest < 0.0) return true;
-  }
-  return false;
-}
-
 void HitLists::open_node(const FeatureNode& node, unsigned children) {
   const NodeTestResult test = test_children(node, test_frame_);
   for (unsigned kept = test.kept & children; kept != 0; kept &= kept - 1) {
     const auto c = static_cast<unsigned>(__builtin_ctz(kept));
-    if (outside(node, c)) continue;
+    if (outside(bounds_, node, c)) continue;
     HitEntry child;
     child.u0 = test.u0[c];
     child.v0 = test.v0[c];

@@ -60,6 +60,10 @@ class HitLists {
 
   /// The list of the whole square: the hierarchy's root or the cut, not opened, and what was added.
   [[nodiscard]] const List& root() const { return root_; }
+  /// The same without what was added.
+  [[nodiscard]] std::span<const std::uint32_t> scene_root() const {
+    return std::span(root_).first(scene_entries_);
+  }
 
   /// The list of a cell from its parent's. Drops what misses the cell; opens a node while it is
   /// larger than a quarter of the cell, or while so few entries are left that the cell may turn out
@@ -72,8 +76,8 @@ class HitLists {
   /// Opens an entry all the way down, however small it is, and appends the segments below it that
   /// cross the cell; a chain that is straight within `tolerance`, in the frame, becomes one
   /// segment. False, with `list` as it happens to be, once it holds more than `limit`.
-  [[nodiscard]] bool tell_apart(std::uint32_t i, const Square& cell, float tolerance,
-                                std::size_t limit, List& list);
+  [[nodiscard]] bool resolve(std::uint32_t i, const Square& cell, float tolerance,
+                             std::size_t limit, List& list);
 
   [[nodiscard]] const HitEntry& entry(std::uint32_t i) const { return entries_[i]; }
   [[nodiscard]] const Segment& segment(const HitEntry& e) const { return segments_[e.ref]; }
@@ -87,6 +91,11 @@ class HitLists {
   /// What a segment is from where this frame looks: a crease or a seam whose two faces lie to the
   /// same side of it is a silhouette. Nothing for a boundary that is no feature of the scene.
   [[nodiscard]] std::optional<FeatureKind> kind(std::uint32_t i) const;
+  /// The kind of a segment's edge as the scene has it; open where it is no edge of the scene.
+  [[nodiscard]] FeatureKind feature(std::uint32_t i) const {
+    return segment(i).edge == FeatureEdge::none ? FeatureKind::open
+                                                : features_->edges()[segment(i).edge].kind;
+  }
   [[nodiscard]] const Frame& frame() const { return frame_; }
   /// Whether nodes stayed closed because the search had cost all that its bounds allow.
   [[nodiscard]] bool exhausted() const { return entries_.size() > bounds_.most_entries; }
@@ -98,18 +107,17 @@ class HitLists {
   void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
   void open(std::uint32_t i);
   void open_node(const FeatureNode& node, unsigned children);
-  [[nodiscard]] bool outside(const FeatureNode& node, unsigned child) const;
   void open_leaf(std::uint32_t i);
   void add_curve(std::uint32_t edge);
   void add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b);
   void keep_segment(const Segment& s);
-  [[nodiscard]] std::uint32_t first_edge(const HitEntry& e) const;
   [[nodiscard]] bool straight(const HitEntry& e, float tolerance) const;
   [[nodiscard]] bool replace_by_chord(std::uint32_t i);
 
   const FeatureSet* features_ = nullptr;
   SearchBounds bounds_;
   List root_;
+  std::size_t scene_entries_ = 0;  // the first of root_
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;

@@ -37,29 +37,46 @@ bool same_side(glm::dvec2 p, glm::dvec2 q) {
   return (p.x == q.x && (p.x == 0.0 || p.x == 1.0)) || (p.y == q.y && (p.y == 0.0 || p.y == 1.0));
 }
 
+// Connected components of nodes, to tell islands from what holds them: each node's is the lowest
+// node that it is connected with.
+template <typename Edges>
+void find_components(const Edges& edges, std::size_t nodes, std::vector<std::uint32_t>& component) {
+  component.resize(nodes);
+  std::iota(component.begin(), component.end(), 0u);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& e : edges) {
+      const std::uint32_t low = std::min(component[e.from], component[e.to]);
+      if (component[e.from] == low && component[e.to] == low) continue;
+      component[e.from] = component[e.to] = low;
+      changed = true;
+    }
+  }
+}
+
 }  // namespace
 
-std::span<const Face> CellPartition::cut(const Square& cell, std::span<const Segment> segments,
-                                         std::size_t max_faces) {
+std::span<const CellPart> CellPartition::cut(const Square& cell, std::span<const Segment> segments,
+                                             std::size_t max_parts) {
   cell_ = cell;
-  faces_.clear();
-  sides_.clear();
+  parts_.clear();
+  borders_.clear();
   pieces_.clear();
   specks_.clear();
   for (const Segment& s : segments)
     if (!add_piece(s)) return {};
-  // Each line right through the cell adds a face, whatever else there is.
+  // Each line right through the cell adds a part, whatever else there is.
   const auto through = std::count_if(pieces_.begin(), pieces_.end(), [](const Piece& piece) {
     return on_border(piece.p) && on_border(piece.q);
   });
-  if (static_cast<std::size_t>(through) >= max_faces) return {};
+  if (static_cast<std::size_t>(through) >= max_parts) return {};
   if (specks_.empty() && pieces_.size() == 1 && on_border(pieces_[0].p) &&
       on_border(pieces_[0].q)) {
-    if (!cut_by_one()) faces_.clear();
-  } else if (!cut_by_many(max_faces)) {
-    faces_.clear();
+    if (!cut_by_one()) parts_.clear();
+  } else if (!cut_by_many(max_parts)) {
+    parts_.clear();
   }
-  return faces_;
+  return parts_;
 }
 
 // The part of a segment inside the cell, in cell units. False: not finite.
@@ -124,9 +141,9 @@ bool CellPartition::cut_by_one() {
     polygon[n++] = part == 0 ? piece.q : piece.p;
     double area = 0.0;
     glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
-    const std::size_t first_side = sides_.size();
+    const std::size_t first_edge = borders_.size();
     for (int i = 0; i < n; ++i) {
-      emit_side(polygon[i], polygon[(i + 1) % n]);
+      emit_edge(polygon[i], polygon[(i + 1) % n]);
       lo = glm::min(lo, polygon[i]);
       hi = glm::max(hi, polygon[i]);
       if (i < 1 || i + 1 >= n) continue;
@@ -134,17 +151,17 @@ bool CellPartition::cut_by_one() {
       area += a;
       centroid += a * (start + polygon[i] + polygon[i + 1]) / 3.0;
     }
-    if (area > 0.0) emit(area, centroid / area, lo, hi, first_side);
+    if (area > 0.0) emit(area, centroid / area, lo, hi, first_edge);
   }
-  return !faces_.empty();
+  return !parts_.empty();
 }
 
-bool CellPartition::cut_by_many(std::size_t max_faces) {
+bool CellPartition::cut_by_many(std::size_t max_parts) {
   nodes_.assign({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   edges_.clear();
   split_pieces();
   add_border();
-  return trace_loops(max_faces) && make_faces(max_faces);
+  return trace_loops(max_parts) && make_parts(max_parts);
 }
 
 std::uint32_t CellPartition::node_at(glm::dvec2 p) {
@@ -209,28 +226,17 @@ void CellPartition::add_border() {
     add_edge(order_[k].second, order_[(k + 1) % order_.size()].second);
 }
 
-// Walks around all faces: half-edge 2e runs from edge e's `from` to its `to`, 2e + 1 back.
-bool CellPartition::trace_loops(std::size_t max_faces) {
+// Walks around all parts: half-edge 2e runs from edge e's `from` to its `to`, 2e + 1 back.
+bool CellPartition::trace_loops(std::size_t max_parts) {
   const std::size_t count = 2 * edges_.size();
   const auto tail = [&](std::size_t h) { return h & 1 ? edges_[h / 2].to : edges_[h / 2].from; };
   const auto head = [&](std::size_t h) { return tail(h ^ 1); };
 
-  // Connected components, to tell islands from what holds them.
-  component_.resize(nodes_.size());
-  std::iota(component_.begin(), component_.end(), 0u);
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const Edge& e : edges_) {
-      const std::uint32_t low = std::min(component_[e.from], component_[e.to]);
-      if (component_[e.from] == low && component_[e.to] == low) continue;
-      component_[e.from] = component_[e.to] = low;
-      changed = true;
-    }
-  }
-  // Euler: bounded faces = edges - nodes + components.
+  find_components(edges_, nodes_.size(), component_);
+  // Euler: bounded parts = edges - nodes + components.
   std::size_t components = 0;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) components += component_[n] == n;
-  if (edges_.size() + components > nodes_.size() + max_faces) return false;
+  if (edges_.size() + components > nodes_.size() + max_parts) return false;
 
   // Around each node, half-edges by angle; the next of h is what precedes its twin there. Sorting
   // by (node, angle) in one go; the angle as a number that grows with it, from 0 to 4.
@@ -272,11 +278,11 @@ bool CellPartition::trace_loops(std::size_t max_faces) {
 }
 
 // Faces from loops: each loop of positive area, less the islands inside it.
-bool CellPartition::make_faces(std::size_t max_faces) {
-  std::int32_t faces = 0;
+bool CellPartition::make_parts(std::size_t max_parts) {
+  std::int32_t parts = 0;
   for (Loop& loop : loops_)
-    if (loop.area > 0.0) loop.face = faces++;
-  if (faces == 0 || static_cast<std::size_t>(faces) > max_faces) return false;
+    if (loop.area > 0.0) loop.part = parts++;
+  if (parts == 0 || static_cast<std::size_t>(parts) > max_parts) return false;
   for (Loop& island : loops_) {
     if (island.area > 0.0 || island.component == component_[0]) continue;
     const glm::dvec2 p = nodes_[loop_nodes_[island.first]];
@@ -285,22 +291,22 @@ bool CellPartition::make_faces(std::size_t max_faces) {
       if (loop.area <= 0.0 || loop.component == island.component || loop.area >= smallest) continue;
       if (!inside(loop, p)) continue;
       smallest = loop.area;
-      island.face = loop.face;
+      island.part = loop.part;
     }
-    if (island.face < 0) return false;
+    if (island.part < 0) return false;
   }
   for (const Loop& loop : loops_) {
     if (loop.area <= 0.0) continue;
-    if (!place_sample(loop.face, loop)) return false;
+    if (!place_sample(loop.part, loop)) return false;
   }
   double total = 0.0;
-  for (const Face& face : faces_) total += face.area;
+  for (const CellPart& part : parts_) total += part.area;
   return std::abs(total - 1.0) < 1e-5;
 }
 
 bool CellPartition::inside(const Loop& loop, glm::dvec2 p) const {
   bool in = false;
-  for_each_side(loop, [&](glm::dvec2 a, glm::dvec2 b) {
+  for_each_edge(loop, [&](glm::dvec2 a, glm::dvec2 b) {
     if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) in = !in;
   });
   return in;

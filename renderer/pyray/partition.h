@@ -11,13 +11,13 @@
 namespace asos {
 
 /// One part of a cell that its boundary lines leave: uniform, where those are all the lines.
-struct Face {
+struct CellPart {
   double area = 0.0;  ///< share of the cell, 0 to 1
   float u = 0.0f;     ///< a point well inside it, in the root frame
   float v = 0.0f;
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;  ///< its bounding rectangle
-  std::uint32_t first_side = 0;          ///< of its sides, one after the other
-  std::uint32_t side_count = 0;
+  std::uint32_t first_edge = 0;          ///< of its sides, one after the other
+  std::uint32_t edge_count = 0;
 };
 
 /// Cuts a cell along the boundary segments that cross it, with exact areas ("exact leaf"). CGF'98
@@ -26,13 +26,13 @@ struct Face {
 /// Double precision in cell units; keeps its memory between calls; one object a thread.
 class CellPartition {
  public:
-  /// The faces, their areas adding up to 1, or nothing where the lines are too many for
-  /// `max_faces` or too nearly degenerate to be told apart: the cell then has to be subdivided.
-  [[nodiscard]] std::span<const Face> cut(const Square& cell, std::span<const Segment> segments,
-                                          std::size_t max_faces);
+  /// The parts, their areas adding up to 1, or nothing where the lines are too many for
+  /// `max_parts` or too nearly degenerate to be told apart: the cell then has to be subdivided.
+  [[nodiscard]] std::span<const CellPart> cut(const Square& cell, std::span<const Segment> segments,
+                                              std::size_t max_parts);
 
-  /// All sides of the faces cut last, in the root frame.
-  [[nodiscard]] std::span<const Side> sides() const { return sides_; }
+  /// All sides of the parts cut last, in the root frame.
+  [[nodiscard]] std::span<const BorderEdge> borders() const { return borders_; }
 
  private:
   struct Edge {
@@ -49,34 +49,34 @@ class CellPartition {
   struct Loop {
     std::uint32_t first = 0;  // into loop_nodes_
     std::uint32_t count = 0;
-    double area = 0.0;  // positive: bounds a face from outside
+    double area = 0.0;  // positive: bounds a part from outside
     std::uint32_t component = 0;
-    std::int32_t face = -1;
+    std::int32_t part = -1;
   };
 
   bool cut_by_one();
-  bool cut_by_many(std::size_t max_faces);
+  bool cut_by_many(std::size_t max_parts);
   bool add_piece(const Segment& s);
   void add_speck(glm::dvec2 p);
   [[nodiscard]] std::uint32_t node_at(glm::dvec2 p);
   void split_pieces();
   void add_border();
   void add_edge(std::uint32_t a, std::uint32_t b);
-  bool trace_loops(std::size_t max_faces);
-  bool make_faces(std::size_t max_faces);
+  bool trace_loops(std::size_t max_parts);
+  bool make_parts(std::size_t max_parts);
   [[nodiscard]] bool inside(const Loop& loop, glm::dvec2 p) const;
-  [[nodiscard]] bool inside_face(std::int32_t face, glm::dvec2 p) const;
-  bool place_sample(std::int32_t face, const Loop& outer);
-  void find_crossings(std::int32_t face, double y);
-  [[nodiscard]] double clearance(std::int32_t face, glm::dvec2 p) const;
+  [[nodiscard]] bool inside_part(std::int32_t part, glm::dvec2 p) const;
+  bool place_sample(std::int32_t part, const Loop& outer);
+  void find_crossings(std::int32_t part, double y);
+  [[nodiscard]] double clearance(std::int32_t part, glm::dvec2 p) const;
   template <typename Visit>
-  void for_each_side(const Loop& loop, Visit&& visit) const {
+  void for_each_edge(const Loop& loop, Visit&& visit) const {
     for (std::uint32_t k = 0; k < loop.count; ++k)
       visit(nodes_[loop_nodes_[loop.first + k]],
             nodes_[loop_nodes_[loop.first + (k + 1) % loop.count]]);
   }
-  void emit_side(glm::dvec2 from, glm::dvec2 to);
-  void emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi, std::size_t first_side);
+  void emit_edge(glm::dvec2 from, glm::dvec2 to);
+  void emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi, std::size_t first_edge);
 
   Square cell_;
   std::vector<Piece> pieces_;
@@ -86,8 +86,8 @@ class CellPartition {
   std::vector<std::uint32_t> component_;
   std::vector<Loop> loops_;
   std::vector<std::uint32_t> loop_nodes_;
-  std::vector<Face> faces_;
-  std::vector<Side> sides_;
+  std::vector<CellPart> parts_;
+  std::vector<BorderEdge> borders_;
   std::vector<double> crossings_;
   std::vector<std::pair<double, std::uint32_t>> order_;
   std::vector<Spoke> around_;

@@ -10,10 +10,11 @@ namespace {
 constexpr int first_trusted_level = 2;
 
 struct Splitter {
-  std::uint32_t id;
+  const Root& root;
   int max_level;
   Caster& caster;
   SubdivisionOutcome outcome{};
+  std::vector<PyrayLeaf> leaves{};
 
   void split(const Square& square, int level) {
     const double weight = 1.0 / static_cast<double>(1ull << (2 * level));
@@ -24,7 +25,7 @@ struct Splitter {
       const Square child = square.quarter(i);
       points[static_cast<std::size_t>(i)] = {child.centre_u(), child.centre_v()};
     }
-    const Caster::SampleId first = caster.probe(points);
+    const SampleId first = caster.probe(points);
     bool differ = false;
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
@@ -34,23 +35,37 @@ struct Splitter {
     }
     if (differ) outcome.unresolved_area += 4.0 * weight;
     for (std::uint32_t i = 0; i < 4; ++i)
-      caster.leaf(id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ});
+      leaves.push_back(
+          {root.id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ}});
   }
 };
+
+void trace(const Root& root, std::span<const PyrayLeaf> leaves) {
+  if (!root.traced) return;
+  TracedCell& cell = root.traced->cells.emplace_back();
+  cell.fate = CellFate::by_samples;
+  for (const PyrayLeaf& leaf : leaves) {
+    const Square& s = leaf.region.square;
+    const glm::vec2 at(s.centre_u() - root.square.u, s.centre_v() - root.square.v);
+    cell.samples.push_back({leaf.sample, at / root.square.side, leaf.weight, {}, {}});
+  }
+}
 
 }  // namespace
 
 SubdivisionOutcome split_by_samples(const Root& root, int max_level, Caster& caster) {
-  Splitter splitter{root.id, max_level, caster};
+  Splitter splitter{root, max_level, caster};
   splitter.outcome.pyrays_by_level[0] = 1;
   if (max_level > 0) {
     splitter.split(root.square, 1);
-    return splitter.outcome;
+  } else {
+    const glm::vec2 middle(root.square.centre_u(), root.square.centre_v());
+    const SampleId sample =
+        root.middle != no_sample ? root.middle : caster.probe(std::span(&middle, 1));
+    splitter.leaves.push_back({root.id, sample, 1.0, {root.square, {}, true}});
   }
-  const glm::vec2 centre(root.square.centre_u(), root.square.centre_v());
-  caster.leaf(root.id,
-              root.centre != Caster::no_sample ? root.centre : caster.probe(std::span(&centre, 1)),
-              1.0, {root.square, {}, true});
+  trace(root, splitter.leaves);
+  caster.take(splitter.leaves);
   return splitter.outcome;
 }
 

@@ -32,17 +32,18 @@ struct Segment {
   std::uint32_t edge = 0;  ///< index into FeatureSet::edges
 };
 
-/// A directed side of a region of a root frame: the region lies to the left where u points to the
-/// right and v up, so that outer sides run counter-clockwise and those of holes clockwise.
-struct Side {
+/// A directed edge of the border of a region of a root frame: the region lies to the left where u
+/// points to the right and v up, so that outer borders run counter-clockwise and those of holes
+/// clockwise.
+struct BorderEdge {
   glm::vec2 from{0.0f};
   glm::vec2 to{0.0f};
 };
 
-/// Whether directed sides go around a point an odd number of times.
-[[nodiscard]] inline bool winds_around(std::span<const Side> sides, glm::vec2 p) {
+/// Whether a border goes around a point an odd number of times.
+[[nodiscard]] inline bool winds_around(std::span<const BorderEdge> border, glm::vec2 p) {
   bool in = false;
-  for (const Side& s : sides) {
+  for (const BorderEdge& s : border) {
     if ((s.from.y > p.y) != (s.to.y > p.y) &&
         p.x < s.from.x + (s.to.x - s.from.x) * (p.y - s.from.y) / (s.to.y - s.from.y))
       in = !in;
@@ -50,36 +51,36 @@ struct Side {
   return in;
 }
 
-/// What a leaf covers: a square, or the part of it that the sides go around.
+/// The region that a leaf covers: a square, or the part of it that a border goes around.
 struct LeafRegion {
   Square square;
-  std::span<const Side> sides;  ///< empty: the whole square
-  bool marginal = false;        ///< boundaries pass through it: one sample stands for all of it
+  std::span<const BorderEdge> border;  ///< empty: the whole square
+  bool marginal = false;  ///< boundaries pass through it: one sample stands for all of it
 
   [[nodiscard]] bool holds(glm::vec2 p) const {
-    if (!sides.empty()) return winds_around(sides, p);
+    if (!border.empty()) return winds_around(border, p);
     return p.x >= square.u && p.x <= square.u + square.side && p.y >= square.v &&
            p.y <= square.v + square.side;
   }
-  /// Calls visit(Side) for every side, those of the square where that is all.
+  /// Calls visit(BorderEdge) for every edge of the border, those of the square where that is all.
   template <typename Visit>
-  void for_each_side(Visit&& visit) const {
-    if (!sides.empty()) {
-      for (const Side& side : sides) visit(side);
+  void for_each_edge(Visit&& visit) const {
+    if (!border.empty()) {
+      for (const BorderEdge& edge : border) visit(edge);
       return;
     }
     const float u1 = square.u + square.side, v1 = square.v + square.side;
     const glm::vec2 corners[4] = {{square.u, square.v}, {u1, square.v}, {u1, v1}, {square.u, v1}};
-    for (int i = 0; i < 4; ++i) visit(Side{corners[i], corners[(i + 1) % 4]});
+    for (int i = 0; i < 4; ++i) visit(BorderEdge{corners[i], corners[(i + 1) % 4]});
   }
 };
 
-/// Around what a leaf covers.
+/// The rectangle around a leaf's region.
 [[nodiscard]] inline Bounds2 bounds_of(const LeafRegion& region) {
   const Square& s = region.square;
-  if (region.sides.empty()) return {{s.u, s.v}, {s.u + s.side, s.v + s.side}};
-  Bounds2 bounds{region.sides[0].from, region.sides[0].from};
-  for (const Side& side : region.sides) {
+  if (region.border.empty()) return {{s.u, s.v}, {s.u + s.side, s.v + s.side}};
+  Bounds2 bounds{region.border[0].from, region.border[0].from};
+  for (const BorderEdge& side : region.border) {
     bounds.lo = glm::min(bounds.lo, glm::min(side.from, side.to));
     bounds.hi = glm::max(bounds.hi, glm::max(side.from, side.to));
   }

@@ -15,8 +15,8 @@ Error embree_error(std::string reason) {
   return {"ray tracing", std::move(reason)};
 }
 
-Result<void> check_own_parts(const World& world) {
-  for (const Light& light : world.lights) {
+Result<void> check_own_parts(const World& world, std::span<const Light> lights) {
+  for (const Light& light : lights) {
     if (light.own_part < -1 ||
         (light.own_part >= 0 && static_cast<std::size_t>(light.own_part) >= world.parts.size())) {
       return unexpected(Error{fmt::format("light '{}'", light.name),
@@ -48,8 +48,9 @@ EmbreeScene::~EmbreeScene() {
   if (device_) rtcReleaseDevice(device_);
 }
 
-Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNeeds& forced) {
-  if (auto checked = check_own_parts(world); !checked) return checked;
+Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
+                                const SceneNeeds& forced) {
+  if (auto checked = check_own_parts(world, lights); !checked) return checked;
   device_ = rtcNewDevice(nullptr);
   if (!device_) {
     return unexpected(embree_error(fmt::format("Embree does not start (error {})",
@@ -66,7 +67,7 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNe
       &device_bytes_);
 
   choose_scale(world);
-  sort_surfaces(world, alpha);
+  sort_surfaces(world, alpha, lights);
   see_through_ |= all_filtered(forced);
   sides_.any_single_sided |= forced.culling;
   copy_vertices(world);
@@ -83,9 +84,9 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, const SceneNe
   return {};
 }
 
-void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha) {
+void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha, std::span<const Light> lights) {
   std::vector<std::uint8_t> owned(world.parts.size(), 0);
-  for (const Light& light : world.lights) {
+  for (const Light& light : lights) {
     if (light.own_part >= 0) owned[static_cast<std::size_t>(light.own_part)] = 1;
   }
   for (std::size_t id = 0; id < groups_.size(); ++id) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,10 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  /// Once. Errors: Embree's, and a light whose own part does not exist. `forced`: as
-  /// RayScene::build's.
-  [[nodiscard]] Result<void> build(const World& world, AlphaAt alpha, const SceneNeeds& forced);
+  /// Once. Errors: Embree's, and a light whose own part does not exist. `lights`
+  /// and `forced`: as RayScene::build's.
+  [[nodiscard]] Result<void> build(const World& world, AlphaAt alpha, std::span<const Light> lights,
+                                   const SceneNeeds& forced);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
   /// By Embree's geometry id.
@@ -49,7 +51,7 @@ class EmbreeScene {
     static void note(void* self, RTCError code, const char* text);
   };
 
-  void sort_surfaces(const World& world, AlphaAt alpha);
+  void sort_surfaces(const World& world, AlphaAt alpha, std::span<const Light> lights);
   void copy_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);

@@ -43,8 +43,8 @@ struct Blocker {
 /// pointer into the world, which must stay where it is and outlive it. Thread-safe once built.
 ///
 /// Queries for shadows take the part (index into World::parts) that shines the light in question
-/// and does not shade it: `Light::own_part` of a light of the world, or -1 for none. A part that is
-/// no light's own is never ignored.
+/// and does not shade it: `Light::own_part` of a light that it was built with, or -1 for none. A
+/// part that is no light's own is never ignored.
 ///
 /// The same call gives the same bits on one machine. A query for one ray, and spans cut
 /// differently, may differ in a hit's last bits, so what goes into one span must not depend on the
@@ -57,9 +57,11 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist. `forced`:
-  /// tests that are made although no surface asks for them; they change no answer.
+  /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist. `lights`:
+  /// those whose own parts queries may ignore. `forced`: tests that are made although no surface
+  /// asks for them; they change no answer.
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
+                                              std::span<const Light> lights = {},
                                               const SceneNeeds& forced = {});
 
   /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.

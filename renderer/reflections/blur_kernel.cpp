@@ -63,14 +63,15 @@ double BlurKernel::along(glm::dvec2 from, glm::dvec2 to) const {
 
 double BlurKernel::integral(const LeafRegion& region) const {
   const Square& s = region.square;
-  if (region.sides.empty()) {
+  if (region.border.empty()) {
     const auto over = [&](const Trapezoid& t, double from) {
       return t.up_to(from + static_cast<double>(s.side)) - t.up_to(from);
     };
     return over(u_, static_cast<double>(s.u)) * over(v_, static_cast<double>(s.v));
   }
   double sum = 0.0;
-  for (const Side& side : region.sides) sum += along(glm::dvec2(side.from), glm::dvec2(side.to));
+  for (const BorderEdge& side : region.border)
+    sum += along(glm::dvec2(side.from), glm::dvec2(side.to));
   return std::max(0.0, sum);
 }
 

@@ -34,7 +34,7 @@ struct BlurByDepth {
 struct MirroredMask {
   std::optional<BlurByDepth> blur;
   std::optional<Horizon> horizon;
-  std::vector<Side> outline;  ///< of the leaf; empty: all of the square
+  std::vector<BorderEdge> outline;  ///< of the leaf; empty: all of the square
 
   /// Whether a point counts at all. No leaf lies on both sides of what is left out.
   [[nodiscard]] bool holds(glm::vec2 p) const {

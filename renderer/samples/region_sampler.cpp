@@ -11,34 +11,37 @@ constexpr std::uint32_t per_sum = 1;
 }  // namespace
 
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
-                             const RenderSettings& settings, PixelRect block,
+                             const RenderSettings& settings, PixelRect block, int seed,
                              const MirroredMask* mask)
     : block_(block),
       mask_(mask),
       white_(1.0 / std::clamp(static_cast<double>(viewer.throughput), 1e-3, 1.0)),
-      places_(settings.seed),
+      places_(seed),
       sums_(scene, viewer, settings, places_) {}
 
 RegionSampler::Estimate RegionSampler::sample(const LeafRegion& region, const Goal& goal,
                                               RenderStatistics& counts, const BlurKernel* kernel) {
   sums_.resize(0);
-  kernel_ = kernel;
-  in_region_ = masked_ = 0;
+  Share all;
   Estimate found;
   std::uint32_t first = 0;
   for (std::uint32_t end = goal.least; end <= goal.most; end *= 2) {
-    add(region, first, end);
+    const Share round = add(region, kernel, first, end);
+    all.in_region += round.in_region;
+    all.masked += round.masked;
     first = end;
     found = estimate(end);
     if (found.samples > 0 && standard_error(end, found.mean) <= goal.standard_error) break;
   }
-  if (in_region_ > 0) found.masked_share = static_cast<double>(masked_) / in_region_;
+  if (all.in_region > 0) found.masked_share = static_cast<double>(all.masked) / all.in_region;
   counts += sums_.statistics();
   sums_.statistics() = {};
   return found;
 }
 
-void RegionSampler::add(const LeafRegion& region, std::uint32_t first, std::uint32_t end) {
+RegionSampler::Share RegionSampler::add(const LeafRegion& region, const BlurKernel* kernel,
+                                        std::uint32_t first, std::uint32_t end) {
+  Share share;
   const Bounds2 bounds = bounds_of(region);
   const double width = static_cast<double>(block_.width);
   const glm::dvec2 origin(block_.x, block_.y);
@@ -53,16 +56,17 @@ void RegionSampler::add(const LeafRegion& region, std::uint32_t first, std::uint
     const PixelPoint p = places_.in_pixel();
     glm::vec2 at = glm::mix(bounds.lo, bounds.hi, glm::vec2(p.x, p.y));
     if (!region.holds(at)) continue;
-    ++in_region_;
-    if (kernel_ && region.sides.empty()) at = kernel_->warped(at, region.square);
+    ++share.in_region;
+    if (kernel && region.border.empty()) at = kernel->warped(at, region.square);
     if (mask_ && !mask_->holds(at)) {
-      ++masked_;
+      ++share.masked;
       continue;
     }
     if (sums_.add({origin + width * glm::dvec2(at), side, x, y, static_cast<int>(i), i / per_sum}))
       places_.start_pixel(x, y);
   }
   sums_.trace();
+  return share;
 }
 
 RegionSampler::Estimate RegionSampler::estimate(std::uint32_t count) const {

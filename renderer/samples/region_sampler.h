@@ -19,7 +19,7 @@ class RegionSampler {
   /// `block`: what the frame shows whose square the regions lie in, in pixels. `mask`: what counts
   /// of it, and for how much; null: all the same. All have to outlive this.
   RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
-                PixelRect block, const MirroredMask* mask = nullptr);
+                PixelRect block, int seed, const MirroredMask* mask = nullptr);
 
   /// How far to go.
   struct Goal {
@@ -40,16 +40,19 @@ class RegionSampler {
                                 RenderStatistics& counts, const BlurKernel* kernel = nullptr);
 
  private:
-  void add(const LeafRegion& region, std::uint32_t first, std::uint32_t end);
+  /// How many samples of a round lie in the region, and how many of these beside the mask.
+  struct Share {
+    std::uint32_t in_region = 0;
+    std::uint32_t masked = 0;
+  };
+  [[nodiscard]] Share add(const LeafRegion& region, const BlurKernel* kernel, std::uint32_t first,
+                          std::uint32_t end);
   [[nodiscard]] Estimate estimate(std::uint32_t count) const;
   [[nodiscard]] double standard_error(std::uint32_t count, glm::dvec3 mean) const;
 
   PixelRect block_;
   const MirroredMask* mask_;
   double white_;  // the radiance that a picture may show as white
-  const BlurKernel* kernel_ = nullptr;
-  std::uint32_t in_region_ = 0;
-  std::uint32_t masked_ = 0;
   SobolPlaces places_;
   SampleSums sums_;  // of four samples each
 };

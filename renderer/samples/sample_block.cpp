@@ -13,12 +13,11 @@ int grid_side(int spp) {
   return n;
 }
 
-BlockResult sample_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                         PixelRect block, SamplePlaces& places, int samples,
-                         const std::stop_token& stop) {
-  SampleSums sums(scene, view, settings, places);
+BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples) {
+  const PixelRect& block = job.block;
+  SampleSums sums(job.scene, job.view, job.settings, places);
   sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-  const double width = settings.filter_width;
+  const double width = job.settings.filter_width;
   const auto side = static_cast<float>(width / std::sqrt(samples));
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
@@ -29,7 +28,7 @@ BlockResult sample_block(const RenderScene& scene, const View& view, const Rende
         const PixelPoint p = places.in_pixel();
         const glm::dvec2 at(x + 0.5 + width * (p.x - 0.5), y + 0.5 + width * (p.y - 0.5));
         if (!sums.add({at, side, x, y, index, pixel})) continue;
-        if (stop.stop_requested()) return sums.block(block);
+        if (job.stop.stop_requested()) return sums.block(block);
         places.start_pixel(x, y);
       }
     }

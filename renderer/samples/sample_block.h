@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/comparison/method.h"
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/sampled_lights.h"
 
 namespace asos {
@@ -26,10 +26,7 @@ class SamplePlaces : public LightPlaces {
 
 /// A block of pixels as the mean of `samples` point samples each, through packets of rays. A sample
 /// stands for its share of the pixel's area.
-[[nodiscard]] BlockResult sample_block(const RenderScene& scene, const View& view,
-                                       const RenderSettings& settings, PixelRect block,
-                                       SamplePlaces& places, int samples,
-                                       const std::stop_token& stop);
+[[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
 
 /// n x n strata of the pixel, and for each light another assignment of its own n x n strata to the
 /// samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in it.

@@ -6,24 +6,55 @@
 #include <vector>
 
 namespace asos {
+namespace {
+
+/// Gathers the lights and the reflections of one sample. Made for each.
+class OneSample final : public LightTransport {
+ public:
+  OneSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
+            const PointSample& sample, glm::vec3 weight)
+      : lights_(lights),
+        reflections_(reflections),
+        shader_(shader),
+        sample_(sample),
+        weight_(weight) {}
+
+  void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
+    lights_.add(lit, {sample_.target, weight_}, counts);
+  }
+  bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
+               RenderStatistics& /*counts*/) override {
+    reflections_.add(reflection, sample_, weight_, shader_);
+    return true;
+  }
+
+ private:
+  SampledLights& lights_;
+  SampledReflections& reflections_;
+  const Shader& shader_;
+  const PointSample& sample_;
+  glm::vec3 weight_;
+};
+
+}  // namespace
 
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
                        SamplePlaces& places)
     : own_shader_(shader_of(scene, settings, view)),
       viewer_(Viewer::camera(view, *own_shader_)),
-      scene_(scene),
-      places_(places),
-      lights_(scene.rays, places),
-      reflections_(scene.world, places),
+      scene_(&scene),
+      places_(&places),
+      lights_(scene.rays(), places),
+      reflections_(scene.world(), places),
       faces_(seen_faces(settings)) {}
 
 SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
                        const RenderSettings& settings, SamplePlaces& places)
     : viewer_(viewer),
-      scene_(scene),
-      places_(places),
-      lights_(scene.rays, places),
-      reflections_(scene.world, places),
+      scene_(&scene),
+      places_(&places),
+      lights_(scene.rays(), places),
+      reflections_(scene.world(), places),
       faces_(seen_faces(settings)) {}
 
 void SampleSums::resize(std::size_t count) {
@@ -43,16 +74,16 @@ bool SampleSums::add(const PointSample& sample) {
 void SampleSums::trace() {
   const std::span rays = std::span(rays_).first(used_);
   const std::span hits = std::span(hits_).first(used_);
-  scene_.rays.closest(rays, hits, faces_);
-  if (viewer_.mirror) pass_mirror(*viewer_.mirror, scene_.world, scene_.rays, faces_, rays, hits);
+  scene_->rays().closest(rays, hits, faces_);
+  if (viewer_.mirror)
+    pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
   for (std::size_t i = 0; i < used_; ++i) {
     const PointSample& sample = samples_[i];
     if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
-      places_.start_pixel(sample.x, sample.y);
-    start_sample(sample, glm::vec3(1.0f));
+      places_->start_pixel(sample.x, sample.y);
     hit_[sample.target] = hits_[i];
-    if (add_radiance(viewer_.viewed(rays_[i], hits_[i], sample.side), radiance_[sample.target]))
+    if (shade(sample, glm::vec3(1.0f), viewer_.viewed(rays_[i], hits_[i], sample.side)))
       ++count_[sample.target];
   }
   follow_reflections();
@@ -60,19 +91,15 @@ void SampleSums::trace() {
   used_ = 0;
 }
 
-void SampleSums::start_sample(const PointSample& sample, glm::vec3 weight) {
-  places_.start_sample(sample.index);
-  sample_ = sample;
-  weight_ = weight;
-  lights_.set_target(sample.target, weight);
-}
-
-// False, and nothing of the sample counts, where its radiance is not finite.
-bool SampleSums::add_radiance(const ViewedRay& seen, glm::dvec3& sum) {
+// Adds what a ray of the sample sees, whose pixel the places are at. False, and nothing of the
+// sample counts, where its radiance is not finite.
+bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen) {
+  places_->start_sample(sample.index);
   const std::size_t lights = lights_.waiting(), reflections = reflections_.waiting();
-  const glm::vec3 radiance = weight_ * viewer_.shader.radiance(seen, *this, statistics_);
+  OneSample transport(lights_, reflections_, viewer_.shader, sample, weight);
+  const glm::vec3 radiance = weight * viewer_.shader.radiance(seen, transport, statistics_);
   if (std::isfinite(radiance.x + radiance.y + radiance.z)) {
-    sum += glm::dvec3(radiance);
+    radiance_[sample.target] += glm::dvec3(radiance);
     return true;
   }
   ++statistics_.rejected_samples;
@@ -88,30 +115,19 @@ void SampleSums::follow_reflections() {
     for (std::size_t first = 0; first < samples.size(); first += batch) {
       const std::size_t count = std::min(batch, samples.size() - first);
       for (std::size_t i = 0; i < count; ++i) rays_[i] = samples[first + i].ray;
-      scene_.rays.closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
+      scene_->rays().closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
       statistics_.reflection_rays += count;
       for (std::size_t i = 0; i < count; ++i) {
         const ReflectedSample& next = samples[first + i];
         if (next.mirror) {
-          pass_mirror(*next.mirror, scene_.world, scene_.rays, faces_, {&rays_[i], 1},
+          pass_mirror(*next.mirror, scene_->world(), scene_->rays(), faces_, {&rays_[i], 1},
                       {&hits_[i], 1});
         }
-        places_.start_pixel(next.sample.x, next.sample.y);
-        start_sample(next.sample, next.weight);
-        (void)add_radiance(next.viewed(hits_[i]), radiance_[next.sample.target]);
+        places_->start_pixel(next.sample.x, next.sample.y);
+        (void)shade(next.sample, next.weight, next.viewed(hits_[i]));
       }
     }
   }
-}
-
-void SampleSums::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
-  lights_.add(lit, radiance, counts);
-}
-
-bool SampleSums::reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
-                         RenderStatistics& /*counts*/) {
-  reflections_.add(reflection, sample_, weight_, viewer_.shader);
-  return true;
 }
 
 BlockResult SampleSums::block(PixelRect rect) const {

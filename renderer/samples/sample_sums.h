@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/comparison/method.h"
 #include "renderer/prepared/viewer.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
@@ -20,7 +19,7 @@ namespace asos {
 /// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
 /// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
 /// a sum may depend on which samples were added before, never on anything else.
-class SampleSums : private LightTransport {
+class SampleSums {
  public:
   struct Sum {
     glm::dvec3 radiance{0.0};  ///< linear, of all samples together
@@ -31,6 +30,7 @@ class SampleSums : private LightTransport {
     }
   };
 
+  /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
   /// For who looks at the scene in its own way; `viewer` has to outlive this.
@@ -61,21 +61,15 @@ class SampleSums : private LightTransport {
  private:
   static constexpr std::size_t batch = 256;
 
-  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
-  bool reflect(const Reflection& reflection, glm::vec3& radiance,
-               RenderStatistics& counts) override;
-  void start_sample(const PointSample& sample, glm::vec3 weight);
-  [[nodiscard]] bool add_radiance(const ViewedRay& seen, glm::dvec3& sum);
+  [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
   void follow_reflections();
 
   std::optional<Shader> own_shader_;
   Viewer viewer_;
-  const RenderScene& scene_;
-  SamplePlaces& places_;
+  const RenderScene* scene_;
+  SamplePlaces* places_;
   SampledLights lights_;
   SampledReflections reflections_;
-  PointSample sample_;  // that is being shaded, and what it counts for
-  glm::vec3 weight_{1.0f};
   Faces faces_;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;

@@ -24,19 +24,21 @@ class LightPlaces {
   }
 };
 
+/// The weight of a sample in one of the sums that its method keeps.
+struct SampleShare {
+  std::size_t target = 0;  ///< index of the sum
+  glm::vec3 weight{1.0f};
+};
+
 /// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
 /// sample. The rays are gathered and go in packets, so that what they carry is added later.
-class SampledLights final : public LightTransport {
+class SampledLights {
  public:
-  SampledLights(const RayScene& rays, const LightPlaces& places) : rays_(rays), places_(places) {}
+  /// Both have to outlive this.
+  SampledLights(const RayScene& rays, const LightPlaces& places) : rays_(&rays), places_(&places) {}
 
-  /// To which of the sums the light of the coming points belongs, and for how much it counts.
-  void set_target(std::size_t sum, glm::vec3 weight = glm::vec3(1.0f)) {
-    target_ = sum;
-    weight_ = weight;
-  }
-
-  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
+  /// The shadow ray of a sample of that share, which the places are at.
+  void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
   /// How many rays wait; `forget_since` drops those from the given number on.
   [[nodiscard]] std::size_t waiting() const { return pending_.size(); }
@@ -53,13 +55,25 @@ class SampledLights final : public LightTransport {
     std::int32_t ignored_part = -1;
   };
 
-  const RayScene& rays_;
-  const LightPlaces& places_;
-  std::size_t target_ = 0;
-  glm::vec3 weight_{1.0f};
+  const RayScene* rays_;
+  const LightPlaces* places_;
   std::vector<Pending> pending_;
   std::vector<Ray> batch_;
   std::vector<float> shares_;
+};
+
+/// The lights of one sample, whose reflections are not followed. Made for each sample.
+class SampleLights final : public LightTransport {
+ public:
+  SampleLights(SampledLights& lights, const SampleShare& share) : lights_(lights), share_(share) {}
+
+  void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
+    lights_.add(lit, share_, counts);
+  }
+
+ private:
+  SampledLights& lights_;
+  SampleShare share_;
 };
 
 }  // namespace asos

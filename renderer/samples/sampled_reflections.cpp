@@ -38,7 +38,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   const PixelSpacing& spacing = seen.spacing ? *seen.spacing : shader.spacing();
   const IncidentPyray pyray = pyray_around(spacing, seen.ray, reflection.hit.t, start.side);
   const MirrorSurface surface =
-      mirror_surface(world_, reflection.hit, reflection.point, pyray, true);
+      mirror_surface(*world_, reflection.hit, reflection.point, pyray, true);
   const auto picture = mirrored(pyray, surface, {});
   if (!picture) return;
   ReflectedSample next = start;
@@ -52,7 +52,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
     const glm::dvec3 right = lobe.width * lobe.right, down = lobe.width * lobe.down;
     const Horizon horizon{glm::dot(direction, surface.geometric),
                           glm::dot(right, surface.geometric), glm::dot(down, surface.geometric)};
-    const glm::dvec2 at = places_.in_lobe(seen.bounces);
+    const glm::dvec2 at = places_->in_lobe(seen.bounces);
     if (!(horizon.at(at) > 0.0)) return;
     // What lies below the surface counts for nothing, and the rest for all.
     next.weight /= static_cast<float>(horizon.share_above());

@@ -44,8 +44,9 @@ struct ReflectedSample {
 /// gathered and go in packets.
 class SampledReflections {
  public:
+  /// Both have to outlive this.
   SampledReflections(const World& world, const LightPlaces& places)
-      : world_(world), places_(places) {}
+      : world_(&world), places_(&places) {}
 
   /// Of a sample that counts by `weight`; `shader` is its picture's.
   void add(const Reflection& reflection, const PointSample& sample, glm::vec3 weight,
@@ -60,8 +61,8 @@ class SampledReflections {
   void add_ray(const Reflection& reflection, const ReflectedSample& start, float width,
                glm::vec3 colours, const Shader& shader);
 
-  const World& world_;
-  const LightPlaces& places_;
+  const World* world_;
+  const LightPlaces* places_;
   std::vector<ReflectedSample> pending_;
 };
 

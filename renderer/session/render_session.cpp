@@ -1,11 +1,10 @@
 #include "renderer/session/render_session.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/session/render_run.h"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <functional>
 #include <optional>
 #include <pthread.h>
 #include <thread>
@@ -100,46 +99,6 @@ Progress RenderSession::progress() const {
 
 RenderStatistics RenderSession::statistics() const {
   return state_->run ? state_->run->statistics() : RenderStatistics{};
-}
-
-RenderResult render_to_end(Snapshot snapshot,
-                           const std::function<void(const Progress&)>& on_progress) {
-  // Workers knock when there are tiles; the pace of reports is this thread's own.
-  std::mutex mutex;
-  std::condition_variable knock;
-  bool waiting = false;
-  snapshot.progressive = false;
-  RenderSession session([&] {
-    const std::lock_guard lock(mutex);
-    waiting = true;
-    knock.notify_one();
-  });
-  session.restart(std::move(snapshot));
-
-  RenderResult result;
-  const PixelRect visible = session.visible();
-  result.film = Film(visible.width, visible.height);
-  constexpr std::chrono::milliseconds report_step{100};
-  auto next_report = std::chrono::steady_clock::now() + report_step;
-  for (;;) {
-    const Progress progress = session.progress();
-    for (const FinishedTile& tile : session.take_finished()) result.film.put(tile);
-    const auto now = std::chrono::steady_clock::now();
-    if (progress.finished || now >= next_report) {
-      if (on_progress) on_progress(progress);
-      next_report = now + report_step;
-    }
-    if (progress.finished) {
-      result.seconds = progress.seconds;
-      break;
-    }
-    std::unique_lock lock(mutex);
-    knock.wait_until(lock, next_report, [&] { return waiting; });
-    waiting = false;
-  }
-  session.wait();
-  result.statistics = session.statistics();
-  return result;
 }
 
 }  // namespace asos

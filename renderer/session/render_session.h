@@ -15,7 +15,7 @@ namespace asos {
 /// Everything that a render depends on, immutable once handed over.
 struct Snapshot {
   std::shared_ptr<const RenderScene> scene;
-  Camera camera;  ///< relative to scene->world.origin
+  Camera camera;  ///< relative to scene->world().origin
   RenderSettings settings;
   bool progressive = true;  ///< coarse passes first (window); false: final pixels only (headless)
 };

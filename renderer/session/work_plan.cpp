@@ -9,15 +9,6 @@ namespace asos {
 
 static_assert(group_size % block_size == 0);
 
-PixelRect intersection(PixelRect a, PixelRect b) {
-  const int x0 = std::max(a.x, b.x);
-  const int y0 = std::max(a.y, b.y);
-  const int x1 = std::min(a.x + a.width, b.x + b.width);
-  const int y1 = std::min(a.y + a.height, b.y + b.height);
-  if (x0 >= x1 || y0 >= y1) return {};
-  return {x0, y0, x1 - x0, y1 - y0};
-}
-
 namespace {
 
 /// The aligned squares of `side` that touch `area`, clipped to `picture`, row by row.

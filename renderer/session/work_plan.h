@@ -37,7 +37,4 @@ struct WorkPlan {
   explicit WorkPlan(const RenderSettings& settings);
 };
 
-/// What two rectangles share; empty where they share nothing.
-[[nodiscard]] PixelRect intersection(PixelRect a, PixelRect b);
-
 }  // namespace asos

@@ -4,6 +4,7 @@ namespace asos {
 
 // What settings choose among.
 
+/// How pixels are rendered: by a row of method_table (renderer/comparison/method.h).
 /// asos_published: asos with cone detection, point leaves and the published rule, whatever the
 /// settings below say.
 enum class Method {
@@ -18,6 +19,7 @@ enum class Method {
   average,
   beam
 };
+inline constexpr Method last_method = Method::beam;
 
 enum class Leaf { exact, point };
 

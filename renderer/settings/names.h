@@ -8,25 +8,14 @@
 
 namespace asos {
 
-/// What a choice is called on the command line, in statistics and in pictures' texts.
+/// What a choice is called on the command line, in statistics and in pictures' texts. Methods'
+/// names are in their own table (renderer/comparison/method.h).
 template <typename T>
 struct Named {
   const char* name;
   T value;
 };
 
-inline constexpr std::array method_names{
-    Named<Method>{"asos", Method::asos},
-    Named<Method>{"asos-published", Method::asos_published},
-    Named<Method>{"uniform", Method::uniform},
-    Named<Method>{"stochastic", Method::stochastic},
-    Named<Method>{"sobol", Method::sobol},
-    Named<Method>{"whitted", Method::whitted},
-    Named<Method>{"mitchell", Method::mitchell},
-    Named<Method>{"ray-bound", Method::ray_bound},
-    Named<Method>{"average", Method::average},
-    Named<Method>{"beam", Method::beam},
-};
 inline constexpr std::array leaf_names{
     Named<Leaf>{"exact", Leaf::exact},
     Named<Leaf>{"point", Leaf::point},

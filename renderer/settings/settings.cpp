@@ -42,19 +42,6 @@ RenderSettings as_published(RenderSettings settings) {
   return settings;
 }
 
-int block_side(const RenderSettings& settings) {
-  switch (settings.method) {
-    case Method::asos:
-    case Method::asos_published:
-      return std::max(block_size, settings.asos.fat);
-    case Method::whitted:
-    case Method::average:
-      return shared_block_size;
-    default:
-      return block_size;
-  }
-}
-
 Result<RenderSettings> validated(const RenderSettings& s) {
   for (const Range& r : {Range{"width", s.width, 1, max_side},
                          {"height", s.height, 1, max_side},
@@ -85,7 +72,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   }
   if (!std::has_single_bit(static_cast<unsigned>(s.asos.fat)))
     return unexpected(Error{"fat", fmt::format("{} is not 2, 4, 8 or 16", s.asos.fat)});
-  if (s.method < Method::asos || s.method > Method::beam)
+  if (s.method < Method::asos || s.method > last_method)
     return unexpected(Error{"method", "is not one of the program's"});
   if (s.asos.leaf != Leaf::exact && s.asos.leaf != Leaf::point) {
     return unexpected(Error{"leaf", "is neither exact nor point"});

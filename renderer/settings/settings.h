@@ -116,14 +116,8 @@ struct RenderSettings {
 /// What asos really renders with: for asos_published the settings with what the papers published.
 [[nodiscard]] RenderSettings as_published(RenderSettings settings);
 
-/// Side of the aligned blocks of pixels that the methods work in; larger where ASOS has larger fat
-/// pyrays: see block_side.
+/// Side of the aligned blocks of pixels that most methods work in: see block_side.
 inline constexpr int block_size = 8;
-/// The side for methods whose pixels share samples with their neighbours: each block takes those
-/// along its border for itself, the fewer a pixel the larger it is.
-inline constexpr int shared_block_size = 32;
-/// Side of the aligned blocks of pixels that are rendered as one piece of work.
-[[nodiscard]] int block_side(const RenderSettings& settings);
 
 /// The settings as they are, or what is wrong with the first one that is out of range; the error's
 /// subject is the setting's name on the command line.

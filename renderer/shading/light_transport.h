@@ -15,7 +15,7 @@ namespace asos {
 /// A light that shines on a point, and what the point makes of it.
 struct Illumination {
   const PreparedLight& light;
-  std::uint32_t index = 0;  ///< of the light in World::lights
+  std::uint32_t index = 0;  ///< of the light in Lighting::lights
   const SurfacePoint& point;
   glm::vec3 unshadowed{0.0f};  ///< irradiance with nothing in the way
   glm::vec3 reflected{0.0f};   ///< radiance towards the viewer per irradiance

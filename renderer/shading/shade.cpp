@@ -93,20 +93,13 @@ float behind(const Ray& ray, const SurfacePoint& point, float t) {
 }  // namespace
 
 Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
-               ShadingSettings settings)
-    : world_(world), needs_(needs), rays_(rays), settings_(settings) {
-  lights_.reserve(world.lights.size());
-  for (const Light& light : world.lights)
-    lights_.push_back(prepare_light(light, settings.light_rule));
-  if (!settings.light_cuts) return;
-  const std::size_t count = std::min(lights_.size(), settings.light_cuts->size());
-  for (std::size_t i = 0; i < count; ++i) lights_[i].cuts = (*settings.light_cuts)[i];
-}
-
-std::span<const std::uint32_t> Shader::bare_lights() const {
-  return settings_.bare_lights ? std::span<const std::uint32_t>(*settings_.bare_lights)
-                               : std::span<const std::uint32_t>();
-}
+               const Lighting& lighting, ShadingSettings settings)
+    : world_(world),
+      needs_(needs),
+      rays_(rays),
+      lighting_(lighting),
+      settings_(settings),
+      lights_(lighting.prepared(settings.light_rule)) {}
 
 std::optional<LightHit> Shader::nearest_bare_light(const Ray& ray) const {
   std::optional<LightHit> nearest;
@@ -115,6 +108,12 @@ std::optional<LightHit> Shader::nearest_bare_light(const Ray& ray) const {
     if (met && (!nearest || met->t < nearest->t)) nearest = met;
   }
   return nearest;
+}
+
+const Dfr* Shader::own_dfr(std::uint32_t triangle) const {
+  if (!settings_.dfrs) return nullptr;
+  const std::optional<Dfr>& own = (*settings_.dfrs)[world_.material_index(triangle)];
+  return own ? &*own : nullptr;
 }
 
 std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
@@ -126,10 +125,10 @@ std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const Surfa
   if (seen.bounces >= settings_.reflections || !(most >= least_reflected)) return std::nullopt;
   // What a normal map's mean leaves out blurs, too: the squared slopes add up.
   const double bumps = static_cast<double>(point.spread.variance);
-  const Material& own = world_.material_of(point.triangle);
+  const Dfr* own = own_dfr(point.triangle);
   const bool rough = !(material.roughness <= settings_.roughest_mirror);
-  if (rough && !own.dfr) return std::nullopt;
-  const Dfr* dfr = settings_.dfr ? settings_.dfr : own.dfr ? &*own.dfr : nullptr;
+  if (rough && !own) return std::nullopt;
+  const Dfr* dfr = settings_.dfr ? settings_.dfr : own;
   if (!dfr) {
     const double alpha = static_cast<double>(material.roughness * material.roughness);
     const double all = std::sqrt(alpha * alpha + bumps);

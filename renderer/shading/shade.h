@@ -3,6 +3,7 @@
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/ray.h"
 #include "renderer/lights/bare_lights.h"
+#include "renderer/lights/lighting.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/shading/light_transport.h"
@@ -14,7 +15,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace asos {
 
@@ -36,22 +36,20 @@ struct ShadingSettings {
   /// What textures, and highlights on surfaces that turn, are averaged with over what a sample
   /// stands for; null: every sample is a point.
   const MipChains* mips = nullptr;
-  PixelSpacing spacing;                     ///< of the picture; only with mips
-  const LightCuts* light_cuts = nullptr;    ///< of the world; null, or a list that is missing: none
-  const Sky* sky = nullptr;                 ///< what surrounds the world; null: the neutral one
-  const BareLights* bare_lights = nullptr;  ///< that reflections show; null: none
-  int reflections = 0;                      ///< bounces that are followed
-  float roughest_mirror = 0.35f;            ///< see RenderSettings
-  const Dfr* dfr = nullptr;                 ///< of all that mirrors; null: as the materials say
+  PixelSpacing spacing;                ///< of the picture; only with mips
+  const Sky* sky = nullptr;            ///< what surrounds the world; null: the neutral one
+  int reflections = 0;                 ///< bounces that are followed
+  float roughest_mirror = 0.35f;       ///< see RenderSettings
+  const Dfr* dfr = nullptr;            ///< of all that mirrors; null: of each material its own
+  const MaterialDfrs* dfrs = nullptr;  ///< the materials' own; null: none has any
 };
 
 /// Samples the light that a scene sends along rays: every method shades through this one class.
-/// Keeps references; thread-safe. Making one prepares the lights: make one a block, not one a
-/// sample.
+/// Keeps references and copies nothing; thread-safe.
 class Shader {
  public:
   Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
-         ShadingSettings settings = {});
+         const Lighting& lighting, ShadingSettings settings = {});
 
   /// Surfaces that are composited along one ray before what lies behind them is dropped.
   static constexpr int max_layers = 64;
@@ -73,7 +71,7 @@ class Shader {
   [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
   [[nodiscard]] int reflections() const { return settings_.reflections; }
   /// Lights that reflections show although no surface of the scene does, by index into lights().
-  [[nodiscard]] std::span<const std::uint32_t> bare_lights() const;
+  [[nodiscard]] std::span<const std::uint32_t> bare_lights() const { return lighting_.bare_lights; }
   /// The first of them on a ray, if any, whatever else lies on it.
   [[nodiscard]] std::optional<LightHit> nearest_bare_light(const Ray& ray) const;
   /// By how much the surface blurs what it mirrors, as Reflection::width; nothing where it is not
@@ -83,6 +81,7 @@ class Shader {
                                                       const SurfaceMaterial& material,
                                                       glm::vec3 reflected) const;
 
+  /// The scene's, by the rule of the settings.
   [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }
 
  private:
@@ -99,12 +98,14 @@ class Shader {
                                   const SurfaceMaterial& material, const Layer& layer,
                                   glm::vec3 specular, LightTransport& transport,
                                   glm::vec3& radiance, RenderStatistics& counts) const;
+  [[nodiscard]] const Dfr* own_dfr(std::uint32_t triangle) const;
 
   const World& world_;
   const SceneNeeds& needs_;
   const RayScene& rays_;
+  const Lighting& lighting_;
   ShadingSettings settings_;
-  std::vector<PreparedLight> lights_;
+  std::span<const PreparedLight> lights_;
 };
 
 }  // namespace asos

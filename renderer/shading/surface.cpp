@@ -126,7 +126,7 @@ bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t 
   if (needs.textures &&
       std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); }))
     return true;
-  if (m.unlit || m.roughness > least_broad_roughness || world.lights.empty()) return false;
+  if (m.unlit || m.roughness > least_broad_roughness || !needs.lights()) return false;
   if (t.face) return world.face(triangle).kind != ShapeFace::Kind::disk;
   if (world.normals.empty()) return false;
   return world.normals[t.v.x] != world.normals[t.v.y] ||

@@ -1,7 +1,6 @@
 #include "renderer/shading/unevenness.h"
 
 #include "renderer/shading/brdf.h"
-#include "renderer/shading/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +57,10 @@ float highlight_error(const Light& light, const Material& material, float roughn
 }
 
 // The patch's squared size over the squared distance of the nearest light that has a place.
-float nearness2(const World& world, glm::vec3 position, const Patch& patch) {
+float nearness2(std::span<const Light> lights, glm::vec3 position, const Patch& patch) {
   const float size2 = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
   float nearest = 0.0f;
-  for (const Light& light : world.lights) {
+  for (const Light& light : lights) {
     if (light.type == Light::Type::directional) continue;
     const glm::vec3 d = glm::vec3(light.position) - position;
     nearest = std::max(nearest, size2 / glm::dot(d, d));
@@ -71,30 +70,33 @@ float nearness2(const World& world, glm::vec3 position, const Patch& patch) {
 
 }  // namespace
 
-float midpoint_error(const World& world, const Hit& hit, glm::vec3 position, glm::vec3 to_viewer,
-                     const Patch& patch) {
+float midpoint_error(const World& world, std::span<const Light> lights, const Ray& ray,
+                     const Hit& hit, const Patch& patch) {
   const Material& material = world.material_of(hit.triangle);
   const glm::vec3 size = glm::abs(patch.right) + glm::abs(patch.down);
   if (material.unlit || !std::isfinite(size.x + size.y + size.z)) return 0.0f;
   const glm::vec3 c = glm::vec3(material.base_color);
   const float reflected = std::clamp(std::max({c.x, c.y, c.z}), 0.0f, 1.0f);
   const Bend bend = bend_of(world, hit, patch);
-  float error = reflected * (bend.turn2 + 6.0f * nearness2(world, position, patch)) / 24.0f;
+  const glm::vec3 position = ray.at(hit.t);
+  float error = reflected * (bend.turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
   if (bend.turn2 > 0.0f && material.roughness < least_broad_roughness) {
-    for (const Light& light : world.lights)
-      error += highlight_error(light, material, material.roughness, bend, position, to_viewer);
+    for (const Light& light : lights) {
+      error += highlight_error(light, material, material.roughness, bend, position, -ray.direction);
+    }
   }
   return error < 1.0f ? error : 1.0f;
 }
 
-float glint_error(const World& world, const Material& material, float roughness, glm::vec3 normal,
-                  float variance, glm::vec3 position, glm::vec3 to_viewer) {
+float glint_error(std::span<const Light> lights, const Material& material, float roughness,
+                  const SurfacePoint& point, glm::vec3 to_viewer) {
+  const float variance = point.spread.variance;
   if (material.unlit || roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
   // An even turn along an edge has a twelfth of its square for a variance.
-  const Bend bend{normal, 12.0f * variance};
+  const Bend bend{point.shading_normal, 12.0f * variance};
   float error = 0.0f;
-  for (const Light& light : world.lights)
-    error += highlight_error(light, material, roughness, bend, position, to_viewer);
+  for (const Light& light : lights)
+    error += highlight_error(light, material, roughness, bend, point.position, to_viewer);
   return error < 1.0f ? error : 1.0f;
 }
 

@@ -3,7 +3,10 @@
 #include "renderer/geometry/ray.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/surface.h"
 #include "renderer/world/world.h"
+
+#include <span>
 
 namespace asos {
 
@@ -12,18 +15,17 @@ namespace asos {
 /// across the patch. The shading normal turns (its cosine to a light errs by turn^2 / 24 along each
 /// edge), near a light the inverse square of the distance falls off (6 / 24 of the squared ratio of
 /// edge to distance), both times what the material reflects at most; and a bent, smooth surface may
-/// hold a light's highlight, narrower than the patch. `to_viewer` is unit. What lies beyond a
-/// boundary, shadows and textures are not looked at. 0 for flat shading under distant lights, for
+/// hold a light's highlight, narrower than the patch. The ray's direction is unit. What lies beyond
+/// a boundary, shadows and textures are not looked at. 0 for flat shading under distant lights, for
 /// unlit materials, and for patches that are not finite, which splitting would not make so.
-[[nodiscard]] float midpoint_error(const World& world, const Hit& hit, glm::vec3 position,
-                                   glm::vec3 to_viewer, const Patch& patch);
+[[nodiscard]] float midpoint_error(const World& world, std::span<const Light> lights,
+                                   const Ray& ray, const Hit& hit, const Patch& patch);
 
-/// The same for what the lights' highlights do across a patch whose normals have this `variance`
-/// (MeanNormal) about `normal`, as those of a normal map have: 0 for materials without narrow
-/// highlights. `roughness` is what textures leave of it.
-[[nodiscard]] float glint_error(const World& world, const Material& material, float roughness,
-                                glm::vec3 normal, float variance, glm::vec3 position,
-                                glm::vec3 to_viewer);
+/// The same for what the lights' highlights do across a patch whose normals have the variance of
+/// the point's spread about its shading normal, as those of a normal map have: 0 for materials
+/// without narrow highlights. `roughness` is what textures leave of it, `to_viewer` is unit.
+[[nodiscard]] float glint_error(std::span<const Light> lights, const Material& material,
+                                float roughness, const SurfacePoint& point, glm::vec3 to_viewer);
 
 /// The same for the irradiance that a light of some size gives unshadowed, which falls off steeply
 /// beside it: relative to what white would show of it. 0 for lights that are not near, compared

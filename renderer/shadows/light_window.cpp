@@ -140,7 +140,7 @@ double LightWindow::form(const LeafRegion& region) const {
   if (round_) {
     sum = round_form(region);
   } else {
-    region.for_each_side([&](const Side& side) {
+    region.for_each_edge([&](const BorderEdge& side) {
       sum += contour_side(towards(side.from), towards(side.to), normal_);
     });
   }
@@ -178,7 +178,7 @@ double LightWindow::round_form(const LeafRegion& region) const {
   std::array<double, most_crossings> angles;
   std::size_t count = 0;
   double sum = 0.0;
-  region.for_each_side([&](const Side& side) {
+  region.for_each_edge([&](const BorderEdge& side) {
     const glm::dvec2 p = glm::dvec2(side.from) - 0.5;
     const glm::dvec2 d = glm::dvec2(side.to) - glm::dvec2(side.from);
     const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - 0.25;

@@ -27,7 +27,7 @@ class LightWindow {
 
   /// Lines of the square where the light, or the receiver's sky, ends, and where surfaces pass
   /// through the light. A disk's rim is not among them: it is taken account of exactly in `form`.
-  [[nodiscard]] std::span<const Side> boundaries() const { return boundaries_; }
+  [[nodiscard]] std::span<const BorderEdge> boundaries() const { return boundaries_; }
   /// Whether a point of the square is on the light, but for a disk's rim, and above the horizon.
   [[nodiscard]] bool holds(glm::vec2 p) const;
 
@@ -64,7 +64,7 @@ class LightWindow {
   bool round_ = false;
   bool infinite_ = false;
   std::array<HalfSpace, 2> between_;
-  std::vector<Side> boundaries_;
+  std::vector<BorderEdge> boundaries_;
   std::size_t outline_sides_ = 0;  // the first of the boundaries
   /// Above the horizon: x u + y v + z >= 0.
   std::array<glm::dvec3, 2> horizons_;

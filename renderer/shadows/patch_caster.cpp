@@ -41,25 +41,25 @@ std::optional<Frame> PatchCaster::frame_along(glm::dvec3 towards, double reach,
   return Frame::prism(middle - 0.5 * (wide + high) + reach * towards, -towards, wide, high);
 }
 
-void PatchCaster::start(const Frame& frame, const ShadowPatch& patch, const Frame* viewer,
-                        std::int32_t ignored_part) {
-  ShadowCaster::start(frame, ignored_part);
+void PatchCaster::start(const ShadowScene& scene, bool see_through, const Frame& frame,
+                        const ShadowPatch& patch, const Frame* viewer, std::int32_t ignored_part) {
+  ShadowCaster::start(scene, see_through, frame, ignored_part);
   viewer_ = viewer;
   frame_ = &frame;
   patch_ = &patch;
 }
 
 std::optional<Ray> PatchCaster::ray_at(glm::vec2 p) const {
-  if (!patch_->sides.empty() && !winds_around(patch_->sides, p)) return std::nullopt;
+  if (!patch_->border.empty() && !winds_around(patch_->border, p)) return std::nullopt;
   const auto target = frame_->on_plane(glm::dvec2(p), patch_->plane);
   if (!target) return std::nullopt;
   // Clear of the surface along the way to the light, so that the ray stays in its place of the
   // square; at most 64 times as far for light that grazes.
   const glm::dvec3 towards =
       frame_->parallel() ? -frame_->direction() : glm::normalize(frame_->apex() - *target);
-  const double rise = std::max(glm::dot(towards, patch_->plane.normal), 1.0 / 64.0);
+  const double cosine = std::max(glm::dot(towards, patch_->plane.normal), 1.0 / 64.0);
   Ray ray;
-  ray.origin = glm::vec3(*target + patch_->lift / rise * towards);
+  ray.origin = glm::vec3(*target + patch_->lift / cosine * towards);
   if (frame_->parallel()) {
     ray.direction = glm::vec3(-frame_->direction());
   } else {
@@ -78,7 +78,7 @@ double PatchCaster::measure(double weight, const LeafRegion& region) const {
     return glm::dvec2(q.u, q.v);
   };
   double twice = 0.0;
-  region.for_each_side([&](const Side& side) {
+  region.for_each_edge([&](const BorderEdge& side) {
     const glm::dvec2 a = seen(side.from), b = seen(side.to);
     twice += a.x * b.y - a.y * b.x;
   });

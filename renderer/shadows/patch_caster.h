@@ -15,9 +15,9 @@ namespace asos {
 /// that the leaf covers.
 struct ShadowPatch {
   std::array<glm::dvec3, 4> corners;
-  HalfSpace plane;              ///< above: the side that is seen
-  std::span<const Side> sides;  ///< in units of the square; empty: all of it
-  double lift = 0.0;            ///< how far above the plane rays have to end
+  HalfSpace plane;                     ///< above: the side that is seen
+  std::span<const BorderEdge> border;  ///< in units of the square; empty: all of it
+  double lift = 0.0;                   ///< how far above the plane rays have to end
 };
 
 /// From a light that is a point, or infinitely far, over a patch (CGF'98 section 4.1). A leaf is
@@ -25,8 +25,6 @@ struct ShadowPatch {
 /// patch's corners has the parent's own coordinates, for both see one plane.
 class PatchCaster final : public ShadowCaster {
  public:
-  using ShadowCaster::ShadowCaster;
-
   /// The frame from a point light; nothing where the light lies in the patch's plane or the corners
   /// do not go around it.
   [[nodiscard]] static std::optional<Frame> frame_from(glm::dvec3 light, const ShadowPatch& patch);
@@ -37,8 +35,8 @@ class PatchCaster final : public ShadowCaster {
 
   /// All have to outlive the pyray. `viewer`: the frame by whose areas leaves are weighed, if its
   /// coordinates are not this frame's own.
-  void start(const Frame& frame, const ShadowPatch& patch, const Frame* viewer,
-             std::int32_t ignored_part);
+  void start(const ShadowScene& scene, bool see_through, const Frame& frame,
+             const ShadowPatch& patch, const Frame* viewer, std::int32_t ignored_part);
 
  protected:
   [[nodiscard]] std::optional<Ray> ray_at(glm::vec2 p) const override;

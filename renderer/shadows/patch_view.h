@@ -15,10 +15,10 @@ class PatchView {
  public:
   virtual ~PatchView() = default;
 
-  /// What is seen through points of the viewer's square, in their order; nothing is a point whose
-  /// triangle is Hit::none.
+  /// The points that are seen through points of the viewer's square, in their order; nothing is one
+  /// whose triangle is Hit::none.
   virtual void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
-                    RenderStatistics& counts) const = 0;
+                    RenderStatistics& counts) = 0;
 };
 
 }  // namespace asos

@@ -1,4 +1,6 @@
-#include "renderer/shadows/shadow_pyrays.h"
+#include "renderer/shadows/penumbra.h"
+
+#include "renderer/shadows/linear_shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +41,12 @@ std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& re
                         scale * frame.base_v());
 }
 
-/// How the share of the light that is seen bends within the patch, summed over boundaries.
-class Bends {
+/// How the visibility of the light bends within the patch, summed over boundaries.
+class VisibilityCurvature {
  public:
   /// `line`: the light is the window's middle line, along u.
-  Bends(const Frame& window, PatchInWindow patch, bool line, std::span<const LightCut> cuts)
+  VisibilityCurvature(const Frame& window, PatchInWindow patch, bool line,
+                      std::span<const LightCut> cuts)
       : frame_(window), patch_(patch), line_(line) {
     const auto placed = [&](glm::dvec3 p) {
       const glm::dvec3 h = frame_.homogeneous(p);
@@ -63,7 +66,7 @@ class Bends {
                hp + (hq - hp) * ((i + 1) / static_cast<double>(steps)));
   }
 
-  /// The midpoint rule's error of the share, 0 to 1/2 and more.
+  /// The midpoint rule's error of the visibility, 0 to 1/2 and more.
   [[nodiscard]] double sum() const { return sum_; }
 
  private:
@@ -106,13 +109,13 @@ class Bends {
     const glm::dvec2 across = glm::dvec2(std::abs(q.y - p.y), std::abs(q.x - p.x)) / length;
     const double e = eu * across.x + ev * across.y;
     // What hangs from a surface in the light hides the one side of it or the other: its boundary
-    // bends the share twice as much.
+    // bends the visibility twice as much.
     if (std::any_of(cuts_.begin(), cuts_.end(),
                     [&](const Cut& cut) { return distance(cut, middle) < e; }))
       sum_ += std::min(0.5, 0.5 * e) * std::min(1.0, length);
     if (well_in) return;
-    // A boundary that passes the light's rim bends the share, linear on both sides, in the patch's
-    // middle at worst: a quarter of what it moves by.
+    // A boundary that passes the light's rim bends the visibility, linear on both sides, in the
+    // patch's middle at worst: a quarter of what it moves by.
     sum_ += std::min(0.5, 0.25 * e) * std::min(1.0, length);
   }
 
@@ -132,85 +135,101 @@ class Bends {
   double sum_ = 0.0;
 };
 
-}  // namespace
+/// The extended pyray around a patch: its apex lies behind the surface, so that it holds both the
+/// patch and the light. Nothing where the view of the light has no extent.
+struct PatchPyray {
+  Frame light_frame;  ///< the light as the patch's middle sees it
+  PatchInWindow size;
+  Frame frame;
+  HalfSpace between[2];  ///< the surface, and where boundaries move by too little to matter
+};
 
-float ShadowPyrays::midpoint_error(const PreparedLight& light, std::uint32_t index,
-                                   const SurfacePoint& point, const Patch& patch, float reflected,
-                                   RenderStatistics& counts) {
-  if (settings_.quality != ShadowQuality::refined) return 0.0f;
-  const glm::vec3 around = 0.5f * (glm::abs(patch.right) + glm::abs(patch.down));
-  if (!std::isfinite(around.x + around.y + around.z)) return 0.0f;
-  Box box;
-  box.grow(point.position - around);
-  box.grow(point.position + around);
-  const ShadowKnowledge known = groups_.ask(light, index, point, box, counts.shadow_rays);
-  if (known.verdict != ShadowKnowledge::Verdict::open || (known.cut && known.cut->empty()))
-    return 0.0f;
-  const glm::vec3 unshadowed = unshadowed_irradiance(light, receiver_at(point));
-  const float display_intensity =
-      std::min(1.0f, reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
-  if (!(display_intensity > settings_.most_uneven)) return 0.0f;
-
-  Receiver receiver = receiver_at(point);
-  receiver.position += static_cast<double>(clear_height(point)) * receiver.geometric;
-  const bool line = light.shape == PreparedLight::Shape::segment;
-  const auto looked_at = line ? strip_around(light, receiver)
-                              : window_frame(light, receiver, world_reach(scene_.world));
-  if (!looked_at) return 0.0f;
-  const Frame& light_frame = *looked_at;
-  const PatchInWindow size = patch_in_window(light_frame, patch);
+std::optional<PatchPyray> pyray_around(const ShadowContext& block, const PenumbraQuery& query,
+                                       double tolerance) {
+  const Receiver receiver = receiver_above(query.point);
+  const bool line = query.light.shape == PreparedLight::Shape::segment;
+  const auto looked_at = line
+                             ? strip_around(query.light, receiver)
+                             : window_frame(query.light, receiver, world_reach(block.scene->world));
+  if (!looked_at) return std::nullopt;
+  const Frame& light = *looked_at;
+  const PatchInWindow size = patch_in_window(light, query.patch);
   const double widest = std::max(size.u, size.v);
-  if (!(widest > 0.0) || !std::isfinite(widest)) return 0.0f;
+  if (!(widest > 0.0) || !std::isfinite(widest)) return std::nullopt;
 
-  // Boundaries matter up to where the quarter of what they move by is what is let pass, so far
-  // along the way to the light.
-  const double let_pass = static_cast<double>(settings_.most_uneven / display_intensity);
-  const double highest = 1.0 / (1.0 + 8.0 * let_pass / widest);
-  // The extended shadow pyray that holds the patch: its apex lies `back` ways to the light behind
-  // the surface. Where the patch is larger than half the light, it is aimed at a larger rectangle.
+  // Boundaries matter up to where the quarter of what they move by is the tolerance, so far along
+  // the way to the light.
+  const double highest = 1.0 / (1.0 + 8.0 * tolerance / widest);
+  // The apex lies `back` ways to the light behind the surface. Where the patch is larger than half
+  // the light, it is aimed at a larger rectangle.
   const double larger_u = std::max(1.0, 2.0 * size.u), larger_v = std::max(1.0, 2.0 * size.v);
   const double covered = std::max(size.u / larger_u, size.v / larger_v);
   const double back = covered / (1.0 - covered);
-  const glm::dvec3 m = middle_of(light_frame);
-  const glm::dvec3 apex = receiver.position - back * m;
-  const glm::dvec3 a = larger_u * light_frame.base_u(), b = larger_v * light_frame.base_v();
-  const Frame extended = Frame::pyramid(apex, (1.0 + back) * m - 0.5 * (a + b), a, b);
-
+  const glm::dvec3 m = middle_of(light);
+  const glm::dvec3 a = larger_u * light.base_u(), b = larger_v * light.base_v();
   const glm::dvec3 up = receiver.geometric;
-  HalfSpace near[2] = {{up, glm::dot(up, receiver.position)},
-                       {-m, glm::dot(-m, receiver.position + highest * m)}};
+  PatchPyray pyray{
+      light,
+      size,
+      Frame::pyramid(receiver.position - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
+      {{up, glm::dot(up, receiver.position)}, {-m, glm::dot(-m, receiver.position + highest * m)}}};
   const auto half =
-      static_cast<double>(0.5f * (glm::length(patch.right) + glm::length(patch.down)));
-  near[0].offset += scene_.features.departure(point.triangle, glm::dvec3(point.position), half);
-  SearchBounds bounds = own_part_ignored(scene_.world, light);
-  bounds.cut = known.cut;
-  bounds.within = near;
-  bounds.most_entries = most_entries_for_samples();
-  HitLists& lists = work_.lists;
-  lists.reset(scene_.features, extended, 1.0f / 64.0f, bounds);
-  if (lists.root().empty()) return 0.0f;
-  const Square whole{0.0f, 0.0f, 1.0f};
+      static_cast<double>(0.5f * (glm::length(query.patch.right) + glm::length(query.patch.down)));
+  pyray.between[0].offset +=
+      block.scene->features.departure(query.point.triangle, glm::dvec3(query.point.position), half);
+  return pyray;
+}
+
+}  // namespace
+
+Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
+                       RenderStatistics& counts) {
+  // Nothing lies between, or it does not matter.
+  const float tolerance = block.rules.budget.tolerance;
+  if (block.rules.quality != ShadowQuality::refined) return {};
+  const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
+  if (!std::isfinite(around.x + around.y + around.z)) return {};
+  Box box;
+  box.grow(query.point.position - around);
+  box.grow(query.point.position + around);
+  const ShadowKnowledge known =
+      block.groups->ask(query.light, query.index, query.point, box, counts.shadow_rays);
+  if (known.passage != ShadowKnowledge::Passage::open || (known.cut && known.cut->empty()))
+    return {};
+  const glm::vec3 unshadowed = unshadowed_irradiance(query.light, receiver_at(query.point));
+  const float intensity =
+      std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
+  if (!(intensity > tolerance)) return {};
+
+  // Find all boundaries in the pyray around the patch.
+  const auto around_patch = pyray_around(block, query, static_cast<double>(tolerance / intensity));
+  if (!around_patch) return {};
+  Pyray pyray{around_patch->frame};
+  pyray.bounds = own_part_ignored(block.scene->world, query.light);
+  pyray.bounds.cut = known.cut;
+  pyray.bounds.within = around_patch->between;
+  pyray.bounds.most_entries =
+      most_entries_for_samples(block.rules.budget.nested(query.level, 1.0, 1).max_level);
+  constexpr float finest_side = 1.0f / 64.0f;
   constexpr std::size_t most = 64;
-  HitLists::List& list = work_.list;
-  list.clear();
-  for (const std::uint32_t i : lists.root()) {
-    if (lists.tell_apart(i, whole, 0.0f, most, list)) continue;
-    // A thicket: the patch is sampled all over for it.
-    if (line) return 1.0f;
-    thickets_.push_back({point.position, index});
-    return 0.0f;
-  }
-  Bends bends(light_frame, size, line, light.cuts);
-  for (const std::uint32_t i : list) {
-    const Segment& s = lists.segment(i);
-    const Clip c = clip(s, whole);
+  const bool line = query.light.shape == PreparedLight::Shape::segment;
+  const auto boundaries =
+      block.work->tracer.boundaries(block.scene->features, pyray, finest_side, most);
+  // Linear lights have no samples to fall back on.
+  if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
+
+  // Sum up how each bends the visibility.
+  VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,
+                                query.light.cuts);
+  for (const Segment& s : *boundaries) {
+    const Clip c = clip(s, pyray.square);
     const auto at = [&](float t) {
-      return extended.world(
+      return pyray.frame.world(
           {s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0), s.q0 + t * (s.q1 - s.q0)});
     };
-    bends.add(at(c.t0), at(c.t1));
+    curvature.add(at(c.t0), at(c.t1));
   }
-  return display_intensity * static_cast<float>(bends.sum());
+  return {intensity * static_cast<float>(curvature.sum()), false};
 }
 
 }  // namespace asos

@@ -4,15 +4,18 @@
 
 namespace asos {
 
-void ShadowCaster::start(const Frame& frame, std::int32_t ignored_part) {
+void ShadowCaster::start(const ShadowScene& scene, bool see_through, const Frame& frame,
+                         std::int32_t ignored_part) {
+  scene_ = &scene;
+  see_through_ = see_through;
   frame_ = &frame;
   ignored_part_ = ignored_part;
   samples_.clear();
   cast_ = 0;
-  lit_ = all_ = 0.0;
+  seen_ = all_ = 0.0;
 }
 
-Caster::SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
+SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
   const std::size_t first = samples_.size();
   rays_.clear();
   asked_.clear();
@@ -26,7 +29,7 @@ Caster::SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
     }
   }
   blockers_.resize(rays_.size());
-  scene_.rays.blockers(rays_, blockers_, ignored_part_);
+  scene_->rays.blockers(rays_, blockers_, ignored_part_);
   for (std::size_t i = 0; i < asked_.size(); ++i) samples_[asked_[i]].blocker = blockers_[i];
   cast_ += rays_.size();
   return static_cast<SampleId>(first);
@@ -35,29 +38,29 @@ Caster::SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
 Cover ShadowCaster::cover(SampleId sample) const {
   const Hit& hit = samples_[sample].blocker.hit;
   if (!hit.valid()) return Cover::none();
-  return cover_of(*frame_, scene_.world, scene_.features, hit);
+  return cover_of(*frame_, scene_->world, scene_->features, hit);
 }
 
 std::uint32_t ShadowCaster::surface(SampleId sample) const {
   constexpr std::uint32_t lit = FeatureEdge::none, beside = FeatureEdge::none - 2;
   const Sample& s = samples_[sample];
   if (!s.counts) return beside;
-  return s.blocker.hit.valid() ? scene_.features.sheet(s.blocker.hit.triangle) : lit;
+  return s.blocker.hit.valid() ? scene_->features.sheet(s.blocker.hit.triangle) : lit;
 }
 
-Unevenness ShadowCaster::uneven(SampleId sample, double /*share*/,
-                                const LeafRegion& /*region*/) const {
+LeafVerdict ShadowCaster::judge(SampleId sample, double /*share*/, const LeafRegion& /*region*/) {
   const bool varies = see_through_ && samples_[sample].blocker.see_through;
-  return varies ? Unevenness::shadow : Unevenness::none;
+  return {varies ? Unevenness::shadow : Unevenness::none};
 }
 
-void ShadowCaster::leaf(std::uint32_t /*root*/, SampleId sample, double weight,
-                        const LeafRegion& region) {
-  const Sample& s = samples_[sample];
-  if (!s.counts) return;
-  const double worth = measure(weight, region);
-  all_ += worth;
-  lit_ += worth * static_cast<double>(s.blocker.transmittance);
+void ShadowCaster::take(std::span<const PyrayLeaf> leaves) {
+  for (const PyrayLeaf& leaf : leaves) {
+    const Sample& s = samples_[leaf.sample];
+    if (!s.counts) continue;
+    const double worth = measure(leaf.weight, leaf.region);
+    all_ += worth;
+    seen_ += worth * static_cast<double>(s.blocker.transmittance);
+  }
 }
 
 bool ShadowCaster::met_see_through() const {
@@ -65,9 +68,9 @@ bool ShadowCaster::met_see_through() const {
                                      [](const Sample& s) { return s.blocker.see_through; });
 }
 
-std::optional<double> ShadowCaster::lit_share() const {
+std::optional<double> ShadowCaster::visibility() const {
   if (!(all_ > 0.0)) return std::nullopt;
-  return lit_ / all_;
+  return seen_ / all_;
 }
 
 }  // namespace asos

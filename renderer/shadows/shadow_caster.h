@@ -1,9 +1,8 @@
 #pragma once
 
-#include "renderer/features/feature_set.h"
 #include "renderer/film/statistics.h"
 #include "renderer/pyray/caster.h"
-#include "renderer/rays/ray_scene.h"
+#include "renderer/shadows/shadow_scene.h"
 
 #include <glm/glm.hpp>
 
@@ -17,66 +16,56 @@ namespace asos {
 /// How much of the way to a light a shadow ray goes: its own surface does not shade it.
 inline constexpr float most_of_the_way = 1.0f - 1e-5f;
 
-/// What shadow pyrays look at.
-struct ShadowScene {
-  const World& world;
-  const FeatureSet& features;
-  const RayScene& rays;
-};
-
-/// The engine's Caster for shadow pyrays: finds what share of a square is lit, by a measure that
-/// derived classes choose. One object serves one pyray after another and keeps its memory.
+/// The engine's Caster for shadow pyrays: finds the visibility of a light over a square, by a
+/// measure that derived classes choose. One object serves one pyray after another and keeps its
+/// memory.
 class ShadowCaster : public Caster {
  public:
-  /// `see_through`: see ShadowRules.
-  ShadowCaster(const ShadowScene& scene, bool see_through)
-      : scene_(scene), see_through_(see_through) {}
-
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
   /// Cut-outs and what shines through have outlines that are no boundaries.
-  [[nodiscard]] Unevenness uneven(SampleId sample, double share,
-                                  const LeafRegion& region) const override;
-  void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override;
-
-  /// What of the light reaches a sample, 0 to 1.
-  [[nodiscard]] float transmittance(SampleId sample) const {
-    return samples_[sample].counts ? samples_[sample].blocker.transmittance : 0.0f;
+  [[nodiscard]] LeafVerdict judge(SampleId sample, double share, const LeafRegion& region) override;
+  void take(std::span<const PyrayLeaf> leaves) override;
+  /// The visibility of the light from a sample.
+  [[nodiscard]] glm::vec3 result(SampleId sample) const override {
+    return glm::vec3(samples_[sample].counts ? samples_[sample].blocker.transmittance : 0.0f);
   }
-  /// What the light is multiplied by, 0 to 1, once all leaves are in. Nothing where no sample met
-  /// what was asked for.
-  [[nodiscard]] std::optional<double> lit_share() const;
+
+  /// The light's visibility, 0 to 1, once all leaves are in. Nothing where no sample met what was
+  /// asked for.
+  [[nodiscard]] std::optional<double> visibility() const;
   [[nodiscard]] std::uint64_t rays_cast() const { return cast_; }
   /// Whether some sample met what lets more or less light through from place to place.
   [[nodiscard]] bool met_see_through() const;
 
  protected:
-  void start(const Frame& frame, std::int32_t ignored_part);
+  /// All have to outlive the pyray. `see_through`: see ShadowRules.
+  void start(const ShadowScene& scene, bool see_through, const Frame& frame,
+             std::int32_t ignored_part);
 
   /// The ray whose blockers shade a point of the square; nothing for points that do not count.
   [[nodiscard]] virtual std::optional<Ray> ray_at(glm::vec2 p) const = 0;
   /// How much a leaf that counts is worth.
   [[nodiscard]] virtual double measure(double weight, const LeafRegion& region) const = 0;
 
-  const ShadowScene& scene_;
-
  private:
-  bool see_through_;
   struct Sample {
     Blocker blocker;
     Ray ray;
     bool counts = false;
   };
 
+  const ShadowScene* scene_ = nullptr;
   const Frame* frame_ = nullptr;
+  bool see_through_ = true;
   std::int32_t ignored_part_ = -1;
   std::vector<Sample> samples_;
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> asked_;
   std::vector<Blocker> blockers_;
   std::uint64_t cast_ = 0;
-  double lit_ = 0.0;
+  double seen_ = 0.0;
   double all_ = 0.0;
 };
 

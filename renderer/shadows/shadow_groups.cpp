@@ -115,9 +115,9 @@ Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
 
 void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, Group& group,
                         Answer& answer, std::uint64_t& rays_cast) {
-  using Verdict = ShadowKnowledge::Verdict;
+  using Passage = ShadowKnowledge::Passage;
   answer.known = true;
-  answer.verdict = Verdict::open;
+  answer.passage = Passage::open;
   Shaft shaft(group.box, light_box(light, group.box));
   if (group.planar) {
     const double above = static_cast<double>(clear_height(point)) + group.tolerance;
@@ -127,7 +127,7 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
                answer.search);
   if (!group.planar || !answer.search.complete || !answer.search.cut.empty()) return;
   if (nothing_between(light, shaft)) {
-    answer.verdict = Verdict::lit;
+    answer.passage = Passage::lit;
     return;
   }
   // Nothing bounds what shades these points: what one of them sees of the light, all do. Some point
@@ -141,7 +141,7 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
       scene_.rays.blockers(std::span(&ray, 1), std::span(&blocker, 1), light.own_part);
       ++rays_cast;
       if (!blocker.see_through)
-        answer.verdict = blocker.hit.valid() ? Verdict::shaded : Verdict::lit;
+        answer.passage = blocker.hit.valid() ? Passage::shaded : Passage::lit;
       return;
     }
   }
@@ -170,7 +170,7 @@ ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t inde
   const bool on_plane =
       std::abs(group->plane.height(glm::dvec3(point.position))) <= group->tolerance;
   if (group->planar && !on_plane) return {};
-  return {answer.verdict, &answer.search.cut};
+  return {answer.passage, &answer.search.cut};
 }
 
 }  // namespace asos

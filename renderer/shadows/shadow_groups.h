@@ -17,9 +17,9 @@ namespace asos {
 
 /// What is known of the light between some points and a light.
 struct ShadowKnowledge {
-  enum class Verdict : std::uint8_t { open, lit, shaded };
+  enum class Passage : std::uint8_t { open, lit, shaded };
 
-  Verdict verdict = Verdict::open;  ///< for all of the points and all of the light
+  Passage passage = Passage::open;  ///< for all of the points and all of the light
   const FeatureCut* cut = nullptr;  ///< open: where boundaries may be; null: anywhere
 };
 
@@ -45,7 +45,7 @@ class ShadowGroups {
  private:
   struct Answer {
     bool known = false;
-    ShadowKnowledge::Verdict verdict = ShadowKnowledge::Verdict::open;
+    ShadowKnowledge::Passage passage = ShadowKnowledge::Passage::open;
     ShaftSearch search;
   };
   struct Group {

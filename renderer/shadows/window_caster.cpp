@@ -2,8 +2,10 @@
 
 namespace asos {
 
-void WindowCaster::start(const PreparedLight& light, const LightWindow& window) {
-  ShadowCaster::start(window.frame(), light.own_part);
+void WindowCaster::start(const ShadowScene& scene, bool see_through, const PreparedLight& light,
+                         const LightWindow& window, bool gives_up) {
+  ShadowCaster::start(scene, see_through, window.frame(), light.own_part);
+  may_give_up_ = gives_up;
   light_ = &light;
   window_ = &window;
 }

@@ -10,10 +10,12 @@ namespace asos {
 /// cosine at the light over the squared distance, both at its sample.
 class WindowCaster final : public ShadowCaster {
  public:
-  using ShadowCaster::ShadowCaster;
+  /// All have to outlive the pyray. `gives_up`: once a sample meets what lets more or less light
+  /// through from place to place.
+  void start(const ShadowScene& scene, bool see_through, const PreparedLight& light,
+             const LightWindow& window, bool gives_up);
 
-  /// `light` and `window` have to outlive the pyray.
-  void start(const PreparedLight& light, const LightWindow& window);
+  [[nodiscard]] bool gives_up() const override { return may_give_up_ && met_see_through(); }
 
  protected:
   [[nodiscard]] std::optional<Ray> ray_at(glm::vec2 p) const override;
@@ -22,6 +24,7 @@ class WindowCaster final : public ShadowCaster {
  private:
   const LightWindow* window_ = nullptr;
   const PreparedLight* light_ = nullptr;
+  bool may_give_up_ = false;
 };
 
 }  // namespace asos

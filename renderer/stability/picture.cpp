@@ -40,9 +40,9 @@ Result<Picture> render(const Scene& scene, const RenderSettings& settings) {
   const auto prepared = prepare(scene);
   if (!prepared) return unexpected(prepared.error());
   if (const auto fits = check_method(**prepared, settings); !fits) return unexpected(fits.error());
-  if ((*prepared)->world.cameras.empty()) return unexpected(Error{scene.name, "has no camera"});
+  if ((*prepared)->world().cameras.empty()) return unexpected(Error{scene.name, "has no camera"});
   RenderResult rendered =
-      render_to_end({*prepared, (*prepared)->world.cameras.front(), settings, false});
+      render_to_end({*prepared, (*prepared)->world().cameras.front(), settings, false});
   Picture picture{std::move(rendered.film), std::move(rendered.statistics), 0};
   for (const glm::vec3& c : picture.film.radiance) {
     if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) ++picture.bad_pixels;

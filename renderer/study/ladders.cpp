@@ -1,6 +1,6 @@
 #include "renderer/study/ladders.h"
 
-#include "renderer/settings/names.h"
+#include "renderer/comparison/method.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@ using Rungs = std::vector<Rung>;
 using MakeRungs = Rungs (*)(const std::string& method, const RenderSettings& base);
 
 std::optional<Method> method_called(const std::string& name) {
-  for (const auto& named : method_names)
-    if (name == named.name) return named.value;
+  for (const MethodRow& row : method_table())
+    if (name == row.name) return row.value;
   return std::nullopt;
 }
 

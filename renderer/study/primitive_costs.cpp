@@ -52,8 +52,8 @@ World world_of(const Shape& shape) {
   instance.mesh = 0;
   instance.shape = 0;
   scene.instances.push_back(instance);
-  auto world = flatten(scene);
-  return world ? *std::move(world) : World{};
+  auto flattened = flatten(scene);
+  return flattened ? std::move(flattened->world) : World{};
 }
 
 /// Opens the outlines of a shape in a pyray's square, as detection does.

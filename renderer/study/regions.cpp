@@ -22,23 +22,23 @@ class Looker {
       : scene_(*snapshot.scene),
         settings_(snapshot.settings),
         view_(snapshot.camera, settings_.width, settings_.height,
-              radius_around_origin(scene_.world.bounds)),
+              radius_around_origin(scene_.world().bounds)),
         shader_(shader_of(scene_, settings_, view_)) {}
 
   [[nodiscard]] Region look(double x, double y) const {
     const Ray ray = view_.ray(x, y);
-    const Hit hit = scene_.rays.closest(ray, seen_faces(settings_));
+    const Hit hit = scene_.rays().closest(ray, seen_faces(settings_));
     if (!hit.valid()) return Region::rest;
-    const SurfacePoint point = surface_point(scene_.world, scene_.needs, hit, -ray.direction);
+    const SurfacePoint point = surface_point(scene_.world(), scene_.needs, hit, -ray.direction);
     if (point.geometric_normal == glm::vec3(0.0f)) return Region::rest;
-    const SurfaceMaterial material = surface_material(scene_.world, scene_.needs, hit);
+    const SurfaceMaterial material = surface_material(scene_.world(), scene_.needs, hit);
     // A metal shows no shadows, but what it mirrors.
     const bool mirrors = in_mirror(ray, hit, point, material);
     if (mirrors && material.metallic > 0.5f) return Region::reflections;
     if (settings_.shadow.cast && !material.unlit && in_penumbra(point)) return Region::penumbrae;
     if (mirrors) return Region::reflections;
-    return is_textured(scene_.world.material_of(hit.triangle), scene_.needs) ? Region::textures
-                                                                             : Region::rest;
+    return is_textured(scene_.world().material_of(hit.triangle), scene_.needs) ? Region::textures
+                                                                               : Region::rest;
   }
 
  private:
@@ -68,7 +68,7 @@ class Looker {
       const LightSample sample = sample_light(light, receiver, (i % light_grid + 0.5) / light_grid,
                                               (i / light_grid + 0.5) / light_grid);
       if (sample.irradiance == glm::vec3(0.0f)) continue;
-      const float share = scene_.rays.transmittance(shadow_ray(point, sample), light.own_part);
+      const float share = scene_.rays().transmittance(shadow_ray(point, sample), light.own_part);
       ++(share > 0.5f ? lit : hidden);
     }
     return lit > 0 && hidden > 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace asos {
@@ -76,35 +77,36 @@ bool emits(const Material& m) {
 }
 
 /// A texture may make it smoother anywhere. What reflects nothing mirrors nothing.
-bool may_mirror(const Material& m) {
+bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
   const bool reflects = m.metallic > 0.0f || m.specular > 0.0f;
   const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
-                      m.metallic_roughness_texture.used() || m.dfr;
+                      m.metallic_roughness_texture.used() || dfr;
   return reflects && smooth;
 }
 
-template <typename Visit>
-void for_each_shown_material(const World& world, Visit visit) {
-  // Only materials that some triangle shows count: files often bring along more.
+/// By index. Only materials that some surface shows count: files often bring along more.
+std::vector<std::size_t> shown_materials(const World& world) {
   std::vector<bool> seen(world.materials.size(), false);
+  std::vector<std::size_t> shown;
   for (const Part& part : world.parts) {
     if (part.shows_nothing() || seen[part.material]) continue;
     seen[part.material] = true;
-    visit(world.materials[part.material]);
+    shown.push_back(part.material);
   }
+  return shown;
 }
 
 std::vector<bool> images_of_shown_materials(const World& world) {
   std::vector<bool> used(world.images.size(), false);
-  for_each_shown_material(world, [&](const Material& m) {
+  for (const std::size_t material : shown_materials(world)) {
     // Used or not: where surfaces differ is judged by all of them.
-    for (const TextureUse* use : texture_uses(m)) {
+    for (const TextureUse* use : texture_uses(world.materials[material])) {
       if (!use->used() || static_cast<std::size_t>(use->texture) >= world.textures.size()) continue;
       const int image = world.textures[static_cast<std::size_t>(use->texture)].image;
       if (image >= 0 && static_cast<std::size_t>(image) < used.size())
         used[static_cast<std::size_t>(image)] = true;
     }
-  });
+  }
   return used;
 }
 
@@ -121,7 +123,6 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.normal_maps |= m.normal_texture.used();
   needs.emission |= emits(m);
   needs.metals |= m.metallic > 0.0f;
-  needs.mirrors |= may_mirror(m);
 }
 
 void add_light(SceneNeeds& needs, const Light& light) {
@@ -219,7 +220,9 @@ std::vector<SceneFeature> features_left_out(const SceneNeeds& needs) {
 
 SceneNeeds find_needs(const World& world) {
   SceneNeeds needs;
-  for_each_shown_material(world, [&](const Material& m) { add_material(needs, m); });
+  for (const std::size_t shown : shown_materials(world))
+    add_material(needs, world.materials[shown]);
+  needs.mirrors = needs_mirrors(world, dfrs_of(world));
   const std::vector<bool> used = images_of_shown_materials(world);
   for (std::size_t i = 0; i < used.size(); ++i)
     needs.mip_chains |= used[i] && (world.images[i].width > 1 || world.images[i].height > 1);
@@ -228,9 +231,22 @@ SceneNeeds find_needs(const World& world) {
   needs.vertex_colors = !world.colors.empty();
   needs.shapes = !world.faces.empty();
   needs.varying_opacity = opacity_varies(world);
-  for (const Light& light : world.lights) add_light(needs, light);
   needs.intersections = true;
   return needs;
+}
+
+SceneNeeds find_needs(std::span<const Light> lights) {
+  SceneNeeds needs;
+  for (const Light& light : lights) add_light(needs, light);
+  return needs;
+}
+
+bool needs_mirrors(const World& world, const MaterialDfrs& dfrs) {
+  const std::vector<std::size_t> shown = shown_materials(world);
+  return std::any_of(shown.begin(), shown.end(), [&](std::size_t i) {
+    const Material& m = world.materials[i];
+    return !m.unlit && may_mirror(m, dfrs[i]);
+  });
 }
 
 void release_unused_images(World& world) {

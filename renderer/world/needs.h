@@ -44,6 +44,12 @@ struct SceneNeeds {
   /// varying_opacity and sky_picture.
   [[nodiscard]] static SceneNeeds all();
 
+  /// Whether there is any light, of whatever kind.
+  [[nodiscard]] bool lights() const {
+    return punctual_lights || rectangle_lights || disk_lights || ball_lights || linear_lights ||
+           suns;
+  }
+
   /// What either of the two needs.
   [[nodiscard]] SceneNeeds with(const SceneNeeds& other) const;
 
@@ -75,9 +81,15 @@ struct SceneFeature {
 /// What was left out.
 [[nodiscard]] std::vector<SceneFeature> features_left_out(const SceneNeeds& needs);
 
-/// What the shown materials and the lights of `world` need. `intersections` is true: whether
-/// surfaces pass through each other is known only once FeatureSet has looked.
+/// What the surfaces of `world` and their materials need. `intersections` is true: whether surfaces
+/// pass through each other is known only once FeatureSet has looked.
 [[nodiscard]] SceneNeeds find_needs(const World& world);
+
+/// What lights need beyond that.
+[[nodiscard]] SceneNeeds find_needs(std::span<const Light> lights);
+
+/// SceneNeeds::mirrors where the materials have these defocusing ratios instead of their own.
+[[nodiscard]] bool needs_mirrors(const World& world, const MaterialDfrs& dfrs);
 
 /// Releases the texels of images that no shown material names.
 void release_unused_images(World& world);

@@ -55,7 +55,7 @@ class Flattener {
  public:
   explicit Flattener(const Scene& scene) : scene_(scene) {}
 
-  Result<World> run(std::uint64_t max_triangles) {
+  Result<FlattenedScene> run(std::uint64_t max_triangles) {
     if (std::string fault = scene_fault(scene_); !fault.empty()) return refuse(scene_, fault);
     if (scene_.instanced_triangles() > max_triangles) {
       return refuse(scene_, fmt::format("has {} triangles; the limit is {}",
@@ -76,7 +76,8 @@ class Flattener {
     // Numbers of faces begin where those of triangles end.
     for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
     add_rest();
-    return std::move(world_);
+    std::vector<Light> lights = placed_lights(world_.origin);
+    return FlattenedScene{std::move(world_), std::move(lights)};
   }
 
  private:
@@ -324,17 +325,21 @@ class Flattener {
     world_.materials.back().name = "default";
     world_.textures = scene_.textures;
     world_.images = scene_.images;
-    world_.lights = scene_.lights;
-    for (Light& light : world_.lights) {
-      light.position -= world_.origin;
-      for (std::vector<glm::dvec3>& outline : light.outlines) {
-        for (glm::dvec3& corner : outline) corner -= world_.origin;
-      }
-    }
     world_.cameras = scene_.cameras;
     for (Camera& camera : world_.cameras) {
       camera.world_from_camera[3] -= glm::dvec4(world_.origin, 0.0);
     }
+  }
+
+  [[nodiscard]] std::vector<Light> placed_lights(glm::dvec3 origin) const {
+    std::vector<Light> lights = scene_.lights;
+    for (Light& light : lights) {
+      light.position -= origin;
+      for (std::vector<glm::dvec3>& outline : light.outlines) {
+        for (glm::dvec3& corner : outline) corner -= origin;
+      }
+    }
+    return lights;
   }
 
   const Scene& scene_;
@@ -348,7 +353,13 @@ class Flattener {
 
 }  // namespace
 
-Result<World> flatten(const Scene& scene, std::uint64_t max_triangles) {
+MaterialDfrs dfrs_of(const World& world) {
+  MaterialDfrs dfrs;
+  for (const Material& material : world.materials) dfrs.push_back(material.dfr);
+  return dfrs;
+}
+
+Result<FlattenedScene> flatten(const Scene& scene, std::uint64_t max_triangles) {
   return Flattener(scene).run(max_triangles);
 }
 

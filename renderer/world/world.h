@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace asos {
@@ -27,9 +28,9 @@ struct Part {
   [[nodiscard]] bool shows_nothing() const { return triangle_count == 0 && face_count == 0; }
 };
 
-/// A scene flattened into one indexed triangle soup, placed in the world and recentred in double
-/// precision (design section 10): `position + origin` is the author's coordinate. Immutable once
-/// shared. Arrays of attributes that no material needs are empty (design section 8).
+/// A scene's surfaces flattened into one indexed triangle soup, placed in the world and recentred
+/// in double precision (design section 10): `position + origin` is the author's coordinate.
+/// Immutable once shared. Arrays of attributes that no material needs are empty (design section 8).
 struct World {
   glm::dvec3 origin{0.0};
   std::vector<glm::vec3> positions;
@@ -44,7 +45,6 @@ struct World {
   std::vector<Material> materials;  ///< the scene's, then glTF's default material
   std::vector<Texture> textures;
   std::vector<Image> images;
-  std::vector<Light> lights;    ///< positions relative to origin
   std::vector<Camera> cameras;  ///< relative to origin
   Box bounds;                   ///< of the positions that triangles use; empty if none
 
@@ -58,16 +58,34 @@ struct World {
     return static_cast<std::uint32_t>(triangles.size() + faces.size());
   }
 
-  [[nodiscard]] const Material& material_of(std::uint32_t triangle) const {
-    return materials[parts[triangle_part[triangle]].material];
+  /// Of a surface, into `materials`.
+  [[nodiscard]] std::uint32_t material_index(std::uint32_t surface) const {
+    return parts[triangle_part[surface]].material;
   }
+  [[nodiscard]] const Material& material_of(std::uint32_t triangle) const {
+    return materials[material_index(triangle)];
+  }
+};
+
+/// How each material of a world blurs what it mirrors, by index in World::materials; none: by its
+/// roughness.
+using MaterialDfrs = std::vector<std::optional<Dfr>>;
+
+/// The materials' own.
+[[nodiscard]] MaterialDfrs dfrs_of(const World& world);
+
+/// What flattening makes of a scene: its surfaces, and its lights relative to World::origin.
+struct FlattenedScene {
+  World world;
+  std::vector<Light> lights;
 };
 
 /// Flattens `scene`. Shapes become faces, but for boxes and for what shines or has no inverse,
 /// which become triangles. Refuses a scene with more triangles than `max_triangles`, and one whose
 /// placed positions do not fit a float. Zero-area triangles are kept: rays miss them, and their
 /// edges bound nothing.
-[[nodiscard]] Result<World> flatten(const Scene& scene, std::uint64_t max_triangles = 60'000'000);
+[[nodiscard]] Result<FlattenedScene> flatten(const Scene& scene,
+                                             std::uint64_t max_triangles = 60'000'000);
 
 /// The camera that frames all of `world` when the file has none: from front, right and above.
 [[nodiscard]] Camera default_camera(const World& world, double aspect_ratio);

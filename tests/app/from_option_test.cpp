@@ -103,29 +103,30 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   settings.asos.max_level = 2;
   settings.threads = 2;
   Previewer previewer({{}, {}}, settings);
-  previewer.open("builtin:boxes");
-  previewer.set_picture_size(97, 55, 0.0);
+  previewer.scene().open("builtin:boxes");
+  previewer.viewpoint().set_picture_size(97, 55, 0.0);
   const auto finish = [&] {
     for (int i = 0; i < 20000; ++i) {
       previewer.update(1.0 * i);
       if (previewer.scene() && !previewer.seconds_to_update(1.0 * i) &&
-          previewer.progress().finished)
+          previewer.render().progress().finished)
         return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return false;
   };
   ASSERT_TRUE(finish());
-  EXPECT_FALSE(previewer.description({}).lights.has_value()) << "they are the scene's own";
-  previewer.camera().orbit(0.3, 0.1);
-  ASSERT_FALSE(previewer.lights().empty());
-  previewer.edit_lights()[0].light.intensity *= 1.7f;
-  previewer.edit_lights()[0].light.color = {1.0f, 0.31f, 0.2f};
-  previewer.settings().sky = make_sky({SkyChoice::Colours{{0, 0, 1}, {1, 0.5f, 0}}, "", 0}).value();
+  EXPECT_FALSE(previewer.render().description({}).lights.has_value()) << "they are the scene's own";
+  previewer.viewpoint().camera().orbit(0.3, 0.1);
+  ASSERT_FALSE(previewer.edits().lights().empty());
+  previewer.edits().edit_lights()[0].light.intensity *= 1.7f;
+  previewer.edits().edit_lights()[0].light.color = {1.0f, 0.31f, 0.2f};
+  previewer.edits().settings().sky =
+      make_sky({SkyChoice::Colours{{0, 0, 1}, {1, 0.5f, 0}}, "", 0}).value();
   ASSERT_TRUE(finish());
   DisplaySettings display;
   display.exposure_ev = -0.4f;
-  ASSERT_TRUE(write_png(path("window.png"), previewer.film(), display.exposure_ev,
+  ASSERT_TRUE(write_png(path("window.png"), previewer.render().film(), display.exposure_ev,
                         screenshot_text(previewer, display)));
   const AsosRun again = render({"--from", path("window.png")}, "again.png");
   ASSERT_EQ(again.exit_code, 0) << again.err;
@@ -135,22 +136,25 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
 
   // Dropped on a window, it brings everything back.
   Previewer other({{}, {}}, {});
-  other.set_picture_size(64, 64, 0.0);
-  other.open(path("window.png"));
+  other.viewpoint().set_picture_size(64, 64, 0.0);
+  other.scene().open(path("window.png"));
   for (int i = 0; i < 20000 && !other.scene(); ++i) {
     other.update(1.0 * i);
-    ASSERT_FALSE(other.error().has_value()) << other.error()->message();
+    ASSERT_FALSE(other.scene().error().has_value()) << other.scene().error()->message();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  ASSERT_NE(other.scene(), nullptr);
-  EXPECT_EQ(other.settings().asos.max_level, 2);
-  EXPECT_EQ(other.settings().width, 64) << "the window's size stays";
-  EXPECT_EQ(choice_of(other.settings().sky.get()), choice_of(previewer.settings().sky.get()));
-  EXPECT_NEAR(glm::distance(other.camera().eye(), previewer.camera().eye()), 0.0, 1e-9);
-  ASSERT_EQ(other.lights().size(), previewer.lights().size());
-  EXPECT_EQ(other.lights()[0].light.intensity, previewer.lights()[0].light.intensity);
-  EXPECT_EQ(other.take_opened_display()->exposure_ev, -0.4f);
-  EXPECT_FALSE(other.take_opened_display().has_value()) << "once";
+  ASSERT_NE(other.scene().get(), nullptr);
+  EXPECT_EQ(other.edits().settings().asos.max_level, 2);
+  EXPECT_EQ(other.edits().settings().width, 64) << "the window's size stays";
+  EXPECT_EQ(choice_of(other.edits().settings().sky.get()),
+            choice_of(previewer.edits().settings().sky.get()));
+  EXPECT_NEAR(glm::distance(other.viewpoint().camera().eye(), previewer.viewpoint().camera().eye()),
+              0.0, 1e-9);
+  ASSERT_EQ(other.edits().lights().size(), previewer.edits().lights().size());
+  EXPECT_EQ(other.edits().lights()[0].light.intensity,
+            previewer.edits().lights()[0].light.intensity);
+  EXPECT_EQ(other.scene().take_opened_display()->exposure_ev, -0.4f);
+  EXPECT_FALSE(other.scene().take_opened_display().has_value()) << "once";
 }
 
 TEST_F(FromOption, WhatIsWrongIsSaidWithItsFile) {

@@ -30,7 +30,7 @@ Result<SharedScene> open_scene(const std::string& source) {
 }
 
 Snapshot snapshot_of(SharedScene scene, int width, int height) {
-  const World& world = scene->world;
+  const World& world = scene->world();
   Snapshot snapshot;
   snapshot.camera = world.cameras.empty()
                         ? default_camera(world, static_cast<double>(width) / height)
@@ -71,7 +71,7 @@ const char* name_of(Outcome outcome) {
 Outcome outcome_of(const PixelTrace& trace) {
   const auto any = [&](CellFate fate) {
     return std::any_of(trace.cells.begin(), trace.cells.end(),
-                       [fate](const PixelTraceCell& cell) { return cell.fate == fate; });
+                       [fate](const TracedCell& cell) { return cell.fate == fate; });
   };
   if (any(CellFate::by_samples)) return Outcome::by_samples;
   if (any(CellFate::saturated)) return Outcome::saturated;
@@ -81,7 +81,7 @@ Outcome outcome_of(const PixelTrace& trace) {
 
 std::size_t samples_of(const PixelTrace& trace) {
   std::size_t samples = 0;
-  for (const PixelTraceCell& cell : trace.cells) samples += cell.samples.size();
+  for (const TracedCell& cell : trace.cells) samples += cell.samples.size();
   return samples;
 }
 

@@ -216,7 +216,7 @@ Result<void> study(const std::string& source, const Settings& settings) {
     beam.method = Method::beam;
     if (const auto can = check_method(**prepared, beam); !can) return can;
     const auto camera =
-        choose_camera((*prepared)->world, settings.camera,
+        choose_camera((*prepared)->world(), settings.camera,
                       static_cast<double>(settings.size.width) / settings.size.height);
     if (!camera) return unexpected(camera.error());
     Study(settings, source + (lit ? " lit" : " unlit"), *prepared, *camera).run();

@@ -16,6 +16,7 @@
 // what became of the pixels, and by what they show.
 
 #include "app/values.h"
+#include "renderer/comparison/method.h"
 #include "renderer/settings/names.h"
 #include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
@@ -99,7 +100,7 @@ std::vector<Rung> sampling_ladder(const RenderSettings& base, Method method) {
   std::vector<Rung> ladder;
   for (const int spp : {1, 4, 16, 64, 256}) {
     Rung& rung = ladder.emplace_back();
-    rung.name = fmt::format("{} {}", name_in(method_names, method), spp);
+    rung.name = fmt::format("{} {}", row_of(method).name, spp);
     rung.settings = base;
     rung.settings.method = method;
     rung.settings.sampling.spp = spp;
@@ -158,19 +159,20 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   if (settings.matte) make_matte(*scene);
   if (!settings.key_light) return prepare(*scene);
   // The rig is made for the camera that looks.
-  const auto world = flatten(*scene);
-  if (!world) return unexpected(world.error());
-  const auto camera = choose_camera(
-      *world, settings.camera, static_cast<double>(settings.size.width) / settings.size.height);
+  const auto flattened = flatten(*scene);
+  if (!flattened) return unexpected(flattened.error());
+  const auto camera =
+      choose_camera(flattened->world, settings.camera,
+                    static_cast<double>(settings.size.width) / settings.size.height);
   if (!camera) return unexpected(camera.error());
   Camera placed = *camera;
-  placed.world_from_camera[3] += glm::dvec4(world->origin, 0.0);
+  placed.world_from_camera[3] += glm::dvec4(flattened->world.origin, 0.0);
   scene->cameras = {placed};
   const auto lit = prepare(*scene);
   if (!lit) return unexpected(lit.error());
-  for (Light light : (*lit)->world.lights) {
+  for (Light light : (*lit)->lights()) {
     if (light.type != Light::Type::rectangle) continue;
-    light.position += (*lit)->world.origin;
+    light.position += (*lit)->world().origin;
     light.own_part = -1;
     scene->lights = {light};
     return prepare(*scene);
@@ -183,7 +185,7 @@ Result<void> measure(const Settings& settings) {
   if (!scene) return unexpected(scene.error());
   Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
   const auto camera =
-      choose_camera((*scene)->world, settings.camera,
+      choose_camera((*scene)->world(), settings.camera,
                     static_cast<double>(settings.size.width) / settings.size.height);
   if (!camera) return unexpected(camera.error());
   snapshot.camera = *camera;
@@ -211,7 +213,7 @@ Result<void> measure(const Settings& settings) {
   fmt::print(
       "\n{}{}, {}x{}, shadows {}, {} triangles; reference {} samples, its noise about {:.1e}\n",
       settings.scene, settings.matte ? " made matte" : "", settings.size.width,
-      settings.size.height, settings.shadows ? "on" : "off", (*scene)->world.triangles.size(),
+      settings.size.height, settings.shadows ? "on" : "off", (*scene)->world().triangles.size(),
       settings.reference, floor);
   fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>12}{:>9}\n", "", "RMSE", "raw RMSE",
              "cpu s", "eye/pix", "shad/pix", "unres. %", "stochastic x", "sobol x");

@@ -28,8 +28,8 @@ Look look_of(const Material& m) {
 
 Look look_of(const World& world, const PixelTrace& trace) {
   Look look = Look::plain;
-  for (const PixelTraceCell& cell : trace.cells) {
-    for (const PixelTraceSample& sample : cell.samples)
+  for (const TracedCell& cell : trace.cells) {
+    for (const TracedSample& sample : cell.samples)
       if (sample.triangle != Hit::none)
         look = std::max(look, look_of(world.material_of(sample.triangle)));
   }
@@ -68,7 +68,7 @@ void print_causes(const Snapshot& snapshot, const Film& film, const Film& refere
     const PixelTrace trace = trace_of(snapshot, i);
     const double error = squared_error(film.radiance[i], reference.radiance[i], true);
     const auto outcome = static_cast<std::size_t>(outcome_of(trace));
-    const auto look = static_cast<std::size_t>(look_of(snapshot.scene->world, trace));
+    const auto look = static_cast<std::size_t>(look_of(snapshot.scene->world(), trace));
     shares[outcome][look].add(samples_of(trace), error);
     all.add(samples_of(trace), error);
   }

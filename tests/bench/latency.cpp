@@ -76,12 +76,12 @@ int measure(const Settings& settings) {
   render.threads = settings.threads;
   Previewer previewer({{}, [&bell] { bell.ring(); }}, render);
   const Clock::time_point start = Clock::now();
-  previewer.set_picture_size(settings.size.width, settings.size.height, 0.0);
-  previewer.open(settings.scene);
-  while (previewer.restarts() == 0) {
+  previewer.viewpoint().set_picture_size(settings.size.width, settings.size.height, 0.0);
+  previewer.scene().open(settings.scene);
+  while (previewer.render().restarts() == 0) {
     bell.wait();
     previewer.update(seconds_since(start));
-    if (previewer.error()) return fail(*previewer.error());
+    if (previewer.scene().error()) return fail(*previewer.scene().error());
   }
 
   std::vector<double> coarse, coarse_cpu, cancel;
@@ -92,14 +92,15 @@ int measure(const Settings& settings) {
       bell.wait();
       previewer.update(seconds_since(start));
     }
-    previewer.camera().orbit(0.01, 0.0);
+    previewer.viewpoint().camera().orbit(0.01, 0.0);
     const Clock::time_point changed = Clock::now();
     const double cpu = cpu_seconds();
-    const std::uint64_t restarts = previewer.restarts();
+    const std::uint64_t restarts = previewer.render().restarts();
     previewer.update(seconds_since(start));
-    if (previewer.restarts() == restarts) return fail({"latency", "the change had to wait"});
+    if (previewer.render().restarts() == restarts)
+      return fail({"latency", "the change had to wait"});
     cancel.push_back(seconds_since(changed));
-    while (previewer.first_picture_pending()) {
+    while (previewer.render().first_picture_pending()) {
       bell.wait();
       previewer.update(seconds_since(start));
     }

@@ -59,8 +59,8 @@ Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Setting
                      Cost& cost) {
   const auto prepared = prepare(scene, forced);
   if (!prepared) return unexpected(prepared.error());
-  cost.build.push_back((*prepared)->build_seconds);
-  cost.memory_mb = (*prepared)->memory_mb;
+  cost.build.push_back((*prepared)->geometry->build_seconds);
+  cost.memory_mb = (*prepared)->geometry->memory_mb;
   Snapshot snapshot = snapshot_of(*prepared, settings.size.width, settings.size.height);
   snapshot.settings.asos.max_level = settings.max_level;
   snapshot.settings.threads = 1;
@@ -102,8 +102,8 @@ Result<void> measure_scene(const std::string& source, const Settings& settings) 
   const auto prepared = prepare(*scene);
   if (!prepared) return unexpected(prepared.error());
   if (!settings.csv)
-    fmt::print("{}: {} triangles, {:.2f} MB\n", source, (*prepared)->world.triangles.size(),
-               (*prepared)->memory_mb);
+    fmt::print("{}: {} triangles, {:.2f} MB\n", source, (*prepared)->world().triangles.size(),
+               (*prepared)->geometry->memory_mb);
   // The first line measures nothing against nothing: what its ratios are off 1 is noise.
   std::vector<Forced> list = forced_features((*prepared)->needs);
   list.insert(list.begin(), Forced{"(nothing: noise)", {}});

@@ -24,7 +24,7 @@ float opaque_alpha(const World&, std::uint32_t, float, float) {
 
 /// A floor and spheres of about `triangles` triangles.
 World scene_of(int triangles, const Material& material = test::matte(glm::vec3(0.5f))) {
-  World world = test::still_life();
+  World world = test::still_life().world;
   int rings = 4;
   while (4 * rings * rings < triangles) ++rings;
   test::add_sphere(world, {-0.5f, 1.0f, -1.0f}, 1.0f, rings, material);

@@ -92,7 +92,7 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
   const auto prepared = prepare(*scene);
   if (!prepared) return tl::unexpected(prepared.error());
   row.build_seconds = seconds_since(started) - row.load_seconds;
-  row.triangles = (*prepared)->world.triangles.size();
+  row.triangles = (*prepared)->world().triangles.size();
 
   Snapshot snapshot = snapshot_of(*prepared, settings.width, settings.height);
   snapshot.settings.threads = settings.threads;

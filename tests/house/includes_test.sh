@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Includes run one way, app -> ui -> renderer; the renderer knows no OpenGL, GLFW or ImGui and
+# Includes run one way: app -> ui -> renderer, and inside renderer/ each folder includes itself and
+# those that renderer/CMakeLists.txt adds before it. The renderer knows no OpenGL, GLFW or ImGui and
 # prints nothing. Usage: includes_test.sh SOURCE_DIR
 set -euo pipefail
 cd -- "$1"
@@ -7,14 +8,14 @@ status=0
 
 # forbid FOLDER PATTERN REASON: no line of code (comments aside) of FOLDER may match PATTERN.
 forbid() {
-  local folder=$1 pattern=$2 reason=$3 file found
+  local folder=$1 pattern=$2 reason=$3 hit text
   [[ -d $folder ]] || return 0
-  while IFS= read -r -d '' file; do
-    found=$(sed -e 's://.*$::' -- "$file" | grep -nE -- "$pattern" || true)
-    [[ -n $found ]] || continue
+  while IFS= read -r hit; do
+    text=${hit#*:*:}
+    grep -qE -- "$pattern" <<<"${text%%//*}" || continue
     status=1
-    while IFS= read -r line; do printf '%s:%s\n    %s\n' "$file" "$line" "$reason"; done <<<"$found"
-  done < <(find "$folder" \( -name '*.h' -o -name '*.cpp' \) -print0)
+    printf '%s\n    %s\n' "$hit" "$reason"
+  done < <(grep -rnE --include='*.h' --include='*.cpp' -- "$pattern" "$folder" || true)
 }
 
 count=$(find app renderer ui tests \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | wc -l)
@@ -34,5 +35,25 @@ forbid renderer '(^|[^[:alnum:]_])(printf|fprintf|vprintf|vfprintf|puts|fputs|pu
 forbid renderer 'std::(cout|cerr|clog|print)|fmt::print|#[[:space:]]*include[[:space:]]*<iostream>' \
   'renderer/ prints nothing'
 
-((status == 0)) && printf '%d sources, all includes run app -> ui -> renderer\n' "$count"
+# Inside renderer/, by the order of its add_subdirectory lines.
+folders=$(sed -nE 's/^add_subdirectory\(([a-z_]+)\)$/\1/p' renderer/CMakeLists.txt)
+while IFS= read -r folder; do
+  grep -qx "$folder" <<<"$folders" && continue
+  status=1
+  echo "renderer/$folder is not added by renderer/CMakeLists.txt"
+done < <(find renderer -mindepth 1 -maxdepth 1 -type d -printf '%f\n')
+lower=
+for folder in $folders; do
+  lower+=${lower:+|}$folder
+  above=$(grep -vxE "$lower" <<<"$folders" | paste -sd '|' || true)
+  [[ -n $above ]] || break
+  forbid "renderer/$folder" "${include}renderer/($above)/" \
+    "renderer/CMakeLists.txt adds renderer/$folder before it"
+done
+if ((${#lower} < 100)); then
+  echo "renderer/CMakeLists.txt adds only $lower: this test looks in the wrong place"
+  exit 1
+fi
+
+((status == 0)) && printf '%d sources, all includes run app -> ui -> renderer, and one way in it\n' "$count"
 exit $status

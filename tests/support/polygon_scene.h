@@ -77,10 +77,12 @@ class BruteForceCaster : public Caster {
     return t == Hit::none ? Hit::none : features_.sheet(t);
   }
 
-  void leaf(std::uint32_t, SampleId id, double weight, const LeafRegion&) override {
-    total += weight;
-    const std::uint32_t t = samples_[id].triangle;
-    if (t != Hit::none) coverage[world_.triangle_part[t]] += weight;
+  void take(std::span<const PyrayLeaf> leaves) override {
+    for (const PyrayLeaf& leaf : leaves) {
+      total += leaf.weight;
+      const std::uint32_t t = samples_[leaf.sample].triangle;
+      if (t != Hit::none) coverage[world_.triangle_part[t]] += leaf.weight;
+    }
   }
 
   [[nodiscard]] int probes() const { return static_cast<int>(samples_.size()); }

@@ -2,7 +2,7 @@
 
 #include "renderer/lights/light_cuts.h"
 #include "renderer/shading/shade.h"
-#include "renderer/shadows/shadow_pyrays.h"
+#include "renderer/shadows/shadow.h"
 #include "renderer/world/needs.h"
 #include "tests/support/tiny_world.h"
 
@@ -15,11 +15,19 @@
 
 namespace asos::test {
 
+inline LeafContext leaf_of(const LeafRegion& region, float root_side, std::uint64_t seed) {
+  LeafContext leaf;
+  leaf.region = region;
+  leaf.root_side = root_side;
+  leaf.seed = seed;
+  return leaf;
+}
+
 /// Sees nothing: for receivers that lie on flat surfaces, or on none.
 class NoView final : public PatchView {
  public:
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
-            RenderStatistics& /*counts*/) const override {
+            RenderStatistics& /*counts*/) override {
     seen.assign(at.size(), {});
   }
 };
@@ -28,56 +36,58 @@ class NoView final : public PatchView {
 /// say of each, one pyray a receiver.
 class ShadowFixture {
  public:
-  ShadowFixture(World world, const Light& light, ShadowRules settings = {})
-      : world_(with_light(std::move(world), light)),
+  ShadowFixture(World world, const Light& light, ShadowRules rules = {})
+      : world_(std::move(world)),
+        source_(light),
         features_(world_),
-        rays_(std::move(RayScene::build(world_, alpha_at).value())),
-        settings_(settings),
-        light_(prepare_light(world_.lights.front())) {
-    settings_.see_through = find_needs(world_).varying_opacity;
-    light_.cuts = find_light_cuts(world_).front();
+        rays_(std::move(RayScene::build(world_, alpha_at, {&source_, 1}).value())),
+        rules_(rules),
+        light_(prepare_light(light)) {
+    rules_.see_through = find_needs(world_).varying_opacity;
+    light_.cuts = find_light_cuts(world_, {&light_, 1}).front();
   }
 
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] const FeatureSet& features() const { return features_; }
   [[nodiscard]] const RayScene& rays() const { return rays_; }
+  [[nodiscard]] const Light& source() const { return source_; }
   [[nodiscard]] const PreparedLight& light() const { return light_; }
   [[nodiscard]] const RenderStatistics& counts() const { return counts_; }
 
-  /// The share of the light that a receiver sees, 0 to 1, by a leaf that is a whole pixel.
-  [[nodiscard]] double lit_share(const Receiver& receiver) {
+  /// The visibility of the light from a receiver, 0 to 1, by a leaf that is a whole pixel.
+  [[nodiscard]] double visibility(const Receiver& receiver) {
     SurfacePoint point;
     point.position = glm::vec3(receiver.position);
     point.shading_normal = glm::vec3(receiver.normal);
     point.geometric_normal = glm::vec3(receiver.geometric);
     const Frame facing = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
-    return lit_share(point, facing, {{{0.0f, 0.0f, 1.0f}, {}}, 1.0f, 1}, 1);
+    return visibility(point, facing, leaf_of({{0.0f, 0.0f, 1.0f}, {}}, 1.0f, 1), 1);
   }
 
-  /// The share of a leaf of the pyray through `eye` that is lit; the leaf shows `point`.
+  /// The visibility from a leaf of the pyray through `eye`; the leaf shows `point`.
   /// `layer`: 0: the leaf's square lies on the point's plane; 1: the point is all there is.
-  [[nodiscard]] double lit_share(const SurfacePoint& point, const Frame& eye,
-                                 const ShadedLeaf& leaf, int layer = 0) {
+  [[nodiscard]] double visibility(const SurfacePoint& point, const Frame& eye,
+                                  const LeafContext& leaf, int layer = 0) {
     const ShadowScene scene{world_, features_, rays_};
     ShadowGroups groups(scene);
-    groups.reset(world_.lights.size());
-    ShadowPyrays pyrays(scene, settings_, eye, view_, groups, work_);
-    pyrays.set_leaf(leaf);
-    glm::vec3 radiance(0.0f);
-    pyrays.add({light_, 0, point, glm::vec3(1.0f), glm::vec3(1.0f), layer}, radiance, counts_);
-    return static_cast<double>(radiance.x);
+    groups.reset(1);
+    ShadowContext block;
+    block.scene = &scene;
+    block.rules = rules_;
+    block.frame = &eye;
+    block.view = &view_;
+    block.groups = &groups;
+    block.work = &work_;
+    return light_visibility(block, {light_, 0, point, glm::vec3(1.0f), glm::vec3(1.0f), layer},
+                            leaf, counts_);
   }
 
  private:
-  static World with_light(World world, const Light& light) {
-    world.lights = {light};
-    return world;
-  }
-
   World world_;
+  Light source_;
   FeatureSet features_;
   RayScene rays_;
-  ShadowRules settings_;
+  ShadowRules rules_;
   PreparedLight light_;
   NoView view_;
   ShadowWorkspace work_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/pyray/subdivide.h"
+#include "renderer/pyray/tracer.h"
 #include "tests/support/polygon.h"
 #include "tests/support/polygon_scene.h"
 
@@ -12,16 +12,15 @@
 
 namespace asos::test {
 
-/// The pyray of a square of a frame.
-struct Pyray {
-  Frame frame = unit_frame();
-  Square square{0.0f, 0.0f, 1.0f};
-};
-
 /// A pixel looked at in parallel: (u, v) across it is the world's (x, -y). Half a pixel around it
 /// belongs to the frame, so that boundaries are known as far as its cone reaches.
 inline Pyray parallel_pixel() {
   return {Frame::prism({-0.5, 0.5, 0}, {0, 0, -1}, {2, 0, 0}, {0, -2, 0}), {0.25f, 0.25f, 0.5f}};
+}
+
+/// The whole square of the unit frame.
+inline Pyray unit_pyray() {
+  return {unit_frame()};
 }
 
 struct Answer {
@@ -33,36 +32,28 @@ struct Answer {
 
 /// `features` are the world's.
 inline Answer subdivide(const World& world, const FeatureSet& features,
-                        const SubdivisionRules& rules, const Pyray& pyray = {},
-                        SubdivisionTrace* trace = nullptr) {
-  HitLists lists;
-  lists.reset(features, pyray.frame, std::ldexp(pyray.square.side, -rules.max_level));
+                        const SubdivisionRules& rules, const Pyray& pyray = unit_pyray(),
+                        TracedPyray* traced = nullptr) {
   BruteForceCaster caster(world, features, pyray.frame);
-  HitLists::List list;
-  lists.refine(Detector(pyray.frame, rules.detection).reach(pyray.square), {}, lists.root(), list);
-  Root root;
-  root.square = pyray.square;
-  root.list = list;
-  Subdivider subdivider;
-  if (trace) subdivider.trace(root.id, *trace);
+  Tracer tracer;
   Answer answer;
-  answer.outcome = subdivider.run(lists, std::span(&root, 1), rules, caster)[0];
+  answer.outcome = tracer.trace(features, pyray, rules, caster, traced).outcome;
   answer.coverage = caster.coverage;
   answer.total = caster.total;
   answer.probes = caster.probes();
   return answer;
 }
 
-inline Answer subdivide(const World& world, const SubdivisionRules& rules, const Pyray& pyray = {},
-                        SubdivisionTrace* trace = nullptr) {
-  return subdivide(world, FeatureSet(world), rules, pyray, trace);
+inline Answer subdivide(const World& world, const SubdivisionRules& rules,
+                        const Pyray& pyray = unit_pyray(), TracedPyray* traced = nullptr) {
+  return subdivide(world, FeatureSet(world), rules, pyray, traced);
 }
 
 inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = true,
                                  StoppingRule rule = StoppingRule::unresolved) {
   SubdivisionRules rules;
-  rules.max_level = max_level;
-  rules.eps = eps;
+  rules.budget.max_level = max_level;
+  rules.budget.eps = eps;
   rules.exact_leaves = exact;
   rules.rule = rule;
   return rules;

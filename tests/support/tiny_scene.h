@@ -1,30 +1,36 @@
 #pragma once
 
-#include "renderer/features/feature_set.h"
-#include "renderer/lights/light_cuts.h"
+#include "renderer/lights/lighting.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/rays/ray_scene.h"
-#include "renderer/shading/shade.h"
-#include "renderer/world/needs.h"
 #include "tests/support/tiny_world.h"
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace asos::test {
 
-/// A world with the hierarchies it needs, where it stays.
-inline std::shared_ptr<const RenderScene> make_render_scene(World world) {
-  auto scene = std::make_shared<RenderScene>();
-  scene->world = std::move(world);
-  scene->needs = find_needs(scene->world);
-  scene->index->rays = std::move(RayScene::build(scene->world, alpha_at).value());
-  scene->index->features = FeatureSet(scene->world);
-  scene->object_spheres = object_spheres(scene->world);
-  scene->light_cuts = find_light_cuts(scene->world);
-  scene->bare_lights = find_bare_lights(scene->world);
-  scene->name = "tiny";
-  return scene;
+/// A world with the hierarchies it needs, where it stays; `lights` are those of its rays.
+inline std::shared_ptr<Geometry> make_geometry(World world, const std::vector<Light>& lights = {}) {
+  auto geometry = std::make_shared<Geometry>();
+  geometry->world = std::move(world);
+  geometry->needs = find_needs(geometry->world);
+  geometry->rays = std::move(RayScene::build(geometry->world, alpha_at, lights).value());
+  geometry->features = FeatureSet(geometry->world);
+  geometry->object_spheres = object_spheres(geometry->world);
+  geometry->name = "tiny";
+  return geometry;
+}
+
+inline std::shared_ptr<const RenderScene> make_render_scene(World world,
+                                                            std::vector<Light> lights = {}) {
+  auto geometry = make_geometry(std::move(world), lights);
+  Lighting lighting = prepare_lighting(geometry->world, std::move(lights));
+  return unedited_scene(std::move(geometry), std::move(lighting));
+}
+
+inline std::shared_ptr<const RenderScene> make_render_scene(FlattenedScene scene) {
+  return make_render_scene(std::move(scene.world), std::move(scene.lights));
 }
 
 }  // namespace asos::test

@@ -144,8 +144,9 @@ inline Camera orthographic(double height) {
 }
 
 /// A floor, a sphere and a thin post under one light: edges, a shadow, smooth shading.
-inline World still_life() {
-  World world;
+inline FlattenedScene still_life() {
+  FlattenedScene scene;
+  World& world = scene.world;
   add_quad(world, {-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, matte({0.7f, 0.7f, 0.6f}));
   add_sphere(world, {0.4f, 0.8f, 0}, 0.8f, 12, matte({0.8f, 0.2f, 0.1f}));
   add_quad(world, {-1.2f, 0, 0.5f}, {0.05f, 0, 0}, {0, 2, 0}, matte({0.1f, 0.3f, 0.8f}));
@@ -153,8 +154,8 @@ inline World still_life() {
   light.type = Light::Type::directional;
   light.direction = glm::normalize(glm::dvec3(-0.4, -1.0, -0.3));
   light.intensity = 2.0f;
-  world.lights.push_back(light);
-  return world;
+  scene.lights.push_back(light);
+  return scene;
 }
 
 }  // namespace asos::test

@@ -26,13 +26,13 @@ class ComparePanelTest : public PanelsTest {
     settings().asos.max_level = 0;
     settings().asos.leaf = Leaf::point;
     EXPECT_TRUE(restarted());
-    ASSERT_NE(rig.previewer().film().radiance, frames().stored[0].film.radiance);
+    ASSERT_NE(rig.previewer().render().film().radiance, frames().stored[0].film.radiance);
   }
   template <typename Expected>
   void expect_area(const Expected& expected) {
     rig.move_to({-10.0f, -10.0f});
     rig.frame();
-    const Film& film = rig.previewer().film();
+    const Film& film = rig.previewer().render().film();
     const std::vector<glm::u8vec3> pixels = rig.pixels();
     int wrong = 0;
     for (int y = 0; y < film.height; ++y) {
@@ -43,7 +43,7 @@ class ComparePanelTest : public PanelsTest {
     EXPECT_EQ(wrong, 0);
   }
   [[nodiscard]] glm::u8vec3 now(std::size_t i) {
-    return display_bytes(rig.previewer().film().radiance[i], 0.0f);
+    return display_bytes(rig.previewer().render().film().radiance[i], 0.0f);
   }
   [[nodiscard]] glm::u8vec3 then(std::size_t i) {
     return display_bytes(frames().stored[0].film.radiance[i], 0.0f);
@@ -69,16 +69,16 @@ TEST_F(ComparePanelTest, AWipeShowsBoth) {
   store_and_change();
   rig.click("Compare/Wipe");
   rig.frame();
-  const int width = rig.previewer().film().width;
+  const int width = rig.previewer().render().film().width;
   const auto beside = [&](int line) {
     rig.move_to({-10.0f, -10.0f});
     rig.frame();
     const std::vector<glm::u8vec3> pixels = rig.pixels();
     int wrong = 0;
-    for (int y = 0; y < rig.previewer().film().height; ++y) {
+    for (int y = 0; y < rig.previewer().render().film().height; ++y) {
       for (int x = 0; x < width; ++x) {
         if (std::abs(x - line) <= 2) continue;  // the line itself
-        const std::size_t i = rig.previewer().film().index(x, y);
+        const std::size_t i = rig.previewer().render().film().index(x, y);
         wrong +=
             pixels[static_cast<std::size_t>(y * rig.size().x + x)] != (x < line ? now(i) : then(i));
       }
@@ -87,9 +87,9 @@ TEST_F(ComparePanelTest, AWipeShowsBoth) {
   };
   EXPECT_EQ(beside(static_cast<int>(std::round(0.5f * static_cast<float>(width)))), 0);
   const Controls::Placed line = rig.control("Wipe line");
-  const std::uint64_t revision = rig.previewer().camera().revision();
+  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
   rig.drag(line.centre(), {80.0f, line.centre().y});
-  EXPECT_EQ(rig.previewer().camera().revision(), revision) << "no orbit";
+  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision) << "no orbit";
   EXPECT_EQ(beside(80), 0);
   slide("Wipe", 0.3f, 0.75f);
   EXPECT_NEAR(frames().wipe, 0.75f, 0.02f);
@@ -104,7 +104,7 @@ TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
   EXPECT_NEAR(frames().scale_stops, -2.5f, 0.2f);
   int different = 0;
   expect_area([&](int, std::size_t i) {
-    const float d = difference_of(rig.previewer().film().radiance[i],
+    const float d = difference_of(rig.previewer().render().film().radiance[i],
                                   frames().stored[0].film.radiance[i], 0.0f);
     different += d > 0.0f;
     return heat_colour(d / scale);

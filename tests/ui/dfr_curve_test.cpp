@@ -72,8 +72,9 @@ TEST(MirroredBar, IsWeightedAsTheRendererWeighsBlur) {
   for (const double beyond : {-1.5, -0.7, 0.0, 0.4, 1.2}) {
     // The share of the pyray's square, `whole` wide, that lies on the bar's side of its edge.
     const auto edge = static_cast<float>(0.5 - beyond / whole);
-    const std::array<Side, 4> strip{Side{{0, 0}, {edge, 0}}, Side{{edge, 0}, {edge, 1}},
-                                    Side{{edge, 1}, {0, 1}}, Side{{0, 1}, {0, 0}}};
+    const std::array<BorderEdge, 4> strip{
+        BorderEdge{{0, 0}, {edge, 0}}, BorderEdge{{edge, 0}, {edge, 1}},
+        BorderEdge{{edge, 1}, {0, 1}}, BorderEdge{{0, 1}, {0, 0}}};
     const double expected = kernel.integral({{0, 0, 1}, strip});
     EXPECT_NEAR(mirrored_bar(dfr, 0.5, half + beyond).y, expected, 1e-5) << beyond;
   }

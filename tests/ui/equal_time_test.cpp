@@ -8,8 +8,9 @@ namespace {
 using EqualTimeTest = test::PanelsTest;
 
 TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
-  rig.previewer().open("point light");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  rig.previewer().scene().open("point light");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   ASSERT_TRUE(rig.settle());
   const UiState& state = rig.content().state();
   rig.click("section/Equal time");
@@ -25,8 +26,9 @@ TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
 }
 
 TEST_F(EqualTimeTest, ARivalCanBeStopped) {
-  rig.previewer().open("point light");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  rig.previewer().scene().open("point light");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   ASSERT_TRUE(rig.settle());
   rig.click("section/Equal time");
   rig.click("Split screen");

@@ -46,7 +46,7 @@ class EveryControlTest : public PanelsTest {
       ((text += fmt::format("{} ", values)), ...);
       return text;
     };
-    const RenderSettings& r = p.settings();
+    const RenderSettings& r = p.edits().settings();
     const DisplaySettings& d = s.display;
     switch (part) {
       case Part::settings:
@@ -59,7 +59,7 @@ class EveryControlTest : public PanelsTest {
                        r.texture.resolution, r.mirror.bounces, r.mirror.roughest,
                        static_cast<int>(r.mirror.curved), r.mirror.widest_angle_deg);
       case Part::mirrors: {
-        std::string text = numbers(p.edits().dfrs_revision, r.mirror.dfr.has_value());
+        std::string text = numbers(p.edits().state().look.dfrs_revision, r.mirror.dfr.has_value());
         for (const DfrCurve& c : r.mirror.dfr.value_or(Dfr{}).rgb)
           text += numbers(c.min, c.max, c.exponent);
         return text + numbers(r.mirror.dfr.value_or(Dfr{}).perturbation);
@@ -70,15 +70,16 @@ class EveryControlTest : public PanelsTest {
         return numbers(static_cast<int>(s.equal_time.method), s.equal_time.restarts, s.check.check,
                        s.check.alarm, s.check.mark_missed, s.check.mark_wasted);
       case Part::limits:
-        return numbers(p.paused(), static_cast<int>(p.rest()), p.limits().seconds, p.limits().rmse,
-                       p.restarts());
+        return numbers(p.refinement().paused(), static_cast<int>(p.refinement().rest()),
+                       p.refinement().limits().seconds, p.refinement().limits().rmse,
+                       p.render().restarts());
       case Part::display:
         return numbers(d.exposure_ev, d.show_split_map, d.split_dimming,
                        static_cast<int>(d.split_colours));
       case Part::lights:
-        return numbers(p.edits().lights_revision);
+        return numbers(p.edits().state().look.lights_revision);
       case Part::camera:
-        return numbers(p.camera().revision());
+        return numbers(p.viewpoint().camera().revision());
       case Part::view:
         return numbers(s.show_open, ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
                        ImGui::GetIO().WantTextInput);
@@ -95,12 +96,13 @@ class EveryControlTest : public PanelsTest {
                        s.study.reduction, rig.content().study().busy()) +
                s.study.error;
       case Part::files:
-        return numbers(p.scenes_opened(), p.loading().has_value()) + p.asked_for();
+        return numbers(p.scene().times_opened(), p.scene().loading().has_value()) +
+               p.scene().asked_for();
       case Part::save:
         return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
                        s.save.show);
       case Part::message:
-        return s.message + clipboard_ + numbers(p.error().has_value());
+        return s.message + clipboard_ + numbers(p.scene().error().has_value());
     }
     return {};
   }
@@ -134,7 +136,7 @@ class EveryControlTest : public PanelsTest {
 
   /// Back to the beginning, then into the state.
   void enter(const std::function<void()>& state) {
-    if (rig.previewer().error()) rig.previewer().dismiss_error();
+    if (rig.previewer().scene().error()) rig.previewer().scene().dismiss_error();
     rig.key(Key::escape);
     // A list that is open closes when something else is clicked: the status line.
     rig.move_to({3.0f, static_cast<float>(rig.size().y) - 3.0f});
@@ -144,11 +146,11 @@ class EveryControlTest : public PanelsTest {
     clipboard_.clear();
     rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to forget
     settings() = initial_;
-    rig.previewer().reset_lights();
-    if (rig.previewer().dfrs() != dfrs_of(rig.previewer().original_scene().world))
-      rig.previewer().reset_dfrs();
-    rig.previewer().set_paused(false);
-    rig.previewer().limits() = {};
+    rig.previewer().edits().reset_lights();
+    if (rig.previewer().edits().dfrs() != dfrs_of(rig.previewer().scene()->world()))
+      rig.previewer().edits().reset_dfrs();
+    rig.previewer().refinement().set_paused(false);
+    rig.previewer().refinement().limits() = {};
     state();
     for (int i = 0; i < 2; ++i) rig.frame();
   }
@@ -177,14 +179,14 @@ class EveryControlTest : public PanelsTest {
         used_.insert(name);
         reached_.insert(known->first);
       }
-      ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().loading(); }));
+      ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().scene().loading(); }));
     }
   }
 
   [[nodiscard]] LightChoice& lights() { return rig.content().state().lights; }
   void select_kind(LightKind kind) {
     lights().selected = 0;
-    Light& light = rig.previewer().edit_lights()[0].light;
+    Light& light = rig.previewer().edits().edit_lights()[0].light;
     light = as_kind(light, kind, SceneSize{});
     move_light(light, glm::dvec3(0, 0, 1) - light.position);
   }
@@ -198,12 +200,15 @@ class EveryControlTest : public PanelsTest {
 };
 
 TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
-  rig.previewer().open("point light");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  rig.previewer().scene().open("point light");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   UiState& s = rig.content().state();
   use_all("a pixel was clicked", [&] {
     lights().selected = 0;
-    s.picked = glm::ivec2(rig.previewer().film().width, rig.previewer().film().height) / 2;
+    s.picked =
+        glm::ivec2(rig.previewer().render().film().width, rig.previewer().render().film().height) /
+        2;
   });
   for (const auto kind :
        {LightKind::point, LightKind::sphere, LightKind::spot, LightKind::directional,
@@ -225,13 +230,14 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   for (const auto comparison :
        {Comparison::none, Comparison::wipe, Comparison::flip, Comparison::difference})
     use_all("compare", [&] {
-      s.frames.store(rig.previewer().film(), "one");
-      s.frames.store(rig.previewer().film(), "two");
+      s.frames.store(rig.previewer().render().film(), "one");
+      s.frames.store(rig.previewer().render().film(), "two");
       s.frames.comparison = comparison;
     });
   const auto open = [&](const std::string& source) {
-    rig.previewer().open(source);
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == source; }));
+    rig.previewer().scene().open(source);
+    ASSERT_TRUE(
+        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
     ASSERT_TRUE(rig.settle());
   };
   open("textured");
@@ -254,7 +260,9 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     });
   for (const int pyray : {-1, 0})
     use_all("mirrors", [&] {
-      s.picked = glm::ivec2(rig.previewer().film().width, rig.previewer().film().height) / 2;
+      s.picked = glm::ivec2(rig.previewer().render().film().width,
+                            rig.previewer().render().film().height) /
+                 2;
       s.picked_pyray = pyray;
       // What is known of the pixel comes from another thread.
       (void)rig.frames_until(
@@ -266,21 +274,21 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       s.picked_pyray = pyray;
     });
   use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
-  use_all("a material's own blur", [&] { rig.previewer().edit_dfrs()[0].emplace(); });
+  use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
   for (const char* section :
        {"section/Refinement", "section/Sky", "section/Equal time", "section/Missed splits"})
     rig.click(section);
   use_all("another rival", [&] {
     s.equal_time.method = Method::stochastic;
-    rig.previewer().limits().rmse = 0.01;
+    rig.previewer().refinement().limits().rmse = 0.01;
   });
   for (const bool paused : {false, true})
     use_all("refinement", [&] {
-      rig.previewer().set_paused(paused);
+      rig.previewer().refinement().set_paused(paused);
       s.check.check = !paused;
     });
   use_all("stopped", [&] {
-    rig.previewer().set_paused(false);
+    rig.previewer().refinement().set_paused(false);
     ASSERT_TRUE(rig.settle());
   });
   use_all("a sky of one colour",
@@ -302,8 +310,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().texture.filter = TextureFilter::point;
     settings().shadow.light_rule = LightRule::published;
     s.study.reduction = 1;
-    s.frames.store(rig.previewer().film(), "one");
-    s.frames.store(rig.previewer().film(), "two");
+    s.frames.store(rig.previewer().render().film(), "one");
+    s.frames.store(rig.previewer().render().film(), "two");
     s.frames.chosen = 0;
   });
   use_all("open dialog", [&] {
@@ -324,8 +332,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.save.what = SaveChoice::What::window;
   });
   use_all("error", [&] {
-    rig.previewer().open("missing");
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+    rig.previewer().scene().open("missing");
+    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   });
   for (const std::string& name : seen_) EXPECT_TRUE(used_.contains(name)) << name << " did nothing";
   enter([] {});

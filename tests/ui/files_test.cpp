@@ -110,12 +110,12 @@ class WatchedFileTest : public testing::Test {
  protected:
   WatchedFileTest() {
     write(path, "red");
-    rig.previewer().open(path);
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+    rig.previewer().scene().open(path);
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
     EXPECT_TRUE(rig.settle());
   }
   [[nodiscard]] bool green() {
-    return rig.previewer().scene()->world.materials[0].base_color.y > 0.5f;
+    return rig.previewer().scene()->world().materials[0].base_color.y > 0.5f;
   }
 
   test::TemporaryFolder folder;
@@ -133,11 +133,11 @@ class WatchedFileTest : public testing::Test {
 
 TEST_F(WatchedFileTest, ReloadKeepsTheView) {
   rig.drag({100, 300}, {160, 280});
-  const glm::dmat4 view = rig.previewer().camera().camera().world_from_camera;
+  const glm::dmat4 view = rig.previewer().viewpoint().camera().camera().world_from_camera;
   write(path, "green");
   rig.key(Key::r);
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
-  EXPECT_EQ(rig.previewer().camera().camera().world_from_camera, view);
+  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, view);
   write(path, "red");
   rig.click("Reload");
   ASSERT_TRUE(rig.frames_until([&] { return !green(); }));
@@ -149,12 +149,12 @@ TEST_F(WatchedFileTest, WatchingSurvivesAHalfWrittenFile) {
   rig.frame();
   EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "it has to be looked at";
   write(path, "gre");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
-  EXPECT_TRUE(rig.previewer().reload_failed());
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  EXPECT_TRUE(rig.previewer().scene().reload_failed());
   EXPECT_FALSE(green()) << "the scene from before stays";
   write(path, "green");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
-  EXPECT_FALSE(rig.previewer().error().has_value());
+  EXPECT_FALSE(rig.previewer().scene().error().has_value());
 }
 
 // A .gltf whose buffer and texture lie beside it: each of them is watched, and one that is half
@@ -184,28 +184,28 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
 
   UiRig rig({}, {400, 300});
   rig.content().state().watch = true;
-  rig.previewer().open(path);
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+  rig.previewer().scene().open(path);
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
   const auto width = [&] {
-    const Box bounds = rig.previewer().scene()->world.bounds;
+    const Box bounds = rig.previewer().scene()->world().bounds;
     return bounds.hi.x - bounds.lo.x;
   };
-  const auto red = [&] { return rig.previewer().scene()->world.images.at(0).rgba.at(0); };
+  const auto red = [&] { return rig.previewer().scene()->world().images.at(0).rgba.at(0); };
   const float narrow = width();
   EXPECT_EQ(red(), 10);
   paint(200);
   ASSERT_TRUE(rig.frames_until([&] { return red() == 200; }));
   folder.write("s.bin", triangle(-3).substr(0, 30));
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
-  EXPECT_TRUE(rig.previewer().reload_failed());
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  EXPECT_TRUE(rig.previewer().scene().reload_failed());
   EXPECT_EQ(width(), narrow) << "the scene from before stays";
   folder.write("s.bin", triangle(-3));
   ASSERT_TRUE(rig.frames_until([&] { return width() != narrow; }));
-  EXPECT_FALSE(rig.previewer().error().has_value());
+  EXPECT_FALSE(rig.previewer().scene().error().has_value());
 }
 
 TEST_F(WatchedFileTest, RecentFilesAreOffered) {
-  rig.previewer().open("missing");
+  rig.previewer().scene().open("missing");
   rig.content().state().recent = {path};
   rig.key(Key::escape);
   rig.click("Open...");

@@ -36,7 +36,7 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
 
 TEST_F(LightControlsTest, ShadowControlsRestart) {
   // The studio rig's lights have a size.
-  ASSERT_TRUE(rig.previewer().scene()->default_rig);
+  ASSERT_TRUE(rig.previewer().scene()->lighting->default_rig);
   rig.click("Quality");
   rig.frame();
   rig.click("Quality/extended-divided");
@@ -81,8 +81,9 @@ TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
   EXPECT_FALSE(shown("Quality"));
   EXPECT_TRUE(shown("Light rule/Physical"));
   settings().method = Method::asos;
-  rig.previewer().open("point light");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  rig.previewer().scene().open("point light");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   EXPECT_FALSE(shown("Quality"));
   EXPECT_TRUE(shown("Light rule/Physical"));
 }
@@ -93,21 +94,24 @@ TEST_F(LightControlsTest, TheScenePanelCountsLightsByKind) {
   };
   EXPECT_TRUE(shown("   rectangle")) << "the studio rig";
   EXPECT_FALSE(shown("   point"));
-  rig.previewer().open("point light");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "point light"; }));
+  rig.previewer().scene().open("point light");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   rig.frame();
   EXPECT_TRUE(shown("   point"));
   EXPECT_FALSE(shown("   rectangle"));
   EXPECT_FALSE(shown("   emissive"));
-  rig.previewer().open("shining");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "shining"; }));
+  rig.previewer().scene().open("shining");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "shining"; }));
   rig.frame();
   EXPECT_TRUE(shown("   emissive"));
 }
 
 TEST_F(LightControlsTest, TheStatisticsListEightLightsAndCountTheOthers) {
-  rig.previewer().open("nine lights");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "nine lights"; }));
+  rig.previewer().scene().open("nine lights");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "nine lights"; }));
   rig.frame();
   EXPECT_TRUE(rig.content().controls().all().contains("   8 point"));
   EXPECT_FALSE(rig.content().controls().all().contains("   9 point"));

@@ -20,14 +20,18 @@ class LightsPanelTest : public PanelsTest {
   }
 
   void open(const std::string& source) {
-    rig.previewer().open(source);
-    EXPECT_TRUE(rig.frames_until(
-        [&] { return rig.previewer().scene() && rig.previewer().scene()->source == source; }));
+    rig.previewer().scene().open(source);
+    EXPECT_TRUE(rig.frames_until([&] {
+      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
+    }));
     EXPECT_TRUE(rig.settle());
     (void)restarted();
   }
-  [[nodiscard]] const Light& light(std::size_t i = 0) { return rig.previewer().lights()[i].light; }
-  [[nodiscard]] const World& world() { return rig.previewer().scene()->world; }
+  [[nodiscard]] const Light& light(std::size_t i = 0) {
+    return rig.previewer().edits().lights()[i].light;
+  }
+  [[nodiscard]] const World& world() { return rig.previewer().scene()->world(); }
+  [[nodiscard]] const std::vector<Light>& lights() { return rig.previewer().scene()->lights(); }
   void drag_number(const std::string& name, float pixels) {
     const glm::vec2 from = rig.control(name).centre();
     rig.drag(from, from + glm::vec2(pixels, 0.0f));
@@ -50,15 +54,15 @@ TEST_F(LightsPanelTest, TheTypeIsSwitchedAmongAllKinds) {
   const LightKind kinds[] = {LightKind::sphere,  LightKind::spot,      LightKind::directional,
                              LightKind::linear,  LightKind::rectangle, LightKind::disk,
                              LightKind::polygon, LightKind::point};
-  const FeatureSet* features = &rig.previewer().scene()->features;
+  const FeatureSet* features = &rig.previewer().scene()->features();
   for (int i = 0; i < 8; ++i) {
     rig.click(std::string("Type/") + names[i]);
     EXPECT_EQ(kind_of(light()), kinds[i]) << names[i];
     EXPECT_TRUE(restarted()) << names[i];
-    ASSERT_EQ(world().lights.size(), 1u);
-    EXPECT_EQ(kind_of(world().lights[0]), kinds[i]) << "in the scene that is rendered";
+    ASSERT_EQ(lights().size(), 1u);
+    EXPECT_EQ(kind_of(lights()[0]), kinds[i]) << "in the scene that is rendered";
   }
-  EXPECT_EQ(features, &rig.previewer().scene()->features) << "nothing was built again";
+  EXPECT_EQ(features, &rig.previewer().scene()->features()) << "nothing was built again";
 }
 
 TEST_F(LightsPanelTest, NumbersAreDraggedAndTyped) {
@@ -82,7 +86,7 @@ TEST_F(LightsPanelTest, EveryKindHasItsSizes) {
   const auto size_of = [&](const char* type, const char* control, const char* typed) {
     rig.click(std::string("Type/") + type);
     // Rows for soft shadows come and go with the scene.
-    ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().relighting(); }));
+    ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().edits().relighting(); }));
     for (int i = 0; i < 3; ++i) rig.frame();
     type_into(control, typed);
   };
@@ -142,16 +146,16 @@ TEST_F(LightsPanelTest, ColoursAreBytes) {
 TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   rig.click("Light on/1");
   EXPECT_TRUE(restarted());
-  EXPECT_TRUE(world().lights.empty());
-  EXPECT_EQ(rig.previewer().lights().size(), 1u);
+  EXPECT_TRUE(lights().empty());
+  EXPECT_EQ(rig.previewer().edits().lights().size(), 1u);
   rig.click("Light on/1");
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(world().lights.size(), 1u);
+  EXPECT_EQ(lights().size(), 1u);
 
   rig.click("Add light");
   rig.frame();
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(world().lights.size(), 2u);
+  EXPECT_EQ(lights().size(), 2u);
   EXPECT_EQ(rig.content().state().lights.selected, 1);
   rig.click("Light/1");
   EXPECT_EQ(rig.content().state().lights.selected, 0);
@@ -160,7 +164,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   rig.click("Light/1");
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(world().lights.size(), 1u);
+  EXPECT_EQ(lights().size(), 1u);
   EXPECT_EQ(kind_of(light()), LightKind::sphere) << "the one that was added is left";
   rig.click("Reset lights");
   EXPECT_TRUE(restarted());
@@ -168,13 +172,13 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   rig.click("Light/1");
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
-  EXPECT_TRUE(world().lights.empty()) << "black, as asked for, and no rig";
+  EXPECT_TRUE(lights().empty()) << "black, as asked for, and no rig";
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("Intensity"));
   EXPECT_FALSE(rig.content().controls().all().contains("Remove light"));
   rig.click("Add light");
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(world().lights.size(), 1u);
+  EXPECT_EQ(lights().size(), 1u);
 }
 
 TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
@@ -189,7 +193,7 @@ TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
   EXPECT_FALSE(restarted()) << "a click turns nothing";
   rig.click("Face to light");
   EXPECT_TRUE(restarted());
-  ASSERT_EQ(rig.previewer().lights().size(), 2u);
+  ASSERT_EQ(rig.previewer().edits().lights().size(), 2u);
   EXPECT_EQ(light(1).type, Light::Type::polygon);
   // The triangle (-1, -0.9), (0.9, -0.8), (0.1, 1).
   EXPECT_NEAR(area_of(light(1)), 0.5 * (1.9 * 1.9 - 0.1 * 1.1), 1e-5);
@@ -203,13 +207,13 @@ TEST_F(LightsPanelTest, AMarkInThePictureMovesItsLight) {
   (void)restarted();
   const glm::dvec3 before = light().position;
   const Controls::Placed mark = rig.control("Mark/1");
-  const glm::dmat4 camera = rig.previewer().camera().camera().world_from_camera;
+  const glm::dmat4 camera = rig.previewer().viewpoint().camera().camera().world_from_camera;
   rig.drag(mark.centre(), mark.centre() + glm::vec2(40.0f, 20.0f));
-  EXPECT_EQ(rig.previewer().camera().camera().world_from_camera, camera) << "no orbit";
+  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, camera) << "no orbit";
   const glm::dvec3 moved = light().position - before;
   // The light is 1 before the eye at z = 3, whose field of view is the default's.
   const double metres_per_pixel =
-      2.0 * std::tan(0.5 * Camera{}.fov_y_rad) / rig.previewer().film().height;
+      2.0 * std::tan(0.5 * Camera{}.fov_y_rad) / rig.previewer().render().film().height;
   EXPECT_NEAR(moved.x, 40.0 * metres_per_pixel, 1e-4);
   EXPECT_NEAR(moved.y, -20.0 * metres_per_pixel, 1e-4);
   EXPECT_NEAR(moved.z, 0.0, 1e-6);

@@ -78,11 +78,12 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
                        },
                        {}},
                       settings);
-  previewer.set_picture_size(64, 48, 0.0);
+  previewer.viewpoint().set_picture_size(64, 48, 0.0);
   const auto open = [&](const std::string& source) {
-    previewer.open(source);
+    previewer.scene().open(source);
     const auto start = std::chrono::steady_clock::now();
-    while (previewer.loading() || !previewer.scene() || previewer.scene()->source != source) {
+    while (previewer.scene().loading() || !previewer.scene() ||
+           previewer.scene()->geometry->source != source) {
       previewer.update(0.0);
       if (std::chrono::steady_clock::now() - start > std::chrono::seconds(60)) return false;
       std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -92,12 +93,12 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
   // What a render holds while it works differs from one moment to the next.
   const auto rest = [&] {
     const auto start = std::chrono::steady_clock::now();
-    while (!previewer.progress().finished &&
+    while (!previewer.render().progress().finished &&
            std::chrono::steady_clock::now() - start < std::chrono::seconds(60)) {
       previewer.update(0.0);
       std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
-    return previewer.progress().finished;
+    return previewer.render().progress().finished;
   };
   const auto load = [&](int scenes) {
     for (int i = 0; i < scenes; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));

@@ -16,10 +16,10 @@ class PanelsTest : public testing::Test {
  protected:
   PanelsTest() {
     rig.set_blind(true);
-    rig.previewer().open("scene");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+    rig.previewer().scene().open("scene");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
     EXPECT_TRUE(rig.settle());
-    restarts_ = rig.previewer().restarts();
+    restarts_ = rig.previewer().render().restarts();
   }
 
   /// Drags a slider to a share of its width.
@@ -31,11 +31,11 @@ class PanelsTest : public testing::Test {
   /// Changes may wait for the picture of the render before them.
   bool restarted() {
     EXPECT_TRUE(rig.settle());
-    const bool yes = rig.previewer().restarts() > restarts_;
-    restarts_ = rig.previewer().restarts();
+    const bool yes = rig.previewer().render().restarts() > restarts_;
+    restarts_ = rig.previewer().render().restarts();
     return yes;
   }
-  RenderSettings& settings() { return rig.previewer().settings(); }
+  RenderSettings& settings() { return rig.previewer().edits().settings(); }
   DisplaySettings& display() { return rig.content().state().display; }
 
   UiRig rig{[](const std::string& source) -> Result<Scene> {

@@ -124,7 +124,7 @@ TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
 }
 
 TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {
-  const OrbitCamera& camera = rig.previewer().camera();
+  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
   const glm::dvec3 pivot = camera.pivot();
   const glm::dmat4 before = camera.camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
@@ -152,7 +152,7 @@ TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {
 }
 
 TEST_F(PanelsTest, TheRightButtonLooksAroundAndKeysFly) {
-  const OrbitCamera& camera = rig.previewer().camera();
+  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
   const glm::dvec3 eye = camera.eye();
   rig.drag({200, 500}, {260, 480}, MouseButton::right);
   EXPECT_TRUE(restarted());
@@ -174,23 +174,23 @@ TEST_F(PanelsTest, TheRightButtonLooksAroundAndKeysFly) {
 }
 
 TEST_F(PanelsTest, ADragThatBeginsOnThePanelLeavesTheCameraAlone) {
-  const std::uint64_t revision = rig.previewer().camera().revision();
+  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
   const Controls::Placed at = rig.control("Exposure");
   rig.drag(at.centre(), {100.0f, 100.0f});
-  EXPECT_EQ(rig.previewer().camera().revision(), revision);
+  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision);
 }
 
 TEST_F(PanelsTest, CamerasAreChosenFromTheList) {
-  ASSERT_EQ(rig.previewer().chosen_camera(), 0);
+  ASSERT_EQ(rig.previewer().viewpoint().chosen_camera(), 0);
   rig.click("View");
   rig.frame();
   rig.click("View/Whole scene");
-  EXPECT_EQ(rig.previewer().chosen_camera(), -1);
+  EXPECT_EQ(rig.previewer().viewpoint().chosen_camera(), -1);
   EXPECT_TRUE(restarted());
   rig.click("View");
   rig.frame();
   rig.click("View/front");
-  EXPECT_EQ(rig.previewer().chosen_camera(), 0);
+  EXPECT_EQ(rig.previewer().viewpoint().chosen_camera(), 0);
   rig.click("Frame all");
   EXPECT_TRUE(restarted());
 }
@@ -202,7 +202,8 @@ TEST_F(PanelsTest, TheOpenDialogOpensWhatIsTyped) {
   rig.type("second");
   EXPECT_EQ(rig.content().state().open_path, "second");
   rig.key(Key::enter);
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "second"; }));
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "second"; }));
   EXPECT_FALSE(rig.content().state().show_open);
 }
 
@@ -211,7 +212,8 @@ TEST_F(PanelsTest, TheOpenDialogOffersTheBuiltInScenes) {
   rig.frame();
   rig.frame();
   rig.click("Built-in/boxes");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "builtin:boxes"; }));
+  ASSERT_TRUE(rig.frames_until(
+      [&] { return rig.previewer().scene()->geometry->source == "builtin:boxes"; }));
 }
 
 TEST_F(PanelsTest, TheOpenDialogCanBeCancelled) {
@@ -223,7 +225,7 @@ TEST_F(PanelsTest, TheOpenDialogCanBeCancelled) {
     EXPECT_FALSE(rig.content().state().show_open);
     EXPECT_FALSE(rig.content().state().quit);
   }
-  EXPECT_EQ(rig.previewer().scene()->source, "scene");
+  EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
 }
 
 TEST_F(PanelsTest, LettersTypedIntoTheDialogAreNoShortcuts) {
@@ -241,10 +243,10 @@ TEST_F(PanelsTest, EscapeClosesBeforeItQuits) {
   EXPECT_TRUE(state.show_help);
   rig.key(Key::escape);
   EXPECT_FALSE(state.show_help);
-  rig.previewer().open("missing");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+  rig.previewer().scene().open("missing");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   rig.key(Key::escape);
-  EXPECT_FALSE(rig.previewer().error().has_value());
+  EXPECT_FALSE(rig.previewer().scene().error().has_value());
   EXPECT_FALSE(state.quit);
   rig.key(Key::escape);
   EXPECT_TRUE(state.quit);

@@ -15,7 +15,7 @@ class PixelPanelTest : public PanelsTest {
  protected:
   /// A pixel that the red triangle's left edge cuts, which nothing else is near.
   [[nodiscard]] glm::ivec2 cut_pixel() {
-    const Film& film = rig.previewer().film();
+    const Film& film = rig.previewer().render().film();
     // A little above the middle of a picture that shows 2.8 units from top to bottom: there the
     // edge lies well within, and the grey triangle does not yet begin.
     const int y = film.height / 2 - film.height / 28;
@@ -46,7 +46,7 @@ class PixelPanelTest : public PanelsTest {
 
 TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   const glm::ivec2 pixel = cut_pixel();
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   const glm::vec3 mean = film.radiance[film.index(pixel.x, pixel.y)];
   const glm::vec3 sky = film.radiance[film.index(pixel.x - 5, pixel.y)];
   const float covered = (mean.x - sky.x) / (1.0f - sky.x);
@@ -118,11 +118,12 @@ TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
 
 TEST_F(PixelPanelTest, PyraysOfAMirrorAreSteppedInto) {
   settings().mirror.bounces = 2;
-  rig.previewer().open("mirrors");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "mirrors"; }));
-  rig.previewer().set_paused(true);
+  rig.previewer().scene().open("mirrors");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
+  rig.previewer().refinement().set_paused(true);
   rig.frame();
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   pick({film.width / 2, film.height / 2});
   ASSERT_TRUE(rig.frames_until([&] { return rig.content().controls().all().contains("Pyray/1"); }));
   rig.click("Pyray/1");
@@ -148,12 +149,12 @@ TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
     return inspector.report() != nullptr && !inspector.busy();
   }));
   const PixelReport& report = *inspector.report();
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   EXPECT_EQ(report.trace.radiance, film.radiance[film.index(pixel.x, pixel.y)])
       << "bit for bit what the picture shows";
   double weights = 0.0;
-  for (const PixelTraceCell& cell : report.trace.cells)
-    for (const PixelTraceSample& sample : cell.samples) weights += sample.weight;
+  for (const TracedCell& cell : report.trace.cells)
+    for (const TracedSample& sample : cell.samples) weights += sample.weight;
   EXPECT_NEAR(weights, 1.0, 1e-6);
   EXPECT_FALSE(report.verdict().empty());
 }
@@ -168,7 +169,7 @@ TEST_F(PixelPanelTest, AnIdleWindowSleepsWithAPixelPicked) {
 TEST(PixelReport, TheSmallestCellIsFound) {
   PixelReport report;
   const auto add = [&](int level, glm::vec2 corner, CellFate fate) {
-    PixelTraceCell& cell = report.trace.cells.emplace_back();
+    TracedCell& cell = report.trace.cells.emplace_back();
     cell.level = level;
     cell.corner = corner;
     cell.side = std::ldexp(1.0f, -level);

@@ -54,11 +54,13 @@ class PreviewerTest : public testing::Test {
     return done();
   }
   bool opened(const std::string& source) {
-    return update_until([&] { return previewer.scene() && previewer.scene()->source == source; });
+    return update_until(
+        [&] { return previewer.scene() && previewer.scene()->geometry->source == source; });
   }
   bool finished() {
-    return update_until(
-        [&] { return previewer.progress().finished && !previewer.seconds_to_update(now); });
+    return update_until([&] {
+      return previewer.render().progress().finished && !previewer.seconds_to_update(now);
+    });
   }
 
   Loader loader;
@@ -68,159 +70,163 @@ class PreviewerTest : public testing::Test {
 };
 
 TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
-  previewer.set_picture_size(48, 32, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
   ASSERT_TRUE(finished());
   previewer.update(now);
-  ASSERT_EQ(previewer.film().width, 48);
-  ASSERT_EQ(previewer.film().height, 32);
-  EXPECT_EQ(previewer.film().radiance[previewer.film().index(24, 16)], glm::vec3(1, 0, 0));
-  EXPECT_EQ(previewer.restarts(), 1u);
+  ASSERT_EQ(previewer.render().film().width, 48);
+  ASSERT_EQ(previewer.render().film().height, 32);
+  EXPECT_EQ(previewer.render().film().radiance[previewer.render().film().index(24, 16)],
+            glm::vec3(1, 0, 0));
+  EXPECT_EQ(previewer.render().restarts(), 1u);
   EXPECT_GT(wakes, 0);
 }
 
 TEST_F(PreviewerTest, UsesTheFilesCameraAndOrbitsWhatItLooksAt) {
-  previewer.set_picture_size(48, 32, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
-  EXPECT_EQ(previewer.chosen_camera(), 0);
-  EXPECT_NEAR(previewer.camera().distance(), 3.0, 1e-6);
-  EXPECT_NEAR(glm::length(previewer.camera().pivot() + previewer.scene()->world.origin), 0.0, 1e-6);
+  EXPECT_EQ(previewer.viewpoint().chosen_camera(), 0);
+  EXPECT_NEAR(previewer.viewpoint().camera().distance(), 3.0, 1e-6);
+  EXPECT_NEAR(
+      glm::length(previewer.viewpoint().camera().pivot() + previewer.scene()->world().origin), 0.0,
+      1e-6);
 }
 
 TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
-  previewer.set_picture_size(48, 32, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
   ASSERT_TRUE(finished());
   for (int i = 0; i < 10; ++i) previewer.update(now += 1.0);
-  EXPECT_EQ(previewer.restarts(), 1u);
+  EXPECT_EQ(previewer.render().restarts(), 1u);
 
   std::uint64_t expected = 1;
   const auto restarts_after = [&](const std::function<void()>& change) {
     ASSERT_TRUE(finished());
     change();
     previewer.update(now);
-    EXPECT_EQ(previewer.restarts(), ++expected);
+    EXPECT_EQ(previewer.render().restarts(), ++expected);
   };
-  restarts_after([&] { previewer.settings().asos.eps = 0.1; });
-  restarts_after([&] { previewer.settings().asos.max_level = 4; });
-  restarts_after([&] { previewer.settings().asos.leaf = Leaf::point; });
-  restarts_after([&] { previewer.settings().asos.jitter = true; });
-  restarts_after([&] { previewer.settings().method = Method::stochastic; });
-  restarts_after([&] { previewer.camera().orbit(0.1, 0.0); });
-  restarts_after([&] { previewer.frame_all(); });
-  restarts_after([&] { previewer.choose_camera(-1); });
+  restarts_after([&] { previewer.edits().settings().asos.eps = 0.1; });
+  restarts_after([&] { previewer.edits().settings().asos.max_level = 4; });
+  restarts_after([&] { previewer.edits().settings().asos.leaf = Leaf::point; });
+  restarts_after([&] { previewer.edits().settings().asos.jitter = true; });
+  restarts_after([&] { previewer.edits().settings().method = Method::stochastic; });
+  restarts_after([&] { previewer.viewpoint().camera().orbit(0.1, 0.0); });
+  restarts_after([&] { previewer.viewpoint().frame_all(); });
+  restarts_after([&] { previewer.viewpoint().choose_camera(-1); });
 }
 
 // A drag changes the camera faster than a coarse picture takes: without the wait, only the middle
 // of the picture would ever follow.
 TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {
-  previewer.set_picture_size(800, 600, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(800, 600, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
   ASSERT_TRUE(finished());
   constexpr int changes = 300;
   int whole = 0;
   for (int i = 0; i < changes; ++i) {
-    const std::uint64_t before = previewer.restarts();
-    previewer.camera().orbit(0.01, 0.0);
+    const std::uint64_t before = previewer.render().restarts();
+    previewer.viewpoint().camera().orbit(0.01, 0.0);
     previewer.update(now);
     // Time stands still here, so that only a whole picture lets the next render begin.
-    if (previewer.restarts() > before) ++whole;
+    if (previewer.render().restarts() > before) ++whole;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_GT(whole, 1);
   EXPECT_LT(whole, changes);
   ASSERT_TRUE(finished());
-  EXPECT_FALSE(previewer.first_picture_pending());
+  EXPECT_FALSE(previewer.render().first_picture_pending());
 }
 
 TEST_F(PreviewerTest, ASlowFirstPictureHoldsChangesUpForAMomentOnly) {
-  previewer.set_picture_size(2000, 1500, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(2000, 1500, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
-  const std::uint64_t before = previewer.restarts();
-  previewer.camera().orbit(0.01, 0.0);
+  const std::uint64_t before = previewer.render().restarts();
+  previewer.viewpoint().camera().orbit(0.01, 0.0);
   previewer.update(now += 0.2);
-  EXPECT_EQ(previewer.restarts(), before + 1);
+  EXPECT_EQ(previewer.render().restarts(), before + 1);
 }
 
 TEST_F(PreviewerTest, ResizingWaitsUntilTheSizeRests) {
-  previewer.set_picture_size(48, 32, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
   for (int width = 49; width < 60; ++width) {
     now += 0.02;
-    previewer.set_picture_size(width, 32, now);
+    previewer.viewpoint().set_picture_size(width, 32, now);
     previewer.update(now);
   }
-  EXPECT_EQ(previewer.restarts(), 1u);
+  EXPECT_EQ(previewer.render().restarts(), 1u);
   ASSERT_TRUE(previewer.seconds_to_update(now).has_value());
   now += *previewer.seconds_to_update(now) + 1e-9;
-  previewer.set_picture_size(59, 32, now);
+  previewer.viewpoint().set_picture_size(59, 32, now);
   previewer.update(now);
-  EXPECT_EQ(previewer.restarts(), 2u);
-  EXPECT_EQ(previewer.film().width, 59);
+  EXPECT_EQ(previewer.render().restarts(), 2u);
+  EXPECT_EQ(previewer.render().film().width, 59);
   EXPECT_FALSE(previewer.seconds_to_update(now).has_value());
 }
 
 TEST_F(PreviewerTest, ASizeWithoutAreaChangesNothing) {
-  previewer.set_picture_size(0, 0, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(0, 0, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
-  EXPECT_EQ(previewer.restarts(), 0u);
-  previewer.set_picture_size(48, 32, now);
+  EXPECT_EQ(previewer.render().restarts(), 0u);
+  previewer.viewpoint().set_picture_size(48, 32, now);
   previewer.update(now);
-  EXPECT_EQ(previewer.restarts(), 1u);
-  previewer.set_picture_size(0, 32, now += 1.0);
+  EXPECT_EQ(previewer.render().restarts(), 1u);
+  previewer.viewpoint().set_picture_size(0, 32, now += 1.0);
   previewer.update(now += 1.0);
-  previewer.set_picture_size(48, 32, now += 1.0);
+  previewer.viewpoint().set_picture_size(48, 32, now += 1.0);
   previewer.update(now += 1.0);
-  EXPECT_EQ(previewer.restarts(), 1u);
-  EXPECT_EQ(previewer.film().width, 48);
+  EXPECT_EQ(previewer.render().restarts(), 1u);
+  EXPECT_EQ(previewer.render().film().width, 48);
 }
 
 TEST_F(PreviewerTest, TheOpenSceneStaysWhenAnotherFails) {
-  previewer.set_picture_size(48, 32, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
-  previewer.open("/no/such.glb");
-  ASSERT_TRUE(update_until([&] { return previewer.error().has_value(); }));
-  EXPECT_EQ(previewer.error()->message(), "/no/such.glb: there is no such file");
-  EXPECT_EQ(previewer.scene()->source, "red");
-  EXPECT_FALSE(previewer.loading().has_value());
+  previewer.scene().open("/no/such.glb");
+  ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
+  EXPECT_EQ(previewer.scene().error()->message(), "/no/such.glb: there is no such file");
+  EXPECT_EQ(previewer.scene()->geometry->source, "red");
+  EXPECT_FALSE(previewer.scene().loading().has_value());
   ASSERT_TRUE(finished());
 
   // The next scene takes the message away.
-  previewer.open("green");
+  previewer.scene().open("green");
   ASSERT_TRUE(opened("green"));
-  EXPECT_FALSE(previewer.error().has_value());
+  EXPECT_FALSE(previewer.scene().error().has_value());
 }
 
 TEST_F(PreviewerTest, ExceptionsOfTheLoaderAreErrors) {
-  previewer.open("huge");
-  ASSERT_TRUE(update_until([&] { return previewer.error().has_value(); }));
-  EXPECT_EQ(previewer.error()->reason, "not enough memory to load this scene");
-  previewer.open("odd");
-  ASSERT_TRUE(update_until([&] { return previewer.error().has_value(); }));
-  EXPECT_EQ(previewer.error()->message(), "odd: an odd thing");
+  previewer.scene().open("huge");
+  ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
+  EXPECT_EQ(previewer.scene().error()->reason, "not enough memory to load this scene");
+  previewer.scene().open("odd");
+  ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
+  EXPECT_EQ(previewer.scene().error()->message(), "odd: an odd thing");
 }
 
 TEST_F(PreviewerTest, ANewerSceneReplacesOneThatLoads) {
-  previewer.set_picture_size(48, 32, now);
-  previewer.open("slow");
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("slow");
   ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
-  previewer.open("green");
-  previewer.open("red");
-  ASSERT_TRUE(previewer.loading().has_value());
-  EXPECT_EQ(previewer.loading()->source, "red");
+  previewer.scene().open("green");
+  previewer.scene().open("red");
+  ASSERT_TRUE(previewer.scene().loading().has_value());
+  EXPECT_EQ(previewer.scene().loading()->source, "red");
   loader.released = true;
   std::vector<std::string> seen;
   ASSERT_TRUE(update_until([&] {
-    if (const RenderScene* scene = previewer.scene()) {
-      if (seen.empty() || seen.back() != scene->source) seen.push_back(scene->source);
+    if (const RenderScene* scene = previewer.scene().get()) {
+      if (seen.empty() || seen.back() != scene->geometry->source)
+        seen.push_back(scene->geometry->source);
     }
     return !seen.empty() && seen.back() == "red";
   }));
@@ -229,40 +235,43 @@ TEST_F(PreviewerTest, ANewerSceneReplacesOneThatLoads) {
 }
 
 TEST_F(PreviewerTest, ReplacingScenesWhileTheyRenderIsSafe) {
-  previewer.set_picture_size(160, 120, now);
+  previewer.viewpoint().set_picture_size(160, 120, now);
   for (int i = 0; i < 20; ++i) {
     const std::string source = i % 2 == 0 ? "red" : "green";
-    previewer.open(source);
+    previewer.scene().open(source);
     ASSERT_TRUE(opened(source)) << "scene " << i;
   }
   ASSERT_TRUE(finished());
   previewer.update(now);
-  EXPECT_EQ(previewer.film().radiance[previewer.film().index(80, 60)], glm::vec3(0, 1, 0));
+  EXPECT_EQ(previewer.render().film().radiance[previewer.render().film().index(80, 60)],
+            glm::vec3(0, 1, 0));
 }
 
 TEST_F(PreviewerTest, EndsWhileALoadIsWaiting) {
-  previewer.open("slow");
+  previewer.scene().open("slow");
   ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
-  previewer.open("red");
+  previewer.scene().open("red");
   loader.released = true;
 }
 
 TEST_F(PreviewerTest, ThePivotMovesToThePointThatThePictureShows) {
-  previewer.set_picture_size(90, 60, now);
-  previewer.open("red");
+  previewer.viewpoint().set_picture_size(90, 60, now);
+  previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
-  const View view(previewer.camera().camera(), 90, 60);
+  const View view(previewer.viewpoint().camera().camera(), 90, 60);
   const Ray ray = view.ray(50.0, 35.0);
-  previewer.set_pivot_at(50.0, 35.0);
-  const glm::dvec3 pivot = previewer.camera().pivot() + previewer.scene()->world.origin;
+  previewer.viewpoint().set_pivot_at(50.0, 35.0);
+  const glm::dvec3 pivot =
+      previewer.viewpoint().camera().pivot() + previewer.scene()->world().origin;
   EXPECT_NEAR(pivot.z, 0.0, 1e-5);
-  EXPECT_NEAR(glm::length(glm::cross(glm::dvec3(ray.direction),
-                                     previewer.camera().pivot() - glm::dvec3(ray.origin))),
-              0.0, 1e-5);
+  EXPECT_NEAR(
+      glm::length(glm::cross(glm::dvec3(ray.direction),
+                             previewer.viewpoint().camera().pivot() - glm::dvec3(ray.origin))),
+      0.0, 1e-5);
   // Nothing is there: the pivot stays.
-  const std::uint64_t before = previewer.camera().revision();
-  previewer.set_pivot_at(0.5, 59.5);
-  EXPECT_EQ(previewer.camera().revision(), before);
+  const std::uint64_t before = previewer.viewpoint().camera().revision();
+  previewer.viewpoint().set_pivot_at(0.5, 59.5);
+  EXPECT_EQ(previewer.viewpoint().camera().revision(), before);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class RandomUser {
       case 1:
         return open();
       case 2:
-        return rig_.previewer().reload();
+        return rig_.previewer().scene().reload();
       case 3:
         return add(WheelTurned{{0.0f, below(2) == 0 ? 1.0f : -1.0f}});
       case 4:
@@ -86,7 +86,7 @@ class RandomUser {
   void open() {
     constexpr const char* sources[] = {"plain", "slow lit", "grating", "bad",      "slow grating",
                                        "lit",   "empty",    "throws",  "gone.png", "slow bad"};
-    rig_.previewer().open(sources[below(10)]);
+    rig_.previewer().scene().open(sources[below(10)]);
   }
   void press_key() {
     const Key key = static_cast<Key>(1 + below(static_cast<unsigned>(Key::count) - 1));
@@ -120,7 +120,7 @@ TEST(RandomActions, AThousandLeaveAWorkingWindow) {
     SCOPED_TRACE(seed);
     UiRig rig(load_some, {360, 240});
     // Saved pictures go nowhere else, whatever is typed; and no study runs for minutes.
-    const RenderSettings before = rig.previewer().settings();
+    const RenderSettings before = rig.previewer().edits().settings();
     RandomUser user(rig, seed);
     for (int i = 0; i < actions; ++i) {
       user.act();
@@ -135,25 +135,26 @@ TEST(RandomActions, AThousandLeaveAWorkingWindow) {
     for (int key = 1; key < static_cast<int>(Key::count); ++key)
       rig.content().input().add(KeyChanged{static_cast<Key>(key), false});
     rig.resize({360, 240});
-    rig.previewer().settings() = before;
-    rig.previewer().open("lit");
+    rig.previewer().edits().settings() = before;
+    rig.previewer().scene().open("lit");
     ASSERT_TRUE(rig.frames_until([&] {
-      return rig.previewer().scene() && rig.previewer().scene()->source == "lit" &&
-             !rig.previewer().loading();
+      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == "lit" &&
+             !rig.previewer().scene().loading();
     }));
-    rig.previewer().settings() = before;
+    rig.previewer().edits().settings() = before;
     // What was typed last may have been the pause.
     ASSERT_TRUE(rig.frames_until([&] { return rig.content().input().empty(); }));
     rig.frame();
-    rig.previewer().limits() = {};
-    rig.previewer().set_paused(false);
-    rig.previewer().start_again();
+    rig.previewer().refinement().limits() = {};
+    rig.previewer().refinement().set_paused(false);
+    rig.previewer().render().start_again();
     rig.content().state() = UiState{};
     ASSERT_TRUE(rig.frames_until([&] {
-      return rig.content().input().empty() && rig.previewer().progress().finished;
-    })) << rig.previewer().progress().fraction
-        << " of the picture, resting for reason " << static_cast<int>(rig.previewer().rest());
-    const Film& film = rig.previewer().film();
+      return rig.content().input().empty() && rig.previewer().render().progress().finished;
+    })) << rig.previewer().render().progress().fraction
+        << " of the picture, resting for reason "
+        << static_cast<int>(rig.previewer().refinement().rest());
+    const Film& film = rig.previewer().render().film();
     ASSERT_GT(film.width, 0);
     for (std::size_t i = 0; i < film.radiance.size(); ++i) {
       const glm::vec3 c = film.radiance[i];

@@ -15,53 +15,54 @@ class RefinementTest : public PanelsTest {
     rig.frame();
   }
   [[nodiscard]] bool rests(Rest rest) {
-    return rig.frames_until([&] { return rig.previewer().rest() == rest; }) &&
-           rig.frames_until([&] { return !rig.previewer().first_picture_pending(); });
+    return rig.frames_until([&] { return rig.previewer().refinement().rest() == rest; }) &&
+           rig.frames_until([&] { return !rig.previewer().render().first_picture_pending(); });
   }
   [[nodiscard]] bool finished() {
     return rig.frames_until([&] {
-      return rig.previewer().progress().finished && rig.previewer().rest() == Rest::none;
+      return rig.previewer().render().progress().finished &&
+             rig.previewer().refinement().rest() == Rest::none;
     });
   }
 };
 
 TEST_F(RefinementTest, SpacePausesAndGoesOn) {
   rig.key(Key::space);
-  ASSERT_TRUE(rig.previewer().paused());
+  ASSERT_TRUE(rig.previewer().refinement().paused());
   display().exposure_ev = 1.0f;
   rig.frame();
   EXPECT_FALSE(restarted()) << "pausing and display changes restart nothing";
   change();
   ASSERT_TRUE(rests(Rest::paused));
-  EXPECT_FALSE(rig.previewer().progress().finished);
-  const double seconds = rig.previewer().progress().seconds;
+  EXPECT_FALSE(rig.previewer().render().progress().finished);
+  const double seconds = rig.previewer().render().progress().seconds;
   for (int i = 0; i < 60; ++i) rig.frame();
-  EXPECT_EQ(rig.previewer().progress().seconds, seconds);
+  EXPECT_EQ(rig.previewer().render().progress().seconds, seconds);
   EXPECT_FALSE(rig.content().seconds_to_redraw().has_value()) << "a paused window sleeps";
-  const std::uint64_t restarts = rig.previewer().restarts();
+  const std::uint64_t restarts = rig.previewer().render().restarts();
   rig.key(Key::space);
   EXPECT_TRUE(finished());
-  EXPECT_EQ(rig.previewer().restarts(), restarts) << "it goes on from where it was";
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts) << "it goes on from where it was";
 }
 
 TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
-  rig.previewer().limits().seconds = 1e-6;
+  rig.previewer().refinement().limits().seconds = 1e-6;
   change();
   ASSERT_TRUE(rests(Rest::time));
-  EXPECT_LT(rig.previewer().progress().fraction, 1.0);
+  EXPECT_LT(rig.previewer().render().progress().fraction, 1.0);
   EXPECT_FALSE(rig.previewer().seconds_to_update(0.0).has_value());
-  rig.previewer().limits().seconds = 1000.0;
+  rig.previewer().refinement().limits().seconds = 1000.0;
   EXPECT_TRUE(finished());
 }
 
 TEST_F(RefinementTest, AQualityIsEnough) {
-  EXPECT_TRUE(rig.previewer().estimated_rmse().has_value());
-  EXPECT_EQ(*rig.previewer().estimated_rmse(), 0.0) << "it is finished";
-  rig.previewer().limits().rmse = 1.0;
+  EXPECT_TRUE(rig.previewer().render().estimated_rmse().has_value());
+  EXPECT_EQ(*rig.previewer().render().estimated_rmse(), 0.0) << "it is finished";
+  rig.previewer().refinement().limits().rmse = 1.0;
   change();
   ASSERT_TRUE(rests(Rest::quality));
-  EXPECT_LE(*rig.previewer().estimated_rmse(), 1.0);
-  rig.previewer().limits().rmse = 0.0;
+  EXPECT_LE(*rig.previewer().render().estimated_rmse(), 1.0);
+  rig.previewer().refinement().limits().rmse = 0.0;
   EXPECT_TRUE(finished());
 }
 
@@ -69,16 +70,16 @@ TEST_F(RefinementTest, StopEndsARenderAndAnotherBegins) {
   rig.click("section/Refinement");
   rig.frame();
   rig.click("Pause");
-  EXPECT_TRUE(rig.previewer().paused());
+  EXPECT_TRUE(rig.previewer().refinement().paused());
   change();
   ASSERT_TRUE(rests(Rest::paused));
   rig.frame();
   rig.click("Stop");
-  EXPECT_EQ(rig.previewer().rest(), Rest::stopped);
-  EXPECT_FALSE(rig.previewer().progress().paused);
+  EXPECT_EQ(rig.previewer().refinement().rest(), Rest::stopped);
+  EXPECT_FALSE(rig.previewer().render().progress().paused);
   rig.click("Resume");
   rig.frame();
-  EXPECT_FALSE(rig.previewer().progress().finished) << "it has ended";
+  EXPECT_FALSE(rig.previewer().render().progress().finished) << "it has ended";
   rig.click("Render again");
   EXPECT_TRUE(finished());
 }
@@ -96,7 +97,7 @@ TEST_F(RefinementTest, LimitsAreTypedAndStaySound) {
     rig.chord(Key::ctrl, Key::a);
     rig.type(typed);
     rig.key(Key::enter);
-    EXPECT_EQ(rig.previewer().limits().seconds, expected) << typed;
+    EXPECT_EQ(rig.previewer().refinement().limits().seconds, expected) << typed;
   }
   EXPECT_FALSE(restarted());
 }

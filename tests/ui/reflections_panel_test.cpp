@@ -17,18 +17,21 @@ using test::PanelsTest;
 class ReflectionsPanelTest : public PanelsTest {
  protected:
   ReflectionsPanelTest() {
-    rig.previewer().open("mirrors");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == "mirrors"; }));
-    rig.previewer().set_paused(true);  // coarse pictures are enough
+    rig.previewer().scene().open("mirrors");
+    EXPECT_TRUE(
+        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
+    rig.previewer().refinement().set_paused(true);  // coarse pictures are enough
     rig.frame();
     (void)begun();
   }
   /// Whether a render has begun since the last call.
   bool begun() {
     EXPECT_TRUE(rig.frames_until([&] {
-      return !rig.previewer().seconds_to_update(0.0) && !rig.previewer().first_picture_pending();
+      return !rig.previewer().seconds_to_update(0.0) &&
+             !rig.previewer().render().first_picture_pending();
     }));
-    return rig.previewer().restarts() > std::exchange(restarts_seen_, rig.previewer().restarts());
+    return rig.previewer().render().restarts() >
+           std::exchange(restarts_seen_, rig.previewer().render().restarts());
   }
   [[nodiscard]] bool shows(const std::string& name) {
     return rig.content().controls().all().contains(name);
@@ -38,10 +41,10 @@ class ReflectionsPanelTest : public PanelsTest {
   }
   /// Until what was edited is in the scene.
   [[nodiscard]] bool reached_scene() {
-    return rig.frames_until([&] { return !rig.previewer().relighting(); });
+    return rig.frames_until([&] { return !rig.previewer().edits().relighting(); });
   }
-  [[nodiscard]] const Material& material(std::size_t i) {
-    return rig.previewer().scene()->world.materials[i];
+  [[nodiscard]] const std::optional<Dfr>& dfr(std::size_t i) {
+    return rig.previewer().scene()->dfrs()[i];
   }
 
  private:
@@ -150,82 +153,83 @@ TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
 }
 
 TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
-  const std::uint64_t opened = rig.previewer().scenes_opened();
-  const SceneIndex* index = rig.previewer().scene()->index.get();
-  ASSERT_FALSE(material(0).dfr.has_value());
+  const std::uint64_t opened = rig.previewer().scene().times_opened();
+  const Geometry* geometry = rig.previewer().scene()->geometry.get();
+  ASSERT_FALSE(dfr(0).has_value());
   rig.click("Own DFR");
   ASSERT_TRUE(reached_scene());
-  ASSERT_TRUE(material(0).dfr.has_value());
-  EXPECT_FALSE(material(1).dfr.has_value()) << "another material";
-  EXPECT_TRUE(material(2).dfr.has_value()) << "looks like the first: edited with it";
+  ASSERT_TRUE(dfr(0).has_value());
+  EXPECT_FALSE(dfr(1).has_value()) << "another material";
+  EXPECT_TRUE(dfr(2).has_value()) << "looks like the first: edited with it";
   EXPECT_TRUE(begun());
   rest();
-  const double before = material(0).dfr->rgb[0].min;
+  const double before = dfr(0)->rgb[0].min;
   const glm::vec2 at = rig.control("DFRMIN point").centre();
   rig.drag(at, at - glm::vec2(0.0f, 60.0f));
   ASSERT_TRUE(reached_scene());
-  EXPECT_GT(material(0).dfr->rgb[0].min, before);
-  EXPECT_EQ(rig.previewer().scenes_opened(), opened);
-  EXPECT_EQ(rig.previewer().scene()->index.get(), index) << "nothing is built again";
+  EXPECT_GT(dfr(0)->rgb[0].min, before);
+  EXPECT_EQ(rig.previewer().scene().times_opened(), opened);
+  EXPECT_EQ(rig.previewer().scene()->geometry.get(), geometry) << "nothing is built again";
   rest();
   rig.chord(Key::ctrl, Key::z);
   ASSERT_TRUE(reached_scene());
-  EXPECT_EQ(material(0).dfr->rgb[0].min, before);
+  EXPECT_EQ(dfr(0)->rgb[0].min, before);
   rig.click("Reset reflections");
   ASSERT_TRUE(reached_scene());
-  EXPECT_FALSE(material(0).dfr.has_value());
+  EXPECT_FALSE(dfr(0).has_value());
 }
 
 TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
   rig.click("Own DFR");
   ASSERT_TRUE(reached_scene());
-  const MaterialDfrs edited = rig.previewer().dfrs();
+  const MaterialDfrs edited = rig.previewer().edits().dfrs();
   const test::TemporaryFolder folder;
   const std::string file = folder.file("shot.png");
-  PictureDescription said = rig.previewer().description({});
+  PictureDescription said = rig.previewer().render().description({});
   said.scene = "mirrors";  // which is no path
   ASSERT_TRUE(
       write_png(file, {1, 1, {0, 0, 0}, {{PictureDescription::key, description_text(said)}}}));
   rig.click("Reset reflections");
   ASSERT_TRUE(reached_scene());
-  ASSERT_NE(rig.previewer().dfrs(), edited);
-  const std::uint64_t opened = rig.previewer().scenes_opened();
-  rig.previewer().open(file);
-  ASSERT_TRUE(rig.frames_until(
-      [&] { return rig.previewer().scenes_opened() > opened || rig.previewer().error(); }));
-  ASSERT_FALSE(rig.previewer().error()) << rig.previewer().error()->message();
-  EXPECT_EQ(rig.previewer().dfrs(), edited);
-  EXPECT_EQ(dfrs_of(rig.previewer().scene()->world), edited);
+  ASSERT_NE(rig.previewer().edits().dfrs(), edited);
+  const std::uint64_t opened = rig.previewer().scene().times_opened();
+  rig.previewer().scene().open(file);
+  ASSERT_TRUE(rig.frames_until([&] {
+    return rig.previewer().scene().times_opened() > opened || rig.previewer().scene().error();
+  }));
+  ASSERT_FALSE(rig.previewer().scene().error()) << rig.previewer().scene().error()->message();
+  EXPECT_EQ(rig.previewer().edits().dfrs(), edited);
+  EXPECT_EQ(rig.previewer().scene()->dfrs(), edited);
   for (int i = 0; i < 3; ++i) rig.frame();  // the panel is that of the scene
   rig.click("Reset reflections");
-  EXPECT_NE(rig.previewer().dfrs(), edited);
+  EXPECT_NE(rig.previewer().edits().dfrs(), edited);
   ASSERT_TRUE(reached_scene());
-  EXPECT_FALSE(material(0).dfr.has_value()) << "what the scene's own file says";
+  EXPECT_FALSE(dfr(0).has_value()) << "what the scene's own file says";
 }
 
 TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {
   Light light;
   light.position = {0, 1, 2};
-  rig.previewer().edit_lights().push_back(EditedLight::of(light));
-  rig.previewer().edit_dfrs()[1] = Dfr{};
+  rig.previewer().edits().edit_lights().push_back(EditedLight::of(light));
+  rig.previewer().edits().edit_dfrs()[1] = Dfr{};
   ASSERT_TRUE(reached_scene());
-  const std::size_t lights = rig.previewer().lights().size();
-  EXPECT_EQ(rig.previewer().scene()->world.lights.size(), lights);
-  EXPECT_TRUE(material(1).dfr.has_value());
-  rig.previewer().edit_dfrs()[1].reset();
+  const std::size_t lights = rig.previewer().edits().lights().size();
+  EXPECT_EQ(rig.previewer().scene()->lights().size(), lights);
+  EXPECT_TRUE(dfr(1).has_value());
+  rig.previewer().edits().edit_dfrs()[1].reset();
   ASSERT_TRUE(reached_scene());
-  EXPECT_EQ(rig.previewer().scene()->world.lights.size(), lights);
-  EXPECT_FALSE(material(1).dfr.has_value());
-  rig.previewer().edit_dfrs()[1] = Dfr{{DfrCurve{2.0, 1.0, 1.0}, {}, {}}, 0.0};
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
-  EXPECT_FALSE(material(1).dfr.has_value()) << "what is out of range is refused";
+  EXPECT_EQ(rig.previewer().scene()->lights().size(), lights);
+  EXPECT_FALSE(dfr(1).has_value());
+  rig.previewer().edits().edit_dfrs()[1] = Dfr{{DfrCurve{2.0, 1.0, 1.0}, {}, {}}, 0.0};
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  EXPECT_FALSE(dfr(1).has_value()) << "what is out of range is refused";
 }
 
 TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
   rig.click("Own DFR");
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(shows("Picked pixel"));
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   rig.content().state().picked = glm::ivec2(film.width / 2, film.height / 2);
   rig.frame();
   rig.frame();

@@ -42,7 +42,7 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
     rig.click("Save");
     ASSERT_TRUE(saved(exr ? "scene-001.exr" : "scene-002.png")) << rig.content().state().message;
   }
-  Snapshot snapshot = rig.previewer().rendered_snapshot();
+  Snapshot snapshot = rig.previewer().render().snapshot();
   snapshot.settings.width = 321;
   snapshot.settings.height = 203;
   const Film whole = render_to_end(snapshot).film;
@@ -131,17 +131,17 @@ TEST_F(SaveTest, SavedPicturesCanBeOpened) {
   ASSERT_TRUE(saved("scene-001.png"));
   display().exposure_ev = 0.0f;
   settings().asos.eps = 0.5;
-  rig.previewer().open(folder.file("scene-001.png"));
+  rig.previewer().scene().open(folder.file("scene-001.png"));
   ASSERT_TRUE(rig.frames_until([&] { return settings().asos.eps == 0.25; }));
   rig.frame();
   EXPECT_EQ(display().exposure_ev, 1.5f);
 
   const RgbImage plain{1, 1, {1, 2, 3}, {}};
   ASSERT_TRUE(write_png(folder.file("plain.png"), plain));
-  rig.previewer().open(folder.file("plain.png"));
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
-  EXPECT_EQ(rig.previewer().error()->subject, folder.file("plain.png"));
-  EXPECT_NE(rig.previewer().error()->reason.find("holds no settings"), std::string::npos);
+  rig.previewer().scene().open(folder.file("plain.png"));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  EXPECT_EQ(rig.previewer().scene().error()->subject, folder.file("plain.png"));
+  EXPECT_NE(rig.previewer().scene().error()->reason.find("holds no settings"), std::string::npos);
   EXPECT_EQ(settings().asos.eps, 0.25) << "the scene and its settings stay";
 }
 

@@ -57,8 +57,8 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   test::UiRig rig([](const std::string& source) -> Result<Scene> {
     return test::two_triangles({0.8f, 0.1f, 0.1f}, source);
   });
-  rig.previewer().open("builtin:seen");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+  rig.previewer().scene().open("builtin:seen");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
   ASSERT_TRUE(rig.settle());
 
   rig.key(Key::p);
@@ -66,7 +66,7 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   EXPECT_EQ(rig.content().state().message, "Saved " + path);
   const Result<RgbImage> plain = read_png(path);
   ASSERT_TRUE(plain) << plain.error().message();
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   ASSERT_EQ(plain->width, film.width);
   ASSERT_EQ(plain->height, film.height);
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
@@ -80,7 +80,8 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   ASSERT_TRUE(overlaid) << overlaid.error().message();
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const glm::u8vec3 got(overlaid->rgb[3 * i], overlaid->rgb[3 * i + 1], overlaid->rgb[3 * i + 2]);
-    ASSERT_EQ(got, split_colour(film.split_level[i], rig.previewer().settings().asos.max_level))
+    ASSERT_EQ(got,
+              split_colour(film.split_level[i], rig.previewer().edits().settings().asos.max_level))
         << "pixel " << i;
   }
 

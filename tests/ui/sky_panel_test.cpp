@@ -25,7 +25,7 @@ class SkyPanelTest : public PanelsTest {
     for (int i = 0; i < 8; ++i) file.write("\x80\x40\x20\x81", 4);
   }
   [[nodiscard]] glm::vec3 corner() {
-    const Film& film = rig.previewer().film();
+    const Film& film = rig.previewer().render().film();
     return film.radiance[film.index(2, film.height - 3)];
   }
 };

@@ -52,8 +52,8 @@ class SplitCheckTest : public PanelsTest {
   }
   [[nodiscard]] UiState& state() { return rig.content().state(); }
   [[nodiscard]] Snapshot snapshot() {
-    return {rig.previewer().shared_scene(), rig.previewer().camera().camera(),
-            rig.previewer().rendered_settings(), false};
+    return {rig.previewer().scene().shared(), rig.previewer().viewpoint().camera().camera(),
+            rig.previewer().render().settings(), false};
   }
 };
 
@@ -78,7 +78,7 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   EXPECT_GT(check.findings()->missed_pixels, 50u) << "the triangles' edges";
   for (const PixelRun& run : check.findings()->missed) {
     EXPECT_GE(run.x, 0);
-    EXPECT_LE(run.x + run.count, rig.previewer().film().width);
+    EXPECT_LE(run.x + run.count, rig.previewer().render().film().width);
   }
   check.update(rig.previewer(), false, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr);
@@ -110,7 +110,7 @@ TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
 
 TEST_F(SplitCheckTest, AForecastComesNearToWhatIsRendered) {
   const Forecast told = forecast(snapshot(), 10.0);
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   double split = 0.0;
   for (std::size_t i = 0; i < film.radiance.size(); ++i)
     split += film.split_level[i] > 0 || film.cause[i] != SplitCause::none;
@@ -138,7 +138,7 @@ TEST_F(SplitCheckTest, ARivalGetsTheTimeItIsGiven) {
   const auto never = [] { return false; };
   const auto frame = render_in_time(snapshot(), Method::stochastic, 0.05, never);
   ASSERT_TRUE(frame.has_value());
-  EXPECT_EQ(frame->film.width, rig.previewer().film().width);
+  EXPECT_EQ(frame->film.width, rig.previewer().render().film().width);
   EXPECT_NE(frame->summary.find("stochastic"), std::string::npos);
   EXPECT_GT(processor_seconds(frame->film), 0.0);
   EXPECT_FALSE(render_in_time(snapshot(), Method::sobol, 0.05, [] { return true; }).has_value());

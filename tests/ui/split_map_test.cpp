@@ -57,8 +57,8 @@ Result<Scene> kinked_wall(const std::string& source) {
 class SplitMapTest : public testing::Test {
  protected:
   SplitMapTest() {
-    rig.previewer().open("wall");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene() != nullptr; }));
+    rig.previewer().scene().open("wall");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
     EXPECT_TRUE(rig.settle());
   }
 
@@ -72,7 +72,7 @@ class SplitMapTest : public testing::Test {
   }
   /// The picture's pixel that shows a point of the world.
   [[nodiscard]] glm::ivec2 pixel_of(double x, double y) {
-    const Film& film = rig.previewer().film();
+    const Film& film = rig.previewer().render().film();
     const double scale = film.height / view_height;
     return {static_cast<int>(std::floor(0.5 * film.width + x * scale)),
             static_cast<int>(std::floor(0.5 * film.height - y * scale))};
@@ -92,20 +92,20 @@ TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
                                  {card_left - 1.0, SplitCause::shadow},
                                  {card_left - 0.5, SplitCause::none}}) {
     const glm::ivec2 at = pixel_of(x, 0.13);
-    const Film& film = rig.previewer().film();
+    const Film& film = rig.previewer().render().film();
     EXPECT_EQ(film.cause[film.index(at.x, at.y)], cause) << x;
     EXPECT_EQ(shown(at), split_cause_colour(cause)) << x;
   }
   // The hard shadow's edge cuts pixels that by their level are not split.
   const glm::ivec2 shadow = pixel_of(card_left - 1.0, 0.13);
   show(SplitMapColours::level);
-  EXPECT_EQ(shown(shadow), split_colour(0, rig.previewer().settings().asos.max_level));
+  EXPECT_EQ(shown(shadow), split_colour(0, rig.previewer().edits().settings().asos.max_level));
   EXPECT_NE(shown(pixel_of(card_right, 0.13)), glm::u8vec3(0));
 }
 
 TEST_F(SplitMapTest, EveryPixelHasItsCausesColour) {
   show(SplitMapColours::cause);
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
@@ -117,7 +117,7 @@ TEST_F(SplitMapTest, EveryPixelHasItsCausesColour) {
 }
 
 TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
-  const std::uint64_t restarts = rig.previewer().restarts();
+  const std::uint64_t restarts = rig.previewer().render().restarts();
   const glm::ivec2 kink = pixel_of(kink_x, 0.13);
   display().split_dimming = 1.0f;
   rig.key(Key::m);
@@ -127,8 +127,8 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
   for (const auto cost : {SplitMapColours::rays, SplitMapColours::time}) {
     rig.key(Key::c);
     EXPECT_EQ(display().split_colours, cost);
-    const Film& film = rig.previewer().film();
-    const SplitMapKey key{cost, rig.previewer().settings().asos.max_level};
+    const Film& film = rig.previewer().render().film();
+    const SplitMapKey key{cost, rig.previewer().edits().settings().asos.max_level};
     EXPECT_EQ(shown(kink), key.colour(key.value(film, film.index(kink.x, kink.y))));
   }
   rig.key(Key::c);
@@ -138,7 +138,7 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
   EXPECT_EQ(shown(kink), split_cause_colour(SplitCause::crease));
   rig.click("Colours/Level");
   EXPECT_EQ(shown(kink), by_level);
-  EXPECT_EQ(rig.previewer().restarts(), restarts);
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
 TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {

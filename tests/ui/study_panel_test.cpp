@@ -31,7 +31,7 @@ class ViewStudyTest : public testing::Test {
  protected:
   ViewStudyTest() {
     subject.scene = prepare(test::grating()).value();
-    subject.camera = subject.scene->world.cameras.front();
+    subject.camera = subject.scene->world().cameras.front();
     subject.plan.scenes = {"grating"};
     subject.plan.methods = {"asos", "average", "stochastic"};
     subject.plan.width = 16;
@@ -200,8 +200,9 @@ class StudyPanelTest : public PanelsTest {
     rig.click("Size/Quarter");
   }
   void open(const std::string& source) {
-    rig.previewer().open(source);
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene()->source == source; }));
+    rig.previewer().scene().open(source);
+    ASSERT_TRUE(
+        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
     rig.frame();
   }
   [[nodiscard]] ViewStudy::State state() { return rig.content().study().state(); }
@@ -222,8 +223,8 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   EXPECT_EQ(found.phase, ViewStudy::Phase::finished);
   ASSERT_EQ(found.study.points.size(), 10u + 1u);
   const RenderSettings& settings = found.study.points[0].rung.settings;
-  EXPECT_EQ(settings.width, rig.previewer().rendered_settings().width / 4);
-  EXPECT_EQ(settings.height, rig.previewer().rendered_settings().height / 4);
+  EXPECT_EQ(settings.width, rig.previewer().render().settings().width / 4);
+  EXPECT_EQ(settings.height, rig.previewer().render().settings().height / 4);
   // ASOS may be exact at all of its settings here, below the floor: nothing is compared then.
   EXPECT_EQ(shown("Slower/average"), !found.study.equal_error.empty());
 
@@ -273,9 +274,9 @@ TEST_F(StudyPanelTest, TheCameraMovesWhileAStudyRuns) {
   rig.content().state().study.repetitions = 9;
   rig.click("Size/Whole");
   rig.click("Start study");
-  const glm::dmat4 before = rig.previewer().camera().camera().world_from_camera;
+  const glm::dmat4 before = rig.previewer().viewpoint().camera().camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
-  EXPECT_NE(rig.previewer().camera().camera().world_from_camera, before);
+  EXPECT_NE(rig.previewer().viewpoint().camera().camera().world_from_camera, before);
   EXPECT_TRUE(rig.settle()) << "the window renders to the end";
   EXPECT_TRUE(rig.content().study().busy());
 }

@@ -61,8 +61,8 @@ bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds
 
 bool UiRig::settle() {
   const bool finished = frames_until([this] {
-    return content_->input().empty() && !previewer_->loading() && previewer_->progress().finished &&
-           !previewer_->seconds_to_update(now_seconds_);
+    return content_->input().empty() && !previewer_->scene().loading() &&
+           previewer_->render().progress().finished && !previewer_->seconds_to_update(now_seconds_);
   });
   for (int i = 0; i < 3; ++i) frame();
   return finished;

@@ -27,9 +27,10 @@ Result<Scene> load(const std::string& source) {
 class WindowContentTest : public testing::Test {
  protected:
   void open(const std::string& source) {
-    rig.previewer().open(source);
-    ASSERT_TRUE(rig.frames_until(
-        [&] { return rig.previewer().scene() && rig.previewer().scene()->source == source; }));
+    rig.previewer().scene().open(source);
+    ASSERT_TRUE(rig.frames_until([&] {
+      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
+    }));
     ASSERT_TRUE(rig.settle());
   }
 
@@ -37,7 +38,7 @@ class WindowContentTest : public testing::Test {
   template <typename Expected>
   void expect_area(const Expected& expected) {
     const PixelRect area = rig.content().picture_rect();
-    const Film& film = rig.previewer().film();
+    const Film& film = rig.previewer().render().film();
     ASSERT_EQ(film.width, area.width);
     ASSERT_EQ(film.height, area.height);
     const std::vector<glm::u8vec3> pixels = rig.pixels();
@@ -67,30 +68,30 @@ TEST_F(WindowContentTest, ShowsTheFilmPixelForPixel) {
 
 TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
   open("red");
-  const std::uint64_t restarts = rig.previewer().restarts();
+  const std::uint64_t restarts = rig.previewer().render().restarts();
   const std::vector<glm::u8vec3> before = rig.pixels();
   rig.content().state().display.exposure_ev = -1.5f;
   rig.frame();
   EXPECT_NE(rig.pixels(), before);
   expect_area(
       [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], -1.5f); });
-  EXPECT_EQ(rig.previewer().restarts(), restarts);
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
 TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
   open("red");
-  const std::uint64_t restarts = rig.previewer().restarts();
+  const std::uint64_t restarts = rig.previewer().render().restarts();
   rig.content().state().display.show_split_map = true;
   rig.content().state().display.split_dimming = 1.0f;
   rig.frame();
-  const int max_level = rig.previewer().settings().asos.max_level;
+  const int max_level = rig.previewer().edits().settings().asos.max_level;
   int deepest = 0;
   expect_area([&](const Film& film, std::size_t i) {
     deepest = std::max<int>(deepest, film.split_level[i]);
     return split_colour(film.split_level[i], max_level);
   });
   EXPECT_GT(deepest, 0) << "the scene has to have split pixels for this to say anything";
-  EXPECT_EQ(rig.previewer().restarts(), restarts);
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
 TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
@@ -98,9 +99,9 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
   rig.content().state().display.show_split_map = true;
   rig.content().state().display.split_dimming = 0.25f;
   rig.frame();
-  const int max_level = rig.previewer().settings().asos.max_level;
+  const int max_level = rig.previewer().edits().settings().asos.max_level;
   const PixelRect area = rig.content().picture_rect();
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   int split = 0;
   for (int y = 0; y < area.height; ++y) {
@@ -130,7 +131,7 @@ TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
   const PictureView& view = rig.content().state().view;
   ASSERT_EQ(view.zoom(), 8);
   const PixelRect area = rig.content().picture_rect();
-  const Film& film = rig.previewer().film();
+  const Film& film = rig.previewer().render().film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   for (int y = 0; y < area.height; ++y) {
     for (int x = 0; x < area.width; ++x) {
@@ -142,7 +143,7 @@ TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
           << x << ' ' << y;
     }
   }
-  EXPECT_EQ(rig.previewer().restarts(), 1u) << "zoom is display only";
+  EXPECT_EQ(rig.previewer().render().restarts(), 1u) << "zoom is display only";
 }
 
 TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
@@ -151,7 +152,7 @@ TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
   for (int i = 0; i < 20; ++i) rig.frame();
   rig.resize({640, 400});
   ASSERT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().restarts(), 1u);
+  EXPECT_EQ(rig.previewer().render().restarts(), 1u);
   expect_area(
       [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
 }
@@ -175,7 +176,7 @@ TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
   open("red");
   rig.resize({900, 500});
   ASSERT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().restarts(), 2u);
+  EXPECT_EQ(rig.previewer().render().restarts(), 2u);
   expect_area(
       [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
 }
@@ -183,12 +184,12 @@ TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
 TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
   open("red");
   const std::vector<glm::u8vec3> before = rig.pixels();
-  rig.previewer().open("/no/such.glb");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().error().has_value(); }));
+  rig.previewer().scene().open("/no/such.glb");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   rig.frame();
   rig.frame();
   EXPECT_NE(rig.pixels(), before) << "the message covers part of the picture";
-  EXPECT_EQ(rig.previewer().scene()->source, "red");
+  EXPECT_EQ(rig.previewer().scene()->geometry->source, "red");
 
   static std::string copied;
   copied.clear();
@@ -196,7 +197,7 @@ TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
   rig.click("Copy");
   EXPECT_EQ(copied, "/no/such.glb: there is no such file");
   rig.click("Close");
-  EXPECT_FALSE(rig.previewer().error().has_value());
+  EXPECT_FALSE(rig.previewer().scene().error().has_value());
   rig.move_to({-10.0f, -10.0f});
   rig.frame();
   EXPECT_EQ(rig.pixels(), before);
@@ -250,14 +251,14 @@ TEST(WindowContentReplace, AnotherSceneWhileOneLoads) {
     }
     return two_triangles(source == "slow" ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0), source);
   });
-  rig.previewer().open("slow");
+  rig.previewer().scene().open("slow");
   ASSERT_TRUE(rig.frames_until([&] { return begun.load(); }));
   for (int i = 0; i < 3; ++i) rig.frame();
-  rig.previewer().open("fast");
+  rig.previewer().scene().open("fast");
   for (int i = 0; i < 3; ++i) rig.frame();
   released = true;
   ASSERT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().scene()->source, "fast");
+  EXPECT_EQ(rig.previewer().scene()->geometry->source, "fast");
   const PixelRect area = rig.content().picture_rect();
   const auto middle = static_cast<std::size_t>(area.height / 2 * 640 + area.width / 2);
   EXPECT_EQ(rig.pixels()[middle], glm::u8vec3(0, 255, 0));

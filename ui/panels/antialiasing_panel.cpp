@@ -7,37 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace asos {
 
 namespace {
-
-constexpr std::array methods{
-    Controls::Option{"ASOS",
-                     "Adaptive supersampling in object space: a pixel is split only where the "
-                     "boundary of an object passes through it."},
-    Controls::Option{"Papers",
-                     "As in the papers: boundaries are looked for with the cone around a pyray, "
-                     "leaves are point samples, and splitting stops by the published rule."},
-    Controls::Option{"Uniform", "A regular grid of n x n samples in every pixel."},
-    Controls::Option{"Stochastic", "n x n jittered samples in every pixel."},
-    Controls::Option{"Sobol",
-                     "Any number of samples in every pixel, at the points of an Owen-scrambled "
-                     "Sobol sequence: the reference to compare with."},
-    Controls::Option{"Whitted",
-                     "Adaptive supersampling in image space: samples at the corners of pixels, and "
-                     "of their quarters where the corners differ."},
-    Controls::Option{"Mitchell",
-                     "Four samples in every pixel, and more where their contrast is high."},
-    Controls::Option{
-        "Ray bound",
-        "n x n jittered samples in every pixel that a boundary passes through, and one "
-        "in the others."},
-    Controls::Option{"Average", "One sample in every pixel, then the mean of 3 x 3 neighbours."},
-    Controls::Option{"Beam",
-                     "Beam tracing: the exact area of every visible polygon in a pixel. For small "
-                     "scenes, where it is offered at all."},
-};
 
 constexpr std::array leaves{
     Controls::Option{"Exact",
@@ -82,8 +56,6 @@ std::string level_words(int max_level) {
   return fmt::format("{}: up to {} x {} cells", max_level, cells, cells);
 }
 
-static_assert(methods.size() == static_cast<std::size_t>(Method::beam) + 1);
-
 // Options in the order of the values of an enumeration.
 template <typename T>
 void choose(Controls& controls, const char* label, std::span<const Controls::Option> options,
@@ -113,7 +85,7 @@ void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast&
 }
 
 void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
-  RenderSettings& settings = previewer.settings();
+  RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
   controls.log_slider("EPS",
                       "By how much a pixel's display intensity (0 to 1) may still change when its "
@@ -172,11 +144,6 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
                   [](int seed) { return fmt::format("{}", seed); });
 }
 
-bool has_filter(Method method) {
-  return method == Method::asos || method == Method::asos_published || method == Method::uniform ||
-         method == Method::stochastic || method == Method::sobol;
-}
-
 // In hundredths of a pixel, so that what is typed is what is saved.
 void filter_control(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
@@ -195,7 +162,7 @@ void filter_control(Controls& controls, RenderSettings& settings) {
 void texture_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   choose(controls, "Textures", texture_filters, settings.texture.filter, usual.texture.filter);
-  if (settings.method != Method::asos && settings.method != Method::asos_published) return;
+  if (!in_object_space(settings.method)) return;
   controls.slider("TR",
                   "Texture resolution: TR x TR jittered samples of each pixel of textured surface "
                   "that nothing bounds, 1 to 8 (CGF'98 section 3.2). Needed where textures are "
@@ -205,31 +172,37 @@ void texture_controls(Controls& controls, RenderSettings& settings) {
                   [](int n) { return n == 1 ? std::string("1") : fmt::format("{0} x {0}", n); });
 }
 
-// Beam tracing comes last and is left out where the scene is too large for it.
-std::span<const Controls::Option> offered(const RenderScene* scene, RenderSettings settings) {
-  settings.method = Method::beam;
-  const bool beam = scene && check_method(*scene, settings);
-  return std::span(methods).first(methods.size() - (beam ? 0 : 1));
+// Offers the methods that can render the scene; without a scene, those that can render any.
+void method_choice(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
+  std::vector<Method> offered;
+  std::vector<Controls::Option> options;
+  for (const MethodRow& row : method_table()) {
+    RenderSettings asked = settings;
+    asked.method = row.value;
+    if (scene ? !check_method(*scene, asked) : row.limited()) continue;
+    offered.push_back(row.value);
+    options.push_back({row.title, row.about});
+  }
+  const auto at = std::find(offered.begin(), offered.end(), settings.method);
+  auto chosen = static_cast<int>(at - offered.begin());
+  if (controls.options("Method", options, chosen, {false, std::nullopt}))
+    settings.method = offered[static_cast<std::size_t>(chosen)];
 }
 
 }  // namespace
 
 void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
-  RenderSettings& settings = previewer.settings();
-  const RenderScene* scene = previewer.scene();
+  RenderSettings& settings = previewer.edits().settings();
+  const RenderScene* scene = previewer.scene().get();
   const RenderSettings usual;
   if (!controls.section("Antialiasing")) return;
-  int method = static_cast<int>(settings.method);
-  if (controls.options("Method", offered(scene, settings), method, {false, std::nullopt})) {
-    settings.method = static_cast<Method>(method);
-  }
-  if (settings.method == Method::asos || settings.method == Method::asos_published)
-    asos_controls(controls, previewer, forecast);
+  method_choice(controls, settings, scene);
+  if (in_object_space(settings.method)) asos_controls(controls, previewer, forecast);
   if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
-  if (has_filter(settings.method)) filter_control(controls, settings);
+  if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
   if (!scene || scene->needs.textures) texture_controls(controls, settings);
   if (scene && !scene->needs.culling) return;
   controls.checkbox("Culling",

@@ -10,15 +10,15 @@ namespace asos {
 
 namespace {
 
-void camera_list(Controls& controls, Previewer& previewer, const std::vector<Camera>& cameras) {
+void camera_list(Controls& controls, Viewpoint& viewpoint, const std::vector<Camera>& cameras) {
   std::vector<std::string> names{"Whole scene"};
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     names.push_back(cameras[i].name.empty() ? fmt::format("Camera {}", i + 1) : cameras[i].name);
   }
-  int chosen = previewer.chosen_camera() + 1;
+  int chosen = viewpoint.chosen_camera() + 1;
   if (controls.list("View", "The cameras of the file, and a view that frames the whole scene.",
                     names, chosen)) {
-    previewer.choose_camera(chosen - 1);
+    viewpoint.choose_camera(chosen - 1);
   }
 }
 
@@ -26,20 +26,21 @@ void camera_list(Controls& controls, Previewer& previewer, const std::vector<Cam
 
 void camera_panel(Controls& controls, Previewer& previewer) {
   if (!previewer.scene() || !controls.section("Camera")) return;
-  const std::vector<Camera>& cameras = previewer.scene()->world.cameras;
-  if (!cameras.empty()) camera_list(controls, previewer, cameras);
+  Viewpoint& viewpoint = previewer.viewpoint();
+  const std::vector<Camera>& cameras = previewer.scene()->world().cameras;
+  if (!cameras.empty()) camera_list(controls, viewpoint, cameras);
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   if (controls.button("Frame all",
                       "Move the camera so that everything is in the picture; the direction stays. "
                       "Keys: Home, F.",
                       width)) {
-    previewer.frame_all();
+    viewpoint.frame_all();
   }
   ImGui::SameLine();
   if (controls.button("Reset view",
                       "Back to the view that the scene opened with, or that was chosen last.",
                       width)) {
-    previewer.choose_camera(previewer.chosen_camera());
+    viewpoint.choose_camera(viewpoint.chosen_camera());
   }
 }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/check_panel.h"
 
+#include "renderer/comparison/method.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
@@ -68,8 +69,7 @@ void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const Pictu
 
 void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
                  const SplitCheck& check) {
-  const Method method = previewer.settings().method;
-  if (!previewer.scene() || (method != Method::asos && method != Method::asos_published) ||
+  if (!previewer.scene() || !in_object_space(previewer.edits().settings().method) ||
       !controls.section("Missed splits", false))
     return;
   const CheckChoice usual;
@@ -95,7 +95,7 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
                         check.busy() ? ", going on" : "");
   controls.row("Reference", words,
                "What the picture is compared with, and how many samples of each pixel.");
-  if (found) finding_rows(controls, *found, previewer.film());
+  if (found) finding_rows(controls, *found, previewer.render().film());
 }
 
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,

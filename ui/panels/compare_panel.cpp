@@ -1,5 +1,5 @@
+#include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
-#include "renderer/settings/names.h"
 #include "renderer/study/measures.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
@@ -27,12 +27,12 @@ constexpr std::array comparisons{
 };
 
 std::string summary_of(const Previewer& previewer) {
-  const RenderSettings& s = previewer.rendered_settings();
-  const Progress progress = previewer.progress();
-  std::string text = name_in(method_names, s.method);
-  const bool asos = s.method == Method::asos || s.method == Method::asos_published;
-  text += asos ? fmt::format(", EPS {:.4g}, MAX {}", s.asos.eps, s.asos.max_level)
-               : fmt::format(", {} samples", s.sampling.spp);
+  const RenderSettings& s = previewer.render().settings();
+  const Progress progress = previewer.render().progress();
+  std::string text = row_of(s.method).name;
+  text += in_object_space(s.method)
+              ? fmt::format(", EPS {:.4g}, MAX {}", s.asos.eps, s.asos.max_level)
+              : fmt::format(", {} samples", s.sampling.spp);
   return text + fmt::format(", {} x {}, {:.0f} % in {:.2f} s", s.width, s.height,
                             100.0 * progress.fraction, progress.seconds);
 }
@@ -63,12 +63,13 @@ void difference_legend(Controls& controls, const std::string& most) {
 /// Told anew when the picture is finished or another frame is chosen.
 void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
   const StoredFrame& frame = frames.stored[static_cast<std::size_t>(frames.chosen)];
-  const Film& film = previewer.film();
+  const PreviewRender& render = previewer.render();
+  const Film& film = render.film();
   const bool same = frame.film.width == film.width && frame.film.height == film.height;
   std::string words = "another size";
-  if (same && !previewer.progress().finished) words = "when finished";
-  if (same && previewer.progress().finished) {
-    const Frames::Measured now{previewer.restarts(), frames.revision, frames.chosen};
+  if (same && !render.progress().finished) words = "when finished";
+  if (same && render.progress().finished) {
+    const Frames::Measured now{render.restarts(), frames.revision, frames.chosen};
     if (!(now == frames.measured)) {
       frames.measured = now;
       frames.rmse = root_mean_square(film, frame.film, false);
@@ -135,7 +136,7 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
 }
 
 bool store_frame(Frames& frames, const Previewer& previewer) {
-  return frames.store(previewer.film(), summary_of(previewer));
+  return frames.store(previewer.render().film(), summary_of(previewer));
 }
 
 }  // namespace asos

@@ -125,7 +125,7 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   ImGui::SameLine();
   const bool cancelled = controls.button("Cancel", "Open nothing. Key: Esc.", 6.0f * em) ||
                          ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
-  if (!chosen.empty()) previewer.open(chosen);
+  if (!chosen.empty()) previewer.scene().open(chosen);
   if (!chosen.empty() || cancelled) {
     state.show_open = false;
     ImGui::CloseCurrentPopup();
@@ -153,10 +153,10 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     state.show_help = !state.show_help;
   }
   if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
-  if (shortcut_pressed(Key::home) || shortcut_pressed(Key::f)) previewer.frame_all();
+  if (shortcut_pressed(Key::home) || shortcut_pressed(Key::f)) previewer.viewpoint().frame_all();
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
     store_frame(state.frames, previewer);
-  if (shortcut_pressed(Key::r)) previewer.reload();
+  if (shortcut_pressed(Key::r)) previewer.scene().reload();
   if (shortcut_pressed(Key::x)) flip(state.frames);
   if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
   if (shortcut_pressed(Key::c)) {
@@ -165,7 +165,8 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
                   ? SplitMapColours::level
                   : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
   }
-  if (shortcut_pressed(Key::space)) previewer.set_paused(!previewer.paused());
+  if (shortcut_pressed(Key::space))
+    previewer.refinement().set_paused(!previewer.refinement().paused());
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
   if (shortcut_pressed(Key::one)) state.view.reset();
   const glm::vec2 middle = state.view.area_middle();
@@ -176,8 +177,8 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (!shortcut_pressed(Key::escape)) return;
   if (state.show_help) {
     state.show_help = false;
-  } else if (previewer.error()) {
-    previewer.dismiss_error();
+  } else if (previewer.scene().error()) {
+    previewer.scene().dismiss_error();
   } else if (state.picked) {
     state.picked.reset();
   } else if (state.lights.selected >= 0) {

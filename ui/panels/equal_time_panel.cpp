@@ -30,7 +30,7 @@ constexpr std::array timed_rivals{
 // What was rendered meanwhile is of no use beside another picture.
 void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice, EqualTimeJob& job,
                        Frames& frames) {
-  const bool current = choice.restarts == previewer.restarts();
+  const bool current = choice.restarts == previewer.render().restarts();
   if (!current && job.busy()) job.stop();
   auto outcome = job.take_outcome();
   if (!outcome || !current) return;
@@ -41,6 +41,7 @@ void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice
 void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
                       EqualTimeJob& job, const Frames& frames) {
   if (!previewer.scene() || !controls.section("Equal time", false)) return;
+  const PreviewRender& render = previewer.render();
   std::array<Controls::Option, timed_rivals.size()> options;
   int chosen = 0;
   for (std::size_t i = 0; i < timed_rivals.size(); ++i) {
@@ -57,19 +58,18 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
                  "the processor time of the finished picture, store it as a frame, and "
                  "show it at the right of the wipe line.",
                  -1.0f) &&
-             previewer.progress().finished && frames.stored.size() < Frames::most) {
-    choice.restarts = previewer.restarts();
-    Snapshot snapshot{previewer.shared_scene(), previewer.camera().camera(),
-                      previewer.rendered_settings(), false};
-    job.start([snapshot, method = choice.method, seconds = processor_seconds(previewer.film())](
+             render.progress().finished && frames.stored.size() < Frames::most) {
+    choice.restarts = render.restarts();
+    Snapshot snapshot{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
+                      render.settings(), false};
+    job.start([snapshot, method = choice.method, seconds = processor_seconds(render.film())](
                   const std::stop_token& stop, const auto& tell) {
       auto frame = render_in_time(snapshot, method, seconds, [&] { return stop.stop_requested(); });
       if (frame) tell(std::move(*frame));
     });
   }
   std::string words = "when finished";
-  if (previewer.progress().finished)
-    words = fmt::format("{:.3g} s", processor_seconds(previewer.film()));
+  if (render.progress().finished) words = fmt::format("{:.3g} s", processor_seconds(render.film()));
   if (frames.stored.size() >= Frames::most) words = "remove a frame first";
   if (job.busy()) words = "rendering";
   controls.row("Time", words,

@@ -59,9 +59,10 @@ std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
 /// Between world, picture and window.
 class Projection {
  public:
-  Projection(const Previewer& previewer, const PictureView& view, const PictureArea& area)
-      : frame_(previewer.view().frame(0.0, 0.0, previewer.film().width, previewer.film().height)),
-        size_(previewer.film().width, previewer.film().height),
+  Projection(const Viewpoint& viewpoint, const Film& film, const PictureView& view,
+             const PictureArea& area)
+      : frame_(viewpoint.view().frame(0.0, 0.0, film.width, film.height)),
+        size_(film.width, film.height),
         view_(view),
         area_(area) {}
 
@@ -123,9 +124,9 @@ void draw_outline(const Projection& projection, const Light& light, const Camera
 }
 
 /// Dragging moves the light; a click selects it.
-void mark(Controls& controls, Previewer& previewer, LightChoice& choice,
-          const Projection& projection, std::size_t index) {
-  const EditedLight& edited = previewer.lights()[index];
+void mark(Controls& controls, SceneEdits& edits, LightChoice& choice, const Projection& projection,
+          std::size_t index) {
+  const EditedLight& edited = edits.lights()[index];
   const glm::dvec3 h = projection.homogeneous(edited.light.position);
   if (!projection.visible(h)) return;
   const ImVec2 at = projection.window(h);
@@ -152,26 +153,27 @@ void mark(Controls& controls, Previewer& previewer, LightChoice& choice,
   const ImVec2 by = ImGui::GetIO().MouseDelta;
   if (!ImGui::IsItemActive() || (by.x == 0.0f && by.y == 0.0f)) return;
   const glm::dvec3 way = projection.moved(edited.light.position, {by.x, by.y});
-  move_light(previewer.edit_lights()[index].light, way);
+  move_light(edits.edit_lights()[index].light, way);
 }
 
 }  // namespace
 
 void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
                  const PictureView& view, const PictureArea& area) {
+  const Film& film = previewer.render().film();
   if (!choice.show_marks || choice.selected < 0 || !previewer.scene() || view.scale() <= 0.0f ||
-      previewer.film().width <= 0)
+      film.width <= 0)
     return;
-  const std::vector<EditedLight>& lights = previewer.lights();
+  const std::vector<EditedLight>& lights = previewer.edits().lights();
   if (lights.empty()) return;
-  const Projection projection(previewer, view, area);
+  const Projection projection(previewer.viewpoint(), film, view, area);
   const auto chosen = static_cast<std::size_t>(choice.selected);
   if (chosen < lights.size() && lights[chosen].light.type != Light::Type::directional)
-    draw_outline(projection, lights[chosen].light, previewer.camera().camera());
+    draw_outline(projection, lights[chosen].light, previewer.viewpoint().camera().camera());
   for (std::size_t i = 0; i < std::min(lights.size(), most_marks); ++i) {
     // A sun is nowhere.
     if (lights[i].light.type != Light::Type::directional)
-      mark(controls, previewer, choice, projection, i);
+      mark(controls, previewer.edits(), choice, projection, i);
   }
 }
 

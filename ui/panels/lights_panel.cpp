@@ -16,8 +16,8 @@ namespace {
 constexpr float most_lights_shown = 6.5f;  // before the list scrolls; the half one says so
 
 /// A row a light: on or off, its name and its kind.
-void light_list(Controls& controls, Previewer& previewer, LightChoice& choice) {
-  const std::vector<EditedLight>& lights = previewer.lights();
+void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
+  const std::vector<EditedLight>& lights = edits.lights();
   const float line = ImGui::GetFrameHeightWithSpacing();
   const float rows = std::min(static_cast<float>(lights.size()), most_lights_shown);
   ImGui::BeginChild("lights", {0.0f, rows * line});
@@ -25,7 +25,7 @@ void light_list(Controls& controls, Previewer& previewer, LightChoice& choice) {
     ImGui::PushID(static_cast<int>(i));
     const std::string number = std::to_string(i + 1);
     bool on = lights[i].on;
-    if (ImGui::Checkbox("##on", &on)) previewer.edit_lights()[i].on = on;
+    if (ImGui::Checkbox("##on", &on)) edits.edit_lights()[i].on = on;
     controls.placed("Light on/" + number, "Whether the light shines.", Controls::Use::edits);
     ImGui::SameLine();
     const std::string& own_name = lights[i].light.name;
@@ -50,9 +50,9 @@ void light_list(Controls& controls, Previewer& previewer, LightChoice& choice) {
   ImGui::EndChild();
 }
 
-void add(Previewer& previewer, LightChoice& choice, Light light) {
-  previewer.edit_lights().push_back(EditedLight::of(std::move(light)));
-  choice.selected = static_cast<int>(previewer.lights().size()) - 1;
+void add(SceneEdits& edits, LightChoice& choice, Light light) {
+  edits.edit_lights().push_back(EditedLight::of(std::move(light)));
+  choice.selected = static_cast<int>(edits.lights().size()) - 1;
 }
 
 /// Shines as bright as makes a white surface beside it half white.
@@ -62,19 +62,19 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
     choice.error = "Click a surface in the picture first.";
     return;
   }
-  const Hit hit = previewer.seen_at(picked->x + 0.5, picked->y + 0.5);
-  const std::size_t triangles = previewer.scene()->world.triangles.size();
+  const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
+  const std::size_t triangles = previewer.scene()->world().triangles.size();
   if (!hit.valid() || hit.triangle >= triangles) {
     choice.error = "There is no flat surface at the pixel that was clicked.";
     return;
   }
   std::optional<Light> light =
-      light_on_face(*previewer.scene(), hit.triangle, previewer.camera().eye());
+      light_on_face(*previewer.scene(), hit.triangle, previewer.viewpoint().camera().eye());
   if (!light) {
     choice.error = "The surface that was clicked has no flat piece.";
     return;
   }
-  add(previewer, choice, std::move(*light));
+  add(previewer.edits(), choice, std::move(*light));
 }
 
 void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
@@ -85,14 +85,14 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
   if (controls.button("Add light",
                       "Add a ball between the viewer and the middle of what the camera circles.",
                       any_selected ? width : -1.0f)) {
-    const SceneSize size = SceneSize::of(previewer.scene()->world.bounds);
-    add(previewer, choice,
-        new_light(previewer.camera().eye(), previewer.camera().pivot(), size.radius));
+    const SceneSize size = SceneSize::of(previewer.scene()->world().bounds);
+    const OrbitCamera& camera = previewer.viewpoint().camera();
+    add(previewer.edits(), choice, new_light(camera.eye(), camera.pivot(), size.radius));
   }
   if (any_selected) ImGui::SameLine();
   if (any_selected &&
       controls.button("Remove light", "Remove the selected light. Ctrl+Z brings it back.", width)) {
-    std::vector<EditedLight>& lights = previewer.edit_lights();
+    std::vector<EditedLight>& lights = previewer.edits().edit_lights();
     lights.erase(lights.begin() + choice.selected);
     choice.selected = std::min(choice.selected, static_cast<int>(lights.size()) - 1);
   }
@@ -103,7 +103,7 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
     add_face(previewer, choice, picked);
   ImGui::SameLine();
   if (controls.button("Reset lights", "Back to the lights that the scene came with.", width)) {
-    previewer.reset_lights();
+    previewer.edits().reset_lights();
     choice.selected = -1;
   }
   if (choice.error.empty()) return;
@@ -118,19 +118,20 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
 void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
                   std::optional<glm::ivec2> picked) {
   if (!previewer.scene() || !controls.section("Lights")) return;
-  const int count = static_cast<int>(previewer.lights().size());
+  SceneEdits& edits = previewer.edits();
+  const int count = static_cast<int>(edits.lights().size());
   choice.selected = std::min(choice.selected, count - 1);
-  if (count > 0) light_list(controls, previewer, choice);
+  if (count > 0) light_list(controls, edits, choice);
   buttons(controls, previewer, choice, picked);
-  if (choice.selected < 0 || choice.selected >= static_cast<int>(previewer.lights().size())) return;
+  if (choice.selected < 0 || choice.selected >= static_cast<int>(edits.lights().size())) return;
 
   ImGui::Spacing();
   const auto index = static_cast<std::size_t>(choice.selected);
-  EditedLight edited = previewer.lights()[index];
-  const World& world = previewer.scene()->world;
+  EditedLight edited = edits.lights()[index];
+  const World& world = previewer.scene()->world();
   const SceneSize size = SceneSize::of(world.bounds);
   if (edit_light(controls, edited, size, world.origin))
-    previewer.edit_lights()[index] = std::move(edited);
+    edits.edit_lights()[index] = std::move(edited);
   controls.checkbox("Marks",
                     "Show the lights in the picture: the selected one with its outline. Drag its "
                     "mark to move it along the picture; click another's to select that.",

@@ -37,14 +37,14 @@ void end_notice() {
   ImGui::PopStyleVar(2);
 }
 
-void error_notice(Controls& controls, Previewer& previewer, const WindowRect& area) {
-  const Error error = *previewer.error();
+void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) {
+  const Error error = *scene.error();
   begin_notice("error", area, 36.0f, 0.04f);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::alarm));
   // A method that refuses the scene is an error too, but the scene is there.
-  const bool open = previewer.scene() && previewer.scene()->source == previewer.asked_for();
+  const bool open = scene && scene->geometry->source == scene.asked_for();
   const char* headline = open ? "Not possible with this scene" : "Could not open";
-  if (previewer.reload_failed()) headline = "Could not reload: the scene from before stays";
+  if (scene.reload_failed()) headline = "Could not reload: the scene from before stays";
   ImGui::TextUnformatted(headline);
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(0.0f);
@@ -56,15 +56,15 @@ void error_notice(Controls& controls, Previewer& previewer, const WindowRect& ar
     ImGui::SetClipboardText(error.message().c_str());
   }
   ImGui::SameLine();
-  if (controls.button("Close", "Put this message away. Key: Esc.")) previewer.dismiss_error();
+  if (controls.button("Close", "Put this message away. Key: Esc.")) scene.dismiss_error();
   end_notice();
 }
 
 }  // namespace
 
-void notices(Controls& controls, Previewer& previewer, const WindowRect& area) {
+void notices(Controls& controls, OpenScene& scene, const WindowRect& area) {
   if (area.size.x < 1.0f || area.size.y < 1.0f) return;
-  const std::optional<SceneLoader::Loading> loading = previewer.loading();
+  const std::optional<SceneLoader::Loading> loading = scene.loading();
   if (loading) {
     begin_notice("loading", area, 20.0f, 0.5f);
     ImGui::TextUnformatted(("Loading " + short_name(loading->source)).c_str());
@@ -83,13 +83,13 @@ void notices(Controls& controls, Previewer& previewer, const WindowRect& area) {
                         theme::packed(theme::accent_bright));
     ImGui::Dummy({width, 0.2f * em});
     end_notice();
-  } else if (!previewer.scene() && !previewer.error()) {
+  } else if (!scene && !scene.error()) {
     begin_notice("empty", area, 24.0f, 0.5f);
     ImGui::TextUnformatted("Drop a .gltf or .glb file here");
     ImGui::TextDisabled("or press Ctrl+O");
     end_notice();
   }
-  if (previewer.error()) error_notice(controls, previewer, area);
+  if (scene.error()) error_notice(controls, scene, area);
 }
 
 }  // namespace asos

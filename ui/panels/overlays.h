@@ -49,7 +49,7 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
 
 /// What lies over the picture: the error to read and copy, what is being loaded, or the invitation
 /// to open something.
-void notices(Controls& controls, Previewer& previewer, const WindowRect& area);
+void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 
 void help_overlay(UiState& state, const WindowRect& area);
 /// Asks for a path or a built-in scene and opens it.

@@ -46,21 +46,22 @@ void fly(OrbitCamera& camera) {
 
 void drag(Previewer& previewer, PictureView& view, glm::vec2 delta, float area_height) {
   const ImGuiIO& io = ImGui::GetIO();
+  OrbitCamera& camera = previewer.viewpoint().camera();
   const bool left = io.MouseDown[0], right = io.MouseDown[1], middle = io.MouseDown[2];
   if (right && view.zoom() > 1) view.pan(delta);
   if (right && view.zoom() == 1) {
     const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(area_height);
-    previewer.camera().look_around(-look_rad_per_height * heights.x,
-                                   -look_rad_per_height * heights.y);
+    camera.look_around(-look_rad_per_height * heights.x, -look_rad_per_height * heights.y);
   }
   if (middle || (left && io.KeyShift)) {
-    const float picture_height = view.scale() * static_cast<float>(previewer.film().height);
+    const float picture_height =
+        view.scale() * static_cast<float>(previewer.render().film().height);
     if (picture_height <= 0.0f) return;
     const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(picture_height);
-    previewer.camera().pan(heights.x, heights.y);
+    camera.pan(heights.x, heights.y);
   } else if (left) {
     const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(area_height);
-    previewer.camera().orbit(-orbit_rad_per_height * heights.x, orbit_rad_per_height * heights.y);
+    camera.orbit(-orbit_rad_per_height * heights.x, orbit_rad_per_height * heights.y);
   }
 }
 
@@ -102,20 +103,22 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
   if (ImGui::IsItemActive() && delta != glm::vec2(0.0f)) {
     drag(previewer, view, delta, area.size.y * framebuffer_scale);
   }
-  if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1) fly(previewer.camera());
+  if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1)
+    fly(previewer.viewpoint().camera());
   if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
       io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)
-    pick(state, picked_pixel(view, pointer, previewer.film()));
+    pick(state, picked_pixel(view, pointer, previewer.render().film()));
   if (!ImGui::IsItemHovered()) return;
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const glm::vec2 at = view.picture_from_area(pointer);
-    previewer.set_pivot_at(static_cast<double>(at.x), static_cast<double>(at.y));
+    previewer.viewpoint().set_pivot_at(static_cast<double>(at.x), static_cast<double>(at.y));
   }
   if (io.MouseWheel != 0.0f) {
     if (io.KeyCtrl) {
       view.zoom_at(pointer, io.MouseWheel > 0.0f ? 1 : -1);
     } else {
-      previewer.camera().dolly(std::pow(dolly_per_step, static_cast<double>(io.MouseWheel)));
+      previewer.viewpoint().camera().dolly(
+          std::pow(dolly_per_step, static_cast<double>(io.MouseWheel)));
     }
   }
 }

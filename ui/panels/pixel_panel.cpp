@@ -1,5 +1,5 @@
+#include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
-#include "renderer/settings/names.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
@@ -90,7 +90,7 @@ struct PixelCanvas {
 
 /// What is drawn: the pixel itself, or a pyray that one of its leaves sent on.
 struct ShownPyray {
-  const std::vector<PixelTraceCell>& cells;
+  const std::vector<TracedCell>& cells;
   const std::vector<glm::vec3>& seen;
   float exposure_ev = 0.0f;
 };
@@ -112,17 +112,17 @@ void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& sh
 }
 
 void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
-  for (const PixelTraceCell& cell : shown.cells) {
+  for (const TracedCell& cell : shown.cells) {
     const bool undecided = cell.fate == CellFate::finest || cell.fate == CellFate::stopped ||
                            cell.fate == CellFate::saturated;
     draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
                  undecided ? theme::packed(theme::alarm) : IM_COL32(128, 128, 128, 150));
   }
-  for (const PixelTraceCell& cell : shown.cells) {
+  for (const TracedCell& cell : shown.cells) {
     // Deeper cells tell the same boundaries again.
     if (cell.fate == CellFate::split || cell.fate == CellFate::uneven) continue;
     draw.PushClipRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side), true);
-    for (const PixelTraceBoundary& b : cell.boundaries) {
+    for (const TracedBoundary& b : cell.boundaries) {
       draw.AddLine(canvas.at(b.from), canvas.at(b.to), IM_COL32(0, 0, 0, 255), 4.0f);
       draw.AddLine(canvas.at(b.from), canvas.at(b.to), kind_colour(b.kind), 2.0f);
     }
@@ -132,10 +132,10 @@ void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& s
 
 void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   std::size_t count = 0;
-  for (const PixelTraceCell& cell : shown.cells) count += cell.samples.size();
+  for (const TracedCell& cell : shown.cells) count += cell.samples.size();
   const float radius = count > 200 ? 2.0f : 3.5f;
-  for (const PixelTraceCell& cell : shown.cells) {
-    for (const PixelTraceSample& sample : cell.samples) {
+  for (const TracedCell& cell : shown.cells) {
+    for (const TracedSample& sample : cell.samples) {
       draw.AddCircleFilled(canvas.at(sample.at), radius + 1.5f, IM_COL32(0, 0, 0, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius + 0.7f, IM_COL32(255, 255, 255, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius - 0.8f,
@@ -144,7 +144,7 @@ void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray&
   }
 }
 
-void cell_tooltip(const PixelTraceCell& cell) {
+void cell_tooltip(const TracedCell& cell) {
   const double area = 100.0 * std::ldexp(1.0, -2 * cell.level);
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(
@@ -155,7 +155,7 @@ void cell_tooltip(const PixelTraceCell& cell) {
                                 .c_str());
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, cell.samples.size()); ++i) {
-    const PixelTraceSample& sample = cell.samples[i];
+    const TracedSample& sample = cell.samples[i];
     ImGui::TextDisabled("%s", fmt::format("sample {}: {:.4g} %, {}", i + 1, 100.0 * sample.weight,
                                           colour_words(sample.radiance))
                                   .c_str());
@@ -168,9 +168,9 @@ void cell_tooltip(const PixelTraceCell& cell) {
 /// Where on the square the leaf is that the looked-at pyray came from, or those of its pyrays.
 void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
                   int shown) {
-  for (const PixelTracePyray& pyray : report.trace.pyrays) {
+  for (const TracedPyray& pyray : report.trace.pyrays) {
     if (pyray.parent != shown) continue;
-    const bool mirror = pyray.kind == LoggedPyray::Kind::mirror;
+    const bool mirror = pyray.kind == TracedPyray::Kind::mirror;
     const glm::u8vec3 c = split_cause_colour(mirror ? SplitCause::reflection : SplitCause::shadow);
     draw.AddCircle(canvas.at(pyray.from), mirror ? 8.5f : 6.5f, IM_COL32(c.x, c.y, c.z, 255), 16,
                    2.0f);
@@ -179,10 +179,10 @@ void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport
 
 void tree(Controls& controls, const PixelReport& report, int shown_pyray, float exposure_ev) {
   const bool own = shown_pyray < 0;
-  const PixelTracePyray* pyray =
+  const TracedPyray* pyray =
       own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
   // A light's lit share is no radiance: exposure leaves it alone.
-  const bool shadow = pyray && pyray->kind == LoggedPyray::Kind::shadow;
+  const bool shadow = pyray && pyray->kind == TracedPyray::Kind::shadow;
   const ShownPyray shown{
       own ? report.trace.cells : pyray->cells,
       own ? report.seen : report.pyray_seen[static_cast<std::size_t>(shown_pyray)],
@@ -201,7 +201,7 @@ void tree(Controls& controls, const PixelReport& report, int shown_pyray, float 
   if (!ImGui::IsItemHovered() || shown.cells.empty()) return;
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const glm::vec2 place((pointer.x - corner.x) / side, (pointer.y - corner.y) / side);
-  const PixelTraceCell& cell = shown.cells[cell_at(shown.cells, place)];
+  const TracedCell& cell = shown.cells[cell_at(shown.cells, place)];
   draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
                theme::packed(theme::accent_bright), 0.0f, 0, 3.0f);
   cell_tooltip(cell);
@@ -269,7 +269,7 @@ void level_table(Controls& controls, const PixelReport& report) {
 void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
                  const PixelFacts& facts, const PictureArea& area) {
   const PixelReport* report = facts.report;
-  const Film& film = previewer.film();
+  const Film& film = previewer.render().film();
   if (!state.picked || state.picked->x >= film.width || state.picked->y >= film.height) return;
   const float em = ImGui::GetFontSize();
   const float width = std::min(pixel_width_em * em, area.rect.size.x - em);
@@ -300,8 +300,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
     ImGui::TextWrapped("%s", report->verdict().c_str());
     controls.placed("Verdict", nullptr);
     level_table(controls, *report);
-    if (report->settings.method != Method::asos &&
-        report->settings.method != Method::asos_published)
+    if (!in_object_space(report->settings.method))
       ImGui::TextDisabled("As ASOS splits it; the picture is by another method.");
   }
   controls.checkbox("Boundaries",

@@ -57,7 +57,7 @@ std::string words(const Progress& progress, Rest rest) {
 
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status) {
   // A thin bar along the upper rim, full width, so that a glance is enough.
-  const Progress progress = previewer.progress();
+  const Progress progress = previewer.render().progress();
   if (previewer.scene() && !progress.finished) {
     const ImVec2 corner = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
@@ -73,9 +73,9 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   if (!status.message.empty()) {
     ImGui::TextUnformatted(status.message.c_str());
   } else if (previewer.scene()) {
-    ImGui::TextDisabled("%s", words(progress, previewer.rest()).c_str());
+    ImGui::TextDisabled("%s", words(progress, previewer.refinement().rest()).c_str());
   } else {
-    ImGui::TextDisabled("%s", previewer.loading() ? "Loading" : "No scene");
+    ImGui::TextDisabled("%s", previewer.scene().loading() ? "Loading" : "No scene");
   }
   controls.placed("Progress", nullptr);
 

@@ -11,20 +11,22 @@ namespace asos {
 void refinement_panel(Controls& controls, Previewer& previewer) {
   if (!previewer.scene() || !controls.section("Refinement", false)) return;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  const bool paused = previewer.paused();
+  Refinement& refinement = previewer.refinement();
+  PreviewRender& render = previewer.render();
+  const bool paused = refinement.paused();
   if (controls.button(paused ? "Resume" : "Pause",
                       paused ? "Go on from where it rests. Key: Space."
                              : "Let the render rest. Changes still show their coarse picture. Key: "
                                "Space.",
                       width))
-    previewer.set_paused(!paused);
+    refinement.set_paused(!paused);
   ImGui::SameLine();
-  const bool going = !previewer.progress().finished && previewer.rest() != Rest::stopped;
+  const bool going = !render.progress().finished && refinement.rest() != Rest::stopped;
   if (controls.button(going ? "Stop" : "Render again",
                       going ? "End the render; the picture stays as it is." : "Begin anew.", width))
-    going ? previewer.stop() : previewer.start_again();
+    going ? render.stop() : render.start_again();
 
-  RefinementLimits& limits = previewer.limits();
+  RefinementLimits& limits = refinement.limits();
   controls.number("Time limit",
                   "Seconds of rendering after which a render rests, without pauses; 0: none. "
                   "Ctrl+click to type a value.",
@@ -37,7 +39,7 @@ void refinement_panel(Controls& controls, Previewer& previewer) {
       "8-bit picture. Ctrl+click to type a value.",
       limits.rmse, {{0.0, 1.0, 0.0}, 0.0001, true},
       [](double e) { return e > 0.0 ? fmt::format("RMSE {:.3g}", e) : "to the end"; });
-  const std::optional<double> rmse = previewer.estimated_rmse();
+  const std::optional<double> rmse = render.estimated_rmse();
   controls.row("Estimated error",
                rmse ? fmt::format("RMSE {:.2g}", *rmse) : std::string("not known yet"),
                "How far the picture is from the finished one, taking the pixels that are left for "

@@ -1,5 +1,6 @@
 #include "ui/panels/reflections_panel.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/shading/surface.h"
 #include "ui/panels/dfr_editor.h"
 
@@ -43,23 +44,24 @@ struct PickedMirror {
 std::optional<PickedMirror> picked_mirror(const Previewer& previewer,
                                           std::optional<glm::ivec2> picked) {
   if (!picked) return std::nullopt;
-  const Hit hit = previewer.seen_at(picked->x + 0.5, picked->y + 0.5);
+  const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
   if (!hit.valid()) return std::nullopt;
   const RenderScene& scene = *previewer.scene();
-  const glm::vec3 direction(previewer.view().ray(picked->x + 0.5, picked->y + 0.5).direction);
-  const SurfacePoint point = surface_point(scene.world, scene.needs, hit, -direction);
+  const glm::vec3 direction(
+      previewer.viewpoint().view().ray(picked->x + 0.5, picked->y + 0.5).direction);
+  const SurfacePoint point = surface_point(scene.world(), scene.needs, hit, -direction);
   const double cosine = std::abs(glm::dot(glm::dvec3(point.shading_normal), glm::dvec3(direction)));
-  const Part& part = scene.world.parts[scene.world.triangle_part[hit.triangle]];
+  const Part& part = scene.world().parts[scene.world().triangle_part[hit.triangle]];
   return PickedMirror{part.material, std::acos(std::clamp(cosine, 0.0, 1.0))};
 }
 
 /// Looks at the open scene once, and follows what is clicked in the picture.
 void follow(const Previewer& previewer, ReflectionChoice& choice, std::optional<glm::ivec2> picked,
             const std::optional<PickedMirror>& seen) {
-  if (choice.scene != previewer.scenes_opened()) {
+  if (choice.scene != previewer.scene().times_opened()) {
     choice = {};
-    choice.scene = previewer.scenes_opened();
-    choice.mirrors = mirror_materials(previewer.original_scene().world);
+    choice.scene = previewer.scene().times_opened();
+    choice.mirrors = mirror_materials(previewer.scene()->world());
   }
   if (picked == choice.followed) return;
   choice.followed = picked;
@@ -83,7 +85,7 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
                       [](float r) { return fmt::format("{:.2f}", r); }))
     settings.mirror.roughest = static_cast<double>(roughest);
   // The others cast single rays.
-  if (settings.method != Method::asos && settings.method != Method::asos_published) return;
+  if (!in_object_space(settings.method)) return;
   int way = static_cast<int>(settings.mirror.curved);
   if (controls.list("Curved",
                     "How curved mirrors reflect a pyray (CGF'98 section 5.2). nearest pyramid: the "
@@ -113,8 +115,8 @@ void material_controls(Controls& controls, Previewer& previewer, ReflectionChoic
                 names, choice.material);
   const MirrorMaterial& mirror = choice.mirrors[static_cast<std::size_t>(choice.material)];
   const std::uint32_t first = mirror.members.front();
-  const std::optional<Dfr>& original = previewer.original_scene().world.materials[first].dfr;
-  std::optional<Dfr> dfr = previewer.dfrs()[first];
+  const std::optional<Dfr>& original = previewer.scene()->world().materials[first].dfr;
+  std::optional<Dfr> dfr = previewer.edits().dfrs()[first];
   bool own = dfr.has_value();
   bool changed = controls.checkbox(
       "Own DFR", "Blur by a curve over the angle of incidence instead of by roughness.", own,
@@ -124,7 +126,7 @@ void material_controls(Controls& controls, Previewer& previewer, ReflectionChoic
     changed |=
         dfr_editor(controls, *dfr, choice.channel, original.value_or(first_dfr()), incidence_rad);
   if (!changed) return;
-  for (const std::uint32_t member : mirror.members) previewer.edit_dfrs()[member] = dfr;
+  for (const std::uint32_t member : mirror.members) previewer.edits().edit_dfrs()[member] = dfr;
 }
 
 }  // namespace
@@ -135,7 +137,7 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
   const std::optional<PickedMirror> seen = picked_mirror(previewer, picked);
   follow(previewer, choice, picked, seen);
   if (choice.mirrors.empty() || !controls.section("Reflections")) return;
-  RenderSettings& settings = previewer.settings();
+  RenderSettings& settings = previewer.edits().settings();
   bounce_controls(controls, settings);
   if (settings.mirror.bounces == 0) return;
 
@@ -159,7 +161,7 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
           "this group.",
           -1.0f)) {
     const RenderSettings usual;
-    previewer.reset_dfrs();
+    previewer.edits().reset_dfrs();
     settings.mirror.dfr.reset();
     settings.mirror.bounces = usual.mirror.bounces;
     settings.mirror.roughest = usual.mirror.roughest;

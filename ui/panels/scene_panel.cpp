@@ -23,8 +23,9 @@ std::string grouped(std::uint64_t number) {
 }
 
 void light_rows(Controls& controls, const RenderScene& scene) {
-  const std::vector<Light>& lights = scene.world.lights;
-  controls.row("Lights", scene.default_rig ? std::string("studio rig") : grouped(lights.size()),
+  const std::vector<Light>& lights = scene.lights();
+  controls.row("Lights",
+               scene.lighting->default_rig ? std::string("studio rig") : grouped(lights.size()),
                "Lights of the file, and surfaces that shine. Where all of them together give next "
                "to nothing, a rig of two soft lights is added, so that the picture is not black.");
   for (const auto& [name, type] : light_type_names) {
@@ -36,8 +37,8 @@ void light_rows(Controls& controls, const RenderScene& scene) {
                    "Lights of this type, those of the studio rig included.");
     }
   }
-  if (scene.emissive_lights > 0) {
-    controls.row("   emissive", grouped(scene.emissive_lights),
+  if (scene.lighting->emissive_lights > 0) {
+    controls.row("   emissive", grouped(scene.lighting->emissive_lights),
                  "Lights that stand for surfaces of emissive materials.");
   }
 }
@@ -83,17 +84,17 @@ void left_out_rows(Controls& controls, const SceneNeeds& needs) {
 void scene_panel(Controls& controls, const RenderScene& scene, const RenderSettings& settings,
                  double load_seconds) {
   if (!controls.section("Scene")) return;
-  const World& world = scene.world;
+  const World& world = scene.world();
   controls.row("Triangles", grouped(world.triangles.size()),
                "All of them, those of repeated objects counted each time.");
   controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
   light_rows(controls, scene);
-  edge_rows(controls, scene.features.counts());
-  controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + scene.build_seconds),
+  edge_rows(controls, scene.features().counts());
+  controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + scene.geometry->build_seconds),
                fmt::format("Seconds: {:.2f} to read the file, {:.2f} to build the hierarchies.",
-                           load_seconds, scene.build_seconds)
+                           load_seconds, scene.geometry->build_seconds)
                    .c_str());
-  controls.row("Memory", fmt::format("{:.1f} MB", scene.memory_mb),
+  controls.row("Memory", fmt::format("{:.1f} MB", scene.geometry->memory_mb),
                "Of geometry, textures and hierarchies, in millions of bytes.");
   left_out_rows(controls, needs_of(scene, settings));
 }

@@ -1,3 +1,4 @@
+#include "renderer/comparison/method.h"
 #include "renderer/settings/names.h"
 #include "ui/panels/panels.h"
 
@@ -46,7 +47,7 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
               const Finished& finished) {
   controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),
                "Rays from the eye, on average for each finished pixel.");
-  const std::vector<Light>& lights = scene.world.lights;
+  const std::vector<Light>& lights = scene.lights();
   if (scene.needs.shadows) {
     controls.row("Shadow rays", finished.per_pixel(statistics.shadow_rays),
                  "Rays to the lights, on average for each finished pixel.");
@@ -98,8 +99,7 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
   controls.row("Picture", fmt::format("{} x {}", settings.width, settings.height),
                "Width and height in pixels.");
   ray_rows(controls, statistics, scene, finished);
-  if (settings.method == Method::asos || settings.method == Method::asos_published)
-    split_rows(controls, statistics, finished);
+  if (in_object_space(settings.method)) split_rows(controls, statistics, finished);
   if (statistics.rejected_samples > 0) {
     controls.row("Rejected", fmt::format("{} samples", statistics.rejected_samples),
                  "Samples that were not finite numbers and were dropped.");

@@ -59,10 +59,10 @@ void choice_controls(Controls& controls, StudyChoice& choice) {
 }
 
 void start(StudyChoice& choice, ViewStudy& study, const Previewer& previewer) {
-  const RenderSettings& shown = previewer.rendered_settings();
-  const auto scene = previewer.shared_scene();
-  const StudyPlan plan = plan_of(choice, screenshot_stem(scene->source), shown);
-  const auto started = study.start({scene, previewer.camera().camera(), plan});
+  const RenderSettings& shown = previewer.render().settings();
+  const auto scene = previewer.scene().shared();
+  const StudyPlan plan = plan_of(choice, screenshot_stem(scene->geometry->source), shown);
+  const auto started = study.start({scene, previewer.viewpoint().camera().camera(), plan});
   choice.error = started ? "" : started.error().message();
 }
 
@@ -174,8 +174,9 @@ StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
 }
 
 void update_study(ViewStudy& study, const Previewer& previewer, bool other_work) {
-  if (study.scene() && study.scene() != previewer.scene()) study.clear();
-  study.update(other_work || previewer.progress().running || previewer.loading().has_value());
+  if (study.scene() && study.scene() != previewer.scene().get()) study.clear();
+  study.update(other_work || previewer.render().progress().running ||
+               previewer.scene().loading().has_value());
 }
 
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,

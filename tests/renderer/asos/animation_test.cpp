@@ -40,7 +40,7 @@ TEST_P(MovingThinSubject, KeepsItsWeight) {
   for (int step = 0; step < steps; ++step) {
     const auto scene = prepare(thin_scene(GetParam(), travel * step / steps - 1.0, size));
     ASSERT_TRUE(scene) << scene.error().message();
-    const World& world = (*scene)->world;
+    const World& world = (*scene)->world();
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       const Picture picture = render_picture(**scene, world.cameras.front(), contenders[i]);
       shares[i].push_back(thin_share(GetParam(), picture.film));

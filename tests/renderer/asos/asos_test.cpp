@@ -1,3 +1,5 @@
+#include "renderer/asos/asos.h"
+
 #include "renderer/comparison/method.h"
 #include "renderer/shading/environment.h"
 #include "tests/support/polygon_scene.h"
@@ -63,7 +65,7 @@ class Picture {
     RenderSettings settings = wanted;
     settings.width = settings.height = size;
     Camera c = camera();
-    c.world_from_camera[3] -= glm::dvec4((*prepared)->world.origin, 0.0);
+    c.world_from_camera[3] -= glm::dvec4((*prepared)->world().origin, 0.0);
     const View view(c, size, size);
     film = Film(size, size);
     for (int y = 0; y < size; y += block_size) {
@@ -223,14 +225,14 @@ TEST(Asos, OnceStoppedItCastsNoMoreRays) {
   scene.instances.push_back(instance);
   const auto prepared = prepare(scene);
   ASSERT_TRUE(prepared.has_value());
-  const View view(default_camera((*prepared)->world, 1.0), size, size);
+  const View view(default_camera((*prepared)->world(), 1.0), size, size);
   std::stop_source source;
   const PixelRect block{0, 0, block_size, block_size};
   const BlockResult whole =
-      render_block_asos(**prepared, view, asos_at(8), block, source.get_token());
+      render_block_asos({**prepared, view, asos_at(8), block, source.get_token()});
   source.request_stop();
   const BlockResult stopped =
-      render_block_asos(**prepared, view, asos_at(8), block, source.get_token());
+      render_block_asos({**prepared, view, asos_at(8), block, source.get_token()});
   EXPECT_GT(whole.statistics.shadow_rays + whole.statistics.eye_rays, 64u);
   EXPECT_EQ(stopped.statistics.shadow_rays, 0u);
   EXPECT_LE(stopped.statistics.eye_rays, 64u);

@@ -169,8 +169,7 @@ TEST(BlurredMirror, ShowsALightThatNoSurfaceShows) {
   light.half_u = {0.02, 0, 0};
   light.half_v = {0, 0, 3};
   light.intensity = 5.0f;
-  world.lights.push_back(light);
-  const auto scene = make_render_scene(std::move(world));
+  const auto scene = make_render_scene(std::move(world), {light});
   const Film film = test::render_picture(*scene, from_above(), settings_of(Method::asos)).film;
   const double pixel = 2.0 * std::tan(0.5 * fov) / side;
   const double sky = static_cast<double>(sky_radiance), up = height - 1.0;

@@ -27,7 +27,6 @@ Picture picture_of(const Light& light, Method method, int max_level, int spp) {
                  }),
       Wrap::clamp_to_edge, Filter::nearest);
   add_quad(world, {-6, 2.6f, 6}, {12, 0, 0}, {0, 0, -12}, card);
-  world.lights = {light};
   RenderSettings settings;
   settings.width = 48;
   settings.height = 32;
@@ -36,7 +35,7 @@ Picture picture_of(const Light& light, Method method, int max_level, int spp) {
   settings.asos.max_level = max_level;
   settings.sampling.spp = spp;
   const Camera camera = look_at({1.5, 2.0, 3.0}, {0.2, 0, 0.3}, 0.8);
-  return render_picture(*make_render_scene(std::move(world)), camera, settings);
+  return render_picture(*make_render_scene(std::move(world), {light}), camera, settings);
 }
 
 double rms(const Picture& a, const Picture& b) {

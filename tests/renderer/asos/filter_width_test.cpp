@@ -59,7 +59,7 @@ TEST_P(AsosFilter, OnePixelAloneSeesTheSame) {
   for (const int x : {0, 2, 3, 7}) {
     const PixelTrace trace = trace_pixel(*scene, view, settings, x, 3);
     EXPECT_EQ(trace.radiance.r, red_at(whole, x, 3)) << x;
-    for (const PixelTraceCell& cell : trace.cells) {
+    for (const TracedCell& cell : trace.cells) {
       EXPECT_GE(std::min(cell.corner.x, cell.corner.y), -1e-5f);
       EXPECT_LE(std::max(cell.corner.x, cell.corner.y) + cell.side, 1.0f + 1e-5f);
     }

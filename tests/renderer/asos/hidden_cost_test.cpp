@@ -36,7 +36,7 @@ TEST(HiddenCost, AWallBeforeAMillionTrianglesCostsAsMuchAsTheWall) {
   for (const bool shadows : {false, true}) {
     settings.shadow.cast = shadows;
     const auto count = [&](const RenderScene& scene) {
-      return render_picture(scene, scene.world.cameras.front(), settings).statistics;
+      return render_picture(scene, scene.world().cameras.front(), settings).statistics;
     };
     const RenderStatistics a = count(**alone);
     const RenderStatistics b = count(**before);

@@ -41,10 +41,8 @@ double rays_a_pixel(const Picture& picture, std::size_t lights) {
 TEST(LightCost, FarFromTheShadowHardlyAnyRaysAreCast) {
   const Camera camera = look_at({2.6, 1.5, 1.5}, {2.6, 0, 0.2}, 0.5);
   for (const Light& light : all_lights()) {
-    World world = block_on_floor();
-    world.lights = {light};
     const Picture picture =
-        render_picture(*make_render_scene(std::move(world)), camera, settings_of(64, 48));
+        render_picture(*make_render_scene(block_on_floor(), {light}), camera, settings_of(64, 48));
     EXPECT_LT(rays_a_pixel(picture, 1), 0.1) << light.name;
   }
 }
@@ -53,10 +51,9 @@ TEST(LightCost, FarFromTheShadowHardlyAnyRaysAreCast) {
 TEST(LightCost, InTheUmbraOneRayAPixelIsEnough) {
   World world = block_on_floor();
   add_quad(world, {-5, 1, 5}, {10, 0, 0}, {0, 0, -10}, matte({0.6f, 0.6f, 0.6f}));
-  world.lights = all_lights();
   const Camera camera = look_at({0.9, 0.7, 0.9}, {0.9, 0, 0.2}, 0.4);
-  const Picture picture =
-      render_picture(*make_render_scene(std::move(world)), camera, settings_of(64, 48));
+  const Picture picture = render_picture(*make_render_scene(std::move(world), all_lights()), camera,
+                                         settings_of(64, 48));
   EXPECT_LE(rays_a_pixel(picture, all_lights().size()), 1.0);
   EXPECT_GT(picture.statistics.shadow_rays, 0u);
 }
@@ -66,10 +63,9 @@ TEST(LightCost, OnARoundSurfaceOneRayAPixelIsEnough) {
   for (const Light& light : all_lights()) {
     World world;
     add_sphere(world, {0, 0, 0}, 0.5f, 40, matte({0.6f, 0.6f, 0.6f}));
-    world.lights = {light};
     const Camera camera = look_at({0.9, 3, 0.5}, {0.14, 0.475, 0.07}, 0.02);
     const Picture picture =
-        render_picture(*make_render_scene(std::move(world)), camera, settings_of(32, 24));
+        render_picture(*make_render_scene(std::move(world), {light}), camera, settings_of(32, 24));
     EXPECT_LE(rays_a_pixel(picture, 1), 1.0) << light.name;
   }
 }
@@ -89,9 +85,7 @@ TEST(LightCost, AHundredLightsAreTheSumOfTheirPictures) {
   settings.asos.eps = 0.0;
   const Camera camera = look_at({1.5, 1.5, 2.0}, {0, 0.2, 0}, 0.9);
   const auto picture_of = [&](const std::vector<Light>& some) {
-    World lit = world;
-    lit.lights = some;
-    return render_picture(*make_render_scene(std::move(lit)), camera, settings).film.radiance;
+    return render_picture(*make_render_scene(world, some), camera, settings).film.radiance;
   };
   const auto dark = picture_of({}), together = picture_of(lights);
   std::vector<glm::dvec3> sum(dark.begin(), dark.end());

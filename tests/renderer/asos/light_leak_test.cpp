@@ -77,10 +77,8 @@ void expect_dark_room(const std::vector<Light>& lights, Camera::Type eye) {
         camera.height = 0.4 * scale;
         const Picture dark = render_picture(*make_render_scene(room), camera, settings);
         for (const Light& light : lights) {
-          World lit_room = room;
-          lit_room.lights = {scaled(light, scale)};
           const Picture lit =
-              render_picture(*make_render_scene(std::move(lit_room)), camera, settings);
+              render_picture(*make_render_scene(room, {scaled(light, scale)}), camera, settings);
           EXPECT_LE(excess(lit, dark), 0.0) << light.name << ' ' << scale << ' ' << in_parts;
         }
       }
@@ -112,12 +110,12 @@ Picture still_life_at(double scale, const Light& light, bool refined) {
   add_quad(world, s * glm::vec3(-4, 0, 4), s * glm::vec3(8, 0, 0), s * glm::vec3(0, 0, -8),
            matte({0.7f, 0.7f, 0.6f}));
   add_box(world, s * glm::vec3(-0.3f, 0, -0.2f), s * glm::vec3(0.4f, 0.6f, 0.3f), false);
-  world.lights = {scaled(light, scale)};
   RenderSettings settings = small(48, 32);
   settings.asos.refine_shading = refined;
   const Camera camera =
       look_at(scale * glm::dvec3(1.1, 1.3, 2.4), scale * glm::dvec3(0, 0.2, 0), 0.8);
-  return render_picture(*make_render_scene(std::move(world)), camera, settings);
+  return render_picture(*make_render_scene(std::move(world), {scaled(light, scale)}), camera,
+                        settings);
 }
 
 void expect_same_at_all_scales(const std::vector<Light>& lights) {
@@ -191,16 +189,15 @@ TEST(LightLeak, TheLineWhereABoxMeetsTheFloorIsDark) {
       add_quad(world, s * glm::vec3(-9, 0, 9), s * glm::vec3(18, 0, 0), s * glm::vec3(0, 0, -18),
                matte({0.7f, 0.7f, 0.6f}));
       add_box(world, s * glm::vec3(-1, 0, -9), s * glm::vec3(0, 4, 9), false);
-      const World unlit_world = world;
-      world.lights = {scaled(light, scale)};
       RenderSettings settings = small(16, 8);
       // From above, a few pixels of the box's top and side and of the floor behind it; and from so
       // close that the meeting line alone fills the picture.
       for (const double size : {1.0, 1e-2}) {
         const Camera camera = look_at(scale * (glm::dvec3(2.0, 1.5, 0.3) * size),
                                       scale * glm::dvec3(0.05 * size, 0, 0), 0.3);
-        const Picture lit = render_picture(*make_render_scene(world), camera, settings);
-        const Picture dark = render_picture(*make_render_scene(unlit_world), camera, settings);
+        const Picture lit =
+            render_picture(*make_render_scene(world, {scaled(light, scale)}), camera, settings);
+        const Picture dark = render_picture(*make_render_scene(world), camera, settings);
         EXPECT_LE(excess(lit, dark), 0.0) << light.name << ' ' << scale << ' ' << size;
       }
     }

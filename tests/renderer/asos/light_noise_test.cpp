@@ -80,7 +80,7 @@ void expect_boxes(const std::vector<Light>& lights) {
     Scene scene = boxes;
     scene.lights = {scaled(light, 2.0)};
     const auto prepared = prepare(scene).value();
-    expect_same_picture(*prepared, prepared->world.cameras.front(), light.name);
+    expect_same_picture(*prepared, prepared->world().cameras.front(), light.name);
   }
 }
 
@@ -88,7 +88,7 @@ void expect_builtin(const std::string& name) {
   const auto prepared = prepare(load_scene("builtin:" + name).value()).value();
   std::string property = name;
   std::replace(property.begin(), property.end(), '-', '_');
-  expect_same_picture(*prepared, prepared->world.cameras.front(), property);
+  expect_same_picture(*prepared, prepared->world().cameras.front(), property);
 }
 
 TEST(LightNoise, BoxesLookAsSampled) {

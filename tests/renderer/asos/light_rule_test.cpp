@@ -29,7 +29,6 @@ Camera viewer() {
 Picture picture_of(const std::vector<Light>& lights, Method method, LightRule rule) {
   World world;
   add_quad(world, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, matte({0.9f, 0.9f, 0.9f}));
-  world.lights = lights;
   RenderSettings settings;
   settings.method = method;
   settings.width = width;
@@ -37,7 +36,7 @@ Picture picture_of(const std::vector<Light>& lights, Method method, LightRule ru
   settings.shadow.light_rule = rule;
   settings.asos.refine_shading =
       false;  // or pixels are split, whose parts have middles of their own
-  return render_picture(*make_render_scene(std::move(world)), viewer(), settings);
+  return render_picture(*make_render_scene(std::move(world), lights), viewer(), settings);
 }
 
 /// The irradiance per candela, or per nit of flat lights, on the floor.

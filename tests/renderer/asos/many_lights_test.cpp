@@ -37,10 +37,8 @@ World furnished() {
 }
 
 Picture picture_of(const std::vector<Light>& lights, const RenderSettings& settings) {
-  World world = furnished();
-  world.lights = lights;
   const Camera camera = look_at({1.5, 1.5, 2.0}, {0, 0.2, 0}, 0.9);
-  return render_picture(*make_render_scene(std::move(world)), camera, settings);
+  return render_picture(*make_render_scene(furnished(), lights), camera, settings);
 }
 
 /// A light of a sample's type, moved and shrunk.

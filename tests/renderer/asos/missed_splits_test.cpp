@@ -44,7 +44,7 @@ class MissedSplits : public testing::TestWithParam<Case> {
       settings.mirror.bounces = 0;
     }
     const Camera camera =
-        first_camera((*scene)->world, static_cast<double>(settings.width) / settings.height);
+        first_camera((*scene)->world(), static_cast<double>(settings.width) / settings.height);
     const auto picture = render_picture(**scene, camera, settings);
     statistics_ = picture.statistics;
     for (const glm::vec3& c : picture.film.radiance)

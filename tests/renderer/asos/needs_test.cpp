@@ -39,7 +39,7 @@ constexpr std::array methods{Method::asos,       Method::asos_published, Method:
 
 void expect_same_pictures(const RenderScene& needed, const RenderScene& forced, int width,
                           int height) {
-  const Camera camera = test::first_camera(needed.world, static_cast<double>(width) / height);
+  const Camera camera = test::first_camera(needed.world(), static_cast<double>(width) / height);
   for (const Method method : methods) {
     SCOPED_TRACE(testing::Message() << "method " << static_cast<int>(method));
     const RenderSettings settings = settings_of(method, width, height);
@@ -59,7 +59,7 @@ TEST_P(ForcedBuiltin, GivesTheSamePictureToTheBit) {
   EXPECT_GT(features_left_out(needed->needs).size(), 5u);
   EXPECT_LE(features_left_out(forced->needs).size(), 2u)
       << "an opacity that varies and a sky's picture are not forced";
-  EXPECT_LT(needed->memory_mb, forced->memory_mb);
+  EXPECT_LT(needed->geometry->memory_mb, forced->geometry->memory_mb);
   expect_same_pictures(*needed, *forced, 24, 16);
 }
 
@@ -234,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ForcedFeature, testing::Range<std::size_t>(0, 2
 std::uint64_t mirrored_rays(const RenderScene& scene, double roughest_mirror) {
   RenderSettings settings = settings_of(Method::asos, 20, 16);
   settings.mirror.roughest = roughest_mirror;
-  const Camera camera = test::first_camera(scene.world, 20.0 / 16.0);
+  const Camera camera = test::first_camera(scene.world(), 20.0 / 16.0);
   return test::render_picture(scene, camera, settings).statistics.reflection_rays;
 }
 
@@ -264,13 +264,13 @@ TEST(ForcedNeeds, TakeMemoryThatIsLeftOutOtherwise) {
   Scene scene = pane_on_floor();
   add_texture(scene);  // of no material
   const SharedScene needed = prepare(scene).value();
-  EXPECT_TRUE(needed->world.colors.empty() && needed->world.tangents.empty());
-  EXPECT_TRUE(needed->world.texcoords[0].empty() && needed->world.images[0].rgba.empty());
+  EXPECT_TRUE(needed->world().colors.empty() && needed->world().tangents.empty());
+  EXPECT_TRUE(needed->world().texcoords[0].empty() && needed->world().images[0].rgba.empty());
   const SharedScene forced = prepare(scene, SceneNeeds::all()).value();
-  EXPECT_EQ(forced->world.colors.size(), 8u);
-  EXPECT_EQ(forced->world.tangents.size(), 8u);
-  EXPECT_EQ(forced->world.texcoords[0].size(), 8u);
-  EXPECT_EQ(forced->world.images[0].rgba.size(), 256u);
+  EXPECT_EQ(forced->world().colors.size(), 8u);
+  EXPECT_EQ(forced->world().tangents.size(), 8u);
+  EXPECT_EQ(forced->world().texcoords[0].size(), 8u);
+  EXPECT_EQ(forced->world().images[0].rgba.size(), 256u);
 }
 
 TEST(ForcedNeeds, IntersectionsAreNeededWhereSurfacesCross) {

@@ -9,14 +9,14 @@
 namespace asos {
 namespace {
 
-std::vector<Side> around(const std::vector<glm::vec2>& corners) {
-  std::vector<Side> sides;
+std::vector<BorderEdge> around(const std::vector<glm::vec2>& corners) {
+  std::vector<BorderEdge> sides;
   for (std::size_t i = 0; i < corners.size(); ++i)
     sides.push_back({corners[i], corners[(i + 1) % corners.size()]});
   return sides;
 }
 
-PartShape shape_of(const std::vector<Side>& sides, glm::vec2 at) {
+PartShape shape_of(const std::vector<BorderEdge>& sides, glm::vec2 at) {
   return part_shape({{0.0f, 0.0f, 1.0f}, sides, false}, at);
 }
 

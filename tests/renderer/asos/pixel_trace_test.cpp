@@ -34,7 +34,7 @@ Film render(const RenderScene& scene, const View& view, const RenderSettings& se
   return film;
 }
 
-double area_of(const PixelTraceCell& cell) {
+double area_of(const TracedCell& cell) {
   return static_cast<double>(cell.side) * static_cast<double>(cell.side);
 }
 
@@ -57,7 +57,7 @@ bool has_children(CellFate fate) {
 void check_tree(const PixelTrace& trace) {
   std::set<Place> expected{place_of({0, 0}, 1.0f)};
   std::set<Place> found;
-  for (const PixelTraceCell& cell : trace.cells) {
+  for (const TracedCell& cell : trace.cells) {
     EXPECT_NEAR(cell.side, std::ldexp(1.0, -cell.level), 1e-5);
     EXPECT_TRUE(found.insert(place_of(cell.corner, cell.side)).second) << "twice";
     if (!has_children(cell.fate)) continue;
@@ -75,9 +75,9 @@ void check_tree(const PixelTrace& trace) {
 void check_samples(const PixelTrace& trace) {
   double total = 0.0, unresolved = 0.0;
   glm::dvec3 colour(0.0);
-  for (const PixelTraceCell& cell : trace.cells) {
+  for (const TracedCell& cell : trace.cells) {
     double weight = 0.0;
-    for (const PixelTraceSample& s : cell.samples) {
+    for (const TracedSample& s : cell.samples) {
       weight += s.weight;
       colour += s.weight * glm::dvec3(s.radiance);
       const glm::vec2 in = (s.at - cell.corner) / cell.side;
@@ -101,13 +101,13 @@ void check_samples(const PixelTrace& trace) {
 void check_levels(const PixelTrace& trace) {
   for (const LevelTally& tally : trace.levels) {
     const auto marginal =
-        std::count_if(trace.cells.begin(), trace.cells.end(), [&](const PixelTraceCell& cell) {
+        std::count_if(trace.cells.begin(), trace.cells.end(), [&](const TracedCell& cell) {
           return cell.level == tally.level && is_marginal(cell.fate);
         });
     EXPECT_EQ(static_cast<long>(tally.marginal), marginal);
     for (const ObjectTally& object : tally.objects) EXPECT_LE(object.marginal(), tally.marginal);
   }
-  for (const PixelTraceCell& cell : trace.cells) {
+  for (const TracedCell& cell : trace.cells) {
     if (is_marginal(cell.fate)) {
       EXPECT_TRUE(std::any_of(trace.levels.begin(), trace.levels.end(),
                               [&](const LevelTally& tally) { return tally.level == cell.level; }));
@@ -131,8 +131,8 @@ float reach_beyond(const Camera& camera, const RenderSettings& settings) {
 }
 
 void check_boundaries(const PixelTrace& trace, float beyond) {
-  for (const PixelTraceCell& cell : trace.cells) {
-    for (const PixelTraceBoundary& b : cell.boundaries) {
+  for (const TracedCell& cell : trace.cells) {
+    for (const TracedBoundary& b : cell.boundaries) {
       for (const glm::vec2 end : {b.from, b.to}) {
         const glm::vec2 in = (end - cell.corner) / cell.side;
         EXPECT_TRUE(in.x > -beyond && in.y > -beyond && in.x < 1.0f + beyond &&
@@ -184,14 +184,14 @@ SharedScene boxes() {
 
 // 37 x 21 pixels end in blocks that are not whole.
 TEST(PixelTrace, IsWhatRenderingDoes) {
-  check_picture(*boxes(), boxes()->world.cameras.at(0), settings_of(37, 21), 7);
+  check_picture(*boxes(), boxes()->world().cameras.at(0), settings_of(37, 21), 7);
 }
 
 TEST(PixelTrace, IsWhatRenderingDoesAsPublished) {
   RenderSettings settings = settings_of(37, 21);
   settings.method = Method::asos_published;
   settings.asos.eps = 1.0 / 16.0;
-  check_picture(*boxes(), boxes()->world.cameras.at(0), settings, 7);
+  check_picture(*boxes(), boxes()->world().cameras.at(0), settings, 7);
 }
 
 TEST(PixelTrace, IsWhatRenderingDoesWhateverTheFatPyrays) {
@@ -200,7 +200,7 @@ TEST(PixelTrace, IsWhatRenderingDoesWhateverTheFatPyrays) {
     settings.asos.fat = fat;
     settings.asos.max_level = 2;
     settings.asos.jitter = true;
-    check_picture(*boxes(), boxes()->world.cameras.at(0), settings, 11);
+    check_picture(*boxes(), boxes()->world().cameras.at(0), settings, 11);
   }
 }
 
@@ -256,8 +256,9 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
     add_quad(w, {-50, -50, height - 5.03f}, {100, 0, 10}, {0, 100, 0}, unlit({0, 0, 0}));
     return w;
   };
-  const auto scene = std::const_pointer_cast<RenderScene>(make_render_scene(world(0)));
-  scene->index->features = FeatureSet(world(1000));
+  const auto geometry = make_geometry(world(0));
+  geometry->features = FeatureSet(world(1000));
+  const auto scene = unedited_scene(geometry, {});
   const RenderSettings settings = settings_of(16, 16);
   const View view(orthographic(4.0), settings.width, settings.height);
   RenderStatistics statistics;
@@ -295,7 +296,8 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
   }
   ASSERT_NE(scene, nullptr);
   const RenderSettings settings = settings_of(16, 12);
-  const View view(scene->world.cameras.front(), 16, 12, radius_around_origin(scene->world.bounds));
+  const View view(scene->world().cameras.front(), 16, 12,
+                  radius_around_origin(scene->world().bounds));
   const Film film = render(*scene, view, settings);
   int shadows = 0, mirrors = 0, nested = 0, partly_lit = 0;
   for (int y = 0; y < 12; ++y) {
@@ -305,25 +307,25 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
                 0)
           << "writing down changes nothing";
       for (int i = 0; i < static_cast<int>(trace.pyrays.size()); ++i) {
-        const PixelTracePyray& pyray = trace.pyrays[static_cast<std::size_t>(i)];
+        const TracedPyray& pyray = trace.pyrays[static_cast<std::size_t>(i)];
         ASSERT_LT(pyray.parent, i);
         nested += pyray.parent >= 0;
         ASSERT_FALSE(pyray.cells.empty());
         double area = 0.0;
-        for (const PixelTraceCell& cell : pyray.cells)
-          for (const PixelTraceSample& sample : cell.samples) area += sample.weight;
+        for (const TracedCell& cell : pyray.cells)
+          for (const TracedSample& sample : cell.samples) area += sample.weight;
         EXPECT_NEAR(area, 1.0, 1e-5);
         EXPECT_GE(std::min(pyray.from.x, pyray.from.y), -1e-3f);
         EXPECT_LE(std::max(pyray.from.x, pyray.from.y), 1.001f);
-        if (pyray.kind == LoggedPyray::Kind::mirror) {
+        if (pyray.kind == TracedPyray::Kind::mirror) {
           ++mirrors;
           continue;
         }
         ++shadows;
-        EXPECT_LT(pyray.light, scene->world.lights.size());
+        EXPECT_LT(pyray.light, scene->lights().size());
         partly_lit += pyray.result.x > 0.01f && pyray.result.x < 0.99f;
-        for (const PixelTraceCell& cell : pyray.cells)
-          for (const PixelTraceSample& sample : cell.samples)
+        for (const TracedCell& cell : pyray.cells)
+          for (const TracedSample& sample : cell.samples)
             EXPECT_TRUE(sample.radiance.x >= 0.0f && sample.radiance.x <= 1.0f);
       }
     }

@@ -138,7 +138,7 @@ Picture render(const RenderScene& scene, Method method, glm::dvec3 eye = {1.5, 2
   settings.width = settings.height = size;
   settings.asos.max_level = 4;
   settings.asos.eps = 0.0;
-  const glm::dvec3 origin = scene.world.origin;
+  const glm::dvec3 origin = scene.world().origin;
   const View view(look_at(eye - origin, -origin, 0.6), size, size);
   Picture picture;
   for (int y = 0; y < size; y += block_size) {
@@ -188,7 +188,7 @@ TEST(RoughMeshes, SolidsThatPassThroughEachOtherMeetInExactLines) {
                                                               : glm::vec3(0.1f, 0.8f, 0.3f)));
         }
         const auto scene = rough.prepared();
-        EXPECT_GT(scene->features.counts().intersection, 0u);
+        EXPECT_GT(scene->features().counts().intersection, 0u);
         expect_exact(
             *scene, solids[i].first + " and " + solids[k].first + ", pose " + std::to_string(pose));
       }
@@ -227,7 +227,7 @@ TEST(RoughMeshes, WallsModelledTwiceLookAsOnce) {
     twice.add(wall, paint);
   }
   const auto single = once.prepared(), doubled = twice.prepared();
-  EXPECT_EQ(doubled->features.counts().open, single->features.counts().open);
+  EXPECT_EQ(doubled->features().counts().open, single->features().counts().open);
   expect_exact(*single, "once");
   expect_exact(*doubled, "twice");
   const Picture a = render(*single, Method::asos), b = render(*doubled, Method::asos);
@@ -255,7 +255,7 @@ TEST(RoughMeshes, FlippedFacesLookTheSame) {
     for (glm::uvec3& t : mesh.triangles)
       if (random() % 2) std::swap(t.y, t.z);
   const auto before = sound.prepared(), after = flipped.prepared();
-  EXPECT_EQ(before->features.edges().size(), after->features.edges().size());
+  EXPECT_EQ(before->features().edges().size(), after->features().edges().size());
   const Picture a = render(*before, Method::asos), b = render(*after, Method::asos);
   EXPECT_EQ(a.statistics.split_pixels, b.statistics.split_pixels);
   EXPECT_EQ(a.statistics.missed_splits, 0u);
@@ -292,8 +292,8 @@ TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
     return rough.prepared();
   };
   const auto whole = wall(0.0f), periods = wall(3.0f), broken = wall(0.5f);
-  EXPECT_EQ(periods->features.counts().seam, 0u);
-  EXPECT_EQ(broken->features.counts().seam, 1u);
+  EXPECT_EQ(periods->features().counts().seam, 0u);
+  EXPECT_EQ(broken->features().counts().seam, 1u);
   const Picture a = render(*whole, Method::asos), b = render(*periods, Method::asos);
   EXPECT_EQ(a.statistics.eye_rays, b.statistics.eye_rays);
   EXPECT_EQ(b.statistics.missed_splits, 0u);

@@ -47,9 +47,8 @@ World plain_in_a_wide_box() {
 }
 
 Picture picture_of(World world, const std::vector<Light>& lights, const RenderSettings& settings) {
-  world.lights = lights;
   const Camera camera = look_at({1.5, 2.0, 3.0}, {0.2, 0, 0.3}, 0.8);
-  return render_picture(*make_render_scene(std::move(world)), camera, settings);
+  return render_picture(*make_render_scene(std::move(world), lights), camera, settings);
 }
 
 // Boundaries are searched once for each fat pyray and light; where there are none, one surface may

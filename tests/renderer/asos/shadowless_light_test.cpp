@@ -36,10 +36,8 @@ RenderSettings settings_for(Method method) {
 }
 
 Picture picture_of(const std::vector<Light>& lights, const RenderSettings& settings) {
-  World world = furnished();
-  world.lights = lights;
   const Camera camera = look_at({1.5, 2.5, 2.5}, {0, 0.2, 0}, 0.7);
-  return render_picture(*make_render_scene(std::move(world)), camera, settings);
+  return render_picture(*make_render_scene(furnished(), lights), camera, settings);
 }
 
 constexpr Method methods[] = {Method::asos, Method::asos_published, Method::uniform,

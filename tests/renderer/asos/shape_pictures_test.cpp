@@ -212,9 +212,9 @@ struct Compared {
 };
 
 /// The world by asos at MAX 4 and by Sobol points.
-Compared against_samples(const World& world, const Camera& camera, int spp,
+Compared against_samples(FlattenedScene flattened, const Camera& camera, int spp,
                          Method method = Method::asos) {
-  const auto scene = make_render_scene(world);
+  const auto scene = make_render_scene(std::move(flattened));
   RenderSettings settings;
   settings.width = 72;
   settings.height = 48;
@@ -228,14 +228,13 @@ Compared against_samples(const World& world, const Camera& camera, int spp,
   return {rms(picture.film, samples.film), picture.statistics.missed_splits};
 }
 
-World without_shading(World world) {
+FlattenedScene without_shading(World world) {
   for (Material& m : world.materials) m.unlit = true;
-  return world;
+  return {std::move(world), {}};
 }
 
-World under(World world, const Light& light) {
-  world.lights.push_back(light);
-  return world;
+FlattenedScene under(World world, const Light& light) {
+  return {std::move(world), {light}};
 }
 
 Camera in_front() {

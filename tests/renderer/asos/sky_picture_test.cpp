@@ -81,8 +81,7 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
   dark.type = Light::Type::directional;
   dark.direction = {0, 1, 0};
   dark.intensity = 1e-6f;
-  world.lights.push_back(dark);
-  const auto scene = make_render_scene(std::move(world));
+  const auto scene = make_render_scene(std::move(world), {dark});
   const auto sky = std::make_shared<const Sky>(glm::vec3(2, 1, 0), glm::vec3(0.5f));
   const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
   for (const Method method : {Method::asos, Method::sobol}) {

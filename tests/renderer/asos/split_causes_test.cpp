@@ -27,9 +27,8 @@ RenderSettings settings_of(Method method = Method::asos) {
   return settings;
 }
 
-Picture render(World world, const RenderSettings& settings = settings_of()) {
-  const auto scene = make_render_scene(std::move(world));
-  return render_picture(*scene, orthographic(8.0), settings);
+Picture render(FlattenedScene scene, const RenderSettings& settings = settings_of()) {
+  return render_picture(*make_render_scene(std::move(scene)), orthographic(8.0), settings);
 }
 
 SplitCause cause_at(const Picture& picture, int x, int y) {
@@ -135,8 +134,7 @@ TEST(SplitCauses, AnOutlineAndTheEdgeOfItsHardShadow) {
   add_wall(world);
   const double x0 = 1.13, x1 = 2.13, y1 = 1.1;
   add_quad(world, {x0, -y1, 1}, {x1 - x0, 0, 0}, {0, 2 * y1, 0}, matte(glm::vec3(0.8f)));
-  world.lights.push_back(sun_from_the_right());
-  const Picture picture = render(std::move(world));
+  const Picture picture = render({std::move(world), {sun_from_the_right()}});
   expect_consistent(picture);
   // Whether the border of the rectangle from a to b passes through a pixel.
   const auto on_border = [](glm::dvec2 a, glm::dvec2 b, int x, int y) {
@@ -161,12 +159,12 @@ TEST(SplitCauses, AKinkAndALineWhereWallsPassThroughEachOther) {
   World roof;
   add_quad(roof, {-9, -9, -2}, {9.125f, 0, 2}, {0, 18, 0}, matte(glm::vec3(0.5f)));
   add_quad(roof, {0.125f, -9, 0}, {9, 0, -2}, {0, 18, 0}, matte(glm::vec3(0.5f)));
-  const Picture kinked = render(std::move(roof));
+  const Picture kinked = render({std::move(roof), {}});
   expect_only(kinked, SplitCause::crease);
   World crossing;
   add_wall(crossing);
   add_quad(crossing, {-9, -9, -1}, {18.3f, 0, 2}, {0, 18, 0}, matte(glm::vec3(0.5f)));
-  const Picture crossed = render(std::move(crossing));
+  const Picture crossed = render({std::move(crossing), {}});
   expect_only(crossed, SplitCause::intersection);
   for (const Picture* picture : {&kinked, &crossed}) {
     EXPECT_EQ(picture->statistics.split_pixels, static_cast<std::uint64_t>(size))
@@ -180,8 +178,7 @@ TEST(SplitCauses, ALightCloseToAWallIsShading) {
   Light light;
   light.position = {0.1, 0.2, 0.7};
   light.intensity = 0.5f;
-  world.lights.push_back(light);
-  expect_only(render(std::move(world)), SplitCause::shading);
+  expect_only(render({std::move(world), {light}}), SplitCause::shading);
 }
 
 TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
@@ -192,12 +189,11 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
   light.radius = 0.05;
   light.intensity = 30.0f;
   light.position = {-6, 0, 3};
-  world.lights.push_back(light);
-  const Picture hidden = render(world);
+  const Picture hidden = render({world, {light}});
   EXPECT_GT(pixels_with(hidden, SplitCause::outline), 0u);
   EXPECT_EQ(pixels_with(hidden, SplitCause::shadow), 0u) << "the card hides its shadow";
-  world.lights[0].position = {6, 0, 3};
-  const Picture picture = render(std::move(world));
+  light.position = {6, 0, 3};
+  const Picture picture = render({std::move(world), {light}});
   expect_consistent(picture);
   std::uint64_t split_for_shadow = 0;
   for (std::size_t i = 0; i < picture.film.cause.size(); ++i)
@@ -218,7 +214,7 @@ TEST(SplitCauses, TheOutlineOfACutOutIsFoundBySamples) {
   material.base_color_texture.texture =
       add_texture(world, image, Wrap::clamp_to_edge, Filter::nearest);
   add_quad(world, {-8.2f, -9, 1}, {18, 0, 0}, {0, 18, 0}, material);
-  expect_only(render(std::move(world)), SplitCause::cut_out);
+  expect_only(render({std::move(world), {}}), SplitCause::cut_out);
 }
 
 // So many edges in one pixel that it is saturated, and a fan of them that is not.
@@ -234,7 +230,7 @@ TEST(SplitCauses, SaturationAndTheDepthLimit) {
     const glm::vec3 a = corner(), b = corner(), c = corner();
     add_triangle(world, a, b, c, matte(glm::vec3(0.5f)));
   }
-  const Picture thicket = render(std::move(world));
+  const Picture thicket = render({std::move(world), {}});
   expect_only(thicket, SplitCause::saturation);
   EXPECT_EQ(cause_at(thicket, 8, 7), SplitCause::saturation);
 
@@ -244,7 +240,7 @@ TEST(SplitCauses, SaturationAndTheDepthLimit) {
   RenderSettings settings = settings_of();
   settings.asos.leaf = Leaf::point;
   settings.asos.eps = 0.0;
-  expect_only(render(std::move(card), settings), SplitCause::depth_limit);
+  expect_only(render({std::move(card), {}}, settings), SplitCause::depth_limit);
 }
 
 TEST(SplitCauses, OtherMethodsTellNone) {
@@ -259,16 +255,16 @@ TEST(SplitCauses, OtherMethodsTellNone) {
 }
 
 TEST(LightCounts, AddUpToAllShadowRaysForEveryMethod) {
-  World world = still_life();
+  FlattenedScene still = still_life();
   Light ball;
   ball.position = {1, 3, 2};
   ball.radius = 0.2;
   ball.intensity = 10.0f;
-  world.lights.push_back(ball);
+  still.lights.push_back(ball);
   Light unshadowed = ball;
   unshadowed.casts_shadows = false;
-  world.lights.push_back(unshadowed);
-  const auto scene = make_render_scene(std::move(world));
+  still.lights.push_back(unshadowed);
+  const auto scene = make_render_scene(std::move(still));
   for (const Method method : {Method::asos, Method::asos_published, Method::uniform,
                               Method::stochastic, Method::sobol, Method::beam}) {
     RenderSettings settings = settings_of(method);

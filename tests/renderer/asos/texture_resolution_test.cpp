@@ -124,8 +124,8 @@ TEST(TextureResolution, WeightsAddUpToAPixel) {
   for (int x = 0; x < picture_side; ++x) {
     const PixelTrace trace = trace_pixel(*scene, view, with_tr(4), x, 9);
     double weight = 0.0;
-    for (const PixelTraceCell& cell : trace.cells)
-      for (const PixelTraceSample& sample : cell.samples) weight += sample.weight;
+    for (const TracedCell& cell : trace.cells)
+      for (const TracedSample& sample : cell.samples) weight += sample.weight;
     EXPECT_NEAR(weight, 1.0, 1e-6) << x;
   }
 }
@@ -138,8 +138,8 @@ TEST(TextureResolution, ATraceAddsUpToThePicture) {
   for (int x = 4; x < 16; ++x) {
     const PixelTrace trace = trace_pixel(*scene, view, settings, x, 12);
     glm::dvec3 sum(0.0);
-    for (const PixelTraceCell& cell : trace.cells)
-      for (const PixelTraceSample& sample : cell.samples)
+    for (const TracedCell& cell : trace.cells)
+      for (const TracedSample& sample : cell.samples)
         sum += sample.weight * glm::dvec3(sample.radiance);
     EXPECT_NEAR(sum.r, static_cast<double>(picture.film.radiance[picture.film.index(x, 12)].r),
                 1e-5)
@@ -188,8 +188,7 @@ TEST(TextureResolution, PartsShareTheirShadows) {
   Light sun;
   sun.type = Light::Type::directional;
   sun.direction = glm::normalize(glm::dvec3(-0.7, 0.1, -1.0));
-  world.lights = {ball, sun};
-  const auto scene = make_render_scene(std::move(world));
+  const auto scene = make_render_scene(std::move(world), {ball, sun});
   const Picture once = render_picture(*scene, orthographic(2.0), with_tr(1));
   const Picture parts = render_picture(*scene, orthographic(2.0), with_tr(4));
   EXPECT_GT(parts.statistics.eye_rays, 10 * once.statistics.eye_rays);
@@ -238,9 +237,9 @@ TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
   }
   EXPECT_EQ(same, 0);
   // The half of the square above its diagonal.
-  const std::vector<Side> sides{{{0.25f, 0.625f}, {0.375f, 0.5f}},
-                                {{0.375f, 0.5f}, {0.25f, 0.5f}},
-                                {{0.25f, 0.5f}, {0.25f, 0.625f}}};
+  const std::vector<BorderEdge> sides{{{0.25f, 0.625f}, {0.375f, 0.5f}},
+                                      {{0.375f, 0.5f}, {0.25f, 0.5f}},
+                                      {{0.25f, 0.5f}, {0.25f, 0.625f}}};
   const LeafRegion half{square, sides};
   const auto parts = texture_parts(half, 5, {{16, 8}, 8}, 0, true);
   EXPECT_GE(parts.size(), 10u);

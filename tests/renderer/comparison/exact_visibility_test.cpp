@@ -321,9 +321,9 @@ TEST(Beam, APixelIsAreaTimesRadiance) {
 
 TEST(Beam, ShadesAsRaysDo) {
   // Without shadows, whose edges beams to the eye do not find.
-  World world = still_life();
-  for (Light& light : world.lights) light.casts_shadows = false;
-  const auto scene = make_render_scene(std::move(world));
+  FlattenedScene still = still_life();
+  for (Light& light : still.lights) light.casts_shadows = false;
+  const auto scene = make_render_scene(std::move(still));
   const View view(look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), 8, 8);
   const BlockResult exact = beam(*scene, view);
   RenderSettings settings;
@@ -342,19 +342,20 @@ TEST(Beam, ShadesAsRaysDo) {
 TEST(Beam, RefusesLargeScenesWithAReason) {
   World world;
   add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, unlit({1, 1, 1}));
-  RenderScene scene;
-  scene.world = world;
+  const auto geometry = std::make_shared<Geometry>();
+  geometry->world = std::move(world);
+  const auto scene = unedited_scene(geometry, {});
   RenderSettings settings;
   settings.method = Method::beam;
-  EXPECT_TRUE(check_method(scene, settings).has_value());
-  scene.world.triangles.resize(most_beam_triangles + 1);
-  const auto refused = check_method(scene, settings);
+  EXPECT_TRUE(check_method(*scene, settings).has_value());
+  geometry->world.triangles.resize(most_beam_triangles + 1);
+  const auto refused = check_method(*scene, settings);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().subject, "method");
   EXPECT_NE(refused.error().reason.find(std::to_string(most_beam_triangles + 1)),
             std::string::npos);
   settings.method = Method::asos;
-  EXPECT_TRUE(check_method(scene, settings).has_value());
+  EXPECT_TRUE(check_method(*scene, settings).has_value());
 }
 
 }  // namespace

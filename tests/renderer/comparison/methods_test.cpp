@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace asos::methods_test {
 namespace {
@@ -41,6 +43,61 @@ RenderSettings small_settings(Method method, int spp) {
   settings.method = method;
   settings.sampling.spp = spp;
   return settings;
+}
+
+/// A method of its own: nothing but its function and its row is needed.
+BlockResult render_block_checkered(const BlockJob& job) {
+  BlockResult result;
+  result.tile.rect = job.block;
+  for (int y = job.block.y; y < job.block.y + job.block.height; ++y) {
+    for (int x = job.block.x; x < job.block.x + job.block.width; ++x) {
+      result.tile.radiance.emplace_back((x + y) % 2 == 0 ? 0.0f : 1.0f);
+      result.tile.split_level.push_back(0);
+      ++result.statistics.eye_rays;
+    }
+  }
+  return result;
+}
+
+TEST(MethodTable, AnotherMethodIsAFunctionAndARow) {
+  std::vector<MethodRow> methods(method_table().begin(), method_table().end());
+  const auto checkered = static_cast<Method>(methods.size());
+  methods.push_back({.value = checkered,
+                     .name = "checkered",
+                     .render = render_block_checkered,
+                     .block_side = [](const RenderSettings&) { return block_size; }});
+  const auto scene = half_plane();
+  const View view(test::orthographic(8.0), 8, 8);
+  const RenderSettings settings = small_settings(checkered, 1);
+  const BlockResult r = render_block({*scene, view, settings, block}, methods);
+  ASSERT_EQ(r.tile.radiance.size(), 64u);
+  EXPECT_EQ(pixel(r, 2, 4), 0.0f);
+  EXPECT_EQ(pixel(r, 3, 4), 1.0f);
+  EXPECT_EQ(r.tile.cause, std::vector<SplitCause>(64, SplitCause::none));
+  EXPECT_EQ(r.tile.rays, std::vector<float>(64, 1.0f));
+  // The others are where they were.
+  const RenderSettings uniform = small_settings(Method::uniform, 16);
+  EXPECT_EQ(render_block({*scene, view, uniform, block}, methods).tile.radiance,
+            render_block(*scene, view, uniform, block).tile.radiance);
+}
+
+TEST(MethodTable, HasARowForEachMethod) {
+  ASSERT_EQ(method_table().size(), static_cast<std::size_t>(last_method) + 1);
+  std::set<std::string> names, titles;
+  for (const MethodRow& row : method_table()) {
+    EXPECT_EQ(&row_of(row.value), &row);
+    EXPECT_NE(row.about, std::string()) << row.name;
+    names.insert(row.name);
+    titles.insert(row.title);
+    RenderSettings settings;
+    settings.method = row.value;
+    EXPECT_TRUE(validated(settings).has_value()) << row.name;
+    EXPECT_EQ(block_side(settings) % block_size, 0) << row.name;
+  }
+  EXPECT_EQ(names.size(), method_table().size());
+  EXPECT_EQ(titles.size(), method_table().size());
+  EXPECT_TRUE(in_object_space(Method::asos_published));
+  EXPECT_FALSE(in_object_space(Method::beam));
 }
 
 TEST(Uniform, ConvergesOnTheCoverageOfAHalfPlane) {
@@ -202,16 +259,16 @@ TEST(Prepare, LightsASceneWithoutLights) {
   scene.instances.push_back(instance);
   const auto prepared = prepare(scene);
   ASSERT_TRUE(prepared.has_value()) << prepared.error().message();
-  EXPECT_TRUE((*prepared)->default_rig);
-  EXPECT_FALSE((*prepared)->world.lights.empty());
-  EXPECT_GT((*prepared)->memory_mb, 0.0);
-  EXPECT_EQ((*prepared)->source, "test");
+  EXPECT_TRUE((*prepared)->lighting->default_rig);
+  EXPECT_FALSE((*prepared)->lights().empty());
+  EXPECT_GT((*prepared)->geometry->memory_mb, 0.0);
+  EXPECT_EQ((*prepared)->geometry->source, "test");
 
   scene.lights.emplace_back();
   const auto lit = prepare(scene);
   ASSERT_TRUE(lit.has_value());
-  EXPECT_FALSE((*lit)->default_rig);
-  EXPECT_EQ((*lit)->world.lights.size(), 1u);
+  EXPECT_FALSE((*lit)->lighting->default_rig);
+  EXPECT_EQ((*lit)->lights().size(), 1u);
 }
 
 TEST(Prepare, AnEmptySceneRendersTheBackground) {

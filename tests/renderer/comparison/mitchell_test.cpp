@@ -63,13 +63,13 @@ TEST(Mitchell, EachChannelHasItsThreshold) {
 }
 
 TEST(Mitchell, EqualsSobolAtEitherEnd) {
-  World world = still_life();
+  FlattenedScene still = still_life();
   Light ball;
   ball.position = {1, 3, 2};
   ball.radius = 0.5;
   ball.intensity = 20.0f;
-  world.lights.push_back(ball);
-  const auto scene = make_render_scene(std::move(world));
+  still.lights.push_back(ball);
+  const auto scene = make_render_scene(std::move(still));
   const Camera camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
   const auto expect_sobol = [&](double scale, int spp) {
     RenderSettings settings = mitchell(9, scale);

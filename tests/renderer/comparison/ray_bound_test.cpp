@@ -83,8 +83,8 @@ std::size_t surfaces_in(const RenderScene& scene, const View& view, int x, int y
   std::set<std::uint32_t> surfaces;
   for (int k = 0; k < n * n; ++k) {
     const Ray ray = view.ray(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
-    const Hit hit = scene.rays.closest(ray, Faces::as_material_says);
-    surfaces.insert(hit.valid() ? scene.features.sheet(hit.triangle) : Hit::none);
+    const Hit hit = scene.rays().closest(ray, Faces::as_material_says);
+    surfaces.insert(hit.valid() ? scene.features().sheet(hit.triangle) : Hit::none);
   }
   return surfaces.size();
 }

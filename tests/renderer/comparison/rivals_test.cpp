@@ -1,4 +1,3 @@
-#include "renderer/settings/names.h"
 #include "tests/renderer/comparison/rival_scenes.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +15,13 @@ namespace {
 constexpr std::array rivals{Method::whitted, Method::mitchell, Method::ray_bound, Method::average};
 
 std::shared_ptr<const RenderScene> lit_still_life() {
-  World world = still_life();
+  FlattenedScene still = still_life();
   Light ball;
   ball.position = {1, 3, 2};
   ball.radius = 0.3;
   ball.intensity = 20.0f;
-  world.lights.push_back(ball);
-  return make_render_scene(std::move(world));
+  still.lights.push_back(ball);
+  return make_render_scene(std::move(still));
 }
 
 const Camera& camera() {
@@ -41,14 +40,14 @@ TEST(Rivals, StopWhenAsked) {
     settings.sampling.contrast = settings.sampling.contrast_scale = 0.0;
     const PixelRect block{0, 0, block_side(settings), block_side(settings)};
     const BlockResult r = render_block(*scene, view, settings, block, stop.get_token());
-    EXPECT_LT(r.statistics.eye_rays, 1200u) << name_in(method_names, method);
+    EXPECT_LT(r.statistics.eye_rays, 1200u) << row_of(method).name;
   }
 }
 
 TEST(Rivals, CountShadowRaysByLightAndTellNoCause) {
   const auto scene = lit_still_life();
   for (const Method method : rivals) {
-    SCOPED_TRACE(name_in(method_names, method));
+    SCOPED_TRACE(row_of(method).name);
     const Picture picture = render_picture(*scene, camera(), settings_for(method, 9, 24));
     const RenderStatistics& counts = picture.statistics;
     EXPECT_GT(counts.of_light(0).shadow_rays, 0u);
@@ -68,7 +67,7 @@ TEST(Rivals, LeaveOutAndCountWhatIsNotFinite) {
   for (std::size_t i = 4; i < 8; ++i) world.colors[i].r = std::numeric_limits<float>::quiet_NaN();
   const auto scene = make_render_scene(std::move(world));
   for (const Method method : rivals) {
-    SCOPED_TRACE(name_in(method_names, method));
+    SCOPED_TRACE(row_of(method).name);
     const BlockResult r = render_small(*scene, settings_for(method));
     for (int y = 0; y < 8; ++y) {
       for (int x = 0; x < 8; ++x) {

@@ -69,13 +69,13 @@ TEST(Whitted, OnlyContrastAboveTheThresholdIsSplit) {
 
 // Soft shadows make every corner a random number of its own.
 TEST(Whitted, ACornerDependsOnItsPlaceAndTheSeedAlone) {
-  World world = still_life();
+  FlattenedScene still = still_life();
   Light ball;
   ball.position = {1, 3, 2};
   ball.radius = 0.5;
   ball.intensity = 20.0f;
-  world.lights.push_back(ball);
-  const auto scene = make_render_scene(std::move(world));
+  still.lights.push_back(ball);
+  const auto scene = make_render_scene(std::move(still));
   const View view(look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), 64, 64);
   RenderSettings settings = whitted(3, true);
   settings.width = settings.height = 64;
@@ -208,7 +208,7 @@ TEST(Whitted, SpheresOfWhatIsHiddenOrLargeSplitNothing) {
   EXPECT_EQ(render_small(*scene, whitted(4, true)).statistics.eye_rays, 81u);
 
   const View view(orthographic(8.0), 8, 8);
-  const auto spheres = object_spheres(scene->world);
+  const auto spheres = object_spheres(scene->world());
   ASSERT_EQ(spheres.size(), 3u);
   EXPECT_NEAR(spheres[1].radius, std::sqrt(0.02), 1e-6);
   EXPECT_NEAR(spheres[1].thickness, std::sqrt(0.02), 1e-6);

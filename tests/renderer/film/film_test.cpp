@@ -51,6 +51,36 @@ TEST(Film, ForgetsCostsWhereATileTellsNone) {
   EXPECT_EQ(film.rays, std::vector<float>(8, 0.0f));
 }
 
+TEST(FinishedTile, CopiesThePixelsThatTwoShare) {
+  const auto tile_at = [](const PixelRect& rect, float value) {
+    FinishedTile tile;
+    tile.rect = rect;
+    const auto pixels = static_cast<std::size_t>(rect.width * rect.height);
+    tile.radiance.assign(pixels, glm::vec3(value));
+    tile.split_level.assign(pixels, static_cast<std::uint8_t>(value));
+    tile.cause.assign(pixels, SplitCause::crease);
+    tile.rays.assign(pixels, value);
+    return tile;
+  };
+  FinishedTile to = tile_at({10, 20, 3, 2}, 1.0f);
+  to.cause.assign(6, SplitCause::none);
+  to.seconds.assign(6, 5.0f);
+  copy_pixels(tile_at({11, 18, 9, 3}, 2.0f), to);
+  EXPECT_EQ(to.rays, (std::vector<float>{1, 2, 2, 1, 1, 1}));
+  EXPECT_EQ(to.split_level, (std::vector<std::uint8_t>{1, 2, 2, 1, 1, 1}));
+  EXPECT_EQ(to.radiance[1], glm::vec3(2.0f));
+  EXPECT_EQ(to.radiance[3], glm::vec3(1.0f));
+  EXPECT_EQ(to.cause[2], SplitCause::crease);
+  EXPECT_EQ(to.cause[4], SplitCause::none);
+  EXPECT_EQ(to.seconds, (std::vector<float>{5, 0, 0, 5, 5, 5})) << "not told";
+  // Costs that are not kept are left out, and tiles that share nothing are left as they are.
+  to.rays.clear();
+  copy_pixels(tile_at({10, 20, 1, 1}, 3.0f), to);
+  copy_pixels(tile_at({13, 20, 4, 4}, 4.0f), to);
+  EXPECT_TRUE(to.rays.empty());
+  EXPECT_EQ(to.split_level, (std::vector<std::uint8_t>{3, 2, 2, 1, 1, 1}));
+}
+
 TEST(SplitMap, CostsHaveAbsoluteLogarithmicScales) {
   Film film(5, 1);
   film.rays = {0.0f, 1.0f, 64.0f, 4096.0f, 1e9f};

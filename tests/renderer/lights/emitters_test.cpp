@@ -102,7 +102,7 @@ TEST(EmissiveLights, AMirroredInstanceKeepsItsFrontInFront) {
     for (int i = 0; i < 3; ++i) instance.world_from_mesh[i][i] = scale[i];
     scene.instances.push_back(instance);
   }
-  const std::vector<Light> lights = emissive_lights(flatten(scene).value(), plain_emission);
+  const std::vector<Light> lights = emissive_lights(flatten(scene).value().world, plain_emission);
   ASSERT_EQ(lights.size(), 2u);
   EXPECT_NEAR(lights[0].direction.z, 1.0, 1e-12);
   EXPECT_NEAR(lights[1].direction.z, -1.0, 1e-12);

@@ -22,9 +22,9 @@ Light ceiling_light() {
   return light;
 }
 
-std::vector<LightCut> cuts_of(World world, const Light& light) {
-  world.lights = {light};
-  return find_light_cuts(world).at(0);
+std::vector<LightCut> cuts_of(const World& world, const Light& light) {
+  const PreparedLight prepared = prepare_light(light);
+  return find_light_cuts(world, {&prepared, 1}).at(0);
 }
 
 double length_of(const std::vector<LightCut>& cuts) {

@@ -230,14 +230,14 @@ TEST(PictureDescription, EditedBlurComesBackWithItsScene) {
   const Scene scene = load_scene("builtin:solids").value();
   const auto original = prepare(scene).value();
   EXPECT_FALSE(describe(*original, {}, {}, {}).dfrs.has_value()) << "nothing was edited";
-  MaterialDfrs dfrs = dfrs_of(original->world);
+  MaterialDfrs dfrs = dfrs_of(original->world());
   dfrs.back() =
       Dfr{{DfrCurve{0.2, 0.7, 9.0}, DfrCurve{0.2, 0.7, 9.0}, DfrCurve{0.2, 0.7, 9.0}}, 0.0};
   const auto edited = with_dfrs(original, dfrs).value();
   const auto read =
       parse_description(description_text(describe(*edited, {}, {}, {})), "a.png").value();
   EXPECT_EQ(read.dfrs, dfrs);
-  EXPECT_EQ(dfrs_of((*prepare(scene, read))->world), dfrs);
+  EXPECT_EQ((*prepare(scene, read))->dfrs(), dfrs);
 
   // Another scene than that of the picture is told, not half edited.
   const auto other = prepare(load_scene("builtin:boxes").value(), read);

@@ -1,5 +1,4 @@
-#include "renderer/prepared/edited_materials.h"
-
+#include "renderer/prepared/render_scene.h"
 #include "renderer/scene/load.h"
 #include "tests/support/render_picture.h"
 
@@ -18,13 +17,13 @@ Dfr blurred() {
 }
 
 /// The built-in boxes, of polished metal; with a ratio of their own where that is asked for.
-std::shared_ptr<const RenderScene> polished_boxes(std::optional<Dfr> dfr) {
+std::shared_ptr<const RenderScene> polished_boxes(std::optional<Dfr> dfr, float roughness = 0.0f) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != "boxes") continue;
     Scene scene = builtin.make();
     for (Material& material : scene.materials) {
       material.metallic = 1.0f;
-      material.roughness = 0.0f;
+      material.roughness = roughness;
       material.dfr = dfr;
     }
     return prepare(scene).value();
@@ -37,28 +36,58 @@ Film film_of(const RenderScene& scene) {
   settings.width = 24;
   settings.height = 18;
   settings.asos.max_level = 1;
-  return test::render_picture(scene, test::first_camera(scene.world, 4.0 / 3.0), settings).film;
+  return test::render_picture(scene, test::first_camera(scene.world(), 4.0 / 3.0), settings).film;
 }
 
 TEST(WithDfrs, GivesThePictureOfASceneWithThoseMaterials) {
   const auto before = polished_boxes(std::nullopt);
   const auto fresh = polished_boxes(blurred());
-  MaterialDfrs dfrs = dfrs_of(fresh->world);
+  MaterialDfrs dfrs = dfrs_of(fresh->world());
   const auto edited = with_dfrs(before, dfrs);
   ASSERT_TRUE(edited.has_value());
-  EXPECT_EQ(&(*edited)->features, &before->features) << "nothing is built again";
-  EXPECT_EQ((*edited)->built_from, before);
+  EXPECT_EQ((*edited)->geometry, before->geometry) << "nothing is built again";
+  EXPECT_EQ((*edited)->lighting, before->lighting);
+  EXPECT_EQ((*edited)->dfrs(), dfrs);
   const Film got = film_of(**edited);
   EXPECT_EQ(got.radiance, film_of(*fresh).radiance);
   EXPECT_NE(got.radiance, film_of(*before).radiance);
-  const auto back = with_dfrs(*edited, dfrs_of(before->world));
-  EXPECT_EQ((*back)->built_from, before) << "no chain of scenes";
+  const auto back = with_dfrs(*edited, dfrs_of(before->world()));
   EXPECT_EQ(film_of(**back).radiance, film_of(*before).radiance);
+}
+
+TEST(WithDfrs, LightsAndRatiosAreEditedInEitherOrder) {
+  const auto before = polished_boxes(std::nullopt);
+  const MaterialDfrs dfrs = dfrs_of(polished_boxes(blurred())->world());
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = {0, -1, 0};
+  const auto lit_first = with_dfrs(with_lights(before, {sun}).value(), dfrs).value();
+  const auto lit_last = with_lights(with_dfrs(before, dfrs).value(), {sun}).value();
+  for (const auto& scene : {lit_first, lit_last}) {
+    EXPECT_EQ(scene->geometry, before->geometry);
+    EXPECT_EQ(scene->dfrs(), dfrs);
+    EXPECT_EQ(scene->lights().size(), 1u);
+  }
+  EXPECT_EQ(lit_first->needs, lit_last->needs);
+  EXPECT_EQ(film_of(*lit_first).radiance, film_of(*lit_last).radiance);
+}
+
+// Only a ratio of its own makes a rough material a mirror, whether it had one from the first or
+// not.
+TEST(WithDfrs, ARoughMaterialBecomesAMirror) {
+  const auto rough = polished_boxes(std::nullopt, 0.6f);
+  const auto mirrors = polished_boxes(blurred(), 0.6f);
+  EXPECT_FALSE(rough->needs.mirrors);
+  const auto edited = with_dfrs(rough, dfrs_of(mirrors->world())).value();
+  EXPECT_EQ(edited->needs, mirrors->needs);
+  EXPECT_EQ(film_of(*edited).radiance, film_of(*mirrors).radiance);
+  const auto back = with_dfrs(edited, dfrs_of(rough->world())).value();
+  EXPECT_EQ(back->needs, rough->needs);
 }
 
 TEST(WithDfrs, RefusesWhatIsOutOfRange) {
   const auto scene = polished_boxes(std::nullopt);
-  MaterialDfrs dfrs = dfrs_of(scene->world);
+  MaterialDfrs dfrs = dfrs_of(scene->world());
   EXPECT_FALSE(with_dfrs(scene, {}).has_value());
   for (const double bad : {-0.1, 1.5, std::numeric_limits<double>::quiet_NaN()}) {
     dfrs[0] = blurred();

@@ -63,21 +63,21 @@ Scene lamp_over_table(float nits) {
 
 TEST(Prepare, EmissiveMeshesLightAScene) {
   const auto scene = prepared(lamp_over_table(20.0f));
-  EXPECT_EQ(scene->emissive_lights, 6u);
-  EXPECT_EQ(scene->world.lights.size(), 6u);
-  EXPECT_FALSE(scene->default_rig);
+  EXPECT_EQ(scene->lighting->emissive_lights, 6u);
+  EXPECT_EQ(scene->lights().size(), 6u);
+  EXPECT_FALSE(scene->lighting->default_rig);
   EXPECT_TRUE(scene->needs.rectangle_lights);
   EXPECT_FALSE(scene->needs.punctual_lights);
-  for (const Light& light : scene->world.lights) EXPECT_EQ(light.own_part, 1);
+  for (const Light& light : scene->lights()) EXPECT_EQ(light.own_part, 1);
 }
 
 TEST(Prepare, NegligibleEmissionGetsTheRigAsWell) {
   const auto scene = prepared(lamp_over_table(0.01f));
-  EXPECT_EQ(scene->emissive_lights, 6u);
-  ASSERT_EQ(scene->world.lights.size(), 8u);
-  EXPECT_TRUE(scene->default_rig);
-  EXPECT_EQ(scene->world.lights[6].name, "key");
-  EXPECT_EQ(scene->world.lights[6].own_part, -1);
+  EXPECT_EQ(scene->lighting->emissive_lights, 6u);
+  ASSERT_EQ(scene->lights().size(), 8u);
+  EXPECT_TRUE(scene->lighting->default_rig);
+  EXPECT_EQ(scene->lights()[6].name, "key");
+  EXPECT_EQ(scene->lights()[6].own_part, -1);
 }
 
 TEST(Prepare, AFilesLightIsKeptAndNotDoubledByItsLamp) {
@@ -86,19 +86,19 @@ TEST(Prepare, AFilesLightIsKeptAndNotDoubledByItsLamp) {
   file.lights.emplace_back();
   file.lights[0].position = {0, 0.9, 0};
   auto scene = prepared(file);
-  EXPECT_EQ(scene->emissive_lights, 0u);
-  EXPECT_EQ(scene->world.lights.size(), 1u);
-  EXPECT_FALSE(scene->default_rig);
+  EXPECT_EQ(scene->lighting->emissive_lights, 0u);
+  EXPECT_EQ(scene->lights().size(), 1u);
+  EXPECT_FALSE(scene->lighting->default_rig);
 
   file.instances[1].shows_light = false;
   scene = prepared(file);
-  EXPECT_EQ(scene->emissive_lights, 6u);
-  EXPECT_EQ(scene->world.lights.size(), 7u);
+  EXPECT_EQ(scene->lighting->emissive_lights, 6u);
+  EXPECT_EQ(scene->lights().size(), 7u);
 
   // A light that is switched off is none.
   file.instances[1].shows_light = true;
   file.lights[0].intensity = 0.0f;
-  EXPECT_TRUE(prepared(file)->default_rig);
+  EXPECT_TRUE(prepared(file)->lighting->default_rig);
 }
 
 TEST(Prepare, BlendedEmissionShinesByItsOpacity) {
@@ -108,10 +108,10 @@ TEST(Prepare, BlendedEmissionShinesByItsOpacity) {
   blended.materials[1].base_color.a = 0.25f;
   Scene glass = blended;
   glass.materials[1].transmission = 0.5f;  // lets light through and shines all the same
-  EXPECT_FLOAT_EQ(prepared(blended)->world.lights[0].intensity,
-                  0.25f * prepared(solid)->world.lights[0].intensity);
-  EXPECT_FLOAT_EQ(prepared(glass)->world.lights[0].intensity,
-                  0.25f * prepared(solid)->world.lights[0].intensity);
+  EXPECT_FLOAT_EQ(prepared(blended)->lights()[0].intensity,
+                  0.25f * prepared(solid)->lights()[0].intensity);
+  EXPECT_FLOAT_EQ(prepared(glass)->lights()[0].intensity,
+                  0.25f * prepared(solid)->lights()[0].intensity);
 }
 
 /// The shares of a small picture that are brighter than the ambient light leaves a white surface,
@@ -127,7 +127,7 @@ Brightness brightness_of(const RenderScene& scene) {
   settings.method = Method::uniform;
   settings.sampling.spp = 4;
   const test::Picture picture =
-      test::render_picture(scene, test::first_camera(scene.world, 1.5), settings);
+      test::render_picture(scene, test::first_camera(scene.world(), 1.5), settings);
   Brightness share;
   for (int y = 0; y < settings.height; ++y) {
     for (int x = 0; x < settings.width; ++x) {
@@ -156,7 +156,7 @@ TEST(Prepare, ARigLightsAClosedRoomFromInside) {
       room.cameras = {
           test::look_at(double(scale) * glm::dvec3(-0.5, 1.6, 3.5), double(scale) * target, 1.0)};
       const auto scene = prepared(room);
-      ASSERT_TRUE(scene->default_rig);
+      ASSERT_TRUE(scene->lighting->default_rig);
       const Brightness share = brightness_of(*scene);
       EXPECT_GT(share.lit, 0.6) << scale;
       EXPECT_LT(share.over, 0.1) << scale;
@@ -171,9 +171,9 @@ TEST(Prepare, AnOpenSceneAroundTheCameraHasAStudio) {
   add_box(open, {-6, 0, -6}, {-4, 12, -4}, false, test::matte(glm::vec3(0.8f)));
   open.cameras = {test::look_at({0, 2, 10}, {-2, 2, 0}, 1.0)};
   const auto scene = prepared(open);
-  ASSERT_EQ(scene->world.lights.size(), 2u);
-  const Camera& camera = scene->world.cameras.front();
-  EXPECT_EQ(scene->world.lights[0].position, studio_rig(camera, scene->world.bounds)[0].position);
+  ASSERT_EQ(scene->lights().size(), 2u);
+  const Camera& camera = scene->world().cameras.front();
+  EXPECT_EQ(scene->lights()[0].position, studio_rig(camera, scene->world().bounds)[0].position);
 }
 
 TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
@@ -183,24 +183,25 @@ TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
     return prepared(load_scene((*shared / "scenes" / file).string()).value());
   };
   const auto cornell = load("CornellBoxIray/cornellBox.gltf");
-  EXPECT_EQ(cornell->emissive_lights, 6u);
-  EXPECT_FALSE(cornell->default_rig);
+  EXPECT_EQ(cornell->lighting->emissive_lights, 6u);
+  EXPECT_FALSE(cornell->lighting->default_rig);
   const auto cubes = load("EmissiveStrengthTest/EmissiveStrengthTest.glb");
-  EXPECT_EQ(cubes->emissive_lights, 30u);
-  EXPECT_FALSE(cubes->default_rig);
+  EXPECT_EQ(cubes->lighting->emissive_lights, 30u);
+  EXPECT_FALSE(cubes->lighting->default_rig);
   for (const auto& scene : {cornell, cubes}) {
-    for (const Light& light : scene->world.lights) {
+    for (const Light& light : scene->lights()) {
       EXPECT_EQ(light.type, Light::Type::rectangle);
       EXPECT_FALSE(light.two_sided);
     }
   }
   // Two lamps in front and two red ones behind, which do not light the scene.
   const auto car = load("ToyCar/ToyCar.gltf");
-  EXPECT_TRUE(car->default_rig);
-  EXPECT_GE(car->emissive_lights, 4u);
-  EXPECT_LE(car->emissive_lights, 16u);
-  const auto end = car->world.lights.begin() + static_cast<std::ptrdiff_t>(car->emissive_lights);
-  for (auto light = car->world.lights.begin(); light != end; ++light)
+  EXPECT_TRUE(car->lighting->default_rig);
+  EXPECT_GE(car->lighting->emissive_lights, 4u);
+  EXPECT_LE(car->lighting->emissive_lights, 16u);
+  const auto end =
+      car->lights().begin() + static_cast<std::ptrdiff_t>(car->lighting->emissive_lights);
+  for (auto light = car->lights().begin(); light != end; ++light)
     EXPECT_EQ(light->position.z < 0.0, light->color.g < 0.1f);
 }
 

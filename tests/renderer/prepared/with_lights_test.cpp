@@ -37,19 +37,19 @@ test::Picture picture_of(const RenderScene& scene) {
   RenderSettings settings;
   settings.width = 32;
   settings.height = 24;
-  return test::render_picture(scene, test::first_camera(scene.world, 4.0 / 3.0), settings);
+  return test::render_picture(scene, test::first_camera(scene.world(), 4.0 / 3.0), settings);
 }
 
 TEST(WithLights, GivesThePictureOfASceneWithThoseLights) {
   const auto before = boxes();
   const auto fresh = boxes(other_lights());
   std::vector<Light> lights = other_lights();
-  for (Light& light : lights) light.position -= before->world.origin;
+  for (Light& light : lights) light.position -= before->world().origin;
   const auto relit = with_lights(before, lights);
   ASSERT_TRUE(relit.has_value());
   EXPECT_EQ((*relit)->needs, fresh->needs);
-  EXPECT_EQ(&(*relit)->rays, &before->rays) << "nothing is built again";
-  EXPECT_EQ(&(*relit)->features, &before->features);
+  EXPECT_EQ((*relit)->geometry, before->geometry) << "nothing is built again";
+  EXPECT_EQ((*relit)->materials, before->materials);
   const test::Picture expected = picture_of(*fresh), got = picture_of(**relit);
   EXPECT_EQ(got.film.radiance, expected.film.radiance);
   EXPECT_NE(got.film.radiance, picture_of(*before).film.radiance);
@@ -58,11 +58,27 @@ TEST(WithLights, GivesThePictureOfASceneWithThoseLights) {
 TEST(WithLights, OutlivesTheSceneItCameFrom) {
   auto before = boxes();
   const auto film = picture_of(*before).film;
-  std::vector<Light> lights = before->world.lights;
+  std::vector<Light> lights = before->lights();
   auto relit = with_lights(with_lights(before, other_lights()).value(), lights).value();
-  EXPECT_EQ(relit->built_from, before);
+  EXPECT_EQ(relit->own_lighting, before->lighting) << "what it came from is known";
   before.reset();
   EXPECT_EQ(picture_of(*relit).film.radiance, film.radiance);
+}
+
+// Every block has a shader, and a picture has thousands of blocks.
+TEST(Lighting, IsPreparedOnceForAllShaders) {
+  const auto scene = with_lights(boxes(), other_lights()).value();
+  const View view(test::first_camera(scene->world(), 4.0 / 3.0), 32, 24);
+  RenderSettings settings;
+  for (const LightRule rule : {LightRule::physical, LightRule::published}) {
+    settings.shadow.light_rule = rule;
+    const Shader first = shader_of(*scene, settings, view);
+    const Shader second = shader_of(*scene, settings, view);
+    ASSERT_EQ(first.lights().size(), 2u);
+    EXPECT_EQ(first.lights().data(), second.lights().data()) << "nothing is copied";
+    EXPECT_EQ(first.lights().data(), scene->lighting->prepared(rule).data());
+    for (const PreparedLight& light : first.lights()) EXPECT_EQ(light.rule, rule);
+  }
 }
 
 TEST(WithLights, RefusesWhatIsNotFinite) {

@@ -64,20 +64,8 @@ TEST(BoundaryKinds, ALineWhereSurfacesPassThroughEachOther) {
 TEST(BoundaryKinds, WhatIsHiddenDoesNotCount) {
   PolygonScene scene = ridge(4.0, 3.0);
   add_polygon(scene, half_plane({0.5, 0.5}, 1.0), 50.0);
-  const FeatureSet features(scene.world);
-  const Frame frame = unit_frame();
-  HitLists lists;
-  lists.reset(features, frame, 1.0f / 8.0f);
-  HitLists::List list;
-  lists.refine({0, 0, 1}, {}, lists.root(), list);
-  BruteForceCaster caster(scene.world, features, frame);
-  const glm::vec2 centre(0.5f);
-  Root root;
-  root.list = list;
-  root.centre = caster.probe(std::span(&centre, 1));  // which tells what is hidden
-  Subdivider subdivider;
-  expect_kinds(subdivider.run(lists, std::span(&root, 1), rules_of(3), caster)[0],
-               {FeatureKind::crease});
+  // The sample in the middle tells that it is hidden.
+  expect_kinds(subdivide(scene.world, rules_of(3)).outcome, {FeatureKind::crease});
 }
 
 TEST(BoundaryKinds, NoneWithoutASplit) {

@@ -1,4 +1,4 @@
-#include "renderer/pyray/subdivide.h"
+#include "renderer/pyray/tracer.h"
 #include "tests/support/subdivide_polygons.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +23,13 @@ class ImpatientCaster final : public BruteForceCaster {
   [[nodiscard]] std::uint32_t surface(SampleId id) const override {
     return known(id) ? BruteForceCaster::surface(id) : Hit::none;
   }
-  [[nodiscard]] Unevenness uneven(SampleId id, double, const LeafRegion&) const override {
+  [[nodiscard]] LeafVerdict judge(SampleId id, double, const LeafRegion&) override {
     (void)known(id);
-    return Unevenness::none;
+    return {};
   }
-  void leaf(std::uint32_t root, SampleId id, double weight, const LeafRegion& region) override {
-    if (known(id)) BruteForceCaster::leaf(root, id, weight, region);
+  void take(std::span<const PyrayLeaf> leaves) override {
+    for (const PyrayLeaf& leaf : leaves)
+      if (known(leaf.sample)) BruteForceCaster::take(std::span(&leaf, 1));
   }
 
   mutable int unknown = 0;
@@ -61,15 +62,9 @@ TEST_P(Cancel, AtAnyMomentAsksAboutNoSampleThatWasNotTaken) {
   int patience = 0;
   for (bool finished = false; !finished; ++patience) {
     ASSERT_LT(patience, 10'000);
-    HitLists lists;
-    lists.reset(features, frame, std::ldexp(1.0f, -rules.max_level));
     ImpatientCaster caster(scene.world, features, frame, patience);
-    HitLists::List list;
-    lists.refine({0, 0, 1}, {}, lists.root(), list);
-    Root root;
-    root.list = list;
-    Subdivider subdivider;
-    (void)subdivider.run(lists, std::span(&root, 1), rules, caster);
+    Tracer tracer;
+    (void)tracer.trace(features, Pyray{frame}, rules, caster);
     EXPECT_EQ(caster.unknown, 0) << "cancelled after " << patience << " questions";
     finished = !caster.was_cancelled();
     if (finished) {

@@ -91,9 +91,8 @@ TEST(EngineAgainstOracle, DisksOfManySegmentsStayBelowTheFinestCell) {
     const glm::dvec2 centre = c.point();
     const double radius = c.between(0.1, 0.5);  // in pixels
     const double half_side = 0.5 / radius;      // of the pixel at depth 1
-    Pyray pixel;
-    pixel.frame = Frame::pyramid({0, 0, 0}, {-half_side * centre.x, half_side * centre.y, -1.0},
-                                 {half_side, 0, 0}, {0, -half_side, 0});
+    const Pyray pixel{Frame::pyramid({0, 0, 0}, {-half_side * centre.x, half_side * centre.y, -1.0},
+                                     {half_side, 0, 0}, {0, -half_side, 0})};
     Polygon seen;
     for (const glm::dvec2& p : disk) seen.push_back(centre + radius * p);
     const int max = 1 + static_cast<int>(seed % 6);

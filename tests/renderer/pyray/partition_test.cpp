@@ -20,15 +20,15 @@ Segment line(double u0, double v0, double u1, double v1) {
   return s;
 }
 
-double total_area(std::span<const Face> faces) {
+double total_area(std::span<const CellPart> parts) {
   double sum = 0.0;
-  for (const Face& f : faces) sum += f.area;
+  for (const CellPart& f : parts) sum += f.area;
   return sum;
 }
 
 // The area of the face whose sample lies nearest to (u, v).
-const Face& face_near(std::span<const Face> faces, float u, float v) {
-  return *std::min_element(faces.begin(), faces.end(), [&](const Face& a, const Face& b) {
+const CellPart& part_near(std::span<const CellPart> parts, float u, float v) {
+  return *std::min_element(parts.begin(), parts.end(), [&](const CellPart& a, const CellPart& b) {
     return std::hypot(a.u - u, a.v - v) < std::hypot(b.u - u, b.v - v);
   });
 }
@@ -37,19 +37,19 @@ TEST(CellPartition, OneLineGivesTheExactAreasOfBothSides) {
   CellPartition partition;
 
   const Segment s = line(0.9, 0.1, 0.4, 0.6);
-  const auto faces = partition.cut({0.5f, 0.25f, 0.25f}, std::span(&s, 1), 8);
-  ASSERT_EQ(faces.size(), 2u);
-  EXPECT_NEAR(total_area(faces), 1.0, 1e-9);
+  const auto parts = partition.cut({0.5f, 0.25f, 0.25f}, std::span(&s, 1), 8);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(total_area(parts), 1.0, 1e-9);
   // u + v = 1 is the diagonal of this cell.
-  EXPECT_NEAR(faces[0].area, 0.5, 1e-6);
+  EXPECT_NEAR(parts[0].area, 0.5, 1e-6);
 }
 
 TEST(CellPartition, TwoParallelLinesLeaveASliverOfExactWidth) {
   CellPartition partition;
   const Segment lines[2] = {line(-1, 0.5, 2, 0.5), line(-1, 0.501, 2, 0.501)};
-  const auto faces = partition.cut({0, 0, 1}, lines, 8);
-  ASSERT_EQ(faces.size(), 3u);
-  const Face& sliver = face_near(faces, 0.5f, 0.5005f);
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 3u);
+  const CellPart& sliver = part_near(parts, 0.5f, 0.5005f);
   EXPECT_NEAR(sliver.area, 0.001, 1e-7);
   EXPECT_GT(sliver.v, 0.5f);
   EXPECT_LT(sliver.v, 0.501f);
@@ -58,30 +58,30 @@ TEST(CellPartition, TwoParallelLinesLeaveASliverOfExactWidth) {
 TEST(CellPartition, ThreeEdgesAtOneCornerMakeThreeFaces) {
   CellPartition partition;
   const Segment lines[3] = {line(0.5, 0.5, 0.5, -1), line(0.5, 0.5, 2, 0.5), line(0.5, 0.5, -1, 2)};
-  const auto faces = partition.cut({0, 0, 1}, lines, 8);
-  ASSERT_EQ(faces.size(), 3u);
-  EXPECT_NEAR(total_area(faces), 1.0, 1e-9);
-  EXPECT_NEAR(face_near(faces, 0.75f, 0.25f).area, 0.25, 1e-6);
-  EXPECT_NEAR(face_near(faces, 0.2f, 0.3f).area, 0.375, 1e-6);
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_NEAR(total_area(parts), 1.0, 1e-9);
+  EXPECT_NEAR(part_near(parts, 0.75f, 0.25f).area, 0.25, 1e-6);
+  EXPECT_NEAR(part_near(parts, 0.2f, 0.3f).area, 0.375, 1e-6);
 }
 
 TEST(CellPartition, CrossingLinesMakeFourFaces) {
   CellPartition partition;
   const Segment lines[2] = {line(-1, 0.25, 2, 0.25), line(0.5, -1, 0.5, 2)};
-  const auto faces = partition.cut({0, 0, 1}, lines, 8);
-  ASSERT_EQ(faces.size(), 4u);
-  EXPECT_NEAR(face_near(faces, 0.25f, 0.1f).area, 0.125, 1e-6);
-  EXPECT_NEAR(face_near(faces, 0.75f, 0.6f).area, 0.375, 1e-6);
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 4u);
+  EXPECT_NEAR(part_near(parts, 0.25f, 0.1f).area, 0.125, 1e-6);
+  EXPECT_NEAR(part_near(parts, 0.75f, 0.6f).area, 0.375, 1e-6);
 }
 
 TEST(CellPartition, AnIslandIsTakenFromWhatHoldsIt) {
   CellPartition partition;
   const Segment lines[3] = {line(0.4, 0.4, 0.6, 0.4), line(0.6, 0.4, 0.5, 0.6),
                             line(0.5, 0.6, 0.4, 0.4)};
-  const auto faces = partition.cut({0, 0, 1}, lines, 8);
-  ASSERT_EQ(faces.size(), 2u);
-  const Face& island = faces[0].area < faces[1].area ? faces[0] : faces[1];
-  const Face& sea = faces[0].area < faces[1].area ? faces[1] : faces[0];
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 2u);
+  const CellPart& island = parts[0].area < parts[1].area ? parts[0] : parts[1];
+  const CellPart& sea = parts[0].area < parts[1].area ? parts[1] : parts[0];
   EXPECT_NEAR(island.area, 0.02, 1e-7);
   EXPECT_NEAR(sea.area, 0.98, 1e-7);
   // The sea's sample is not on the island.
@@ -96,18 +96,18 @@ TEST(CellPartition, ABentChainIsOneBoundary) {
   const auto height = [](int i) { return i % 2 ? 0.55 : 0.45; };
   for (int i = 0; i < n; ++i)
     chain.push_back(line(i / 10.0, height(i), (i + 1) / 10.0, height(i + 1)));
-  const auto faces = partition.cut({0, 0, 1}, chain, 8);
-  ASSERT_EQ(faces.size(), 2u);
-  EXPECT_NEAR(faces[0].area, 0.5, 1e-6);
-  for (const Face& f : faces) EXPECT_GT(std::abs(f.v - 0.5f), 0.051f);
+  const auto parts = partition.cut({0, 0, 1}, chain, 8);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].area, 0.5, 1e-6);
+  for (const CellPart& f : parts) EXPECT_GT(std::abs(f.v - 0.5f), 0.051f);
 }
 
 TEST(CellPartition, LinesAlongTheBorderBoundNothing) {
   CellPartition partition;
   const Segment lines[2] = {line(-1, 0, 2, 0), line(0.3, 0.3, 0.3 + 1e-9, 0.3)};
-  const auto faces = partition.cut({0, 0, 1}, lines, 8);
-  ASSERT_EQ(faces.size(), 1u);
-  EXPECT_DOUBLE_EQ(faces[0].area, 1.0);
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_DOUBLE_EQ(parts[0].area, 1.0);
 }
 
 // An outline too small to be cut along must not let its sample stand for the cell.
@@ -125,12 +125,12 @@ TEST(CellPartition, SamplesLieBesideSpecks) {
         // The speck lies at the centroid of what the line leaves, or of the cell.
         if (beside_a_line) lines.push_back(line(at.x + 0.25, -1, at.x + 0.25, 2));
         double speck = 0.0;
-        const auto faces = partition.cut(cell, lines, 8);
-        ASSERT_FALSE(faces.empty()) << size;
-        EXPECT_NEAR(total_area(faces), 1.0, 1e-9);
-        for (const Face& face : faces) {
-          const float away = std::max(std::abs(face.u - at.x), std::abs(face.v - at.y));
-          if (away <= size) speck += face.area;
+        const auto parts = partition.cut(cell, lines, 8);
+        ASSERT_FALSE(parts.empty()) << size;
+        EXPECT_NEAR(total_area(parts), 1.0, 1e-9);
+        for (const CellPart& part : parts) {
+          const float away = std::max(std::abs(part.u - at.x), std::abs(part.v - at.y));
+          if (away <= size) speck += part.area;
           EXPECT_TRUE(away <= size || away > 1e-3f) << size;
         }
         EXPECT_NEAR(speck, 8.0 * size * size, 4e-6 * size + 1e-11) << size;
@@ -177,7 +177,7 @@ TEST(CellPartition, AgreesWithHalfPlaneClippingOnRandomLines) {
     std::vector<double> expected;
     for (const test::Polygon& polygon : polygons) expected.push_back(test::area(polygon));
     std::vector<double> got;
-    for (const Face& f : partition.cut({0, 0, 1}, lines, 64)) got.push_back(f.area);
+    for (const CellPart& f : partition.cut({0, 0, 1}, lines, 64)) got.push_back(f.area);
     // Slivers below the snapping distance may go to a neighbour.
     const auto tiny = [](double a) { return a < 2e-5; };
     std::erase_if(expected, tiny);

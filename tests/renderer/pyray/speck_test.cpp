@@ -20,7 +20,7 @@ double share_of_pixel(const World& world, const Camera& camera, int max_level) {
   settings.asos.max_level = max_level;
   const auto scene = make_render_scene(world);
   const double background = static_cast<double>(
-      render_picture(*make_render_scene({}), camera, settings).film.radiance[0].x);
+      render_picture(*make_render_scene(World{}), camera, settings).film.radiance[0].x);
   const auto found =
       static_cast<double>(render_picture(*scene, camera, settings).film.radiance[0].x);
   return (found - background) / (1.0 - background);

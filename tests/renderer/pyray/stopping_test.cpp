@@ -65,7 +65,7 @@ Row count_cells(const Polygon& polygon, int level) {
 Answer check_table(const Polygon& polygon, const std::vector<Row>& published, bool one_edge) {
   PolygonScene scene;
   add_parallel_polygon(scene, polygon);
-  SubdivisionTrace trace;
+  TracedPyray trace;
   const Answer answer =
       subdivide(scene.world, published_rules(8, 1.0 / 16.0), parallel_pixel(), &trace);
   EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops elsewhere";
@@ -117,7 +117,7 @@ void check_random_edges(Detection detection) {
     add_parallel_polygon(scene, polygon);
     const double eps = std::ldexp(1.0, -(1 + i % 10));
     const int max = max_level_limit;
-    SubdivisionTrace trace;
+    TracedPyray trace;
     const Answer answer =
         subdivide(scene.world, published_rules(max, eps, detection), parallel_pixel(), &trace);
     ASSERT_LE(answer.outcome.deepest, std::min(max, one_edge_level_bound(eps))) << "case " << i;
@@ -173,7 +173,7 @@ TEST(PublishedRule, ThePathologicalObjectStopsAtMax) {
   for (std::uint32_t t = 0; t < comb.scene.world.triangles.size(); ++t)
     ASSERT_EQ(features.sheet(t), features.sheet(0)) << "not one object";
   for (int max = 0; max <= Comb::levels; ++max) {
-    SubdivisionTrace trace;
+    TracedPyray trace;
     const Answer answer =
         subdivide(comb.scene.world, published_rules(max, 0.5), parallel_pixel(), &trace);
     EXPECT_EQ(answer.outcome.deepest, max);
@@ -204,8 +204,8 @@ TEST(PublishedRule, CountsObjectsBehindTheEdgeOfANearerOne) {
   const FeatureSet features(scene.world);
   const std::uint32_t sheet = features.sheet(scene.world.parts[far].first_triangle);
   const double eps = 0.25;
-  SubdivisionTrace trace;
-  const Answer answer = subdivide(scene.world, published_rules(8, eps), Pyray(), &trace);
+  TracedPyray trace;
+  const Answer answer = subdivide(scene.world, published_rules(8, eps), unit_pyray(), &trace);
   const auto truth = by_oracle(scene.world);
   EXPECT_LE(error_of(answer, truth), eps);
   const auto& objects = trace.levels.at(1).objects;
@@ -236,9 +236,9 @@ TEST(PublishedRule, BreaksItsPromiseWhereSeveralObjectsChangeTogether) {
   const PolygonScene scene = four_rectangles();
   const double eps = 0.25;
   const double truth = sum_of(by_oracle(scene.world));
-  SubdivisionTrace trace;
+  TracedPyray trace;
   const Answer answer =
-      subdivide(scene.world, published_rules(8, eps, Detection::square), Pyray(), &trace);
+      subdivide(scene.world, published_rules(8, eps, Detection::square), unit_pyray(), &trace);
   EXPECT_EQ(answer.outcome.deepest, 1);
   const LevelTally& last = trace.levels.back();
   double changes = 0.0;

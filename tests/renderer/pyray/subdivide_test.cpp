@@ -201,8 +201,11 @@ TEST(Subdivide, ASphereMeshShowsItsSilhouetteWhateverItsWinding) {
     for (int y = 0; y < n; ++y)
       for (int x = 0; x < n; ++x)
         points.emplace_back((static_cast<float>(x) + 0.5f) / n, (static_cast<float>(y) + 0.5f) / n);
-    const Caster::SampleId first = truth.probe(points);
-    for (std::uint32_t i = 0; i < n * n; ++i) truth.leaf(0, first + i, 1.0 / (n * n), {});
+    const SampleId first = truth.probe(points);
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+      const PyrayLeaf leaf{0, first + i, 1.0 / (n * n), {}};
+      truth.take(std::span(&leaf, 1));
+    }
     const Answer answer = subdivide(scene.world, rules_of(5));
     EXPECT_NEAR(answer.coverage[0], truth.coverage[0], 1e-3) << "scrambled " << scrambled;
     EXPECT_LT(answer.probes, 600) << "scrambled " << scrambled;

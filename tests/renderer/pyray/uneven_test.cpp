@@ -1,4 +1,4 @@
-#include "renderer/pyray/subdivide.h"
+#include "renderer/pyray/tracer.h"
 #include "tests/support/subdivide_polygons.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +16,12 @@ class PickyCaster final : public BruteForceCaster {
   PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
       : BruteForceCaster(world, features, frame), most_(most) {}
 
-  [[nodiscard]] Unevenness uneven(SampleId, double share, const LeafRegion&) const override {
-    return share > most_ ? Unevenness::shading : Unevenness::none;
+  [[nodiscard]] LeafVerdict judge(SampleId, double share, const LeafRegion&) override {
+    return {share > most_ ? Unevenness::shading : Unevenness::none};
   }
-  void leaf(std::uint32_t root, SampleId sample, double weight, const LeafRegion& region) override {
-    largest = std::max(largest, weight);
-    BruteForceCaster::leaf(root, sample, weight, region);
+  void take(std::span<const PyrayLeaf> leaves) override {
+    for (const PyrayLeaf& leaf : leaves) largest = std::max(largest, leaf.weight);
+    BruteForceCaster::take(leaves);
   }
 
   double largest = 0.0;
@@ -35,25 +35,18 @@ struct Case {
     add_polygon(scene, half_plane({0.3, 0.4}, 0.7), 2.0);
     const FeatureSet features(scene.world);
     const Frame frame = unit_frame();
-    HitLists lists;
-    lists.reset(features, frame, std::ldexp(1.0f, -max_level));
     PickyCaster caster(scene.world, features, frame, most);
-    HitLists::List list;
-    lists.refine({0, 0, 1}, {}, lists.root(), list);
-    Root root;
-    root.list = list;
     SubdivisionRules rules = rules_of(max_level);
-    rules.eps = eps;
-    Subdivider subdivider;
-    subdivider.trace(root.id, trace);
-    outcome = subdivider.run(lists, std::span(&root, 1), rules, caster)[0];
+    rules.budget.eps = eps;
+    Tracer tracer;
+    outcome = tracer.trace(features, Pyray{frame}, rules, caster, &trace).outcome;
     coverage = caster.coverage[0];
     total = caster.total;
     largest = caster.largest;
   }
 
   PolygonScene scene;
-  SubdivisionTrace trace;
+  TracedPyray trace;
   SubdivisionOutcome outcome;
   double coverage = 0.0;
   double total = 0.0;

@@ -141,7 +141,7 @@ World placed_quad(const glm::dmat4& world_from_mesh) {
   instance.mesh = 0;
   instance.world_from_mesh = world_from_mesh;
   scene.instances.push_back(instance);
-  return flatten(scene).value();
+  return flatten(scene).value().world;
 }
 
 TEST(Faces, AMirroredInstanceKeepsItsFrontInFront) {

@@ -13,13 +13,19 @@ namespace {
 
 using test::add_square;
 using test::blended;
-using test::build;
 using test::down;
-using test::make_own;
+using test::lamp_of;
 using test::masked;
 using test::matte;
 
 const Material grey = matte(glm::vec3(0.5f));
+
+/// With lights whose own these parts are.
+RayScene build(const World& world, const std::vector<std::int32_t>& own_parts) {
+  std::vector<Light> lamps;
+  for (const std::int32_t part : own_parts) lamps.push_back(lamp_of(part));
+  return test::build(world, test::factor_alpha, lamps);
+}
 
 struct Answers {
   std::vector<float> shares;
@@ -56,8 +62,7 @@ TEST(OwnPart, DoesNotShadeItsLight) {
   for (const Material& lamp : {grey, masked(0.5f), blended(0.5f)}) {
     World world;
     add_square(world, 0.0f, lamp);
-    make_own(world, 0);
-    RayScene scene = build(world);
+    RayScene scene = build(world, {0});
     const Answers ignoring = all_forms(scene, down(0.1f, 0.3f), 0);
     for (const float share : ignoring.shares) EXPECT_EQ(share, 1.0f);
     for (const Blocker& met : ignoring.met) {
@@ -79,8 +84,7 @@ TEST(OwnPart, WhatLiesBehindOrInFrontOfItBlocks) {
     World world;
     add_square(world, 0.0f, grey);
     add_square(world, z, grey);
-    make_own(world, 0);
-    RayScene scene = build(world);
+    RayScene scene = build(world, {0});
     const Answers answers = all_forms(scene, down(0.1f, 0.3f), 0);
     for (const float share : answers.shares) EXPECT_EQ(share, 0.0f) << z;
     for (const Blocker& met : answers.met) {
@@ -96,10 +100,7 @@ TEST(OwnPart, OfAnotherLightBlocks) {
   add_square(world, 0.0f, grey);
   add_square(world, -0.5f, grey);
   add_square(world, -1.0f, grey);
-  make_own(world, 0);
-  make_own(world, 1);
-  make_own(world, 1);
-  RayScene scene = build(world);
+  RayScene scene = build(world, {0, 1, 1});
   const auto blocking_part = [&](std::int32_t ignored_part) {
     const std::vector<Blocker> met = all_forms(scene, down(0.1f, 0.3f), ignored_part).met;
     const std::uint32_t part = world.triangle_part[met[0].hit.triangle];
@@ -116,8 +117,7 @@ TEST(OwnPart, ItsLayersAreLeftOutOfTheProduct) {
   World world;
   add_square(world, 0.0f, blended(0.25f));
   add_square(world, -0.5f, blended(0.5f));
-  make_own(world, 1);
-  RayScene scene = build(world);
+  RayScene scene = build(world, {1});
   const Answers answers = all_forms(scene, down(0.1f, 0.3f), 1);
   for (const float share : answers.shares) EXPECT_FLOAT_EQ(share, 0.75f);
   for (const Blocker& met : answers.met) {
@@ -127,11 +127,11 @@ TEST(OwnPart, ItsLayersAreLeftOutOfTheProduct) {
 }
 
 TEST(OwnPart, LampsAreMetAsEverByRaysForTheViewer) {
-  World with_lamps = test::random_triangles(51, 200, 0.4f);
-  const World without = with_lamps;
-  for (std::int32_t part = 0; part < 200; part += 3) make_own(with_lamps, part);
-  const RayScene lamps = build(with_lamps);
-  const RayScene plain = build(without);
+  const World world = test::random_triangles(51, 200, 0.4f);
+  std::vector<std::int32_t> own;
+  for (std::int32_t part = 0; part < 200; part += 3) own.push_back(part);
+  const RayScene lamps = build(world, own);
+  const RayScene plain = test::build(world);
   std::mt19937 rng(52);
   std::vector<Ray> rays(500);
   for (Ray& ray : rays) ray = test::random_ray(rng);
@@ -148,8 +148,8 @@ TEST(OwnPart, ThatDoesNotExistIsRefused) {
   for (const std::int32_t part : {1, 1000, -2}) {
     World world;
     add_square(world, 0.0f, grey);
-    make_own(world, part);
-    const auto built = RayScene::build(world, test::factor_alpha);
+    const Light lamp = lamp_of(part);
+    const auto built = RayScene::build(world, test::factor_alpha, {&lamp, 1});
     ASSERT_FALSE(built.has_value()) << part;
     EXPECT_NE(built.error().message().find("lamp"), std::string::npos) << part;
     EXPECT_NE(built.error().message().find(std::to_string(part)), std::string::npos) << part;

@@ -20,8 +20,9 @@ inline float factor_alpha(const World& world, std::uint32_t triangle, float, flo
   return m.base_color.a * (1.0f - m.transmission);
 }
 
-inline RayScene build(const World& world, AlphaAt alpha = factor_alpha) {
-  auto built = RayScene::build(world, alpha);
+inline RayScene build(const World& world, AlphaAt alpha = factor_alpha,
+                      const std::vector<Light>& lights = {}) {
+  auto built = RayScene::build(world, alpha, lights);
   EXPECT_TRUE(built.has_value());
   return std::move(*built);
 }
@@ -87,13 +88,13 @@ inline Material masked(float cutoff) {
   return material;
 }
 
-/// Makes the world's part a new light's own.
-inline void make_own(World& world, std::int32_t part) {
+/// A light whose own the part is.
+inline Light lamp_of(std::int32_t part) {
   Light light;
   light.type = Light::Type::rectangle;
   light.name = "lamp";
   light.own_part = part;
-  world.lights.push_back(light);
+  return light;
 }
 
 }  // namespace asos::test

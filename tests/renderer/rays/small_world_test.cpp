@@ -24,7 +24,7 @@ float half_opaque(const World&, std::uint32_t, float, float) {
 }
 
 Answers ask(float scale) {
-  World world = test::still_life();
+  World world = test::still_life().world;
   Material glass = test::unlit({0.5f, 0.5f, 0.5f}, 0.5f);
   test::add_quad(world, {-1, 0, 1.5f}, {2, 0, 0}, {0, 1, 0}, glass);
   for (glm::vec3& p : world.positions) p *= scale;

@@ -35,7 +35,7 @@ class EveryShare : public testing::TestWithParam<double> {};
 
 TEST_P(EveryShare, OfTheWholeSquareIsOne) {
   EXPECT_NEAR(BlurKernel({GetParam(), 0.3}).integral(whole), 1.0, 1e-12);
-  const std::array<Side, 4> sides{
+  const std::array<BorderEdge, 4> sides{
       {{{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}, {{0, 1}, {0, 0}}}};
   EXPECT_NEAR(BlurKernel({GetParam(), 0.3}).integral({whole.square, sides}), 1.0, 1e-6);
 }
@@ -43,9 +43,9 @@ TEST_P(EveryShare, OfTheWholeSquareIsOne) {
 TEST_P(EveryShare, OfPartsWithStraightSidesIsExact) {
   const double share = GetParam();
   const BlurKernel kernel({share, 0.2});
-  const std::array<Side, 3> sides{{{{0.05f, 0.1f}, {0.9f, 0.3f}},
-                                   {{0.9f, 0.3f}, {0.4f, 0.95f}},
-                                   {{0.4f, 0.95f}, {0.05f, 0.1f}}}};
+  const std::array<BorderEdge, 3> sides{{{{0.05f, 0.1f}, {0.9f, 0.3f}},
+                                         {{0.9f, 0.3f}, {0.4f, 0.95f}},
+                                         {{0.4f, 0.95f}, {0.05f, 0.1f}}}};
   const double expected = brute_force(share, 0.2, [&](double u, double v) {
     return winds_around(sides, glm::vec2(static_cast<float>(u), static_cast<float>(v)));
   });
@@ -60,7 +60,7 @@ TEST_P(EveryShare, OfAHalfPlaneIsItsClosedForm) {
   const BlurKernel kernel({share, 0.5});
   const double ramp = std::min(share, 1.0 - share);
   for (const float x : {0.03f, 0.2f, 0.5f, 0.77f, 0.99f}) {
-    const std::array<Side, 4> sides{
+    const std::array<BorderEdge, 4> sides{
         {{{0, 0}, {x, 0}}, {{x, 0}, {x, 1}}, {{x, 1}, {0, 1}}, {{0, 1}, {0, 0}}}};
     const auto ramp_integral = [&](double at) {
       return at <= 0.0 ? 0.0 : at < ramp ? 0.5 * at * at / ramp : at - 0.5 * ramp;

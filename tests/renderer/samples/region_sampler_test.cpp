@@ -38,7 +38,7 @@ class TwoColours : public testing::Test {
 
   [[nodiscard]] RegionSampler::Estimate sample(const LeafRegion& region,
                                                const RegionSampler::Goal& goal) {
-    RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8});
+    RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
     return sampler.sample(region, goal, counts_);
   }
 
@@ -77,8 +77,10 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
   // The part of the crossed pixel to the left of the seam, and a hair less.
   const float u0 = crossed.u, u1 = crossed.u + 0.299f * crossed.side;
   const float v0 = crossed.v, v1 = crossed.v + crossed.side;
-  const std::array<Side, 4> sides = {
-      Side{{u0, v0}, {u1, v0}}, {{u1, v0}, {u1, v1}}, {{u1, v1}, {u0, v1}}, {{u0, v1}, {u0, v0}}};
+  const std::array<BorderEdge, 4> sides = {BorderEdge{{u0, v0}, {u1, v0}},
+                                           {{u1, v0}, {u1, v1}},
+                                           {{u1, v1}, {u0, v1}},
+                                           {{u0, v1}, {u0, v0}}};
   const auto found = sample({crossed, sides}, {-1.0, 256});
   EXPECT_EQ(found.mean.x, 1.0);
   EXPECT_EQ(found.mean.y, 0.0);
@@ -86,7 +88,7 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
 }
 
 TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
-  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8});
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
   const RegionSampler::Goal goal{-1.0, 64};
   const auto first = sampler.sample({crossed, {}}, goal, counts_);
   (void)sampler.sample({{0.25f, 0.25f, 0.5f}, {}}, goal, counts_);
@@ -95,8 +97,9 @@ TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
 }
 
 /// A floor whose normals swing from pixel to pixel, under a panel.
-World swinging(float amplitude) {
-  World world;
+FlattenedScene swinging(float amplitude) {
+  FlattenedScene scene;
+  World& world = scene.world;
   constexpr int n = 64;
   std::vector<TinyVertex> vertices;
   std::vector<glm::uvec3> triangles;
@@ -123,8 +126,8 @@ World swinging(float amplitude) {
   light.half_v = {0, 0, 0.4};
   light.direction = {0, -1, 0};
   light.intensity = 12.0f;
-  world.lights = {light};
-  return world;
+  scene.lights = {light};
+  return scene;
 }
 
 Picture picture_of(float amplitude, Method method) {

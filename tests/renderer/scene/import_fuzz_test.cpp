@@ -2,6 +2,7 @@
 #include "renderer/world/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
 #include "tests/renderer/scene/load_timer.h"
+#include "tests/support/flat_world.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +111,7 @@ void check(const Result<Scene>& scene, const std::string& path) {
     }
   }
   for (const Light& light : scene->lights) EXPECT_EQ(gltf::light_fault(light), "") << light.name;
-  const Result<World> world = flatten(*scene);
+  const Result<World> world = test::flat_world(*scene);
   if (!world) {
     // Only sizes may be refused here: the importer vouches for everything else.
     const std::string& reason = world.error().reason;

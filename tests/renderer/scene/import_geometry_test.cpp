@@ -1,6 +1,7 @@
 #include "renderer/scene/load.h"
 #include "renderer/world/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
+#include "tests/support/flat_world.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ Result<Scene> load(const GltfBuilder& builder, const LoadOptions& options = {}) 
 World world_of(const GltfBuilder& builder) {
   const Result<Scene> scene = load(builder);
   if (!scene) throw std::runtime_error(scene.error().message());
-  Result<World> world = flatten(*scene);
+  Result<World> world = test::flat_world(*scene);
   if (!world) throw std::runtime_error(world.error().message());
   return std::move(*world);
 }
@@ -64,7 +65,7 @@ TEST(ImportGeometry, DrawsEveryTriangleModeAndCountsTheOthers) {
       EXPECT_EQ(scene->instanced_triangles(), c.triangles);
       EXPECT_EQ(scene->notes.points_not_drawn, c.points);
       EXPECT_EQ(scene->notes.lines_not_drawn, c.lines);
-      const Result<World> world = flatten(*scene);
+      const Result<World> world = test::flat_world(*scene);
       ASSERT_TRUE(world);
       for (std::size_t t = 0; t < world->triangles.size(); ++t) {
         expect_near(front(*world, t), {0, 0, 1});
@@ -173,7 +174,7 @@ TEST(ImportGeometry, OnlyTheVerticesThatAPrimitiveUsesAreKept) {
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->meshes[0].positions.size(), 3u);
   EXPECT_EQ(scene->meshes[0].positions[1], glm::vec3(1, 0, 0));
-  const Result<World> world = flatten(*scene);
+  const Result<World> world = test::flat_world(*scene);
   ASSERT_TRUE(world);
   EXPECT_EQ(world->bounds.hi - world->bounds.lo, glm::vec3(1, 1, 0));
 }

@@ -1,6 +1,7 @@
 #include "renderer/world/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
 #include "tests/renderer/scene/load_timer.h"
+#include "tests/support/flat_world.h"
 
 #include <gtest/gtest.h>
 
@@ -199,7 +200,7 @@ TEST(ImportRobust, InfiniteAndSingularPlacements) {
   b.json["nodes"] = {{{"scale", {1, 0, 1}}, {"mesh", 0}}};
   const Result<Scene> flat = load_in_time(b);
   ASSERT_TRUE(flat);
-  const Result<World> world = flatten(*flat);
+  const Result<World> world = test::flat_world(*flat);
   ASSERT_TRUE(world);
   for (const glm::vec3 n : world->normals) EXPECT_NEAR(glm::length(n), 1.0f, 1e-6f);
   b.json["nodes"] = {{{"scale", {1e25, 1, 1}}, {"mesh", 0}}};

@@ -1,5 +1,6 @@
 #include "renderer/world/world.h"
 #include "tests/renderer/scene/load_timer.h"
+#include "tests/support/flat_world.h"
 #include "tests/support/shared_dir.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ TEST_F(SharedFiles, ScenesHaveTheirTrianglesLightsAndCameras) {
     EXPECT_EQ(scene.instanced_triangles(), std::stoull(row.at("triangles_instanced")));
     EXPECT_EQ(scene.lights.size(), std::stoull(row.at("punctual_lights")));
     EXPECT_EQ(scene.cameras.size(), std::stoull(row.at("cameras")));
-    const Result<World> world = flatten(scene);
+    const Result<World> world = test::flat_world(scene);
     ASSERT_TRUE(world) << world.error().message();
     EXPECT_EQ(world->triangles.size(), scene.instanced_triangles());
     for (const glm::vec3 n : world->normals) ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);

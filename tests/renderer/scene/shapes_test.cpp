@@ -2,6 +2,7 @@
 #include "renderer/scene/tessellate.h"
 #include "renderer/world/world.h"
 #include "tests/renderer/scene/gltf_builder.h"
+#include "tests/support/flat_world.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -118,7 +119,7 @@ TEST_F(ShapesTest, AreWrittenAsTheProposalSays) {
 }
 
 TEST_F(ShapesTest, TheFallbackMeshIsNotDrawnToo) {
-  const Result<World> world = flatten(all_shapes());
+  const Result<World> world = test::flat_world(all_shapes());
   ASSERT_TRUE(world);
   EXPECT_EQ(world->triangles.size(), 12u);  // the box
   EXPECT_EQ(all_shapes().instanced_triangles(), 12u);
@@ -137,7 +138,7 @@ TEST_F(ShapesTest, ANonUniformScaleMakesAnEllipsoid) {
   scene.instances.resize(1);
   scene.instances[0].world_from_mesh =
       glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(1, 2, 3)), glm::dvec3(3, 1, 0.5) / 1.4);
-  const Result<World> world = flatten(scene);
+  const Result<World> world = test::flat_world(scene);
   ASSERT_TRUE(world);
   const Box& box = world->parts.at(0).bounds;
   const glm::dvec3 lo = glm::dvec3(box.lo) + world->origin;
@@ -150,14 +151,14 @@ TEST_F(ShapesTest, FlatAndShiningOnesAreTriangles) {
   Scene scene = all_shapes();
   scene.instances.resize(1);
   scene.instances[0].world_from_mesh = glm::scale(glm::dmat4(1.0), glm::dvec3(1, 0, 1));
-  Result<World> world = flatten(scene);
+  Result<World> world = test::flat_world(scene);
   ASSERT_TRUE(world);
   EXPECT_TRUE(world->faces.empty());
   EXPECT_FALSE(world->triangles.empty());
 
   scene.instances[0].world_from_mesh = glm::dmat4(1.0);
   scene.materials[0].emissive = glm::vec3(1.0f);
-  world = flatten(scene);
+  world = test::flat_world(scene);
   ASSERT_TRUE(world);
   EXPECT_TRUE(world->faces.empty());
   EXPECT_FALSE(world->triangles.empty());

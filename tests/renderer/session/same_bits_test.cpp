@@ -84,7 +84,7 @@ class SameBits : public testing::Test {
   }
 
   [[nodiscard]] Snapshot snapshot(const RenderSettings& settings) const {
-    return {scene_, scene_->world.cameras.front(), settings, false};
+    return {scene_, scene_->world().cameras.front(), settings, false};
   }
   [[nodiscard]] RenderResult render(RenderSettings settings, int threads) const {
     settings.threads = threads;
@@ -116,7 +116,7 @@ TEST_F(SameBits, ForBlocksInReverseOrder) {
     SCOPED_TRACE(choice.name);
     const RenderSettings& settings = choice.settings;
     const WorkPlan plan(settings);
-    const View view(scene_->world.cameras.front(), settings.width, settings.height);
+    const View view(scene_->world().cameras.front(), settings.width, settings.height);
     Film film(settings.width, settings.height);
     std::vector<RenderStatistics> of_block(plan.blocks.size());
     for (std::size_t i = plan.blocks.size(); i-- > 0;) {

@@ -17,9 +17,10 @@ class Picture {
   static constexpr int width = 64;
   static constexpr int height = 48;
 
-  Picture(World world, const Camera& camera)
+  Picture(World world, const Camera& camera, std::vector<Light> lights = {})
       : world_(std::move(world)),
-        needs_(find_needs(world_)),
+        lighting_(prepare_lighting(world_, std::move(lights))),
+        needs_(find_needs(world_).with(lighting_.needs)),
         mips_(world_, needs_),
         view_(camera, width, height),
         rays_(RayScene::build(world_, alpha_at).value()) {}
@@ -29,7 +30,7 @@ class Picture {
   [[nodiscard]] double error(float side, int n) const {
     const ShadingSettings settings{
         .shadows = false, .mips = &mips_, .spacing = PixelSpacing::of(view_)};
-    const Shader shader(world_, needs_, rays_, settings);
+    const Shader shader(world_, needs_, rays_, lighting_, settings);
     double sum = 0.0;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
@@ -52,6 +53,7 @@ class Picture {
   }
 
   World world_;
+  Lighting lighting_;
   SceneNeeds needs_;
   MipChains mips_;
   View view_;
@@ -99,8 +101,7 @@ TEST(FilteredPicture, HighlightsOnSmallShinyThingsDoNotSparkle) {
   sun.type = Light::Type::directional;
   sun.direction = glm::normalize(glm::dvec3(-0.3, -0.4, -1));
   sun.intensity = 2.0f;
-  world.lights.push_back(sun);
-  const Picture picture(std::move(world), test::orthographic(3.0));
+  const Picture picture(std::move(world), test::orthographic(3.0), {sun});
   const double point = picture.error(0.0f, 32);
   const double footprint = picture.error(1.0f, 32);
   EXPECT_LT(footprint, point / 2.0) << point << " " << footprint;

@@ -153,8 +153,10 @@ TEST(SurfacePoint, FlatSurfacesHaveNoSpreadAndCurvedOnesTheirTurn) {
   Material shiny = test::matte(glm::vec3(1));
   shiny.roughness = 0.3f;
   test::add_sphere(ball, {0, 0, 0}, 2.0f, 64, shiny);
-  Light light;
-  for (World* w : {&flat, &ball}) w->lights.push_back(light);
+  const Light light;
+  const auto lit = [&](const World& world) {
+    return find_needs(world).with(find_needs({&light, 1}));
+  };
 
   const PixelSpacing spacing{false, {0, -1, 0}, {0.01f, 0, 0}, {0, 0, 0.01f}};
   const MipChains none;
@@ -163,7 +165,7 @@ TEST(SurfacePoint, FlatSurfacesHaveNoSpreadAndCurvedOnesTheirTurn) {
   hit.b1 = hit.b2 = 0.3f;
   hit.t = 5.0f;
   const SurfacePoint on_flat =
-      surface_point(flat, find_needs(flat), hit, {0, 1, 0}, {&spacing, &none, 1.0f});
+      surface_point(flat, lit(flat), hit, {0, 1, 0}, {&spacing, &none, 1.0f});
   EXPECT_EQ(on_flat.spread.right, glm::vec3(0.0f));
   EXPECT_EQ(on_flat.spread.down, glm::vec3(0.0f));
   EXPECT_EQ(on_flat.spread.variance, 0.0f);
@@ -171,10 +173,10 @@ TEST(SurfacePoint, FlatSurfacesHaveNoSpreadAndCurvedOnesTheirTurn) {
   // A unit normal turns by (length along the surface) / radius.
   hit.triangle = 40;  // near the pole, where a ray from above is steep
   const SurfacePoint on_ball =
-      surface_point(ball, find_needs(ball), hit, {0, 1, 0}, {&spacing, &none, 1.0f});
+      surface_point(ball, lit(ball), hit, {0, 1, 0}, {&spacing, &none, 1.0f});
   EXPECT_NEAR(glm::length(on_ball.spread.right), 0.01f / 2.0f, 0.02f * 0.005f);
   EXPECT_NEAR(glm::length(on_ball.spread.down), 0.01f / 2.0f, 0.02f * 0.005f);
-  EXPECT_EQ(surface_point(ball, find_needs(ball), hit, {0, 1, 0}).spread.right, glm::vec3(0.0f));
+  EXPECT_EQ(surface_point(ball, lit(ball), hit, {0, 1, 0}).spread.right, glm::vec3(0.0f));
 }
 
 }  // namespace

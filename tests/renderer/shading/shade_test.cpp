@@ -23,11 +23,15 @@ using test::unlit;
 /// A world, what it needs and its rays, together.
 struct Lit {
   World world;
+  Lighting lighting;
   SceneNeeds needs;
   RayScene rays;
 
-  explicit Lit(World w) : world(std::move(w)), needs(find_needs(world)) {
-    auto built = RayScene::build(world, alpha_at);
+  explicit Lit(World w, std::vector<Light> lights = {})
+      : world(std::move(w)),
+        lighting(prepare_lighting(world, std::move(lights))),
+        needs(find_needs(world).with(lighting.needs)) {
+    auto built = RayScene::build(world, alpha_at, lighting.lights);
     EXPECT_TRUE(built.has_value());
     rays = std::move(*built);
   }
@@ -35,7 +39,8 @@ struct Lit {
 
   glm::vec3 look(const Ray& ray) {
     test::RayTransport transport(rays);
-    return Shader(world, needs, rays).radiance(ray, rays.closest(ray), 0.0f, transport, counts);
+    return Shader(world, needs, rays, lighting)
+        .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
   }
   RenderStatistics counts;
 };
@@ -80,9 +85,7 @@ TEST(Shader, DirectLightFollowsTheCosine) {
   Material rough = matte(glm::vec3(0.5f));
   rough.ior = 1.0f;  // no mirror at all but at grazing angles: Lambert alone
   for (const double angle : {0.0, 0.5, 1.0}) {
-    World world = floor_world(rough);
-    world.lights.push_back(sun({std::sin(angle), -std::cos(angle), 0}, 3.0f));
-    Lit lit{std::move(world)};
+    Lit lit{floor_world(rough), {sun({std::sin(angle), -std::cos(angle), 0}, 3.0f)}};
     Lit dark{floor_world(rough)};
     const float direct = lit.look(straight_down(1, 1)).r - dark.look(straight_down(1, 1)).r;
     const double expected = 0.5 * 3.0 / std::numbers::pi * std::cos(angle);
@@ -99,8 +102,7 @@ TEST(Shader, ShadowsAreHardAndBlendedSurfacesTintThem) {
     blocker.base_color.a = alpha;
     if (alpha < 1.0f) blocker.alpha_mode = AlphaMode::blend;
     add_quad(world, {2, 1, 1}, {2, 0, 0}, {0, 0, -2}, blocker);
-    world.lights.push_back(sun({-1, -1, 0}, 3.0f));
-    Lit lit{std::move(world)};
+    Lit lit{std::move(world), {sun({-1, -1, 0}, 3.0f)}};
     Lit dark{floor_world(matte(glm::vec3(1)))};
     const float ambient = dark.look(straight_down(0, 0)).r;
     const float bright = lit.look(straight_down(0.99f, 0)).r - ambient;
@@ -114,14 +116,11 @@ TEST(Shader, LightFromBehindDoesNotLeakWhateverTheNormals) {
   // Shading normals bent far over, towards a light that is behind the surface.
   World world = floor_world(matte(glm::vec3(1)));
   for (glm::vec3& n : world.normals) n = glm::normalize(glm::vec3(1, 0.2f, 0));
-  World dark = world;
-  world.lights.push_back(sun({-1, 0.1, 0}, 100.0f));
   Light below;
   below.position = {3, -0.01, 0};
   below.intensity = 100.0f;
-  world.lights.push_back(below);
-  Lit lit{std::move(world)};
-  Lit unlit_scene{std::move(dark)};
+  Lit lit{world, {sun({-1, 0.1, 0}, 100.0f), below}};
+  Lit unlit_scene{world};
   EXPECT_EQ(lit.look(straight_down(0, 0)), unlit_scene.look(straight_down(0, 0)));
   EXPECT_EQ(lit.counts.shadow_rays, 0u);
 }
@@ -132,10 +131,10 @@ TEST(Shader, WindingDoesNotMatter) {
   for (glm::uvec3& t : down.triangles) std::swap(t.y, t.z);
   World flipped = up;
   for (glm::vec3& n : flipped.normals) n = -n;
-  for (World* w : {&up, &down, &flipped}) w->lights.push_back(sun({0.2, -1, 0}, 2.0f));
-  Lit a{std::move(up)};
-  Lit b{std::move(down)};
-  Lit c{std::move(flipped)};
+  const Light light = sun({0.2, -1, 0}, 2.0f);
+  Lit a{std::move(up), {light}};
+  Lit b{std::move(down), {light}};
+  Lit c{std::move(flipped), {light}};
   const glm::vec3 expected = a.look(straight_down(0.5f, 0.5f));
   EXPECT_NEAR(b.look(straight_down(0.5f, 0.5f)).r, expected.r, 1e-6f);
   EXPECT_NEAR(c.look(straight_down(0.5f, 0.5f)).r, expected.r, 1e-6f);
@@ -149,11 +148,10 @@ TEST(Shader, NoSurfaceShadowsItself) {
       World world;
       const glm::vec3 centre(away * radius, 0, -away * radius);
       test::add_sphere(world, centre, radius, 16, matte(glm::vec3(1)));
-      world.lights.push_back(sun({0, -1, 0}, 3.0f));
-      World free = world;
-      free.lights[0].casts_shadows = false;
-      Lit lit{std::move(world)};
-      Lit unshadowed{std::move(free)};
+      Light light = sun({0, -1, 0}, 3.0f);
+      Lit lit{world, {light}};
+      light.casts_shadows = false;
+      Lit unshadowed{std::move(world), {light}};
       std::mt19937 rng(5);
       std::uniform_real_distribution<float> d(-0.7f, 0.7f);
       for (int i = 0; i < 500; ++i) {
@@ -234,8 +232,7 @@ TEST(Shader, NormalMapTiltsTowardsTheLight) {
     // uv as in glTF: v runs down the image, so that the up side of the map is -v.
     add_quad(world, {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, m);
     for (glm::vec3& n : world.normals) n = {0, 1, 0};
-    world.lights.push_back(sun({-sun_x, -1, 0}, 1.0f));
-    Lit lit{std::move(world)};
+    Lit lit{std::move(world), {sun({-sun_x, -1, 0}, 1.0f)}};
     return lit.look(straight_down(0.3f, 0.2f)).r;
   };
   EXPECT_GT(brightness(1, true), 1.2f * brightness(1, false));
@@ -297,18 +294,16 @@ TEST(Shader, MetalUnderTheSkyIsItsColour) {
 }
 
 TEST(Shader, ALightOnTheSurfaceGivesAFiniteResult) {
-  World world = floor_world(matte(glm::vec3(1)));
   Light light;
   light.position = {0, 0, 0};
-  world.lights.push_back(light);
-  Lit lit{std::move(world)};
+  Lit lit{floor_world(matte(glm::vec3(1))), {light}};
   Hit hit;
   hit.triangle = 0;
   hit.b1 = 0.0f;
   hit.b2 = 0.5f;  // the middle of the quad's diagonal
   RenderStatistics counts;
   test::RayTransport transport(lit.rays);
-  const glm::vec3 c = Shader(lit.world, lit.needs, lit.rays)
+  const glm::vec3 c = Shader(lit.world, lit.needs, lit.rays, lit.lighting)
                           .radiance(straight_down(0, 0), hit, 0.0f, transport, counts);
   EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
 }
@@ -331,8 +326,8 @@ TEST(StudioRig, WhiteComesNearWhiteAndStaysBelow) {
   const Camera camera = test::look_at({2, 1.5, 4}, {0, 0, 0}, 0.7);
   World world;
   test::add_sphere(world, {0, 0, 0}, 1.0f, 48, matte(glm::vec3(1)));
-  world.lights = studio_rig(camera, world.bounds);
-  Lit lit{std::move(world)};
+  std::vector<Light> rig = studio_rig(camera, world.bounds);
+  Lit lit{std::move(world), std::move(rig)};
   float brightest = 0.0f;
   float darkest = 1.0f;
   std::mt19937 rng(9);

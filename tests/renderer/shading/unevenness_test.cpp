@@ -30,15 +30,15 @@ World bent(float turn) {
 }
 
 const Hit middle{0, 1.0f, 0.25f, 0.5f};  // at the origin
-constexpr glm::vec3 origin{0.0f};
 constexpr glm::vec3 up{0, 0, 1};
+const Ray from_above{up, -up};
 
 Patch square(float side) {
   return {{side, 0, 0}, {0, side, 0}};
 }
 
 TEST(MidpointError, FlatShadingUnderDistantLightsHasNone) {
-  EXPECT_EQ(midpoint_error(bent(0.0f), middle, origin, up, square(1.0f)), 0.0f);
+  EXPECT_EQ(midpoint_error(bent(0.0f), {}, from_above, middle, square(1.0f)), 0.0f);
 }
 
 // The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of that in the middle.
@@ -46,39 +46,39 @@ TEST(MidpointError, OfATurningNormalIsThatOfACosine) {
   for (const float turn : {0.05f, 0.2f, 0.5f}) {
     const float truth = 1.0f - std::sin(0.5f * turn) / (0.5f * turn);
     // The chord of the normals is shorter than their arc by turn^2 / 6 in the whole triangle.
-    EXPECT_NEAR(midpoint_error(bent(turn), middle, origin, up, square(1.0f)), truth,
+    EXPECT_NEAR(midpoint_error(bent(turn), {}, from_above, middle, square(1.0f)), truth,
                 truth * turn * turn);
   }
 }
 
 TEST(MidpointError, FallsWithTheSquareOfTheSize) {
   const World world = bent(0.3f);
-  EXPECT_NEAR(midpoint_error(world, middle, origin, up, square(0.5f)),
-              midpoint_error(world, middle, origin, up, square(1.0f)) / 4.0f, 1e-7f);
+  EXPECT_NEAR(midpoint_error(world, {}, from_above, middle, square(0.5f)),
+              midpoint_error(world, {}, from_above, middle, square(1.0f)) / 4.0f, 1e-7f);
 }
 
 // Along the line to the light: 1 / (r - x)^2 over an edge of length h has the mean
 // 1 / (r^2 - h^2 / 4), so that the relative error is h^2 / 4 r^2 = 6 / 24 (h / r)^2 to second
 // order.
 TEST(MidpointError, NearALightIsThatOfTheInverseSquare) {
-  World world = bent(0.0f);
+  const World world = bent(0.0f);
   Light light;
   light.position = {0, 0, 2};
-  world.lights.push_back(light);
   const float side = 0.2f;
   const Patch edge{{side, 0, 0}, {0, 0, 0}};
-  EXPECT_NEAR(midpoint_error(world, middle, origin, up, edge), side * side / (4.0f * 4.0f), 1e-6f);
-  world.lights.front().type = Light::Type::directional;
-  EXPECT_EQ(midpoint_error(world, middle, origin, up, edge), 0.0f);
+  EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, edge),
+              side * side / (4.0f * 4.0f), 1e-6f);
+  light.type = Light::Type::directional;
+  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, edge), 0.0f);
 }
 
 TEST(MidpointError, IsNoMoreThanWhatTheMaterialReflects) {
   World world = bent(1.0f);
   world.materials.front().base_color = glm::vec4(0.0f, 0.1f, 0.05f, 1.0f);
-  EXPECT_NEAR(midpoint_error(world, middle, origin, up, square(1.0f)),
-              0.1f * midpoint_error(bent(1.0f), middle, origin, up, square(1.0f)), 1e-7f);
+  EXPECT_NEAR(midpoint_error(world, {}, from_above, middle, square(1.0f)),
+              0.1f * midpoint_error(bent(1.0f), {}, from_above, middle, square(1.0f)), 1e-7f);
   world.materials.front().unlit = true;
-  EXPECT_EQ(midpoint_error(world, middle, origin, up, square(1.0f)), 0.0f);
+  EXPECT_EQ(midpoint_error(world, {}, from_above, middle, square(1.0f)), 0.0f);
 }
 
 // A mirror-like cylinder under a light behind the viewer: the highlight lies where the normal
@@ -92,42 +92,43 @@ TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   light.type = Light::Type::directional;
   light.direction = {0, 0, -1};
   light.intensity = 3.0f;
-  world.lights.push_back(light);
-  const float diffuse = midpoint_error(bent(0.1f), middle, origin, up, square(1.0f));
-  EXPECT_GT(midpoint_error(world, middle, origin, up, square(1.0f)), 0.5f);
-  world.lights.front().direction = glm::normalize(glm::vec3(-1, 0, -1));
-  EXPECT_LT(midpoint_error(world, middle, origin, up, square(1.0f)), diffuse + 1.0f / 1024.0f);
-  world.lights.front().direction = {0, 0, -1};
+  const float diffuse = midpoint_error(bent(0.1f), {}, from_above, middle, square(1.0f));
+  EXPECT_GT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)), 0.5f);
+  light.direction = glm::normalize(glm::vec3(-1, 0, -1));
+  EXPECT_LT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)),
+            diffuse + 1.0f / 1024.0f);
+  light.direction = {0, 0, -1};
   world.materials.front().roughness = 1.0f;
-  EXPECT_NEAR(midpoint_error(world, middle, origin, up, square(1.0f)), diffuse, 1e-7f);
+  EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)), diffuse, 1e-7f);
 }
 
 TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
-  World world = bent(0.5f);
-  world.lights.emplace_back();  // at the very point
-  EXPECT_EQ(midpoint_error(world, middle, origin, up, square(1.0f)), 1.0f);
+  const World world = bent(0.5f);
+  const Light light;  // at the very point
+  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)), 1.0f);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(midpoint_error(world, middle, origin, up, square(nan)), 0.0f);
+  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(nan)), 0.0f);
 }
 
 TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
-  World world = bent(0.0f);
-  Material& material = world.materials.front();
+  Material material = white();
   material.metallic = 1.0f;
   Light light;
   light.type = Light::Type::directional;
   light.direction = {0, 0, -1};
   light.intensity = 3.0f;
-  world.lights.push_back(light);
   const auto error = [&](float roughness, float variance) {
-    return glint_error(world, material, roughness, up, variance, origin, up);
+    SurfacePoint point;
+    point.shading_normal = up;
+    point.spread.variance = variance;
+    return glint_error({&light, 1}, material, roughness, point, up);
   };
   EXPECT_EQ(error(0.2f, 0.0f), 0.0f);
   EXPECT_GT(error(0.2f, 0.01f), 0.5f);
   EXPECT_EQ(error(1.0f, 0.01f), 0.0f);
   EXPECT_LT(error(0.2f, 1e-6f), 0.01f);
   // Far from where the highlight is.
-  world.lights.front().direction = glm::normalize(glm::vec3(-1, 0, -0.2f));
+  light.direction = glm::normalize(glm::vec3(-1, 0, -0.2f));
   EXPECT_LT(error(0.2f, 1e-4f), 0.01f);
   material.unlit = true;
   EXPECT_EQ(error(0.2f, 0.01f), 0.0f);

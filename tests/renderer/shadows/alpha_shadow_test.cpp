@@ -61,7 +61,7 @@ std::vector<Polygon3> add_checker(World& world) {
 /// The mean error over a row of receivers.
 double mean_checker_error(int max_level) {
   ShadowRules settings;
-  settings.max_level = max_level;
+  settings.budget.max_level = max_level;
   World world;
   const std::vector<Polygon3> opaque = add_checker(world);
   ShadowFixture fixture(std::move(world), panel(), settings);
@@ -74,7 +74,7 @@ double mean_checker_error(int max_level) {
     double seen = all;
     for (const Polygon3& texel : opaque)
       seen -= form_of(hidden_part(corners_of(panel()), texel, receiver.position), receiver);
-    sum += std::abs(fixture.lit_share(receiver) - seen / all);
+    sum += std::abs(fixture.visibility(receiver) - seen / all);
   }
   return sum / count;
 }
@@ -120,7 +120,7 @@ TEST(AlphaShadow, OfBlendedLayersIsTheProductOfWhatTheyLetThrough) {
       if (second > 0.0f)
         add_quad(world, {-5, -5, 0.5f}, {10, 0, 0}, {0, 10, 0}, see_through(second));
       ShadowFixture fixture(std::move(world), light);
-      EXPECT_NEAR(fixture.lit_share(facing_up(0.2f, 0.1f)), 0.75 * (1.0 - second), 1e-6);
+      EXPECT_NEAR(fixture.visibility(facing_up(0.2f, 0.1f)), 0.75 * (1.0 - second), 1e-6);
     }
   }
 }
@@ -137,7 +137,7 @@ TEST(AlphaShadow, OfABlendedPanesEdgeIsExact) {
     const double all = form_of(corners_of(panel()), receiver);
     const double hidden =
         form_of(hidden_part(corners_of(panel()), pane, receiver.position), receiver);
-    EXPECT_NEAR(fixture.lit_share(receiver), 1.0 - 0.25 * hidden / all, 1e-4) << i;
+    EXPECT_NEAR(fixture.visibility(receiver), 1.0 - 0.25 * hidden / all, 1e-4) << i;
   }
 }
 
@@ -150,7 +150,7 @@ TEST(AlphaShadow, OfALightsOwnPartIsNone) {
       add_quad(world, {3, 3, 0.5f}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
       light.own_part = own;
       ShadowFixture fixture(std::move(world), light);
-      const double share = fixture.lit_share(facing_up(0.0f, 0.0f));
+      const double share = fixture.visibility(facing_up(0.0f, 0.0f));
       if (own == 0) {
         EXPECT_EQ(share, 1.0);
       } else {

@@ -120,14 +120,14 @@ Polygon shadow_in(const Frame& pixel, const Polygon3& piece, const Light& light)
   return flat;
 }
 
-double lit_share(ShadowFixture& fixture, const Frame& pixel, std::uint64_t seed) {
+double visibility(ShadowFixture& fixture, const Frame& pixel, std::uint64_t seed) {
   SurfacePoint point;
   point.position = glm::vec3(*pixel.on_plane({0.5, 0.5}, {{0, 0, 1}, 0.0}));
   point.error = glm::vec3(1e-6f, 1e-6f, 0.0f);
   point.geometric_normal = point.shading_normal = {0, 0, 1};
   point.extent = 0.1f;
   point.triangle = 0;
-  return fixture.lit_share(point, pixel, {{{0.0f, 0.0f, 1.0f}, {}}, 1.0f, seed});
+  return fixture.visibility(point, pixel, leaf_of({{0.0f, 0.0f, 1.0f}, {}}, 1.0f, seed));
 }
 
 World floor_world() {
@@ -157,7 +157,7 @@ struct Errors {
 /// cells that texels' outlines pass through, and of which one sample stands for each.
 Errors errors_at(int max_level, const Light& light, const Pattern& pattern) {
   ShadowRules settings;
-  settings.max_level = max_level;
+  settings.budget.max_level = max_level;
   World world = floor_world();
   const std::vector<Polygon3> opaque =
       add_card(world, {{-0.5, -0.5, 0.9}, {1.0, 0.1, 0.2}, {-0.1, 1.0, 0.1}}, pattern);
@@ -174,7 +174,7 @@ Errors errors_at(int max_level, const Light& light, const Pattern& pattern) {
       shaded += area(shadows.back());
     }
     const double off =
-        std::abs(lit_share(fixture, pixel, static_cast<std::uint64_t>(i)) - (1.0 - shaded));
+        std::abs(visibility(fixture, pixel, static_cast<std::uint64_t>(i)) - (1.0 - shaded));
     EXPECT_LE(off, marginal_area(shadows, std::ldexp(1.0, -max_level)) + 1e-4)
         << pattern.name << ' ' << max_level << ' ' << i;
     errors.mean += off / count;
@@ -259,7 +259,7 @@ TEST(BlendedHardShadow, IsTheProductOfWhatSheetsLetThrough) {
       std::vector<Polygon> shadows;
       for (const Polygon3& sheet : sheets) shadows.push_back(shadow_in(pixel, sheet, light));
       const double exact = left_behind({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, shadows, through);
-      const double found = lit_share(fixture, pixel, static_cast<std::uint64_t>(i));
+      const double found = visibility(fixture, pixel, static_cast<std::uint64_t>(i));
       EXPECT_NEAR(found, exact, 1e-4) << i;
       worst = std::max(worst, std::abs(found - exact));
       for (const Polygon& shadow : shadows) partly += area(shadow) > 0.02 && area(shadow) < 0.98;

@@ -101,7 +101,7 @@ double area_in(const Frame& frame, const Polygon3& patch) {
   return flat.size() < 3 ? 0.0 : area(flat);
 }
 
-double lit_share(ShadowFixture& fixture, const Pixel& pixel, int kind, float triangle_size) {
+double visibility(ShadowFixture& fixture, const Pixel& pixel, int kind, float triangle_size) {
   SurfacePoint point;
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& p : pixel.patch) middle += p / static_cast<double>(pixel.patch.size());
@@ -110,13 +110,13 @@ double lit_share(ShadowFixture& fixture, const Pixel& pixel, int kind, float tri
   point.geometric_normal = point.shading_normal = {0, 0, 1};
   point.extent = triangle_size;
   point.triangle = 0;
-  std::vector<Side> sides;
+  std::vector<BorderEdge> sides;
   if (kind % 4 > 1) {
     for (std::size_t i = 0; i < pixel.region.size(); ++i)
       sides.push_back(
           {glm::vec2(pixel.region[i]), glm::vec2(pixel.region[(i + 1) % pixel.region.size()])});
   }
-  return fixture.lit_share(point, pixel.frame, {{pixel.square, sides}, 1.0f, 7});
+  return fixture.visibility(point, pixel.frame, leaf_of({pixel.square, sides}, 1.0f, 7));
 }
 
 /// How the floor is seen, and how large its triangles are: the larger, the farther above it shadow
@@ -132,7 +132,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
   double worst = 0.0;
   int partly = 0, off = 0;
   ShadowRules settings;
-  settings.max_level = 4;
+  settings.budget.max_level = 4;
   for (int i = 0; i < 600; ++i) {
     const Light light = make(random);
     const auto pixel = random_pixel(random, i, shown.eye);
@@ -160,7 +160,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
     const Polygon3 hidden = distant ? hidden_along(pixel->patch, screen, -light.direction)
                                     : hidden_part(pixel->patch, screen, light.position);
     const double exact = 1.0 - area_in(pixel->frame, hidden) / area_in(pixel->frame, pixel->patch);
-    const double found = lit_share(fixture, *pixel, i, shown.triangle_size);
+    const double found = visibility(fixture, *pixel, i, shown.triangle_size);
     EXPECT_NEAR(found, exact, 1e-4) << i;
     worst = std::max(worst, std::abs(found - exact));
     off += std::abs(found - exact) > 1e-4;

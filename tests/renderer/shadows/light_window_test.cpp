@@ -78,8 +78,8 @@ TEST(LightWindow, TheFormIsAdditive) {
     const auto x = static_cast<float>(random.uniform(0.05, 0.95));
     const auto y = static_cast<float>(random.uniform(0.05, 0.95));
     const glm::vec2 a(x, 0.0f), b(y, 1.0f);
-    const Side left[] = {{{0, 0}, a}, {a, b}, {b, {0, 1}}, {{0, 1}, {0, 0}}};
-    const Side right[] = {{a, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, b}, {b, a}};
+    const BorderEdge left[] = {{{0, 0}, a}, {a, b}, {b, {0, 1}}, {{0, 1}, {0, 0}}};
+    const BorderEdge right[] = {{a, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, b}, {b, a}};
     const double all = window->form(whole);
     EXPECT_NEAR(window->form({whole.square, left}) + window->form({whole.square, right}), all,
                 1e-9 * all);
@@ -92,15 +92,15 @@ TEST(LightWindow, HalfOfABallIsHalfOfItsLight) {
   receiver.normal = receiver.geometric = {0, 0, 1};
   const auto window = LightWindow::of(ball({0, 0, 2}, 0.7), receiver);
   ASSERT_TRUE(window.has_value());
-  const Side half[] = {
+  const BorderEdge half[] = {
       {{0, 0}, {0.5f, 0}}, {{0.5f, 0}, {0.5f, 1}}, {{0.5f, 1}, {0, 1}}, {{0, 1}, {0, 0}}};
   const double all = window->form(whole);
   EXPECT_NEAR(all, std::numbers::pi * 0.7 * 0.7 / 4.0, 1e-9);
   EXPECT_NEAR(window->form({whole.square, half}), 0.5 * all, 1e-9);
-  const Side island[] = {{{0.4f, 0.4f}, {0.6f, 0.4f}},
-                         {{0.6f, 0.4f}, {0.6f, 0.6f}},
-                         {{0.6f, 0.6f}, {0.4f, 0.6f}},
-                         {{0.4f, 0.6f}, {0.4f, 0.4f}}};
+  const BorderEdge island[] = {{{0.4f, 0.4f}, {0.6f, 0.4f}},
+                               {{0.6f, 0.4f}, {0.6f, 0.6f}},
+                               {{0.6f, 0.6f}, {0.4f, 0.6f}},
+                               {{0.4f, 0.6f}, {0.4f, 0.4f}}};
   EXPECT_GT(window->form({whole.square, island}), 0.0);
   EXPECT_LT(window->form({whole.square, island}), 0.1 * all);
 }

@@ -92,7 +92,7 @@ void expect_half_planes(int planes, int worlds, std::uint64_t seed) {
       const Receiver receiver = receiver_near_origin(random, middle, i);
       const double all = form_of(corners_of(light), receiver);
       if (all < 1e-4) continue;  // as good as below the horizon
-      worst.expect(fixture.lit_share(receiver),
+      worst.expect(fixture.visibility(receiver),
                    seen_form(corners_of(light), occluders, receiver) / all, 1000 * w + i);
     }
   }
@@ -140,7 +140,7 @@ TEST(Penumbra, ThroughAnApertureIsExact) {
       const Polygon3 before = clip(corners_of(light), -z, 0.5 * middle);
       if (all < 1e-4 || before.size() > 2) continue;
       const Polygon3 seen = hidden_part(corners_of(light), hole, receiver.position);
-      worst.expect(fixture.lit_share(receiver), form_of(seen, receiver) / all, 1000 * w + i);
+      worst.expect(fixture.visibility(receiver), form_of(seen, receiver) / all, 1000 * w + i);
     }
   }
   EXPECT_GT(worst.partly(), 200);
@@ -150,7 +150,7 @@ TEST(Penumbra, ThroughAnApertureIsExact) {
 TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   for (int max_level = 1; max_level <= 4; ++max_level) {
     ShadowRules settings;
-    settings.max_level = max_level;
+    settings.budget.max_level = max_level;
     Light light;
     light.type = Light::Type::rectangle;
     light.position = {0, 0, 2};
@@ -168,8 +168,8 @@ TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
       receiver.position = {glm::vec3(0.1f, -0.05f, 0.02f)};
       receiver.normal = receiver.geometric = {0, 0, 1};
       const double all = form_of(corners_of(light), receiver);
-      worst.expect(fixture.lit_share(receiver), seen_form(corners_of(light), {bar}, receiver) / all,
-                   step);
+      worst.expect(fixture.visibility(receiver),
+                   seen_form(corners_of(light), {bar}, receiver) / all, step);
     }
   }
 }
@@ -240,7 +240,7 @@ void expect_linear(std::uint64_t seed, bool horizons) {
         if (t0 > end) seen += form(end, t0);
         end = std::max(end, t1);
       }
-      worst.expect(fixture.lit_share(receiver), seen / all, 1000 * w + i);
+      worst.expect(fixture.visibility(receiver), seen / all, 1000 * w + i);
     }
   }
   EXPECT_GT(worst.partly(), 200);

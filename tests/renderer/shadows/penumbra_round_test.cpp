@@ -73,7 +73,7 @@ void expect_screens(std::uint64_t seed, Light (*make)(RandomSpace&), double reac
     if (all < 1e-4) continue;
     ShadowFixture fixture(std::move(world), light);
     const double exact = oracle(light, c.behind) / all;
-    const double found = fixture.lit_share(c.receiver);
+    const double found = fixture.visibility(c.receiver);
     EXPECT_NEAR(found, exact, 1e-4) << i;
     worst = std::max(worst, std::abs(found - exact));
     partly += exact > 0.01 && exact < 0.99;

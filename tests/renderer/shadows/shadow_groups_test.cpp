@@ -34,11 +34,15 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
   const PixelSpacing spacing = PixelSpacing::of(block.view);
   const Frame frame = block.view.frame(block.rect.x, block.rect.y, side, side);
   ShadowGroups groups(scene);
-  ShadowRules settings;
-  settings.max_level = 5;
   ShadowWorkspace work;
-  const NoView view;
-  ShadowPyrays pyrays(scene, settings, frame, view, groups, work);
+  NoView view;
+  ShadowContext context;
+  context.scene = &scene;
+  context.rules.budget.max_level = 5;
+  context.frame = &frame;
+  context.view = &view;
+  context.groups = &groups;
+  context.work = &work;
   groups.reset(1);
   std::vector<SurfacePoint> points;
   for (int i = 0; i < side * side; ++i) {
@@ -61,10 +65,9 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
                         pixel};
     if (point.triangle == Hit::none) continue;
     if (!(unshadowed_irradiance(fixture.light(), receiver_at(point)).x > 0.0f)) continue;
-    pyrays.set_leaf({{square, {}}, pixel, 3});
-    glm::vec3 radiance(0.0f);
-    pyrays.add({fixture.light(), 0, point, glm::vec3(1.0f), glm::vec3(1.0f), 0}, radiance, counts);
-    shares.push_back(static_cast<double>(radiance.x));
+    const LeafContext leaf = leaf_of({square, {}}, pixel, 3);
+    shares.push_back(light_visibility(
+        context, {fixture.light(), 0, point, glm::vec3(1.0f), glm::vec3(1.0f), 0}, leaf, counts));
   }
   return shares;
 }
@@ -72,7 +75,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
 /// `allowed`: root mean square difference over all pixels.
 void expect_same_shares(const std::string& name, const std::vector<Light>& lights, double allowed) {
   const Scene scene = load_scene("builtin:" + name).value();
-  const World world = flatten(scene).value();
+  const World world = flatten(scene).value().world;
   const Camera camera = world.cameras.front();
   const View view(camera, 96, 64);
   double worst = 0.0;

@@ -141,7 +141,7 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
   ShadowRules settings;
   settings.quality = quality;
   settings.divisions = divisions;
-  settings.max_level = 4;
+  settings.budget.max_level = 4;
   settings.see_through = false;
   ShadowFixture fixture(scene.world, panel(), settings);
   SurfacePoint point;
@@ -150,7 +150,8 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
   point.geometric_normal = point.shading_normal = {0, 0, 1};
   point.extent = 0.1f;
   point.triangle = 0;
-  return fixture.lit_share(point, scene.pixel.frame(), {{{0.0f, 0.0f, 1.0f}, {}}, 1.0f, seed});
+  return fixture.visibility(point, scene.pixel.frame(),
+                            leaf_of({{0.0f, 0.0f, 1.0f}, {}}, 1.0f, seed));
 }
 
 /// Over random scenes with pixels of several sizes: `exact` is what the definition says.

@@ -1,3 +1,4 @@
+#include "renderer/shadows/penumbra.h"
 #include "tests/support/random_space.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/shadow_fixture.h"
@@ -60,11 +61,11 @@ Receiver receiver_below(RandomSpace& random) {
 double worst_error(ShadowFixture& fixture, const std::vector<Polygon3>& walls, RandomSpace& random,
                    int& partly) {
   double worst = 0.0;
-  const Polygon3 shape = shape_of(fixture.world().lights.front());
+  const Polygon3 shape = shape_of(fixture.source());
   for (int i = 0; i < 20; ++i) {
     const Receiver receiver = receiver_below(random);
     const double exact = seen_form(shape, walls, receiver) / form_of(shape, receiver);
-    worst = std::max(worst, std::abs(fixture.lit_share(receiver) - exact));
+    worst = std::max(worst, std::abs(fixture.visibility(receiver) - exact));
     partly += exact > 0.01 && exact < 0.99;
   }
   return worst;
@@ -137,11 +138,15 @@ TEST(ThroughLightPenumbra, APatchBelowAHangingWallIsToBeSplit) {
     ShadowGroups groups(scene);
     groups.reset(1);
     ShadowWorkspace work;
-    const NoView view;
+    NoView view;
     const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
-    ShadowRules settings;
-    settings.most_uneven = 1e-4f;
-    ShadowPyrays pyrays(scene, settings, eye, view, groups, work);
+    ShadowContext block;
+    block.scene = &scene;
+    block.rules.budget.tolerance = 1e-4f;
+    block.frame = &eye;
+    block.view = &view;
+    block.groups = &groups;
+    block.work = &work;
     SurfacePoint point;
     point.triangle = 0;  // flat
     point.shading_normal = point.geometric_normal = {0, 1, 0};
@@ -149,8 +154,9 @@ TEST(ThroughLightPenumbra, APatchBelowAHangingWallIsToBeSplit) {
     const auto error_at = [&](float x) {
       point.position = {x, 0, 0};
       const auto w = static_cast<float>(width);
+      const Patch patch{{w, 0, 0}, {0, 0, w}};
       return static_cast<double>(
-          pyrays.midpoint_error(fixture.light(), 0, point, {{w, 0, 0}, {0, 0, w}}, 1.0f, counts));
+          find_penumbra(block, {fixture.light(), 0, point, patch, 1.0f, 0}, counts).error);
     };
     EXPECT_NEAR(error_at(0.0f), width / 8.0, 0.3 * width / 8.0);
     EXPECT_EQ(error_at(0.4f), 0.0);

@@ -205,7 +205,7 @@ class RenderedScene : public testing::Test {
     const auto ready = prepare(*scene);
     ASSERT_TRUE(ready);
     snapshot_.scene = *ready;
-    snapshot_.camera = test::first_camera((*ready)->world, 16.0 / 12.0);
+    snapshot_.camera = test::first_camera((*ready)->world(), 16.0 / 12.0);
     snapshot_.settings.width = 16;
     snapshot_.settings.height = 12;
     snapshot_.settings.threads = 2;

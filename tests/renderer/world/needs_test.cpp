@@ -47,11 +47,7 @@ SceneNeeds least_needs() {
   return needs;
 }
 
-/// The needs of a plain world that has been changed, beyond those of a plain one.
-std::set<std::string> added_by(const std::function<void(World&)>& change) {
-  World world = plain();
-  change(world);
-  const SceneNeeds needs = find_needs(world);
+std::set<std::string> beyond_least(const SceneNeeds& needs) {
   std::set<std::string> names;
   for (const SceneFeature& feature : scene_features()) {
     if (needs.*feature.needed && !(least_needs().*feature.needed)) names.insert(feature.name);
@@ -59,12 +55,19 @@ std::set<std::string> added_by(const std::function<void(World&)>& change) {
   return names;
 }
 
+/// The needs of a plain world that has been changed, beyond those of a plain one.
+std::set<std::string> added_by(const std::function<void(World&)>& change) {
+  World world = plain();
+  change(world);
+  return beyond_least(find_needs(world));
+}
+
 std::set<std::string> added_by_material(const std::function<void(Material&)>& change) {
   return added_by([&](World& world) { change(world.materials.front()); });
 }
 
 std::set<std::string> added_by_light(const Light& light) {
-  return added_by([&](World& world) { world.lights.push_back(light); });
+  return beyond_least(find_needs({&light, 1}));
 }
 
 using Names = std::set<std::string>;

@@ -1,5 +1,6 @@
 #include "renderer/world/origin.h"
 #include "renderer/world/world.h"
+#include "tests/support/flat_world.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -30,13 +31,13 @@ Mesh square(float from, float to, float z) {
 }
 
 TEST(WorldNumbers, TheOriginIsTheMiddleOfAnOrdinaryScene) {
-  const Result<World> world = flatten(scene_of({square(0, 100, 0), square(1, 2, 4)}));
+  const Result<World> world = test::flat_world(scene_of({square(0, 100, 0), square(1, 2, 4)}));
   ASSERT_TRUE(world);
   EXPECT_EQ(world->origin, glm::dvec3(50, 50, 2));
 }
 
 TEST(WorldNumbers, ASmallPartBesideAHugeOneKeepsItsShape) {
-  const Result<World> world = flatten(scene_of({square(0, 1e9f, 0), square(1, 2, 4)}));
+  const Result<World> world = test::flat_world(scene_of({square(0, 1e9f, 0), square(1, 2, 4)}));
   ASSERT_TRUE(world);
   EXPECT_EQ(world->origin, glm::dvec3(1.5, 1.5, 4));
   const Part& small = world->parts[1];
@@ -64,7 +65,7 @@ TEST(WorldNumbers, NormalsThatSayNothingBecomeTheTriangles) {
   for (const bool mirrored : {false, true}) {
     scene.instances[0].world_from_mesh =
         glm::scale(glm::dmat4(1.0), glm::dvec3(mirrored ? -1 : 1, 1, 1));
-    const Result<World> world = flatten(scene);
+    const Result<World> world = test::flat_world(scene);
     ASSERT_TRUE(world);
     for (const glm::vec3& n : world->normals) EXPECT_EQ(n, glm::vec3(0, 0, 1));
   }
@@ -73,7 +74,7 @@ TEST(WorldNumbers, NormalsThatSayNothingBecomeTheTriangles) {
 TEST(WorldNumbers, SoundNormalsStayBesideThoseThatSayNothing) {
   Mesh mesh = square(0, 1, 0);
   mesh.normals = {{0.6f, 0, 0.8f}, {0, 0, 0}, {0, 0.6f, 0.8f}, {0, 0, -1}};
-  const Result<World> world = flatten(scene_of({mesh}));
+  const Result<World> world = test::flat_world(scene_of({mesh}));
   ASSERT_TRUE(world);
   EXPECT_EQ(world->normals[1], glm::vec3(0, 0, 1));
   EXPECT_EQ(world->normals[3], glm::vec3(0, 0, -1));

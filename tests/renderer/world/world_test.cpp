@@ -1,6 +1,7 @@
 #include "renderer/world/world.h"
 
 #include "renderer/world/needs.h"
+#include "tests/support/flat_world.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -34,7 +35,8 @@ TEST(Flatten, RecentresInDoublePrecision) {
   const glm::dvec3 far(1e7, -2e7, 3e7);
   Mesh mesh = triangle_mesh();
   mesh.positions[1] = {0.25f, 0, 0};
-  const Result<World> world = flatten(scene_of(mesh, glm::translate(glm::dmat4(1.0), far)));
+  const Result<World> world =
+      test::flat_world(scene_of(mesh, glm::translate(glm::dmat4(1.0), far)));
   ASSERT_TRUE(world);
   const glm::dvec3 p = world->origin + glm::dvec3(world->positions[1]);
   EXPECT_NEAR(p.x, 1e7 + 0.25, 1e-6);
@@ -48,22 +50,23 @@ TEST(Flatten, LightsAndCamerasMoveAlong) {
   scene.lights[0].outlines = {{{100, 5, 0}, {101, 5, 0}, {100, 5, 0.1}}};
   scene.cameras.emplace_back();
   scene.cameras[0].world_from_camera[3] = {100, 0, 7, 1};
-  const Result<World> world = flatten(scene);
-  ASSERT_TRUE(world);
-  EXPECT_EQ(world->lights[0].position + world->origin, glm::dvec3(100, 5, 0));
+  const Result<FlattenedScene> flattened = flatten(scene);
+  ASSERT_TRUE(flattened);
+  const auto& [world, lights] = *flattened;
+  EXPECT_EQ(lights[0].position + world.origin, glm::dvec3(100, 5, 0));
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(world->lights[0].outlines[0][i], scene.lights[0].outlines[0][i] - world->origin);
+    EXPECT_EQ(lights[0].outlines[0][i], scene.lights[0].outlines[0][i] - world.origin);
   }
-  EXPECT_EQ(glm::dvec3(world->cameras[0].world_from_camera[3]) + world->origin,
+  EXPECT_EQ(glm::dvec3(world.cameras[0].world_from_camera[3]) + world.origin,
             glm::dvec3(100, 0, 7));
-  EXPECT_EQ(world->cameras[0].world_from_camera[3].w, 1.0);
+  EXPECT_EQ(world.cameras[0].world_from_camera[3].w, 1.0);
 }
 
 TEST(Flatten, PartsKnowWhatShowsALight) {
   Scene scene = scene_of(triangle_mesh(), glm::dmat4(1.0));
   scene.instances.push_back(scene.instances[0]);
   scene.instances[1].shows_light = true;
-  const Result<World> world = flatten(scene);
+  const Result<World> world = test::flat_world(scene);
   ASSERT_TRUE(world);
   EXPECT_FALSE(world->parts.at(0).shows_light);
   EXPECT_TRUE(world->parts.at(1).shows_light);
@@ -78,7 +81,7 @@ TEST(Flatten, MirrorsTurnTrianglesAndTangentsRound) {
   scene.materials[0].normal_texture.texture = 0;
   scene.meshes[0].material = 0;
   scene.meshes[0].tangents.assign(3, glm::vec4(1, 0, 0, 1));
-  const Result<World> world = flatten(scene);
+  const Result<World> world = test::flat_world(scene);
   ASSERT_TRUE(world);
   const glm::uvec3 t = world->triangles[0];
   const glm::vec3 a = world->positions[t.x];
@@ -101,7 +104,7 @@ TEST(Flatten, InventsNoTangentsForMeshesWithoutThem) {
   scene.meshes.push_back(scene.meshes[0]);
   scene.meshes[1].tangents.assign(3, glm::vec4(1, 0, 0, -1));
   scene.instances.push_back({"second", 1, glm::dmat4(1.0)});
-  const Result<World> world = flatten(scene);
+  const Result<World> world = test::flat_world(scene);
   ASSERT_TRUE(world);
   ASSERT_EQ(world->tangents.size(), 6u);
   for (std::size_t v = 0; v < 3; ++v) {
@@ -115,13 +118,13 @@ TEST(Flatten, KeepsOnlyAttributesThatMaterialsNeed) {
   scene.meshes[0].texcoords[0].assign(3, glm::vec2(0.5f));
   scene.meshes[0].tangents.assign(3, glm::vec4(1, 0, 0, 1));
   scene.meshes[0].colors.assign(3, glm::vec4(1));
-  const Result<World> bare = flatten(scene);
+  const Result<World> bare = test::flat_world(scene);
   ASSERT_TRUE(bare);
   EXPECT_TRUE(bare->texcoords[0].empty());
   EXPECT_TRUE(bare->tangents.empty());
   EXPECT_TRUE(bare->colors.empty()) << "all white";
   scene.meshes[0].colors[1] = glm::vec4(1, 0, 0, 1);
-  const Result<World> red = flatten(scene);
+  const Result<World> red = test::flat_world(scene);
   ASSERT_TRUE(red);
   EXPECT_EQ(red->colors.size(), 3u);
   EXPECT_TRUE(find_needs(*red).vertex_colors);
@@ -133,7 +136,7 @@ TEST(Flatten, MeshesWithoutNormalsAreFlat) {
   mesh.normals.clear();
   mesh.positions.push_back({0, 0, 1});
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 1, 1}};
-  const Result<World> world = flatten(scene_of(mesh));
+  const Result<World> world = test::flat_world(scene_of(mesh));
   ASSERT_TRUE(world);
   ASSERT_EQ(world->triangles.size(), 3u) << "a triangle without area is kept";
   EXPECT_EQ(world->normals[world->triangles[0].x], glm::vec3(0, 0, 1));
@@ -144,7 +147,7 @@ TEST(Flatten, MeshesWithoutNormalsAreFlat) {
 TEST(Flatten, PartsDescribeInstances) {
   Scene scene = scene_of(triangle_mesh());
   scene.instances.push_back({"", 0, glm::dmat4(1.0)});
-  const Result<World> world = flatten(scene);
+  const Result<World> world = test::flat_world(scene);
   ASSERT_TRUE(world);
   ASSERT_EQ(world->parts.size(), 2u);
   EXPECT_EQ(world->parts[0].name, "it");

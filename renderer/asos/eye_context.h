@@ -1,0 +1,46 @@
+#pragma once
+
+#include "renderer/film/statistics.h"
+#include "renderer/prepared/render_scene.h"
+#include "renderer/prepared/viewer.h"
+#include "renderer/pyray/budget.h"
+#include "renderer/pyray/observer.h"
+#include "renderer/reflections/mirrored_mask.h"
+
+#include <cmath>
+#include <cstdint>
+#include <stop_token>
+
+namespace asos {
+
+struct EyeWorkspace;
+
+/// A viewer's block while it is rendered: who looks where, at which cost. A camera's block of
+/// pixels, or what one mirrored pyray shows, whose viewer's picture has a single pixel. Pointers
+/// outlive the block's caster.
+struct EyeContext {
+  const RenderScene* scene = nullptr;
+  const RenderSettings* settings = nullptr;
+  Viewer viewer;
+  const Frame* frame = nullptr;        ///< (u, v) runs from 0 to 1 across the block
+  PixelRect block;                     ///< square
+  Budget budget{};                     ///< of a root
+  int seed = 0;                        ///< of sampled parts
+  const MirroredMask* mask = nullptr;  ///< how much the parts of the square count; null: their area
+  EyeWorkspace* work = nullptr;
+  std::stop_token stop{};
+  RenderStatistics* counts = nullptr;
+  /// The pyray that root `observed_root` is, for observers.
+  ObservedLeaf observed{};
+  std::uint32_t observed_root = 0;
+  Square observed_square{0.0f, 0.0f, 1.0f};  ///< of that root, in the frame
+
+  /// The side, in pixels, of the square that a part of this weight stands for, whatever its shape.
+  [[nodiscard]] float side_of(double weight) const {
+    return viewer.pixel * static_cast<float>(std::sqrt(weight));
+  }
+  /// The side of a root, in the frame.
+  [[nodiscard]] float root_side() const { return viewer.pixel / static_cast<float>(block.width); }
+};
+
+}  // namespace asos

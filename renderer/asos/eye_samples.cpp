@@ -1,0 +1,106 @@
+#include "renderer/asos/eye_samples.h"
+
+#include "renderer/sampling/random.h"
+#include "renderer/world/hit_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+
+EyeSamples::EyeSamples(const EyeContext& eye) : eye_(&eye), faces_(seen_faces(*eye.settings)) {}
+
+SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
+  const std::size_t first = rays_.size();
+  points_.insert(points_.end(), points.begin(), points.end());
+  for (const glm::vec2& p : points) rays_.push_back(ray_through(p));
+  hits_.resize(rays_.size());
+  const RenderScene& scene = *eye_->scene;
+  // In runs of which each takes well under a millisecond, so that cancelling is quick.
+  constexpr std::size_t run = 1024;
+  for (std::size_t i = first; i < rays_.size() && !eye_->stop.stop_requested(); i += run) {
+    const std::size_t count = std::min(run, rays_.size() - i);
+    const std::span rays = std::span(rays_).subspan(i, count);
+    const std::span hits = std::span(hits_).subspan(i, count);
+    scene.rays().closest(rays, hits, faces_);
+    if (eye_->viewer.mirror)
+      pass_mirror(*eye_->viewer.mirror, scene.world(), scene.rays(), faces_, rays, hits);
+  }
+  eye_->counts->eye_rays += points.size();
+  return static_cast<SampleId>(first);
+}
+
+SampleId EyeSamples::add_unseen(glm::vec2 point) {
+  points_.push_back(point);
+  rays_.push_back(ray_through(point));
+  hits_.emplace_back();
+  return static_cast<SampleId>(rays_.size() - 1);
+}
+
+// Of a place to a 2^16th of the block: its last bits are rounding, which the scene's scale decides.
+std::uint64_t EyeSamples::seed(SampleId sample) const {
+  const auto bits = [](float x) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::lround(x * 65536.0f)));
+  };
+  const PixelRect& block = eye_->block;
+  const glm::vec2 at = points_[sample];
+  const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x))
+                                  << 32 |
+                              static_cast<std::uint32_t>(block.y);
+  return mix_bits(mix_bits(place) ^ (bits(at.x) << 32 | bits(at.y)));
+}
+
+Cover EyeSamples::cover(SampleId sample) const {
+  // Boundaries that are seen through a surface are not hidden by it.
+  const Hit& hit = hits_[sample];
+  if (!hit.valid() || !opaque(sample)) return Cover::none();
+  return cover_of(*eye_->frame, eye_->scene->world(), eye_->scene->features(), hit);
+}
+
+std::uint32_t EyeSamples::surface(SampleId sample) const {
+  const Hit& hit = hits_[sample];
+  return hit.valid() ? eye_->scene->features().sheet(hit.triangle) : Hit::none;
+}
+
+bool EyeSamples::opaque(SampleId sample) const {
+  const Hit& hit = hits_[sample];
+  if (!hit.valid()) return true;
+  const Material& material = eye_->scene->world().material_of(hit.triangle);
+  return material.alpha_mode == AlphaMode::opaque && !(material.transmission > 0.0f);
+}
+
+SurfacePoint EyeSamples::point(SampleId sample) const {
+  return surface_point(eye_->scene->world(), eye_->scene->needs, hits_[sample],
+                       -rays_[sample].direction);
+}
+
+Patch EyeSamples::patch(SampleId sample, double share) const {
+  const Hit& hit = hits_[sample];
+  // In double: the square of the cross product of sides of 1e-10 or 1e10 does not fit a float.
+  const glm::dvec3 normal = glm::normalize(hit_plane(eye_->scene->world(), hit).normal());
+  return patch_on_plane(eye_->viewer.spacing, rays_[sample].direction, hit.t, glm::vec3(normal),
+                        eye_->side_of(share));
+}
+
+void EyeSamples::look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
+                      RenderStatistics& counts) {
+  looked_rays_.clear();
+  for (const glm::vec2& p : at) looked_rays_.push_back(ray_through(p));
+  looked_hits_.resize(at.size());
+  eye_->scene->rays().closest(looked_rays_, looked_hits_, faces_);
+  counts.eye_rays += at.size();
+  seen.assign(at.size(), {});
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (looked_hits_[i].valid())
+      seen[i] = surface_point(eye_->scene->world(), eye_->scene->needs, looked_hits_[i],
+                              -looked_rays_[i].direction);
+  }
+}
+
+Ray EyeSamples::ray_through(glm::vec2 p) const {
+  const PixelRect& block = eye_->block;
+  return eye_->viewer.view.ray(block.x + static_cast<double>(p.x) * block.width,
+                               block.y + static_cast<double>(p.y) * block.height);
+}
+
+}  // namespace asos

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/shading/footprint.h"
+#include "renderer/shadows/patch_view.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The rays that were cast through a block's points, and what they met.
+class EyeSamples final : public PatchView {
+ public:
+  explicit EyeSamples(const EyeContext& eye);
+
+  /// Casts a ray through each point, in packets; the number of the first.
+  SampleId probe(std::span<const glm::vec2> points);
+  /// A number for samples taken elsewhere; it met nothing.
+  SampleId add_unseen(glm::vec2 point);
+
+  [[nodiscard]] glm::vec2 at(SampleId sample) const { return points_[sample]; }
+  [[nodiscard]] const Ray& ray(SampleId sample) const { return rays_[sample]; }
+  [[nodiscard]] const Hit& hit(SampleId sample) const { return hits_[sample]; }
+  /// A function of a sample's place alone.
+  [[nodiscard]] std::uint64_t seed(SampleId sample) const;
+
+  [[nodiscard]] Cover cover(SampleId sample) const;
+  /// The background is a surface, too.
+  [[nodiscard]] std::uint32_t surface(SampleId sample) const;
+  /// Whether it met the background, or a surface without holes and nothing shining through.
+  [[nodiscard]] bool opaque(SampleId sample) const;
+  [[nodiscard]] SurfacePoint point(SampleId sample) const;
+  /// The patch of the surface around the hit that a part of the root's weight `share` shows.
+  [[nodiscard]] Patch patch(SampleId sample, double share) const;
+
+  void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
+            RenderStatistics& counts) override;
+
+ private:
+  [[nodiscard]] Ray ray_through(glm::vec2 p) const;
+
+  const EyeContext* eye_;
+  Faces faces_;
+  std::vector<glm::vec2> points_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+  std::vector<Ray> looked_rays_;  // scratch
+  std::vector<Hit> looked_hits_;
+};
+
+}  // namespace asos

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
+#include "renderer/asos/refinement.h"
+#include "renderer/asos/root_sums.h"
+#include "renderer/samples/region_sampler.h"
+#include "renderer/shadows/shadow_context.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Leaves in, radiance out: shades a block's leaves, as they are, divided for their textures, or by
+/// samples, and adds them to their roots. The leaf under way is handed on by argument (LeafContext)
+/// to shadows and reflections.
+class LeafShader {
+ public:
+  /// All have to outlive this.
+  LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& refinement,
+             const ShadowContext& shadows, std::span<RootSum> sums, BlurredSum& blurred);
+
+  void shade(std::span<const PyrayLeaf> leaves);
+
+  /// Samples a part of a root as a whole, evenly over it and over each light together. The number
+  /// of samples, at least `fewest`; 0: none hit what counts. `sample` stands for them.
+  std::uint32_t add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
+                            double weight, std::uint32_t fewest);
+  /// So many tell how far their mean may be off.
+  static constexpr std::uint32_t enough_samples = 16;
+
+  /// The radiance of a leaf of the observed root.
+  [[nodiscard]] glm::vec3 result(SampleId sample) const;
+
+ private:
+  void shade_one(const PyrayLeaf& leaf);
+  [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
+  glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
+  void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
+  [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
+
+  const EyeContext* eye_;
+  EyeSamples* samples_;
+  Refinement* refinement_;
+  const ShadowContext* shadows_;
+  std::span<RootSum> sums_;
+  BlurredSum* blurred_;
+  std::optional<RegionSampler> sampler_;  // made when first needed
+  std::map<SampleId, glm::vec3> results_;
+};
+
+}  // namespace asos

@@ -1,0 +1,29 @@
+#include "renderer/asos/leaf_transport.h"
+
+#include "renderer/asos/light_counts.h"
+#include "renderer/asos/reflected_pyray.h"
+#include "renderer/shadows/shadow.h"
+
+namespace asos {
+
+void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
+  const glm::vec3 without = radiance;
+  const glm::vec3 all = lit.reflected * lit.unshadowed;
+  if (all == glm::vec3(0.0f)) return;
+  const CountForLight count(counts, lit.index);
+  const double visibility = light_visibility(*shadows_, lit, *leaf_, counts);
+  if (visibility > 0.0) radiance += static_cast<float>(visibility) * all;
+  const bool in_part = radiance != without && radiance != without + all;
+  met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
+}
+
+bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
+                            RenderStatistics& counts) {
+  const Mirrored mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
+  if (!mirrored.followed) return false;
+  radiance += mirrored.radiance;
+  met_mirror_edge_ |= mirrored.split;
+  return true;
+}
+
+}  // namespace asos

@@ -1,0 +1,39 @@
+#include "renderer/asos/normal_variation.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace asos {
+
+void NormalVariation::find(int side, std::span<const glm::vec3> normals,
+                           std::span<const std::uint32_t> surfaces, std::uint32_t background) {
+  side_ = side;
+  errors_.assign(normals.size(), 0.0f);
+  if (side < 3) return;
+  // `along` is the pixel's place on the axis on which neighbours are `step` apart.
+  const auto second_difference = [&](int pixel, int along, int step) {
+    // At the block's border, that of the next pixel.
+    const int middle = pixel + step * (std::clamp(along, 1, side - 2) - along);
+    const auto at = [&](int i) { return static_cast<std::size_t>(i); };
+    const std::uint32_t surface = surfaces[at(pixel)];
+    for (const int i : {middle - step, middle, middle + step})
+      if (surfaces[at(i)] != surface) return 0.0f;
+    return glm::length(normals[at(middle - step)] - 2.0f * normals[at(middle)] +
+                       normals[at(middle + step)]);
+  };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const int i = y * side + x;
+      if (surfaces[static_cast<std::size_t>(i)] != background)
+        errors_[static_cast<std::size_t>(i)] =
+            (second_difference(i, x, 1) + second_difference(i, y, side)) / 24.0f;
+    }
+  }
+}
+
+float NormalVariation::error(int x, int y) const {
+  if (x < 0 || y < 0 || x >= side_ || y >= side_) return 0.0f;
+  return errors_[static_cast<std::size_t>(y * side_ + x)];
+}
+
+}  // namespace asos

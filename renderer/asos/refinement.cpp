@@ -1,0 +1,230 @@
+#include "renderer/asos/refinement.h"
+
+#include "renderer/asos/light_counts.h"
+#include "renderer/reflections/mirror_surface.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/unevenness.h"
+#include "renderer/shadows/penumbra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+/// The most that a surface makes of light, by its base colour.
+float brightest(const Material& material) {
+  const glm::vec3 c = glm::clamp(glm::vec3(material.base_color), 0.0f, 1.0f);
+  return std::max({c.x, c.y, c.z});
+}
+
+}  // namespace
+
+Refinement::Refinement(const EyeContext& eye, const EyeSamples& samples,
+                       const ShadowContext& shadows)
+    : eye_(&eye), samples_(&samples), shadows_(&shadows) {
+  for (const PreparedLight& light : eye.viewer.shader.lights()) {
+    extended_lights_ |= eye.settings->shadow.cast && light.casts_shadows && light.extended();
+    spots_ |= light.cone_scale > 0.0;
+  }
+}
+
+void Refinement::learn_normals(int side) {
+  const auto count = static_cast<std::size_t>(side * side);
+  std::vector<glm::vec3> normals(count, glm::vec3(0.0f));
+  std::vector<std::uint32_t> surfaces(count, Hit::none);
+  for (SampleId i = 0; i < count; ++i) {
+    if (!samples_->hit(i).valid()) continue;
+    normals[i] = samples_->point(i).shading_normal;
+    surfaces[i] = samples_->surface(i);
+  }
+  normals_.find(side, normals, surfaces, Hit::none);
+  border_ = (eye_->block.width - side) / 2;
+}
+
+LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& region) {
+  if (!samples_->hit(sample).valid() || !eye_->budget.refines()) return {};
+  const bool shading =
+      !glints(sample, share) && (shading_error(sample, share, region) > eye_->budget.tolerance ||
+                                 mirrors_too_widely(sample, region));
+  LeafVerdict verdict;
+  if (extended_lights_ && !even_around(sample, region)) {
+    const ShadowVerdict shadow = judge_shadows(sample, region);
+    if (shadow.uneven) return {Unevenness::shadow};
+    verdict.note = shadow.note;
+    // What is split for its shading need not have its shadows found again for each part.
+    if (shading && region.border.empty() && samples_->opaque(sample) && nearly_flat(sample, share))
+      even_.push_back(even_patch(sample, region, verdict.note));
+  }
+  if (shading) verdict.uneven = Unevenness::shading;
+  return verdict;
+}
+
+std::span<const std::uint32_t> Refinement::saturated(std::uint32_t note) const {
+  if (note == 0) return {};
+  return saturated_[note - 1];
+}
+
+// Edges of shadows from lights of some size.
+Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, const LeafRegion& region) {
+  const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
+  if (material.unlit) return {};
+  const SurfacePoint point = samples_->point(sample);
+  const float reflected = brightest(material) * std::numbers::inv_pi_v<float>;
+  const auto level =
+      static_cast<int>(std::lround(std::log2(eye_->root_side() / region.square.side)));
+  const auto lights = eye_->viewer.shader.lights();
+  float error = 0.0f;
+  std::vector<std::uint32_t> saturated;
+  for (std::uint32_t i = 0; i < lights.size() && !(error > eye_->budget.tolerance); ++i) {
+    if (!lights[i].casts_shadows || !lights[i].extended()) continue;
+    const CountForLight count(*eye_->counts, i);
+    const Penumbra penumbra = find_penumbra(
+        *shadows_, {lights[i], i, point, patch_around(sample, region), reflected, level},
+        *eye_->counts);
+    error += penumbra.error;
+    if (penumbra.saturated) saturated.push_back(i);
+  }
+  if (error > eye_->budget.tolerance) return {true};
+  if (saturated.empty()) return {};
+  saturated_.push_back(std::move(saturated));
+  return {false, static_cast<std::uint32_t>(saturated_.size())};
+}
+
+// Of the surface's shading, but for its boundaries and shadows.
+float Refinement::shading_error(SampleId sample, double share, const LeafRegion& region) const {
+  const Hit& hit = samples_->hit(sample);
+  const Ray& ray = samples_->ray(sample);
+  const Patch patch = samples_->patch(sample, share);
+  return midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch) +
+         normal_error(sample, region) + light_error(sample, region);
+}
+
+// Normals that vary from pixel to pixel: in a part of a pixel, as much less as its area is.
+float Refinement::normal_error(SampleId sample, const LeafRegion& region) const {
+  const auto width = static_cast<float>(eye_->block.width);
+  const float error = normals_.error(static_cast<int>(region.square.centre_u() * width) - border_,
+                                     static_cast<int>(region.square.centre_v() * width) - border_);
+  const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
+  if (error == 0.0f || material.unlit) return 0.0f;
+  const float part = region.square.side * width;
+  return brightest(material) * error * part * part;
+}
+
+// How light from what has a size, or a cone, falls off across a leaf.
+float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
+  const Hit& hit = samples_->hit(sample);
+  if (!(extended_lights_ || spots_) || eye_->scene->world().material_of(hit.triangle).unlit)
+    return 0.0f;
+  const Patch patch = patch_around(sample, region);
+  const Receiver receiver = receiver_at(samples_->point(sample));
+  float error = 0.0f;
+  for (const PreparedLight& light : eye_->viewer.shader.lights()) {
+    if (extended_lights_ && light.extended()) error += falloff_error(light, receiver, patch);
+    error += cone_error(light, receiver, patch);
+  }
+  return error;
+}
+
+// Whether a curved mirror spreads the region's corner rays too far for one reflected pyray (CGF'98
+// sections 5.2.1 to 5.2.4).
+bool Refinement::mirrors_too_widely(SampleId sample, const LeafRegion& region) const {
+  const MirrorSettings& settings = eye_->settings->mirror;
+  const Viewer& viewer = eye_->viewer;
+  if (viewer.bounces >= viewer.shader.reflections() || settings.curved == CurvedMirror::tangent)
+    return false;
+  const Hit& hit = samples_->hit(sample);
+  const Material& material = eye_->scene->world().material_of(hit.triangle);
+  const bool mirror = eye_->scene->dfr_of(hit.triangle) ||
+                      static_cast<double>(material.roughness) <= settings.roughest;
+  if (!mirror || material.unlit) return false;
+  const SurfacePoint point = samples_->point(sample);
+  const float side = region.square.side * static_cast<float>(eye_->block.width);
+  const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
+  const MirrorSurface surface = mirror_surface(eye_->scene->world(), hit, point, pyray, true);
+  if (!surface.bent()) return false;
+  return settings.curved == CurvedMirror::supersample ||
+         reflected_angle(pyray, surface) > glm::radians(settings.widest_angle_deg);
+}
+
+bool Refinement::glints(SampleId sample, double share) const {
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = samples_->hit(sample);
+  if (!scene.needs.normal_maps || !hit.valid() || !eye_->budget.refines() || share <= 0.0 ||
+      eye_->budget.max_level == 0)
+    return false;
+  const Material& material = scene.world().material_of(hit.triangle);
+  if (!material.normal_texture.used() || material.unlit || scene.lights().empty()) return false;
+  // Textures make roughness less only.
+  if (!material.metallic_roughness_texture.used() && material.roughness >= least_broad_roughness)
+    return false;
+  const SampleExtent extent{&eye_->viewer.spacing, &scene.mips(), eye_->side_of(share)};
+  const glm::vec3 to_viewer = -samples_->ray(sample).direction;
+  const SurfacePoint point = surface_point(scene.world(), scene.needs, hit, to_viewer, extent);
+  if (!(point.spread.variance > 0.0f)) return false;
+  const SurfaceMaterial seen =
+      surface_material(scene.world(), scene.needs, hit, point.footprint, &scene.mips());
+  return glint_error(scene.lights(), material, seen.roughness, point, to_viewer) >
+         eye_->budget.tolerance;
+}
+
+bool Refinement::uneven_at_last(SampleId sample, double share, const LeafRegion& region) const {
+  const int max_level = eye_->budget.max_level;
+  const float finest =
+      std::ldexp(eye_->viewer.pixel, -max_level) / static_cast<float>(eye_->block.width);
+  return max_level > 0 && eye_->budget.refines() && !region.marginal &&
+         samples_->hit(sample).valid() && region.square.side < 1.5f * finest &&
+         shading_error(sample, share, region) > eye_->budget.tolerance;
+}
+
+// Whether the surface deviates from its plane by little, beside the patch: what lies closer to a
+// bent surface than that is not looked at for its shadows' edges (find_penumbra).
+bool Refinement::nearly_flat(SampleId sample, double share) const {
+  const Hit& hit = samples_->hit(sample);
+  const Patch patch = samples_->patch(sample, share);
+  const float size = std::min(glm::length(patch.right), glm::length(patch.down));
+  const glm::dvec3 at(samples_->ray(sample).at(hit.t));
+  return 4.0 * eye_->scene->features().departure(hit.triangle, at, size) <
+         static_cast<double>(size);
+}
+
+EvenPatch Refinement::even_patch(SampleId sample, const LeafRegion& region,
+                                 std::uint32_t note) const {
+  const std::span<const std::uint32_t> lights = saturated(note);
+  return {samples_->point(sample),
+          region.square,
+          std::vector<double>(eye_->viewer.shader.lights().size(), -1.0),
+          {lights.begin(), lights.end()}};
+}
+
+// A part of it, and not only overlapping it as pixels with a wide filter do.
+EvenPatch* Refinement::even_around(SampleId sample, const LeafRegion& region) {
+  const Square& s = region.square;
+  const float rounding = 1e-3f * s.side;
+  for (EvenPatch& even : even_) {
+    const Square& all = even.square;
+    const float wider = all.side - s.side + rounding;
+    if (s.u >= all.u - rounding && s.u <= all.u + wider && s.v >= all.v - rounding &&
+        s.v <= all.v + wider &&
+        samples_->surface(sample) == eye_->scene->features().sheet(even.middle.triangle))
+      return &even;
+  }
+  return nullptr;
+}
+
+// The patch around the sample that holds all of the leaf: what is long and thin, or away from its
+// sample, may have a shadow's edge at its far end.
+Patch Refinement::patch_around(SampleId sample, const LeafRegion& region) const {
+  glm::vec2 farthest(0.0f);
+  region.for_each_edge([&](const BorderEdge& edge) {
+    farthest = glm::max(farthest, glm::abs(edge.from - samples_->at(sample)));
+  });
+  const float per_pixel = 2.0f * static_cast<float>(eye_->block.width);
+  Patch patch = samples_->patch(sample, 1.0);
+  patch.right *= farthest.x * per_pixel;
+  patch.down *= farthest.y * per_pixel;
+  return patch;
+}
+
+}  // namespace asos

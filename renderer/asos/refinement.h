@@ -1,0 +1,69 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
+#include "renderer/asos/normal_variation.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/shadow_context.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Whether one sample can stand for what a leaf looks like, and if not, why: shading, light and
+/// reflections that vary over it by more than the tolerance, and edges of soft shadows (CGF'98
+/// sections 3.2 and 4.3; design section 6).
+class Refinement {
+ public:
+  /// All have to outlive this.
+  Refinement(const EyeContext& eye, const EyeSamples& samples, const ShadowContext& shadows);
+
+  /// Learns from the first samples, the middles of side x side roots in rows, how much normals vary
+  /// from one to the next.
+  void learn_normals(int side);
+
+  /// The verdict's note names the lights that were found saturated.
+  [[nodiscard]] LeafVerdict judge(SampleId sample, double share, const LeafRegion& region);
+  /// The lights that a verdict's note names.
+  [[nodiscard]] std::span<const std::uint32_t> saturated(std::uint32_t note) const;
+
+  /// Whether a normal map scatters the lights' highlights all over a leaf: splitting would not make
+  /// it even, so it is sampled as it is.
+  [[nodiscard]] bool glints(SampleId sample, double share) const;
+  /// Whether a leaf would be split further for its shading, were there any levels left.
+  [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
+
+  /// The even patch of the sample's surface that a region is a part of, if any.
+  [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region);
+  /// A patch that one look at each light does for.
+  [[nodiscard]] EvenPatch even_patch(SampleId sample, const LeafRegion& region,
+                                     std::uint32_t note) const;
+
+ private:
+  struct ShadowVerdict {
+    bool uneven = false;
+    std::uint32_t note = 0;
+  };
+  [[nodiscard]] ShadowVerdict judge_shadows(SampleId sample, const LeafRegion& region);
+  [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
+  [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] bool mirrors_too_widely(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
+  [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;
+
+  const EyeContext* eye_;
+  const EyeSamples* samples_;
+  const ShadowContext* shadows_;
+  bool extended_lights_ = false;  // some light of a size casts shadows
+  bool spots_ = false;
+  NormalVariation normals_;
+  int border_ = 0;  // pixels of the frame around the roots
+  std::vector<EvenPatch> even_;
+  std::vector<std::vector<std::uint32_t>> saturated_;  // by note - 1
+};
+
+}  // namespace asos

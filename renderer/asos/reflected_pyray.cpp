@@ -1,0 +1,291 @@
+#include "renderer/asos/reflected_pyray.h"
+
+#include "renderer/asos/eye_caster.h"
+#include "renderer/lights/bare_lights.h"
+#include "renderer/reflections/mirror_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace asos {
+namespace {
+
+constexpr Square whole_square{0.0f, 0.0f, 1.0f};
+
+// Blur beside which a leaf's own outline does not matter, in leaves.
+constexpr double outline_matters = 0.25;
+
+std::optional<Segment> projected(const Frame& frame, glm::dvec3 a, glm::dvec3 b) {
+  glm::dvec3 p = frame.homogeneous(a), q = frame.homogeneous(b);
+  if (!frame.parallel()) {
+    const double least = 1e-6 * std::max(std::abs(p.z), std::abs(q.z));
+    if (p.z < least && q.z < least) return std::nullopt;
+    if (p.z < least) p += (q - p) * ((least - p.z) / (q.z - p.z));
+    if (q.z < least) q += (p - q) * ((least - q.z) / (p.z - q.z));
+  }
+  const FramePoint from = frame.project(p), to = frame.project(q);
+  Segment s;
+  s.u0 = static_cast<float>(from.u), s.v0 = static_cast<float>(from.v);
+  s.u1 = static_cast<float>(to.u), s.v1 = static_cast<float>(to.v);
+  return s;
+}
+
+// The part of a line within the square.
+void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
+  const Clip c = clip(s, {0.0f, 0.0f, 1.0f});
+  if (c.empty()) return;
+  const glm::vec2 p(s.u0, s.v0), d(s.u1 - s.u0, s.v1 - s.v0);
+  outline.push_back({p + c.t0 * d, p + c.t1 * d});
+}
+
+// Lights that are seen in mirrors only have no edges among the scene's.
+void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const Shader& shader) {
+  for (const std::uint32_t i : shader.bare_lights()) {
+    const PreparedLight& light = shader.lights()[i];
+    const auto apex = frame.parallel() ? std::nullopt : std::optional(frame.apex());
+    for (const auto& light_outline : light_outlines(light, apex, frame.direction())) {
+      for (std::size_t k = 0; k < light_outline.size(); ++k) {
+        const glm::dvec3 from = light_outline[k];
+        const glm::dvec3 to = light_outline[(k + 1) % light_outline.size()];
+        if (const auto s = projected(frame, from, to)) add_line(outline, *s);
+      }
+    }
+  }
+}
+
+std::optional<Horizon> horizon_of(const MirroredPyray& pyray, const MirrorSurface& surface) {
+  const PyrayPicture& p = pyray.picture;
+  const glm::dvec3 n = surface.geometric;
+  const glm::dvec3 middle = p.corner + 0.5 * (p.right + p.down);
+  const Horizon horizon{glm::dot(middle, n), glm::dot(p.right, n), glm::dot(p.down, n)};
+  const bool above = horizon.height > 0.5 * (std::abs(horizon.right) + std::abs(horizon.down));
+  return above ? std::nullopt : std::optional(horizon);
+}
+
+std::vector<BorderEdge> outline_in(const LeafRegion& region, const Bounds2& part) {
+  std::vector<BorderEdge> outline;
+  const glm::vec2 size = part.hi - part.lo;
+  for (const BorderEdge& edge : region.border)
+    outline.push_back({(edge.from - part.lo) / size, (edge.to - part.lo) / size});
+  return outline;
+}
+
+glm::vec2 random_place(std::uint64_t seed) {
+  const glm::dvec2 p = unit_pair_of(seed);
+  return glm::vec2(p);
+}
+
+/// A mirrored pyray, and the mirror where its axis meets it.
+struct MirroredSight {
+  MirroredPyray pyray;
+  MirrorSurface surface;
+};
+
+// Where the axis of a part of the frame starts.
+glm::dvec3 start_of(const Frame& frame, const Bounds2& part) {
+  if (!frame.parallel()) return frame.apex();
+  const glm::vec2 middle = 0.5f * (part.lo + part.hi);
+  return frame.world({static_cast<double>(middle.x), static_cast<double>(middle.y), 0.0});
+}
+
+// The part of the parent's frame, in double precision: the reflection hangs on it. Its distance is
+// that of the plane through the sample's hit.
+IncidentPyray incident_pyray(const Frame& frame, const Reflection& reflection,
+                             const Bounds2& part) {
+  const glm::dvec2 size(part.hi - part.lo);
+  const glm::dvec2 middle = glm::dvec2(part.lo) + 0.5 * size;
+  IncidentPyray pyray;
+  pyray.perspective = !frame.parallel();
+  pyray.right = size.x * frame.base_u();
+  pyray.down = size.y * frame.base_v();
+  pyray.axis = pyray.perspective
+                   ? frame.base_corner() + middle.x * frame.base_u() + middle.y * frame.base_v()
+                   : frame.direction();
+  const glm::dvec3 n(reflection.point.geometric_normal);
+  pyray.distance = glm::dot(n, glm::dvec3(reflection.point.position) - start_of(frame, part)) /
+                   glm::dot(n, pyray.axis);
+  return pyray;
+}
+
+std::optional<MirroredSight> mirrored_sight(const EyeContext& eye, const Reflection& reflection,
+                                            const Bounds2& part, float width) {
+  IncidentPyray pyray = incident_pyray(*eye.frame, reflection, part);
+  MirroredSight sight;
+  MirrorSurface& surface = sight.surface;
+  surface = mirror_surface(eye.scene->world(), reflection.hit, reflection.point, pyray,
+                           eye.settings->mirror.curved == CurvedMirror::approximate);
+  // From the middle of the part, on the mirror's plane.
+  const glm::dvec3 start = start_of(*eye.frame, part);
+  pyray.distance = glm::dot(surface.geometric, surface.position - start) /
+                   glm::dot(surface.geometric, pyray.axis);
+  if (pyray.distance > 0.0 && std::isfinite(pyray.distance)) {
+    surface.position = start + pyray.distance * pyray.axis;
+  } else {
+    // Seen along its very plane: from where the sample met it.
+    pyray.distance = static_cast<double>(reflection.hit.t) / glm::length(pyray.axis);
+  }
+  const MirrorLobe lobe = lobe_around(surface, mirrored_direction(surface, pyray.axis), pyray.right,
+                                      static_cast<double>(width));
+  const auto reflected = mirrored(pyray, surface, lobe);
+  if (!reflected) return std::nullopt;
+  sight.pyray = *reflected;
+  return sight;
+}
+
+// The radiance that a pyray may show: a picture's white, or a light's.
+double brightest_in(const PyrayPicture& picture, const Shader& shader) {
+  double brightest = 1.0;
+  const glm::dvec3 middle = glm::normalize(picture.corner + 0.5 * (picture.right + picture.down));
+  const double half_angle =
+      std::atan(0.5 * (glm::length(picture.right) + glm::length(picture.down)));
+  for (const PreparedLight& light : shader.lights()) {
+    const auto radiance =
+        static_cast<double>(std::max({light.power.x, light.power.y, light.power.z}));
+    if (radiance > brightest && may_show(light, picture.apex, middle, half_angle))
+      brightest = radiance;
+  }
+  return brightest;
+}
+
+// The levels that this share of the root deserves, one for a camera's unless it is far too small,
+// and EPS of what is reflected.
+Budget reflected_budget(const EyeContext& eye, const Reflection& reflection,
+                        const LeafContext& leaf, double brightest) {
+  const glm::vec3 c = reflection.reflected;
+  const double reflected =
+      std::clamp(brightest * static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
+  const int all = eye.budget.max_level;
+  const int levels = leaf.region.marginal ? all : Budget::levels_of(leaf.weight * reflected);
+  const bool may_be_one_ray =
+      leaf.region.marginal || all == 0 || eye.viewer.bounces > 0 || levels > all;
+  return eye.budget.nested(levels, reflected, may_be_one_ray ? 0 : 1);
+}
+
+// How much the parts of the mirrored square count: by the blur, and within the leaf's own outline
+// where that is not blurred beyond recognition.
+MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const Bounds2& part,
+                     float width, double start) {
+  MirroredMask mask;
+  if (width > 0.0f) {
+    mask.horizon = horizon_of(sight.pyray, sight.surface);
+    mask.blur = {sight.pyray.sharp_share, sight.pyray.apex_distance, start};
+  }
+  const double sharp = std::min(sight.pyray.sharp_share.x, sight.pyray.sharp_share.y);
+  if (!region.border.empty() && 1.0 - sharp < outline_matters * sharp)
+    mask.outline = outline_in(region, part);
+  return mask;
+}
+
+// Boundaries that are no edges of the scene: the leaf's own, the horizon, and lights without
+// geometry.
+std::vector<BorderEdge> outlines_in(const MirroredMask& mask, const Frame& frame,
+                                    const Shader& shader) {
+  std::vector<BorderEdge> outline;
+  for (const BorderEdge& s : mask.outline)
+    add_line(outline, {s.from.x, s.from.y, 0.0f, s.to.x, s.to.y, 0.0f});
+  if (mask.horizon) {
+    if (const auto line = mask.horizon->line()) outline.push_back({line->first, line->second});
+  }
+  add_lights(outline, frame, shader);
+  return outline;
+}
+
+// Traces the mirrored pyray; whether it was split. Tells observers.
+bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafContext& leaf,
+                    EyeCaster& caster, int bounce) {
+  const std::vector<BorderEdge> outline = outlines_in(*eye.mask, *eye.frame, eye.viewer.shader);
+  Pyray pyray{*eye.frame};
+  pyray.bounds.within = {&sight.pyray.picture.beyond, 1};
+  pyray.bounds.beyond_first = 2.0 * sight.surface.clearance;
+  pyray.outline = outline;
+  pyray.seed = leaf.seed;
+  SubdivisionRules rules = SubdivisionRules::of(eye.settings->asos);
+  rules.budget = eye.budget;
+  TracedPyray own;
+  const bool observed = eye.observed.observer != nullptr;
+  const Trace trace = eye.work->mirror_tracer(bounce).trace(eye.scene->features(), pyray, rules,
+                                                            caster, observed ? &own : nullptr);
+  if (observed) {
+    TracedPyray& sent = eye.observed.observer->at(eye.observed.pyray);
+    sent.bounces = bounce;
+    sent.result = caster.colour(0);
+    sent.levels = std::move(own.levels);
+    sent.cells = std::move(own.cells);
+  }
+  return trace.outcome.deepest > 0;
+}
+
+Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const LeafContext& leaf,
+                     float width, RenderStatistics& counts) {
+  // Mirror the leaf's pyray.
+  const Bounds2 part = bounds_of(leaf.region);
+  const auto sight = mirrored_sight(eye, reflection, part, width);
+  if (!sight) return {{}, false, false};
+  const View view(sight->pyray.picture);
+  const Frame frame = view.frame(0, 0, 1, 1);
+  const MirroredMask mask = mask_of(*sight, leaf.region, part, width, view.start());
+
+  // Look along it, as its own viewer.
+  const Viewer viewer{view,
+                      eye.viewer.shader,
+                      PixelSpacing::of(view),
+                      eye.viewer.width + width,
+                      eye.viewer.bounces + 1,
+                      reflection.throughput(),
+                      plane_of(sight->surface)};
+  RenderStatistics own;
+  EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
+  mirrored_eye.budget = reflected_budget(eye, reflection, leaf,
+                                         brightest_in(sight->pyray.picture, eye.viewer.shader));
+  mirrored_eye.seed = static_cast<int>(leaf.seed >> 33);
+  mirrored_eye.mask = &mask;
+  mirrored_eye.work = eye.work;
+  mirrored_eye.stop = eye.stop;
+  mirrored_eye.counts = &own;
+  const bool one_ray = mirrored_eye.budget.max_level == 0;
+  if (!one_ray && leaf.observed.wants_more()) {
+    mirrored_eye.observed = {leaf.observed.observer,
+                             leaf.observed.begin(TracedPyray::Kind::mirror)};
+  }
+  EyeCaster caster(mirrored_eye, 1);
+  bool split = false;
+  if (one_ray) {
+    // Through the leaf's own sample, or anywhere in the lobe.
+    glm::vec2 at = (leaf.at - part.lo) / (part.hi - part.lo);
+    if (mask.blur)
+      at = BlurKernel(mask.blur->far_share).warped(random_place(leaf.seed), whole_square);
+    const PyrayLeaf whole{0, caster.probe({&at, 1}), 1.0, {whole_square, {}, true}};
+    caster.take({&whole, 1});
+  } else {
+    split = trace_mirrored(mirrored_eye, *sight, leaf, caster, eye.viewer.bounces);
+  }
+  own.reflection_rays += std::exchange(own.eye_rays, 0);
+  counts += own;
+  return {caster.colour(0), split || caster.sum(0).mirror_cut};
+}
+
+}  // namespace
+
+Mirrored trace_reflection(const EyeContext& eye, const Reflection& reflection,
+                          const LeafContext& leaf, RenderStatistics& counts) {
+  Mirrored all;
+  if (reflection.one_width()) {
+    all = trace_width(eye, reflection, leaf, reflection.width.x, counts);
+  } else {
+    for (int c = 0; c < 3; ++c) {
+      if (!(reflection.reflected[c] > 0.0f)) continue;
+      const Mirrored one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
+      all.radiance[c] = one.radiance[c];
+      all.split |= one.split;
+      all.followed &= one.followed;
+    }
+  }
+  all.radiance *= reflection.reflected;
+  return all;
+}
+
+}  // namespace asos

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "renderer/reflections/mirrored_mask.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The leaves of a blurred reflection, which count by a kernel that all of them tell together.
+class BlurredSum {
+ public:
+  /// `share`: of the region, that counts. `distance`: of the surface that the leaf shows.
+  void add(const LeafRegion& region, double share, glm::dvec3 radiance, float distance);
+
+  /// Their mean. The boundaries between the leaves are mostly the nearest surface's: its depth says
+  /// how they are blurred.
+  [[nodiscard]] glm::vec3 mean(const BlurByDepth& blur) const;
+
+ private:
+  struct Part {
+    Square square;
+    std::size_t first_edge = 0;
+    std::size_t edge_count = 0;
+    double share = 1.0;
+    glm::dvec3 radiance{0.0};
+  };
+  std::vector<Part> parts_;
+  std::vector<BorderEdge> borders_;
+  float nearest_ = std::numeric_limits<float>::infinity();
+};
+
+/// The leaves of each root, added up, with what is told about its pixel.
+struct RootSum {
+  glm::dvec3 radiance{0.0};
+  double weight = 0.0;
+  bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
+  bool mirror_cut = false;  ///< a boundary split what one of its leaves mirrors
+  std::uint64_t rays = 0;   ///< of all kinds that were cast for its leaves, beside their own
+
+  void add(glm::dvec3 leaf, double leaf_weight) {
+    radiance += leaf_weight * leaf;
+    weight += leaf_weight;
+  }
+  [[nodiscard]] glm::vec3 mean() const {
+    return weight > 0.0 ? glm::vec3(radiance / weight) : glm::vec3(0.0f);
+  }
+};
+
+}  // namespace asos

@@ -1,0 +1,195 @@
+#include "renderer/comparison/method.h"
+
+#include "renderer/asos/asos.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace asos {
+
+// One function a method, each in the file of its name.
+BlockResult render_block_uniform(const BlockJob& job);
+BlockResult render_block_stochastic(const BlockJob& job);
+BlockResult render_block_sobol(const BlockJob& job);
+BlockResult render_block_whitted(const BlockJob& job);
+BlockResult render_block_mitchell(const BlockJob& job);
+BlockResult render_block_ray_bound(const BlockJob& job);
+BlockResult render_block_average(const BlockJob& job);
+BlockResult render_block_beam(const BlockJob& job);
+
+namespace {
+
+BlockResult render_block_as_published(const BlockJob& job) {
+  const RenderSettings published = as_published(job.settings);
+  return render_block_asos({job.scene, job.view, published, job.block, job.stop});
+}
+
+int usual_side(const RenderSettings& /*settings*/) {
+  return block_size;
+}
+
+// Whole fat pyrays.
+int fat_side(const RenderSettings& settings) {
+  return std::max(block_size, settings.asos.fat);
+}
+
+// For methods whose pixels share samples with their neighbours: each block takes those along its
+// border for itself, the fewer a pixel the larger it is.
+int shared_side(const RenderSettings& /*settings*/) {
+  return 32;
+}
+
+constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{{
+    {.value = Method::asos,
+     .name = "asos",
+     .title = "ASOS",
+     .about = "Adaptive supersampling in object space: a pixel is split only where the boundary of "
+              "an object passes through it.",
+     .render = render_block_asos,
+     .block_side = fat_side,
+     .in_object_space = true,
+     .takes_filter_width = true},
+    {.value = Method::asos_published,
+     .name = "asos-published",
+     .hint = "cone, point leaves, published rule",
+     .title = "Papers",
+     .about = "As in the papers: boundaries are looked for with the cone around a pyray, leaves "
+              "are point samples, and splitting stops by the published rule.",
+     .render = render_block_as_published,
+     .block_side = fat_side,
+     .in_object_space = true,
+     .takes_filter_width = true},
+    {.value = Method::uniform,
+     .name = "uniform",
+     .hint = "n x n grid",
+     .title = "Uniform",
+     .about = "A regular grid of n x n samples in every pixel.",
+     .render = render_block_uniform,
+     .block_side = usual_side,
+     .takes_filter_width = true,
+     .samples = SampleCount::squares},
+    {.value = Method::stochastic,
+     .name = "stochastic",
+     .hint = "jittered",
+     .title = "Stochastic",
+     .about = "n x n jittered samples in every pixel.",
+     .render = render_block_stochastic,
+     .block_side = usual_side,
+     .takes_filter_width = true,
+     .samples = SampleCount::squares},
+    {.value = Method::sobol,
+     .name = "sobol",
+     .hint = "Owen-scrambled",
+     .title = "Sobol",
+     .about = "Any number of samples in every pixel, at the points of an Owen-scrambled Sobol "
+              "sequence: the reference to compare with.",
+     .render = render_block_sobol,
+     .block_side = usual_side,
+     .takes_filter_width = true,
+     .samples = SampleCount::any},
+    {.value = Method::whitted,
+     .name = "whitted",
+     .hint = "adaptive between pixels' corners",
+     .title = "Whitted",
+     .about = "Adaptive supersampling in image space: samples at the corners of pixels, and of "
+              "their quarters where the corners differ.",
+     .render = render_block_whitted,
+     .block_side = shared_side},
+    {.value = Method::mitchell,
+     .name = "mitchell",
+     .hint = "two densities, by contrast",
+     .title = "Mitchell",
+     .about = "Four samples in every pixel, and more where their contrast is high.",
+     .render = render_block_mitchell,
+     .block_side = usual_side,
+     .samples = SampleCount::any},
+    {.value = Method::ray_bound,
+     .name = "ray-bound",
+     .hint = "all samples where a boundary is, else one",
+     .title = "Ray bound",
+     .about = "n x n jittered samples in every pixel that a boundary passes through, and one in "
+              "the others.",
+     .render = render_block_ray_bound,
+     .block_side = usual_side,
+     .samples = SampleCount::squares},
+    {.value = Method::average,
+     .name = "average",
+     .hint = "of 3 x 3 pixels' centres",
+     .title = "Average",
+     .about = "One sample in every pixel, then the mean of 3 x 3 neighbours.",
+     .render = render_block_average,
+     .block_side = shared_side},
+    {.value = Method::beam,
+     .name = "beam",
+     .hint = "exact, for small scenes",
+     .title = "Beam",
+     .about = "Beam tracing: the exact area of every visible polygon in a pixel. For small scenes, "
+              "where it is offered at all.",
+     .render = render_block_beam,
+     .block_side = usual_side,
+     .takes_shapes = false,
+     .most_triangles = most_beam_triangles},
+}};
+
+static_assert([] {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].value != static_cast<Method>(i) || !rows[i].render || !rows[i].block_side)
+      return false;
+  return true;
+}());
+
+}  // namespace
+
+std::span<const MethodRow> method_table() {
+  return rows;
+}
+
+const MethodRow& row_of(Method method) {
+  assert(method >= Method::asos && method <= last_method);
+  return rows[static_cast<std::size_t>(method)];
+}
+
+BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
+  const auto row = std::find_if(methods.begin(), methods.end(), [&](const MethodRow& method) {
+    return method.value == job.settings.method;
+  });
+  assert(row != methods.end());
+  BlockResult result = row->render(job);
+  // Methods that split nothing have no causes to tell.
+  const std::size_t pixels = result.tile.split_level.size();
+  result.tile.cause.resize(pixels, SplitCause::none);
+  // Those that do not tell pixels' rays apart have about as many for each.
+  if (result.tile.rays.size() != pixels && pixels > 0) {
+    const auto mean = static_cast<double>(result.statistics.rays()) / static_cast<double>(pixels);
+    result.tile.rays.assign(pixels, static_cast<float>(mean));
+  }
+  return result;
+}
+
+BlockResult render_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                         PixelRect block, const std::stop_token& stop) {
+  return render_block({scene, view, settings, block, stop});
+}
+
+int block_side(const RenderSettings& settings) {
+  return row_of(settings.method).block_side(settings);
+}
+
+Result<void> check_method(const RenderScene& scene, const RenderSettings& settings) {
+  const MethodRow& method = row_of(settings.method);
+  if (!method.takes_shapes && !scene.world().faces.empty()) {
+    return unexpected(
+        Error{"method",
+              fmt::format("{} is for triangles, and this scene has analytic shapes", method.name)});
+  }
+  const std::size_t triangles = scene.world().triangles.size();
+  if (triangles <= method.most_triangles) return {};
+  return unexpected(
+      Error{"method", fmt::format("{} is for scenes of up to {} triangles, and this one has {}",
+                                  method.name, method.most_triangles, triangles)});
+}
+
+}  // namespace asos

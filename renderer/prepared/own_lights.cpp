@@ -1,0 +1,95 @@
+#include "renderer/prepared/own_lights.h"
+
+#include "renderer/geometry/view.h"
+#include "renderer/lights/emitters.h"
+#include "renderer/lights/studio_rig.h"
+#include "renderer/shading/environment.h"
+#include "renderer/shading/shade.h"
+#include "renderer/shading/surface.h"
+#include "renderer/shading/texture.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+// Emissive meshes that give a scene less than this share of the sky's irradiance are decoration (a
+// bicycle's reflectors) and do not light it.
+constexpr double least_share_of_sky = 0.05;
+// A studio's lights that reach a smaller share of what is seen are shut out by walls.
+constexpr double least_reached_share = 0.25;
+
+/// What a surface emits at a point: times its opacity, as the shader adds it.
+glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, float b2) {
+  const Material& m = world.material_of(triangle);
+  glm::vec3 emission = m.emissive * m.emissive_strength;
+  if (m.emissive_texture.used()) {
+    emission *=
+        glm::vec3(sample_texture(world, m.emissive_texture, triangle, b1, b2, Encoding::srgb));
+  }
+  // Without what transmission lets through: glass shines all the same.
+  return opacity_at(world, triangle, b1, b2) * emission;
+}
+
+/// What a grid of eye rays meets.
+std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, const Camera& camera) {
+  constexpr int width = 32;
+  constexpr int height = 18;
+  const View view(camera, width, height);
+  std::vector<SeenPoint> seen;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Ray ray = view.ray(x + 0.5, y + 0.5);
+      const Hit hit = rays.closest(ray, Faces::as_material_says);
+      if (!hit.valid()) continue;
+      const SurfacePoint point = surface_point(world, {}, hit, -ray.direction);
+      seen.push_back({ray.origin, point.position, point.geometric_normal});
+    }
+  }
+  return seen;
+}
+
+double free_distance(const RayScene& rays, glm::dvec3 from, glm::dvec3 direction) {
+  Ray ray;
+  ray.origin = from;
+  ray.direction = direction;
+  Blocker blocker;
+  rays.blockers({&ray, 1}, {&blocker, 1});
+  return blocker.hit.valid() ? blocker.hit.t : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::vector<Light> lights_of_meshes(const World& world) {
+  return emissive_lights(world, emission_at);
+}
+
+bool needs_rig(const World& world, std::span<const Light> lights_of_file,
+               std::span<const Light> emissive) {
+  const bool shines =
+      std::any_of(lights_of_file.begin(), lights_of_file.end(), [](const Light& light) {
+        return light.intensity * std::max({light.color.x, light.color.y, light.color.z}) > 0.0f;
+      });
+  if (shines) return false;
+  if (world.bounds.empty()) return true;
+  const double radius =
+      0.5 * glm::length(glm::dvec3(world.bounds.hi) - glm::dvec3(world.bounds.lo));
+  const double sky = std::numbers::pi * static_cast<double>(ambient_radiance);
+  return !(mean_irradiance(emissive, radius) >= least_share_of_sky * sky);
+}
+
+std::vector<Light> rig_for(const World& world, const RayScene& rays) {
+  const Camera camera =
+      world.cameras.empty() ? default_camera(world, 16.0 / 9.0) : world.cameras.front();
+  std::vector<Light> studio = studio_rig(camera, world.bounds);
+  const std::vector<SeenPoint> seen = look_around(world, rays, camera);
+  const FreeDistance way = [&](glm::dvec3 from, glm::dvec3 direction) {
+    return free_distance(rays, from, direction);
+  };
+  if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share) return studio;
+  return interior_rig(camera, world.bounds, seen, way);
+}
+
+}  // namespace asos

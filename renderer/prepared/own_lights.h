@@ -1,0 +1,22 @@
+#pragma once
+
+#include "renderer/rays/ray_scene.h"
+#include "renderer/world/world.h"
+
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The lights that stand for the emissive meshes of a world, shaded as the shader shades them.
+[[nodiscard]] std::vector<Light> lights_of_meshes(const World& world);
+
+/// Whether no light of the file shines at all and emissive meshes give next to nothing.
+[[nodiscard]] bool needs_rig(const World& world, std::span<const Light> lights_of_file,
+                             std::span<const Light> emissive);
+
+/// A studio around what the first camera sees; or lights inside, where its walls shut a studio out.
+/// They have no part of the world as their own, so that the rays need not know of them.
+[[nodiscard]] std::vector<Light> rig_for(const World& world, const RayScene& rays);
+
+}  // namespace asos

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "renderer/pyray/boundary_kinds.h"
+#include "renderer/pyray/detection.h"
+#include "renderer/pyray/hit_list.h"
+#include "renderer/settings/settings.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The boundaries near the cells of one root frame: its hit lists with the detection that says what
+/// counts as near (CGF'98 sections 3 and 6.1). One object a thread; `start` reuses its memory.
+class BoundarySearch {
+ public:
+  using List = HitLists::List;
+
+  /// As HitLists::reset.
+  void start(const FeatureSet& features, const Frame& frame, Detection detection, float finest_side,
+             const SearchBounds& bounds) {
+    lists_.reset(features, frame, finest_side, bounds);
+    detector_.emplace(frame, detection);
+  }
+
+  /// How far the detection reaches around a cell, and what a cover hides there.
+  struct Sight {
+    Square reach;
+    HidingPlane hiding;
+  };
+  [[nodiscard]] Sight sight(const Square& cell, const Cover& cover) const {
+    const Square reach = detector_->reach(cell);
+    return {reach, HidingPlane::of(cover, lists_.frame(), reach.side)};
+  }
+
+  /// The list of a cell from that of any square which holds it; `seen`: see HitLists::refine.
+  void refine(const Square& cell, const Sight& sight, std::span<const std::uint32_t> parent,
+              List& list, bool seen) {
+    lists_.refine(sight.reach, sight.hiding, parent, list, seen);
+    std::erase_if(list, [&](std::uint32_t i) {
+      return lists_.entry(i).is_segment() && !detector_->near(lists_.segment(i), cell);
+    });
+  }
+
+  /// Appends those of a list that nothing hides; returns how many it hides.
+  std::uint32_t find_visible(std::span<const std::uint32_t> list, const Sight& sight,
+                             List& visible) const {
+    std::uint32_t hidden = 0;
+    for (const std::uint32_t i : list) {
+      if (lists_.hidden(i, sight.reach, sight.hiding)) {
+        ++hidden;
+      } else {
+        visible.push_back(i);
+      }
+    }
+    return hidden;
+  }
+  [[nodiscard]] bool all_hidden(std::span<const std::uint32_t> list, const Sight& sight) const {
+    return std::all_of(list.begin(), list.end(), [&](std::uint32_t i) {
+      return lists_.hidden(i, sight.reach, sight.hiding);
+    });
+  }
+
+  /// The kinds of the visible boundaries; groups of edges that were not resolved count as
+  /// silhouettes.
+  [[nodiscard]] BoundaryKinds kinds_of(std::span<const std::uint32_t> entries) const {
+    BoundaryKinds kinds;
+    for (const std::uint32_t i : entries) {
+      const auto kind =
+          lists_.entry(i).is_segment() ? lists_.kind(i) : std::optional(FeatureKind::silhouette);
+      if (kind) kinds.add(*kind);
+    }
+    return kinds;
+  }
+
+  [[nodiscard]] HitLists& lists() { return lists_; }
+  [[nodiscard]] const HitLists& lists() const { return lists_; }
+  [[nodiscard]] const Frame& frame() const { return lists_.frame(); }
+
+ private:
+  HitLists lists_;
+  std::optional<Detector> detector_;
+};
+
+}  // namespace asos

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "renderer/settings/settings.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace asos {
+
+/// How well a pyray has to be known, and what may be spent on it: the one place that says how MAX
+/// and EPS of a pixel become those of its parts and of the pyrays that these send on (CGF'98
+/// section 4.1; design sections 5 and 13). Weights are shares of the root's area, intensities are
+/// in display units, 0 to 1.
+struct Budget {
+  int max_level = 3;  ///< MAX, 0 to max_level_limit
+  double eps = 0.0;   ///< EPS: allowed change of a root's value, 0 to 1
+  /// How far one sample may be off the mean of the patch that it stands for; infinite if nothing is
+  /// split for its shading.
+  float tolerance = 0.0f;
+
+  [[nodiscard]] static Budget of(const AsosSettings& settings) {
+    const bool refines = settings.refine_shading;
+    return {settings.max_level, settings.eps,
+            refines ? tolerance_of(settings.max_level, settings.eps)
+                    : std::numeric_limits<float>::infinity()};
+  }
+
+  /// EPS, or a quarter of a finest cell where that is more, so that MAX alone refines shading as it
+  /// refines outlines; but no less than an eighth of a step of an 8-bit picture, which nobody sees.
+  [[nodiscard]] static float tolerance_of(int max_level, double eps) {
+    constexpr double invisible = 1.0 / 2048.0;
+    return static_cast<float>(std::max({eps, std::ldexp(1.0, -2 * (max_level + 1)), invisible}));
+  }
+
+  /// Whether leaves that are shaded unevenly are split as well.
+  [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
+
+  /// The standard error that a sampled part may have: half the tolerance, and more by the root of
+  /// its weight, since the errors of a root's parts are independent.
+  [[nodiscard]] double standard_error(double weight, double intensity = 1.0) const {
+    return 0.5 * static_cast<double>(tolerance) / (intensity * std::sqrt(weight));
+  }
+
+  /// How many finest cells a part stands for.
+  [[nodiscard]] double finest_cells(double weight) const {
+    return weight * std::ldexp(1.0, 2 * max_level);
+  }
+  /// Samples that take the place of so many for each finest cell: a power of two, `fewest` at
+  /// least.
+  [[nodiscard]] std::uint32_t samples(double weight, double a_finest_cell,
+                                      std::uint32_t fewest) const {
+    return std::bit_ceil(
+        std::max(fewest, static_cast<std::uint32_t>(a_finest_cell * finest_cells(weight))));
+  }
+
+  /// The levels that a part of this weight has used up: one for each quarter.
+  [[nodiscard]] static int levels_of(double weight) {
+    return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / weight))));
+  }
+
+  /// The budget of a pyray that a leaf sends on, which used up `levels`: those that are left, but
+  /// `fewest`; and the EPS of what it contributes, so that all leaves together stay within EPS.
+  [[nodiscard]] Budget nested(int levels, double intensity, int fewest) const {
+    Budget budget = *this;
+    budget.max_level = std::clamp(max_level - levels, fewest, std::max(fewest, max_level));
+    budget.eps = eps >= intensity ? 1.0 : eps / intensity;
+    if (refines()) budget.tolerance = tolerance_of(budget.max_level, budget.eps);
+    return budget;
+  }
+};
+
+}  // namespace asos

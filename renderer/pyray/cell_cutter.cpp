@@ -1,0 +1,88 @@
+#include "renderer/pyray/cell_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+// Outlines of more pieces than this for each of its finest cells, and more than `most` in all, are
+// not resolved.
+constexpr std::size_t pieces_a_finest_cell = 16;
+constexpr std::size_t least_pieces = 256;
+constexpr std::size_t most_pieces_resolved = 1024;
+// How far a simplified chain may lie from its pieces, in finest cells, in a cell of that size:
+// across such a cell its area is then wrong by a sixty-fourth. In a cell n times as large it is 1/n
+// of that, so that what is lost along a longer chain is the same.
+constexpr float chain_tolerance = 1.0f / 64.0f;
+
+float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
+  if (rules.limits.tolerance > 0.0f) return rules.limits.tolerance * cell.root_side;
+  const float finest = cell.root_side * std::ldexp(1.0f, -rules.budget.max_level);
+  return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
+}
+
+// A few parts are worth a cut at any level: a sample each, where MAX would leave one for all of
+// them. More only where they replace several levels of children: half as many as there are finest
+// cells.
+std::size_t most_parts(const CellToCut& cell, const SubdivisionRules& rules) {
+  const int below = rules.budget.max_level - cell.level;
+  return static_cast<std::size_t>(
+      std::max(rules.limits.least_parts, std::min(64, (1 << 2 * below) / 2)));
+}
+
+}  // namespace
+
+CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> visible,
+                        const SubdivisionRules& rules, HitLists& lists) {
+  CellCut result;
+  result.boundaries = visible.size();
+  hidden_.clear();
+  // Resolve groups of boundaries into edges.
+  const bool groups = std::any_of(visible.begin(), visible.end(),
+                                  [&](std::uint32_t i) { return !lists.entry(i).is_segment(); });
+  if (groups && !resolve(cell, visible, rules, lists)) return result;
+  result.along = groups ? std::span<const std::uint32_t>(resolved_) : visible;
+  result.hidden = hidden_;
+  segments_.clear();
+  for (const std::uint32_t i : result.along) segments_.push_back(lists.segment(i));
+
+  // Join many edges to few chains.
+  std::span<const Segment> boundaries = segments_;
+  const auto most_segments = static_cast<std::size_t>(rules.limits.most_boundaries);
+  const auto most_pieces = static_cast<std::size_t>(rules.limits.most_pieces);
+  if (boundaries.size() > most_segments) {
+    // What is not too long stays as it is: something thin between two chains would be lost.
+    const bool long_chains = segments_.size() > most_pieces;
+    boundaries = chains_.simplify(segments_, long_chains ? tolerance(cell, rules) : 0.0f);
+    result.boundaries = chains_.chain_count();
+    if (boundaries.size() > most_pieces || result.boundaries > most_segments) return result;
+  }
+
+  // Cut.
+  result.parts = partition_.cut(cell.square, boundaries, most_parts(cell, rules));
+  result.borders = partition_.borders();
+  return result;
+}
+
+// Opens the visible boundaries down to segments, as far as those are visible themselves.
+bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> visible,
+                         const SubdivisionRules& rules, HitLists& lists) {
+  const std::size_t finest_cells = std::size_t{1} << 2 * (rules.budget.max_level - cell.level);
+  const std::size_t most =
+      std::clamp(pieces_a_finest_cell * finest_cells, least_pieces, most_pieces_resolved);
+  // An outline is a few groups, or chains; many groups of anything else saturate the cell.
+  const auto groups = std::count_if(visible.begin(), visible.end(), [&](std::uint32_t i) {
+    return !lists.entry(i).is_segment() && !lists.entry(i).is_chain();
+  });
+  if (groups > rules.limits.most_groups) return false;
+  found_.clear();
+  for (const std::uint32_t i : visible)
+    if (!lists.resolve(i, cell.square, tolerance(cell, rules), most, found_)) return false;
+  resolved_.clear();
+  for (const std::uint32_t i : found_)
+    (lists.hidden(i, cell.square, cell.hiding) ? hidden_ : resolved_).push_back(i);
+  return true;
+}
+
+}  // namespace asos

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "renderer/pyray/boundary_search.h"
+#include "renderer/pyray/chains.h"
+#include "renderer/pyray/partition.h"
+#include "renderer/pyray/rules.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// A cell that may be cut, as far as that matters.
+struct CellToCut {
+  Square square;
+  int level = 0;
+  float root_side = 1.0f;  ///< of its root's square
+  HidingPlane hiding;      ///< of the cover that its visible boundaries were found with
+};
+
+/// A cell cut along its boundaries. The spans live until the next cut.
+struct CellCut {
+  std::span<const CellPart> parts;        ///< none: it could not be cut
+  std::span<const BorderEdge> borders;    ///< of the parts
+  std::span<const std::uint32_t> along;   ///< the boundaries, as entries of the hit lists
+  std::span<const std::uint32_t> hidden;  ///< that turned out to be hidden on the way
+  std::size_t boundaries = 0;             ///< edges, or chains where those were counted
+};
+
+/// Exact leaves (CGF'98 sections 6.2 and 6.4; design section 5): the parts of a cell between the
+/// few boundaries that pass through it. One object a thread; keeps its memory.
+class CellCutter {
+ public:
+  /// `visible`: the entries of the cell's list that nothing hides.
+  [[nodiscard]] CellCut cut(const CellToCut& cell, std::span<const std::uint32_t> visible,
+                            const SubdivisionRules& rules, HitLists& lists);
+
+ private:
+  [[nodiscard]] bool resolve(const CellToCut& cell, std::span<const std::uint32_t> visible,
+                             const SubdivisionRules& rules, HitLists& lists);
+
+  std::vector<std::uint32_t> found_;
+  std::vector<std::uint32_t> resolved_;
+  std::vector<std::uint32_t> hidden_;
+  std::vector<Segment> segments_;
+  ChainSimplifier chains_;
+  CellPartition partition_;
+};
+
+}  // namespace asos

@@ -1,0 +1,291 @@
+#include "renderer/pyray/cell_resolver.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+// Part i of n x n of a square, in rows.
+Square part_of(const Square& s, std::uint32_t n, std::uint32_t i) {
+  const float side = s.side / static_cast<float>(n);
+  return {s.u + static_cast<float>(i % n) * side, s.v + static_cast<float>(i / n) * side, side};
+}
+
+glm::vec2 middle_of(const Square& s) {
+  return {s.centre_u(), s.centre_v()};
+}
+
+}  // namespace
+
+// First by what the parent's sample hides, then by what the cell's own hides.
+void CellResolver::resolve(CellLevel& level, SubdivisionState& state) {
+  level_ = &level;
+  state_ = &state;
+  for (const bool with_own_sample : {false, true}) {
+    plans_.clear();
+    points_.clear();
+    parts_.clear();
+    borders_.clear();
+    hidden_.clear();
+    drawn_.clear();
+    for (std::uint32_t i = 0; i < level.cells.size(); ++i) {
+      const Cell& cell = level.cells[i];
+      if (!cell.done && !cell.is_uneven() && !state.caster->cancelled()) plan(i, with_own_sample);
+    }
+    carry_out();
+  }
+  std::erase_if(level.cells, [](const Cell& cell) { return cell.done; });
+}
+
+void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
+  const Cell& cell = level_->cells[cell_index];
+  const std::span list = level_->list(cell);
+  const bool exact = state_->rules.exact_leaves;
+  const glm::vec2 middle = middle_of(cell.square);
+  const bool has_middle = cell.middle != no_sample;
+  std::size_t boundaries = 0;
+  visible_.clear();
+  if (with_own_sample && cell.nothing_hides) {
+    state_->search->find_visible(list, state_->search->sight(cell.square, Cover::none()), visible_);
+    if (plan_cut(cell_index, {}, boundaries)) return;
+    visible_.clear();
+  }
+  if (with_own_sample && !has_middle) {
+    // A cut failed: parts were not uniform. The cell is marginal.
+    add_plan(Plan::Kind::middle, cell_index, std::span(&middle, 1));
+    return;
+  }
+  if (with_own_sample && !(cell.fresh && cell.cover.valid)) return;
+
+  // No visible boundary: one sample tells all.
+  const BoundarySearch::Sight sight = state_->sight(cell);
+  state_->search->find_visible(list, sight, visible_);
+  if (visible_.empty()) {
+    add_plan(Plan::Kind::uniform, cell_index,
+             has_middle ? std::span<const glm::vec2>() : std::span(&middle, 1));
+    return;
+  }
+  // Few: one sample in each part between them. Hopelessly many: samples all over it.
+  if (exact && plan_cut(cell_index, sight.hiding, boundaries)) return;
+  // What might all be hidden has to be seen first.
+  const bool seen = cell.cover.valid || has_middle;
+  if (exact && seen && plan_saturated(cell_index, boundaries)) return;
+  // Otherwise marginal.
+  if (!has_middle) add_plan(Plan::Kind::middle, cell_index, std::span(&middle, 1));
+}
+
+// Cuts the cell along its visible boundaries; one sample in each part. `boundaries`: how many there
+// are, where there are too many.
+bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
+                            std::size_t& boundaries) {
+  const Cell& cell = level_->cells[cell_index];
+  const CellCut cut =
+      cutter_.cut({cell.square, level_->number, state_->root(cell).square.side, hiding}, visible_,
+                  state_->rules, state_->search->lists());
+  boundaries = cut.boundaries;
+  if (cut.parts.empty()) return false;
+  Plan& plan = add_plan(Plan::Kind::cut, cell_index, {});
+  plan.boundaries = state_->search->kinds_of(cut.along);
+  plan.points.count = static_cast<std::uint32_t>(cut.parts.size());
+  plan.first_part = static_cast<std::uint32_t>(parts_.size());
+  const auto first_edge = static_cast<std::uint32_t>(borders_.size());
+  borders_.insert(borders_.end(), cut.borders.begin(), cut.borders.end());
+  for (const CellPart& part : cut.parts) {
+    parts_.push_back(part);
+    parts_.back().first_edge += first_edge;
+    points_.emplace_back(part.u, part.v);
+  }
+  // Entries that are not among the visible ones; both are in the list's order.
+  plan.hidden.first = static_cast<std::uint32_t>(hidden_.size());
+  auto next = visible_.begin();
+  for (const std::uint32_t i : level_->list(cell)) {
+    if (next != visible_.end() && *next == i) {
+      ++next;
+    } else {
+      hidden_.push_back(i);
+    }
+  }
+  hidden_.insert(hidden_.end(), cut.hidden.begin(), cut.hidden.end());
+  plan.hidden.count = static_cast<std::uint32_t>(hidden_.size()) - plan.hidden.first;
+  keep_for_observers(cell, plan, cut.along);
+  return true;
+}
+
+// So many boundaries, of which each crosses several of the finest cells, that nearly all of those
+// would be marginal: their jittered samples are taken at once (design section 5).
+bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
+  const Cell& cell = level_->cells[cell_index];
+  const int below = state_->rules.budget.max_level - level_->number;
+  const std::uint32_t n = 1u << below;
+  const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
+  if (below < 1 || boundaries <= few || 4 * boundaries < n * n) return false;
+  Plan& plan = add_plan(Plan::Kind::saturated, cell_index, {});
+  plan.boundaries = state_->search->kinds_of(visible_);
+  keep_for_observers(cell, plan, visible_);
+  plan.own_samples =
+      state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
+  if (plan.own_samples.count > 0) return true;
+  plan.points.count = n * n;
+  for (std::uint32_t i = 0; i < n * n; ++i)
+    points_.push_back(state_->jittered(cell.root, part_of(cell.square, n, i)));
+  return true;
+}
+
+CellResolver::Plan& CellResolver::add_plan(Plan::Kind kind, std::uint32_t cell_index,
+                                           std::span<const glm::vec2> points) {
+  Plan& plan = plans_.emplace_back();
+  plan.kind = kind;
+  plan.cell = cell_index;
+  plan.points = {static_cast<std::uint32_t>(points_.size()),
+                 static_cast<std::uint32_t>(points.size())};
+  points_.insert(points_.end(), points.begin(), points.end());
+  return plan;
+}
+
+void CellResolver::keep_for_observers(const Cell& cell, Plan& plan,
+                                      std::span<const std::uint32_t> visible) {
+  if (!state_->root(cell).traced) return;
+  plan.visible = {static_cast<std::uint32_t>(drawn_.size()),
+                  static_cast<std::uint32_t>(visible.size())};
+  drawn_.insert(drawn_.end(), visible.begin(), visible.end());
+}
+
+// Takes all the samples that the plans wait for, and then the leaves.
+void CellResolver::carry_out() {
+  const SampleId first = points_.empty() ? 0 : state_->caster->probe(points_);
+  for (const Plan& plan : plans_) {
+    Cell& cell = level_->cells[plan.cell];
+    const SampleId sample = first + plan.points.first;
+    switch (plan.kind) {
+      case Plan::Kind::uniform:
+        finish_uniform(cell, plan, sample);
+        break;
+      case Plan::Kind::cut:
+        finish_cut(cell, plan, sample);
+        break;
+      case Plan::Kind::middle:
+        cell.middle = sample;
+        cell.fresh = true;
+        cell.cover = state_->caster->cover(sample);
+        break;
+      case Plan::Kind::saturated:
+        finish_saturated(cell, plan, sample);
+        break;
+    }
+  }
+  state_->hand_out();
+}
+
+void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) {
+  const SampleId sample = plan.points.count ? first : cell.middle;
+  const LeafRegion region{cell.square, {}};
+  LeafVerdict verdict;
+  if (level_->number < state_->rules.budget.max_level)
+    verdict = state_->caster->judge(sample, state_->weight(cell), region);
+  cell.uneven = verdict.uneven;
+  if (cell.is_uneven()) {
+    cell.middle = sample;
+    cell.cover = state_->caster->cover(cell.middle);
+    return;
+  }
+  if (TracedCell* traced = trace(cell, plan, CellFate::uniform)) {
+    const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
+    traced->samples.push_back({sample, at, state_->weight(cell), {}, {}});
+  }
+  state_->add_leaf(cell, sample, state_->weight(cell), region, verdict.note);
+  cell.done = true;
+}
+
+void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
+  if (!stay_hidden(cell, plan, first)) {
+    cell.nothing_hides = true;
+    return;
+  }
+  // One part that is uneven is enough to split the cell.
+  const int finest = state_->rules.budget.max_level;
+  const double whole = state_->weight(cell);
+  const std::size_t first_leaf = state_->leaves.size();
+  for (std::uint32_t i = 0; i < plan.points.count; ++i) {
+    const CellPart& part = parts_[plan.first_part + i];
+    const LeafRegion region{cell.square,
+                            std::span(borders_).subspan(part.first_edge, part.edge_count)};
+    LeafVerdict verdict;
+    if (level_->number < finest)
+      verdict = state_->caster->judge(first + i, whole * part.area, region);
+    if (verdict.uneven != Unevenness::none) {
+      cell.uneven = verdict.uneven;
+      state_->leaves.resize(first_leaf);
+      // Its children need a sample in the closure of each of them.
+      if (cell.middle == no_sample) cell.cover = Cover::none();
+      return;
+    }
+    state_->add_leaf(cell, first + i, whole * part.area, region, verdict.note);
+  }
+  if (TracedCell* traced = trace(cell, plan, CellFate::cut)) {
+    traced->hidden = plan.hidden.count;
+    for (std::uint32_t i = 0; i < plan.points.count; ++i) {
+      const PyrayLeaf& leaf = state_->leaves[first_leaf + i];
+      const glm::vec2 at = state_->root(cell).place(points_[plan.points.first + i]);
+      traced->samples.push_back({leaf.sample, at, leaf.weight, {}, {}});
+    }
+  }
+  if (plan.points.count > 1) {
+    SubdivisionOutcome& o = state_->outcome(cell);
+    o.deepest = std::max(o.deepest, std::min(level_->number + 1, std::max(1, finest)));
+    o.boundaries.add(plan.boundaries);
+  }
+  cell.done = true;
+}
+
+void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first) {
+  const int finest = state_->rules.budget.max_level;
+  const std::uint32_t n = 1u << (finest - level_->number);
+  const double whole = state_->weight(cell);
+  const Root& root = state_->root(cell);
+  TracedCell* traced = trace(cell, plan, CellFate::saturated);
+  for (std::uint32_t i = 0; i < plan.points.count; ++i) {
+    const double share = whole / plan.points.count;
+    state_->add_leaf(cell, first + i, share, {part_of(cell.square, n, i), {}, true});
+    if (traced) {
+      const glm::vec2 at = root.place(points_[plan.points.first + i]);
+      traced->samples.push_back({first + i, at, share, {}, {}});
+    }
+  }
+  if (traced && plan.own_samples.count > 0) {
+    const glm::vec2 at = root.place(middle_of(cell.square));
+    traced->samples.push_back({plan.own_samples.sample, at, whole, {}, {}});
+  }
+  SubdivisionOutcome& o = state_->outcome(cell);
+  o.saturated = true;
+  o.boundaries.add(plan.boundaries);
+  o.deepest = finest;
+  o.unresolved_area += whole;
+  o.pyrays_by_level[static_cast<std::size_t>(finest)] += plan.points.count + plan.own_samples.count;
+  cell.done = true;
+}
+
+TracedCell* CellResolver::trace(const Cell& cell, const Plan& plan, CellFate fate) const {
+  return state_->trace(*level_, cell, fate,
+                       std::span(drawn_).subspan(plan.visible.first, plan.visible.count));
+}
+
+// Whether what was left out as hidden from one sample is hidden from the sample of every part that
+// it crosses; otherwise the parts may not be uniform.
+bool CellResolver::stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const {
+  if (plan.hidden.count == 0) return true;
+  const HitLists& lists = state_->search->lists();
+  for (std::uint32_t i = 0; i < plan.points.count; ++i) {
+    const CellPart& part = parts_[plan.first_part + i];
+    const HidingPlane hiding =
+        HidingPlane::of(state_->caster->cover(first + i), lists.frame(), cell.square.side);
+    for (std::uint32_t k = 0; k < plan.hidden.count; ++k) {
+      const std::uint32_t entry = hidden_[plan.hidden.first + k];
+      const HitEntry& e = lists.entry(entry);
+      const bool meets = e.u0 < part.u1 && e.u1 > part.u0 && e.v0 < part.v1 && e.v1 > part.v0;
+      if (meets && !lists.hidden(entry, cell.square, hiding)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace asos

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "renderer/pyray/cell_cutter.h"
+#include "renderer/pyray/subdivision_state.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Resolves the cells of a level that can be: uniform, cut along their boundaries, or so saturated
+/// with these that splitting would help nothing. The others get a sample in their middle.
+/// Samples of a whole level go together, in packets. Keeps its memory; one object a thread.
+class CellResolver {
+ public:
+  /// Leaves go to the caster; cells that became leaves are erased from the level.
+  void resolve(CellLevel& level, SubdivisionState& state);
+
+ private:
+  // A slice of one of the arrays that plans share.
+  struct Slice {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  // Samples that a cell waits for, and what becomes of it when they are there.
+  struct Plan {
+    enum class Kind : std::uint8_t { uniform, cut, middle, saturated };
+    Kind kind = Kind::middle;
+    std::uint32_t cell = 0;
+    Slice points;
+    std::uint32_t first_part = 0;  // as many as points
+    Slice hidden;                  // entries taken for hidden
+    Slice visible;                 // entries that observers see; only where one looks on
+    SaturatedSamples own_samples;  // of the caster
+    BoundaryKinds boundaries;
+  };
+
+  void plan(std::uint32_t cell_index, bool with_own_sample);
+  [[nodiscard]] bool plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
+                              std::size_t& boundaries);
+  [[nodiscard]] bool plan_saturated(std::uint32_t cell_index, std::size_t boundaries);
+  Plan& add_plan(Plan::Kind kind, std::uint32_t cell_index, std::span<const glm::vec2> points);
+  void keep_for_observers(const Cell& cell, Plan& plan, std::span<const std::uint32_t> visible);
+  void carry_out();
+  void finish_uniform(Cell& cell, const Plan& plan, SampleId first);
+  void finish_cut(Cell& cell, const Plan& plan, SampleId first);
+  void finish_saturated(Cell& cell, const Plan& plan, SampleId first);
+  [[nodiscard]] bool stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const;
+  TracedCell* trace(const Cell& cell, const Plan& plan, CellFate fate) const;
+
+  CellLevel* level_ = nullptr;
+  SubdivisionState* state_ = nullptr;
+  CellCutter cutter_;
+  BoundarySearch::List visible_;  // of the cell that is being planned
+  std::vector<Plan> plans_;
+  std::vector<glm::vec2> points_;
+  std::vector<CellPart> parts_;
+  std::vector<BorderEdge> borders_;  // of the parts
+  std::vector<std::uint32_t> hidden_;
+  std::vector<std::uint32_t> drawn_;
+};
+
+}  // namespace asos

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "renderer/pyray/boundary_search.h"
+#include "renderer/pyray/pyray.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The boundaries near each pyray of a fat one: hit lists are handed down from the whole to its
+/// quarters, and so on (CGF'98 sections 6.1 and 6.4). Keeps its memory; one object a thread.
+class FatSearch {
+ public:
+  /// The cover of a sample in the middle of a square, by FatPyray::index of the pyray there.
+  using CoverOf = std::function<Cover(int x, int y)>;
+
+  /// `search` has been started in the fat pyray's frame.
+  void run(BoundarySearch& search, const FatPyray& fat, const CoverOf& cover_of);
+
+  /// Whether a boundary that may be visible passes through a pyray.
+  [[nodiscard]] bool bounded(std::uint32_t index) const { return found_[index].bounded; }
+  /// Its hit list; empty where a larger square around it was found to be clear.
+  [[nodiscard]] std::span<const std::uint32_t> list(std::uint32_t index) const {
+    return found_[index].list;
+  }
+
+ private:
+  struct Found {
+    bool bounded = false;
+    BoundarySearch::List list;
+  };
+  void hand_down(int x, int y, int size, std::span<const std::uint32_t> parent);
+
+  static constexpr std::size_t most_sizes = 5;  // 1, 2, 4, 8, 16 pyrays
+
+  BoundarySearch* search_ = nullptr;
+  const FatPyray* fat_ = nullptr;
+  const CoverOf* cover_of_ = nullptr;
+  std::vector<Found> found_;
+  std::array<BoundarySearch::List, most_sizes> lists_;  // of larger squares, by size
+};
+
+}  // namespace asos

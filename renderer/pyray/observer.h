@@ -1,0 +1,110 @@
+#pragma once
+
+#include "renderer/features/feature_edge.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/pyray/stopping.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// How pyrays were subdivided, as it happened while rendering. Places are in the pyray's own square:
+// u to the right and v down, 0 to 1 across it.
+
+namespace asos {
+
+/// The end of a cell.
+enum class CellFate {
+  uniform,    ///< no visible boundary: one sample tells all
+  cut,        ///< cut along its boundaries, one sample in each part
+  uneven,     ///< no boundary, or cut along them, but shaded too unevenly: its four children follow
+  split,      ///< marginal: its four children follow
+  stopped,    ///< marginal, and the rule held: one sample
+  finest,     ///< marginal at MAX: one sample
+  saturated,  ///< as many boundaries as finest cells: a jittered sample in each of those
+  by_samples  ///< split by the safety net, for what its samples showed
+};
+
+/// A point sample of a finished leaf.
+struct TracedSample {
+  static constexpr std::uint32_t no_triangle = 0xffffffffu;
+
+  SampleId id = no_sample;  ///< of the caster
+  glm::vec2 at{0.0f};
+  double weight = 0.0;                   ///< share of the pyray
+  glm::vec3 radiance{0.0f};              ///< linear; shadows: the visibility of the light
+  std::uint32_t triangle = no_triangle;  ///< of the world, that it met
+};
+
+/// A piece of a boundary that may be visible, clipped to what the detection of its cell reaches.
+struct TracedBoundary {
+  glm::vec2 from{0.0f};
+  glm::vec2 to{0.0f};
+  FeatureKind kind = FeatureKind::open;  ///< open as well where it is no edge of the scene
+};
+
+struct TracedCell {
+  int level = 0;
+  glm::vec2 corner{0.0f};
+  float side = 1.0f;
+  CellFate fate = CellFate::uniform;
+  std::vector<TracedBoundary> boundaries;
+  std::uint32_t clusters = 0;  ///< groups of boundaries that were not resolved
+  std::uint32_t hidden = 0;    ///< boundaries, or groups, behind the surface that the cell shows
+  std::vector<TracedSample> samples;
+};
+
+/// A pyray of a pixel, or one that a leaf sent on: to a light, or by way of a mirror.
+struct TracedPyray {
+  enum class Kind { eye, shadow, mirror };
+
+  Kind kind = Kind::eye;
+  std::uint32_t light = 0;  ///< shadow: index of the light
+  int bounces = 0;          ///< mirrors before it
+  int parent = -1;          ///< number of the mirrored pyray whose leaf sent it; -1: the pixel's
+  glm::vec2 from{0.0f};     ///< that leaf's sample, in the parent's square
+  double weight = 1.0;      ///< that leaf's share of the parent
+  glm::vec3 result{0.0f};   ///< mean radiance that comes back; shadow: the light's visibility
+  std::vector<LevelTally>
+      levels;  ///< the papers' tables: K, M, in, out, L; those with marginal cells
+  std::vector<TracedCell> cells;  ///< level by level
+};
+
+/// Writes down one pixel's pyrays while they are traced; those that its leaves sent on up to
+/// `most`.
+class Observer {
+ public:
+  static constexpr std::size_t most = 500;
+
+  TracedPyray pixel;
+  std::vector<TracedPyray> nested;  ///< in the order in which they were traced
+
+  [[nodiscard]] TracedPyray& at(int number) {
+    return number < 0 ? pixel : nested[static_cast<std::size_t>(number)];
+  }
+};
+
+/// An observer as one pyray's leaves meet it: null if nobody looks on.
+struct ObservedLeaf {
+  Observer* observer = nullptr;
+  int pyray = -1;      ///< number of the pyray that the leaf belongs to
+  glm::vec2 at{0.0f};  ///< its sample, in the pyray's square
+  double weight = 1.0;
+
+  [[nodiscard]] bool wants_more() const {
+    return observer && observer->nested.size() < Observer::most;
+  }
+  /// Begins a pyray that the leaf sends on; its number.
+  [[nodiscard]] int begin(TracedPyray::Kind kind) const {
+    TracedPyray& sent = observer->nested.emplace_back();
+    sent.kind = kind;
+    sent.parent = pyray;
+    sent.from = at;
+    sent.weight = weight;
+    return static_cast<int>(observer->nested.size()) - 1;
+  }
+};
+
+}  // namespace asos

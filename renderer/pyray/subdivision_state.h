@@ -1,0 +1,101 @@
+#pragma once
+
+#include "renderer/pyray/boundary_search.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/pyray/observer.h"
+#include "renderer/pyray/rules.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// A pyray to subdivide: a square of the frame, and the boundaries that pass through it.
+struct Root {
+  Square square;
+  std::span<const std::uint32_t> list;  ///< hit list of what the detection reaches
+  SampleId middle = no_sample;          ///< at the square's centre, if known
+  std::uint32_t id = 0;                 ///< handed on with its leaves
+  std::uint64_t seed = 0;               ///< of jittered samples
+  TracedPyray* traced = nullptr;        ///< where its subdivision is written down, if anywhere
+
+  /// A point of the frame in the root's own square.
+  [[nodiscard]] glm::vec2 place(glm::vec2 p) const {
+    return (p - glm::vec2(square.u, square.v)) / square.side;
+  }
+};
+
+/// The result of a root's subdivision.
+struct SubdivisionOutcome {
+  int deepest = 0;               ///< finest level examined; a cut counts as one more
+  double unresolved_area = 0.0;  ///< share of the root whose cells stayed marginal
+  bool uneven_shading = false;   ///< some cell was split for its shading alone
+  bool uneven_shadow = false;    ///< some cell was split for a shadow on it alone
+  bool saturated = false;        ///< some cell went to its finest samples at once
+  bool at_limit = false;         ///< cells stayed marginal at MAX and the rule did not hold
+  /// The visible boundaries of cells that were cut or stayed marginal to the end.
+  BoundaryKinds boundaries;
+  std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
+};
+
+/// A square of a level, with what is known of it.
+struct Cell {
+  Square square;
+  std::uint32_t root = 0;
+  std::uint32_t first = 0;  ///< of its list, in the level's entries
+  std::uint32_t count = 0;
+  Cover cover{};  ///< of a sample in the cell's closure
+  SampleId middle = no_sample;
+  bool fresh = false;  ///< its middle was sampled in this level's first round
+  bool done = false;
+  bool nothing_hides = false;            ///< boundaries that a sample hid are seen elsewhere in it
+  Unevenness uneven = Unevenness::none;  ///< but for which it would be resolved
+
+  [[nodiscard]] bool is_uneven() const { return uneven != Unevenness::none; }
+};
+
+/// The cells of one level K whose fate is open, root by root, with their hit lists.
+struct CellLevel {
+  int number = 0;  ///< K
+  std::vector<Cell> cells;
+  std::vector<std::uint32_t> entries;
+
+  [[nodiscard]] std::span<const std::uint32_t> list(const Cell& cell) const {
+    return std::span(entries).subspan(cell.first, cell.count);
+  }
+};
+
+/// A subdivision under way: the question, and the answer so far.
+struct SubdivisionState {
+  BoundarySearch* search = nullptr;
+  Caster* caster = nullptr;
+  SubdivisionRules rules;
+  std::span<const Root> roots;
+  std::vector<SubdivisionOutcome> outcomes;  ///< one a root
+  std::vector<PyrayLeaf> leaves;             ///< finished, but not handed to the caster yet
+
+  [[nodiscard]] const Root& root(const Cell& cell) const { return roots[cell.root]; }
+  [[nodiscard]] SubdivisionOutcome& outcome(const Cell& cell) { return outcomes[cell.root]; }
+  [[nodiscard]] BoundarySearch::Sight sight(const Cell& cell) const {
+    return search->sight(cell.square, cell.cover);
+  }
+
+  /// A cell's share of its root's area.
+  [[nodiscard]] double weight(const Cell& cell) const;
+  /// A random point of a square of a root, which depends on the root's seed and the square only.
+  [[nodiscard]] glm::vec2 jittered(std::uint32_t root, const Square& square) const;
+
+  void add_leaf(const Cell& cell, SampleId sample, double share, const LeafRegion& region,
+                std::uint32_t note = 0);
+  /// Hands the leaves to the caster.
+  void hand_out();
+
+  /// Writes down how a cell ended, with the boundaries that are visible in it; null where nobody
+  /// looks on.
+  TracedCell* trace(const CellLevel& level, const Cell& cell, CellFate fate,
+                    std::span<const std::uint32_t> visible) const;
+};
+
+}  // namespace asos

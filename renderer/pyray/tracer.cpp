@@ -1,0 +1,180 @@
+#include "renderer/pyray/tracer.h"
+
+#include "renderer/pyray/safety_net.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+/// Results of the leaves, which the caster knows once it has taken them.
+void fill_results(TracedPyray* traced, const Caster& caster) {
+  if (!traced) return;
+  for (TracedCell& cell : traced->cells) {
+    for (TracedSample& sample : cell.samples) {
+      sample.radiance = caster.result(sample.id);
+      sample.triangle = caster.triangle(sample.id);
+    }
+  }
+}
+
+}  // namespace
+
+Trace Tracer::trace(const FeatureSet& features, const Pyray& pyray, const SubdivisionRules& rules,
+                    Caster& caster, TracedPyray* traced) {
+  start(features, pyray.frame, pyray.bounds, rules, pyray.square.side);
+  return trace_searched(pyray, pyray.outline, rules, caster, traced);
+}
+
+bool Tracer::search(const FeatureSet& features, const Pyray& pyray, const SubdivisionRules& rules) {
+  start(features, pyray.frame, pyray.bounds, rules, pyray.square.side);
+  search_.lists().refine(pyray.square, {}, search_.lists().scene_root(), scratch_);
+  return !scratch_.empty();
+}
+
+Trace Tracer::trace_searched(const Pyray& pyray, std::span<const BorderEdge> outline,
+                             const SubdivisionRules& rules, Caster& caster, TracedPyray* traced) {
+  HitLists& lists = search_.lists();
+  for (const BorderEdge& edge : outline) lists.add_boundary(edge.from, edge.to);
+
+  // Look through the middle: its surface may hide all else, and if not, a ray is lost.
+  const glm::vec2 middle(pyray.square.centre_u(), pyray.square.centre_v());
+  Root root;
+  root.square = pyray.square;
+  root.middle = caster.probe(std::span(&middle, 1));
+  root.seed = pyray.seed;
+  root.traced = traced;
+  caster.middles_known(1);
+
+  // Find the boundaries in front of it.
+  BoundarySearch::List& list = list_;
+  search_.refine(root.square, search_.sight(root.square, caster.cover(root.middle)), lists.root(),
+                 list, true);
+  root.list = list;
+  Trace result;
+  result.given_up = list.size() > rules.most_entries || lists.exhausted() || caster.gives_up();
+  if (result.given_up) return result;
+
+  // Subdivide.
+  result.outcome = subdivider_.run(search_, std::span(&root, 1), rules, caster).front();
+  fill_results(traced, caster);
+  return result;
+}
+
+std::span<const Trace> Tracer::trace(const FeatureSet& features, const FatPyray& fat,
+                                     const SubdivisionRules& rules, Caster& caster,
+                                     std::uint32_t observed, TracedPyray* traced) {
+  const auto count = static_cast<std::size_t>(fat.side * fat.side);
+  traces_.assign(count, {});
+  look_through_middles(fat, caster);
+  start(features, fat.frame, {}, rules, fat.square_of(0, 0, 1).side);
+  fat_search_.run(search_, fat, [&](int x, int y) { return caster.cover(fat.index(x, y)); });
+  find_missed_splits(fat, caster);
+  finish_roots(fat, rules, caster, observed, traced);
+  fill_results(traced, caster);
+  return traces_;
+}
+
+std::optional<std::span<const Segment>> Tracer::boundaries(const FeatureSet& features,
+                                                           const Pyray& pyray, float finest_side,
+                                                           std::size_t most) {
+  search_.start(features, pyray.frame, Detection::square, finest_side, pyray.bounds);
+  HitLists& lists = search_.lists();
+  scratch_.clear();
+  segments_.clear();
+  for (const std::uint32_t i : lists.root())
+    if (!lists.resolve(i, pyray.square, 0.0f, most, scratch_)) return std::nullopt;
+  for (const std::uint32_t i : scratch_) segments_.push_back(lists.segment(i));
+  return segments_;
+}
+
+void Tracer::start(const FeatureSet& features, const Frame& frame, const SearchBounds& bounds,
+                   const SubdivisionRules& rules, float root_side) {
+  search_.start(features, frame, rules.detection, root_side * rules.finest_side(), bounds);
+}
+
+// Every pyray needs its middle's sample: coherent rays, traced together. Sample number i is that of
+// pyray i.
+void Tracer::look_through_middles(const FatPyray& fat, Caster& caster) {
+  middles_.clear();
+  for (int y = 0; y < fat.side; ++y) {
+    for (int x = 0; x < fat.side; ++x) {
+      const Square s = fat.square_of(x, y, 1);
+      middles_.emplace_back(s.centre_u(), s.centre_v());
+    }
+  }
+  (void)caster.probe(middles_);
+  caster.middles_known(fat.side);
+}
+
+// Neighbours that show different surfaces without a boundary in either (design section 3).
+void Tracer::find_missed_splits(const FatPyray& fat, const Caster& caster) {
+  for (int y = 0; y < fat.rows; ++y) {
+    for (int x = 0; x < fat.columns; ++x) {
+      if (x + 1 < fat.columns) compare(fat, {x, y}, {x + 1, y}, caster);
+      if (y + 1 < fat.rows) compare(fat, {x, y}, {x, y + 1}, caster);
+    }
+  }
+}
+
+void Tracer::compare(const FatPyray& fat, glm::ivec2 a, glm::ivec2 b, const Caster& caster) {
+  const std::uint32_t i = fat.index(a.x, a.y), j = fat.index(b.x, b.y);
+  if (fat_search_.bounded(i) || fat_search_.bounded(j) || caster.surface(i) == caster.surface(j))
+    return;
+  // A cut-out's outline is in its texture, where no edge can be found; the samples find it.
+  traces_[i].by_samples = traces_[j].by_samples = true;
+  if (caster.opaque(i) && caster.opaque(j) && !touches_boundary(fat, a, caster) &&
+      !touches_boundary(fat, b, caster))
+    traces_[i].missed = traces_[j].missed = true;
+}
+
+// Whether a boundary runs along the very border of a pyray, which neither side counts as its own.
+bool Tracer::touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& caster) {
+  const Square own = fat.square_of(at.x, at.y, 1);
+  const float border = own.side / 256.0f;
+  const Square wide{own.u - border, own.v - border, own.side + 2.0f * border};
+  const HidingPlane hiding =
+      HidingPlane::of(caster.cover(fat.index(at.x, at.y)), fat.frame, wide.side);
+  search_.lists().refine(wide, hiding, search_.lists().root(), scratch_);
+  return !search_.all_hidden(scratch_, {wide, hiding});
+}
+
+// Clear pyrays are one leaf each, bounded and unevenly shaded ones are subdivided together, missed
+// ones by the safety net.
+void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
+                          std::uint32_t observed, TracedPyray* traced) {
+  const int max_level = rules.budget.max_level;
+  roots_.clear();
+  for (int y = 0; y < fat.rows; ++y) {
+    for (int x = 0; x < fat.columns; ++x) {
+      const std::uint32_t i = fat.index(x, y);
+      Root root{fat.square_of(x, y, 1), {}, i, i, fat.seed_of(x, y), nullptr};
+      if (i == observed) root.traced = traced;
+      if (fat_search_.bounded(i)) {
+        root.list = fat_search_.list(i);
+        roots_.push_back(root);
+        continue;
+      }
+      if (traces_[i].by_samples) {
+        traces_[i].outcome = split_by_samples(root, max_level, caster);
+        continue;
+      }
+      const LeafRegion whole{root.square, {}};
+      const LeafVerdict verdict = max_level > 0 ? caster.judge(i, 1.0, whole) : LeafVerdict{};
+      if (verdict.uneven != Unevenness::none) {
+        roots_.push_back(root);
+        continue;
+      }
+      if (root.traced)
+        root.traced->cells.emplace_back().samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
+      const PyrayLeaf leaf{i, i, 1.0, whole, verdict.note};
+      caster.take(std::span(&leaf, 1));
+      traces_[i].outcome.pyrays_by_level[0] = 1;
+    }
+  }
+  const auto done = subdivider_.run(search_, roots_, rules, caster);
+  for (std::size_t k = 0; k < done.size(); ++k) traces_[roots_[k].id].outcome = done[k];
+}
+
+}  // namespace asos

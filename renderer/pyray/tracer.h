@@ -1,0 +1,79 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/pyray/boundary_search.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/pyray/fat_search.h"
+#include "renderer/pyray/observer.h"
+#include "renderer/pyray/pyray.h"
+#include "renderer/pyray/rules.h"
+#include "renderer/pyray/subdivide.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// How a pyray was traced.
+struct Trace {
+  SubdivisionOutcome outcome;
+  bool by_samples = false;  ///< the safety net split it
+  bool missed = false;      ///< and should not have had to: a boundary was missed
+  bool given_up = false;    ///< too many boundaries for its rules, or its caster gave up: no leaves
+};
+
+/// The one act of this program: which boundaries pass through this pyramid? None: one sample; some:
+/// split (CGF'98 section 3; design section 1). Pixels of a block, shadows of lights with and
+/// without a size, and reflections all come here; frame, rules and caster are what differs. One
+/// object a thread and a depth of nesting; keeps its memory, no result.
+class Tracer {
+ public:
+  /// The pyray's leaves go to the caster. `traced`: where its subdivision is written down, or null.
+  Trace trace(const FeatureSet& features, const Pyray& pyray, const SubdivisionRules& rules,
+              Caster& caster, TracedPyray* traced = nullptr);
+
+  /// The pyrays of a fat one that lie in its columns and rows, in `index` order; root numbers are
+  /// indices. `observed` is written down in `traced`. The result lives until the next trace.
+  std::span<const Trace> trace(const FeatureSet& features, const FatPyray& fat,
+                               const SubdivisionRules& rules, Caster& caster,
+                               std::uint32_t observed = 0, TracedPyray* traced = nullptr);
+
+  /// The first half of a single pyray's trace: begins the search. Whether any boundary of the scene
+  /// may pass through it, hidden or not.
+  bool search(const FeatureSet& features, const Pyray& pyray, const SubdivisionRules& rules);
+  /// The second half, with further outlines.
+  Trace trace_searched(const Pyray& pyray, std::span<const BorderEdge> outline,
+                       const SubdivisionRules& rules, Caster& caster, TracedPyray* traced);
+
+  /// Every boundary of the scene that passes through a pyray, down to the smallest; curves are
+  /// drawn for cells of `finest_side`. Nothing if they are more than `most`. Lives until the next
+  /// trace.
+  [[nodiscard]] std::optional<std::span<const Segment>> boundaries(const FeatureSet& features,
+                                                                   const Pyray& pyray,
+                                                                   float finest_side,
+                                                                   std::size_t most);
+
+ private:
+  void start(const FeatureSet& features, const Frame& frame, const SearchBounds& bounds,
+             const SubdivisionRules& rules, float root_side);
+  void look_through_middles(const FatPyray& fat, Caster& caster);
+  void find_missed_splits(const FatPyray& fat, const Caster& caster);
+  void compare(const FatPyray& fat, glm::ivec2 a, glm::ivec2 b, const Caster& caster);
+  [[nodiscard]] bool touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& caster);
+  void finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
+                    std::uint32_t observed, TracedPyray* traced);
+
+  BoundarySearch search_;
+  Subdivider subdivider_;
+  FatSearch fat_search_;
+  BoundarySearch::List list_;
+  BoundarySearch::List scratch_;
+  std::vector<glm::vec2> middles_;
+  std::vector<Root> roots_;
+  std::vector<Trace> traces_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace asos

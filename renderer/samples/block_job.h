@@ -1,0 +1,23 @@
+#pragma once
+
+#include "renderer/film/block_result.h"
+#include "renderer/geometry/pixel_rect.h"
+#include "renderer/geometry/view.h"
+#include "renderer/prepared/render_scene.h"
+#include "renderer/settings/settings.h"
+
+#include <stop_token>
+
+namespace asos {
+
+/// A block of a picture that a method is to render: all that its pixels may depend on. Keeps
+/// references.
+struct BlockJob {
+  const RenderScene& scene;
+  const View& view;
+  const RenderSettings& settings;
+  PixelRect block;  ///< in the whole picture, whatever the crop
+  std::stop_token stop = {};
+};
+
+}  // namespace asos

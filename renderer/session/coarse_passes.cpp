@@ -1,0 +1,126 @@
+#include "renderer/session/coarse_passes.h"
+
+#include "renderer/comparison/method.h"
+#include "renderer/samples/sample_block.h"
+#include "renderer/shading/shade.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace asos {
+namespace {
+
+constexpr std::size_t most_blocks_in_group = (group_size / block_size) * (group_size / block_size);
+
+/// Looks through the middles of a group's blocks. Keeps memory and prepared lights from one group
+/// to the next.
+class BlockMiddles {
+ public:
+  explicit BlockMiddles(const PlannedRender& render)
+      : render_(render),
+        shader_(shader_of(*render.snapshot.scene, render.snapshot.settings, render.view)),
+        places_(1, false),
+        lights_(render.snapshot.scene->rays(), places_) {}
+
+  /// Radiance, block by block: 0 where it is not finite. Empty once `stop` is requested.
+  std::span<const glm::vec3> see(std::span<const WorkPlan::Block> blocks,
+                                 const std::stop_token& stop) {
+    // One packet of rays for all.
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const PixelRect& r = blocks[i].rect;
+      rays_[i] = render_.view.ray(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
+    }
+    render_.snapshot.scene->rays().closest(std::span(rays_).first(blocks.size()),
+                                           std::span(hits_).first(blocks.size()),
+                                           seen_faces(render_.snapshot.settings));
+    sums_.assign(blocks.size(), glm::dvec3(0.0));
+    RenderStatistics uncounted;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (stop.stop_requested()) return {};
+      places_.start_pixel(blocks[i].rect.x, blocks[i].rect.y);
+      SampleLights transport(lights_, {i});
+      sums_[i] = shader_.radiance(rays_[i], hits_[i], float{block_size}, transport, uncounted);
+    }
+    lights_.trace(sums_);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const glm::vec3 radiance(sums_[i]);
+      const bool finite = std::isfinite(radiance.x + radiance.y + radiance.z);
+      radiance_[i] = finite ? radiance : glm::vec3(0.0f);
+    }
+    return std::span(radiance_).first(blocks.size());
+  }
+
+ private:
+  const PlannedRender& render_;
+  Shader shader_;
+  GridPlaces places_;
+  SampledLights lights_;
+  std::array<Ray, most_blocks_in_group> rays_;
+  std::array<Hit, most_blocks_in_group> hits_;
+  std::vector<glm::dvec3> sums_;
+  std::array<glm::vec3, most_blocks_in_group> radiance_{};
+};
+
+FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance) {
+  FinishedTile tile;
+  tile.rect = rect;
+  const auto pixels = static_cast<std::size_t>(rect.width * rect.height);
+  tile.radiance.assign(pixels, radiance);
+  tile.split_level.assign(pixels, 0);
+  tile.cause.assign(pixels, SplitCause::none);
+  return tile;
+}
+
+std::span<const WorkPlan::Block> blocks_of(const WorkPlan& plan, const BlockGroup& group) {
+  return std::span(plan.blocks).subspan(group.first_block, group.block_count);
+}
+
+}  // namespace
+
+void CoarsePasses::work(const PlannedRender& render, TileCollector& tiles,
+                        const std::stop_token& stop) {
+  work_middles(render, tiles, stop);
+  work_centres(render, tiles, stop);
+}
+
+void CoarsePasses::work_middles(const PlannedRender& render, TileCollector& tiles,
+                                const std::stop_token& stop) {
+  BlockMiddles middles(render);
+  while (!stop.stop_requested()) {
+    const std::size_t index = next_middles_++;
+    if (index >= render.plan.groups.size()) return;
+    const BlockGroup& group = render.plan.groups[index];
+    const auto blocks = blocks_of(render.plan, group);
+    const auto radiance = middles.see(blocks, stop);
+    if (radiance.empty()) return;
+    FinishedTile tile = tiles.blank_tile(group);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      copy_pixels(flat_tile(blocks[i].rect, radiance[i]), tile);
+    tiles.publish_coarse(index, Pass::coarse, std::move(tile));
+  }
+}
+
+void CoarsePasses::work_centres(const PlannedRender& render, TileCollector& tiles,
+                                const std::stop_token& stop) {
+  // A pixel's centre is what the regular grid of one sample takes.
+  RenderSettings settings = render.snapshot.settings;
+  settings.method = Method::uniform;
+  settings.sampling.spp = 1;
+  while (!stop.stop_requested()) {
+    const std::size_t index = next_centres_++;
+    if (index >= render.plan.groups.size()) return;
+    const BlockGroup& group = render.plan.groups[index];
+    FinishedTile tile = tiles.blank_tile(group);
+    for (const WorkPlan::Block& block : blocks_of(render.plan, group)) {
+      if (stop.stop_requested()) return;
+      copy_pixels(render_block(*render.snapshot.scene, render.view, settings, block.rect).tile,
+                  tile);
+    }
+    tiles.publish_coarse(index, Pass::centres, std::move(tile));
+  }
+}
+
+}  // namespace asos

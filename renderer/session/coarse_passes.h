@@ -1,0 +1,29 @@
+#pragma once
+
+#include "renderer/session/planned_render.h"
+#include "renderer/session/tile_collector.h"
+
+#include <atomic>
+#include <cstddef>
+#include <stop_token>
+
+namespace asos {
+
+/// The pictures that a window shows before there are final pixels: first a sample in the middle of
+/// each block, then one in the centre of each pixel. Knows which groups are still to do; any number
+/// of threads.
+class CoarsePasses {
+ public:
+  /// Renders into `tiles` until no group is left or `stop` is requested. No barrier stands between
+  /// the passes: who runs out of one goes on to the next, and what is brought too late is dropped.
+  void work(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
+
+ private:
+  void work_middles(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
+  void work_centres(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
+
+  std::atomic<std::size_t> next_middles_{0};  // groups
+  std::atomic<std::size_t> next_centres_{0};
+};
+
+}  // namespace asos

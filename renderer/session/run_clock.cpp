@@ -1,0 +1,100 @@
+#include "renderer/session/run_clock.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+constexpr std::chrono::milliseconds pace_step{100};
+constexpr std::chrono::seconds pace_window{3};
+constexpr std::chrono::milliseconds pace_enough{250};
+
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+}  // namespace
+
+void RunClock::begin_final_pass() {
+  const std::lock_guard lock(mutex_);
+  if (pace_.empty()) pace_.push_back({Clock::now(), 0});
+}
+
+void RunClock::count_block() {
+  const std::lock_guard lock(mutex_);
+  ++finished_blocks_;
+  // Keep the pace of the last seconds.
+  const Clock::time_point now = Clock::now();
+  if (now - pace_.back().time < pace_step) return;
+  pace_.push_back({now, finished_blocks_});
+  while (pace_.size() > 2 && now - pace_[1].time > pace_window) pace_.pop_front();
+}
+
+void RunClock::complete() {
+  const std::lock_guard lock(mutex_);
+  complete_ = true;
+  end_ = Clock::now();
+}
+
+void RunClock::close() {
+  const std::lock_guard lock(mutex_);
+  if (!complete_ && !closed_) end_ = paused_ ? paused_since_ : Clock::now();
+  closed_ = true;
+}
+
+void RunClock::pause() {
+  const std::lock_guard lock(mutex_);
+  if (paused_) return;
+  paused_ = true;
+  paused_since_ = Clock::now();
+}
+
+void RunClock::resume() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!paused_) return;
+    // The clock and the pace go on from where they stood.
+    const Clock::duration rest = Clock::now() - paused_since_;
+    rested_ += rest;
+    for (Pace& pace : pace_) pace.time += rest;
+    paused_ = false;
+  }
+  resumed_.notify_all();
+}
+
+bool RunClock::wait_while_paused(const std::stop_token& stop) {
+  if (paused_) {
+    std::unique_lock lock(mutex_);
+    resumed_.wait(lock, stop, [this] { return !paused_; });
+  }
+  return !stop.stop_requested();
+}
+
+// Under the mutex.
+double RunClock::seconds_left(Clock::time_point now) const {
+  if (complete_) return 0.0;
+  if (pace_.empty() || closed_) return -1.0;
+  const double passed = seconds(now - pace_.front().time);
+  const auto done = static_cast<double>(finished_blocks_ - pace_.front().blocks);
+  if (passed < seconds(pace_enough) || done <= 0.0) return -1.0;
+  return static_cast<double>(blocks_ - finished_blocks_) * passed / done;
+}
+
+Progress RunClock::progress() const {
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = complete_ || closed_ ? end_
+                                : paused_            ? paused_since_
+                                                     : Clock::now();
+  Progress progress;
+  progress.finished = complete_;
+  progress.paused = paused_ && !complete_ && !closed_;
+  progress.running = !complete_ && !closed_ && !paused_;
+  progress.fraction = complete_ ? 1.0
+                                : static_cast<double>(finished_blocks_) /
+                                      static_cast<double>(std::max<std::size_t>(blocks_, 1));
+  progress.seconds = std::max(0.0, seconds(now - start_ - rested_));
+  progress.seconds_left = seconds_left(now);
+  return progress;
+}
+
+}  // namespace asos

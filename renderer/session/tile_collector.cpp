@@ -1,0 +1,90 @@
+#include "renderer/session/tile_collector.h"
+
+#include <utility>
+
+namespace asos {
+
+TileCollector::TileCollector(const WorkPlan& plan, std::function<void()> on_tiles)
+    : plan_(&plan), on_tiles_(std::move(on_tiles)), groups_(plan.groups.size()) {}
+
+FinishedTile TileCollector::blank_tile(const BlockGroup& group) const {
+  FinishedTile tile;
+  tile.rect = intersection(group.rect, plan_->visible);
+  const std::size_t pixels =
+      static_cast<std::size_t>(tile.rect.width) * static_cast<std::size_t>(tile.rect.height);
+  tile.radiance.resize(pixels, glm::vec3(0.0f));
+  tile.split_level.resize(pixels, 0);
+  tile.cause.resize(pixels, SplitCause::none);
+  tile.coarse = true;
+  return tile;
+}
+
+void TileCollector::publish_coarse(std::size_t group, Pass pass, FinishedTile&& tile) {
+  (void)publish(group, pass, std::move(tile));
+}
+
+bool TileCollector::finish_block(std::size_t block, BlockResult&& result) {
+  const std::vector<BlockResult> whole = add_block(block, std::move(result));
+  if (whole.empty()) return false;
+  const std::size_t group = plan_->blocks[block].group;
+  FinishedTile tile = blank_tile(plan_->groups[group]);
+  tile.coarse = false;
+  tile.rays.resize(tile.radiance.size());
+  tile.seconds.resize(tile.radiance.size());
+  for (const BlockResult& one : whole) copy_pixels(one.tile, tile);
+  return publish(group, Pass::final_pixels, std::move(tile));
+}
+
+// The blocks of its group where it is the last of them, else none.
+std::vector<BlockResult> TileCollector::add_block(std::size_t block, BlockResult&& result) {
+  const std::size_t index = plan_->blocks[block].group;
+  const BlockGroup& group = plan_->groups[index];
+  const std::lock_guard lock(mutex_);
+  // Integers add up in any order; the one sum that does not waits for its group.
+  RenderStatistics counts = result.statistics;
+  counts.unresolved_area = 0.0;
+  totals_ += counts;
+  GroupState& state = groups_[index];
+  state.blocks.resize(group.block_count);
+  state.blocks[block - group.first_block] = std::move(result);
+  if (++state.finished_blocks < group.block_count) return {};
+  for (const BlockResult& one : state.blocks)
+    state.unresolved_area += one.statistics.unresolved_area;
+  return std::exchange(state.blocks, {});
+}
+
+// True for the last tile of the final pass.
+bool TileCollector::publish(std::size_t group, Pass pass, FinishedTile&& tile) {
+  tile.rect.x -= plan_->visible.x;
+  tile.rect.y -= plan_->visible.y;
+  bool first = false;
+  bool last = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (groups_[group].published >= pass) return false;
+    groups_[group].published = pass;
+    first = finished_.empty();
+    finished_.push_back(std::move(tile));
+    last = pass == Pass::final_pixels && ++final_groups_ == groups_.size();
+  }
+  if (first) notify();
+  return last;
+}
+
+void TileCollector::notify() const {
+  if (on_tiles_) on_tiles_();
+}
+
+std::vector<FinishedTile> TileCollector::take_finished() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(finished_, {});
+}
+
+RenderStatistics TileCollector::statistics() const {
+  const std::lock_guard lock(mutex_);
+  RenderStatistics statistics = totals_;
+  for (const GroupState& group : groups_) statistics.unresolved_area += group.unresolved_area;
+  return statistics;
+}
+
+}  // namespace asos

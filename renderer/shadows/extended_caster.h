@@ -1,0 +1,52 @@
+#pragma once
+
+#include "renderer/geometry/half_space.h"
+#include "renderer/shadows/light_window.h"
+#include "renderer/shadows/patch_caster.h"
+#include "renderer/shadows/shadow_caster.h"
+
+#include <array>
+#include <optional>
+
+namespace asos {
+
+/// A shadow pyray whose source lies behind the surface, so that it meets the surface in a patch and
+/// averages over it (CGF'98 sections 4.3.2 to 4.3.4).
+struct ExtendedPyray {
+  enum class Fit {
+    inside,  ///< the largest shadow patch inside the leaf's (4.3.2)
+    around,  ///< the smallest around it, of which only what lies in the leaf's counts (4.3.4)
+  };
+
+  Frame frame;
+  HalfSpace surface;                  ///< above it the pyray is traced
+  std::array<HalfSpace, 2> between;   ///< the surface and the light
+  std::array<BorderEdge, 4> outline;  ///< around: the leaf's patch in the frame's square
+  Fit fit = Fit::inside;
+
+  /// `window`: from the patch's middle. Nothing where the patch is seen edge-on from the light, or
+  /// for `around` where it does not lie inside the light's projection onto the surface. A light
+  /// whose projection is smaller than the patch would need a source behind the light ("we may have
+  /// to move the source"): the pyray is then nearly as narrow as the light is, and samples the part
+  /// of the patch that it covers.
+  [[nodiscard]] static std::optional<ExtendedPyray> of(const LightWindow& window,
+                                                       const ShadowPatch& patch, Fit fit);
+};
+
+/// Finds the visibility of the light from an extended pyray's patch.
+class ExtendedCaster final : public ShadowCaster {
+ public:
+  /// All have to outlive the pyray.
+  void start(const ShadowScene& scene, bool see_through, const ExtendedPyray& pyray,
+             const LightWindow& window, std::int32_t ignored_part);
+
+ protected:
+  [[nodiscard]] std::optional<Ray> ray_at(glm::vec2 p) const override;
+  [[nodiscard]] double measure(double weight, const LeafRegion& region) const override;
+
+ private:
+  const ExtendedPyray* pyray_ = nullptr;
+  const LightWindow* window_ = nullptr;
+};
+
+}  // namespace asos

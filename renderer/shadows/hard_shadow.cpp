@@ -1,0 +1,67 @@
+#include "renderer/shadows/hard_shadow.h"
+
+#include "renderer/shadows/sampled_shadow.h"
+#include "renderer/shadows/shadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+// Whether the surface leaves the patch's plane by more than the 64th of its size, by which edges of
+// shadows on it would be out of place.
+bool bent(const ShadowPatch& patch, double deviation) {
+  const auto& p = patch.corners;
+  const double size = std::min(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
+  return 64.0 * deviation > size;
+}
+
+}  // namespace
+
+double hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
+                   RenderStatistics& counts) {
+  const Illumination& lit = query.lit;
+  const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
+  const auto frame =
+      parallel ? PatchCaster::frame_along(lit.light.towards, world_reach(block.scene->world), patch)
+               : PatchCaster::frame_from(lit.light.position, patch);
+  if (!frame) return ray_visibility(block, query, counts);
+
+  // Search between the patch and the light.
+  const double off_plane = deviation(block, lit.point, patch);
+  const HalfSpace above{patch.plane.normal, patch.plane.offset + patch.lift + off_plane};
+  const SubdivisionRules rules = shadow_rules(block.rules, query);
+  Pyray pyray{*frame};
+  pyray.bounds = query.found;
+  pyray.bounds.within = std::span(&above, 1);
+  pyray.bounds.beyond_first = patch.lift;
+  pyray.seed = query.leaf.seed;
+  const bool bounded = block.work->tracer.search(block.scene->features, pyray, rules);
+  // Nothing bounds the shadow: the visibility from its sample is that from all of the leaf.
+  if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
+  if (block.rules.quality == ShadowQuality::refined && bent(patch, off_plane))
+    return sampled_hard_shadow(block, query, counts);
+
+  // Trace, with the leaf's own border.
+  if (parallel) {
+    // The parallel frame's square is not the leaf's: the leaf is a region of it.
+    std::vector<BorderEdge>& border = block.work->border;
+    border.clear();
+    const auto placed = [&](glm::vec2 at) {
+      return glm::vec2(frame->homogeneous(*block.frame->on_plane(glm::dvec2(at), patch.plane)));
+    };
+    query.leaf.region.for_each_edge([&](const BorderEdge& edge) {
+      border.push_back({placed(edge.from), placed(edge.to)});
+    });
+    patch.border = border;
+  }
+  PatchCaster& caster = block.work->patch_caster;
+  caster.start(*block.scene, block.rules.see_through, *frame, patch,
+               parallel ? block.frame : nullptr, lit.light.own_part);
+  (void)trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
+  const auto visibility = caster.visibility();
+  return visibility ? *visibility : ray_visibility(block, query, counts);
+}
+
+}  // namespace asos

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "renderer/pyray/observer.h"
+#include "renderer/pyray/square.h"
+#include "renderer/shading/surface.h"
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// A part of a smooth surface over which no shadow of a light of some size varies by more than the
+/// tolerance: the visibility of each light from its middle, found when first asked for, holds for
+/// all of it. That of a light without size does where it is all or nothing.
+struct EvenPatch {
+  SurfacePoint middle;
+  Square square;                           ///< of the viewer's frame
+  std::vector<double> visibilities;        ///< of each light, 0 to 1; negative: not known yet
+  std::vector<std::uint32_t> saturated{};  ///< see LeafContext, of its middle
+};
+
+/// A leaf of an eye pyray, or of a mirrored one, as shadows and reflections see it while it is
+/// shaded.
+struct LeafContext {
+  LeafRegion region;          ///< of the viewer's frame
+  float root_side = 1.0f;     ///< side of the leaf's root in that frame
+  double weight = 1.0;        ///< the leaf's share of the root's area
+  glm::vec2 at{0.5f};         ///< its sample, in that frame
+  std::uint64_t seed = 0;     ///< of its own
+  EvenPatch* even = nullptr;  ///< that it is a part of, if any
+  /// Lights whose view from the sample was found to be saturated with boundaries.
+  std::span<const std::uint32_t> saturated{};
+  ObservedLeaf observed;
+
+  /// How many times its root was split to get it.
+  [[nodiscard]] int level() const {
+    return static_cast<int>(std::lround(std::log2(root_side / region.square.side)));
+  }
+};
+
+}  // namespace asos

@@ -1,0 +1,191 @@
+#include "renderer/shadows/sampled_shadow.h"
+
+#include "renderer/sampling/sobol_points.h"
+#include "renderer/shadows/shadow.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+// Rays of the first round, for each further one of which their number doubles, and at most.
+constexpr double first_rays_a_root = 16.0;
+constexpr std::uint32_t least_rays = 8;
+constexpr double rays_a_finest_cell = 4.0;
+
+// The cosines of both ends over the squared distance, as far as they change across the window.
+double weight_of(const PreparedLight& light, const Receiver& receiver, glm::dvec3 to_light) {
+  const double d2 = glm::dot(to_light, to_light);
+  const double here = glm::dot(receiver.normal, to_light);
+  if (!(here > 0.0) || !(glm::dot(receiver.geometric, to_light) > 0.0)) return 0.0;
+  const bool flat =
+      light.shape == PreparedLight::Shape::polygon || light.shape == PreparedLight::Shape::disk;
+  const double there = flat ? std::abs(glm::dot(light.towards, to_light)) : std::sqrt(d2);
+  return here * there / (d2 * d2);
+}
+
+struct WeighedRay {
+  Ray ray;
+  double weight = 0.0;
+};
+
+/// The mean visibility of weighted samples, and how well it is known: by quarters of the samples,
+/// each of which is as well distributed as its size allows.
+struct WeighedVisibility {
+  double mean = 0.0;
+  double standard_error = std::numeric_limits<double>::infinity();
+
+  static WeighedVisibility of(std::span<const double> weights,
+                              std::span<const float> transmittances) {
+    std::array<double, 4> all{}, lit{};
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const std::size_t quarter = 4 * i / weights.size();
+      all[quarter] += weights[i];
+      lit[quarter] += weights[i] * static_cast<double>(transmittances[i]);
+    }
+    const double whole = all[0] + all[1] + all[2] + all[3];
+    if (!(whole > 0.0)) return {};
+    WeighedVisibility part;
+    part.mean = (lit[0] + lit[1] + lit[2] + lit[3]) / whole;
+    double squares = 0.0;
+    for (std::size_t q = 0; q < 4; ++q) {
+      const double off = lit[q] - part.mean * all[q];
+      squares += off * off;
+    }
+    // That all samples agree does not prove that all of the light does.
+    part.standard_error = std::max(std::sqrt(4.0 / 3.0 * squares) / whole,
+                                   0.25 / static_cast<double>(weights.size()));
+    return part;
+  }
+};
+
+// Whether the plane of a point's triangle is its surface for as far as a leaf goes.
+bool flat(const ShadowContext& block, const SurfacePoint& point) {
+  return block.scene->features.departure(point.triangle) <= 0.0f;
+}
+
+// Receivers on the patch for the points with the given numbers; those without a place get none.
+void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const SobolPixel& points,
+                   std::uint32_t first, std::uint32_t end, RenderStatistics& counts) {
+  ShadowWorkspace& work = *block.work;
+  const SurfacePoint& point = query.lit.point;
+  const Bounds2 box = bounds_of(query.leaf.region);
+  const Receiver middle = receiver_above(point);
+  work.receivers.assign(end - first, std::nullopt);
+  if (query.lit.layer > 0) {
+    for (auto& receiver : work.receivers) receiver = middle;
+    return;
+  }
+  work.places.clear();
+  work.place_of.clear();
+  for (std::uint32_t i = first; i < end; ++i) {
+    const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(points.pixel(i)));
+    if (!query.leaf.region.holds(at)) continue;
+    work.places.push_back(at);
+    work.place_of.push_back(i - first);
+  }
+  if (flat(block, point)) {
+    // Where the viewer sees the patch; the rays start clear of it.
+    const glm::dvec3 lift = middle.position - glm::dvec3(point.position);
+    const HalfSpace plane{middle.geometric, glm::dot(middle.geometric, glm::dvec3(point.position))};
+    for (std::size_t k = 0; k < work.places.size(); ++k) {
+      const auto on_plane = block.frame->on_plane(glm::dvec2(work.places[k]), plane);
+      if (!on_plane) continue;
+      Receiver receiver = middle;
+      receiver.position = *on_plane + lift;
+      work.receivers[work.place_of[k]] = receiver;
+    }
+    return;
+  }
+  // The plane of a bent surface leaves it within the patch.
+  const std::uint32_t sheet = block.scene->features.sheet(point.triangle);
+  block.view->look(work.places, work.seen, counts);
+  for (std::size_t k = 0; k < work.places.size(); ++k) {
+    const SurfacePoint& seen = work.seen[k];
+    if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet) continue;
+    work.receivers[work.place_of[k]] = receiver_above(seen);
+  }
+}
+
+// Rays from all over the patch, in rounds until their mean is known as well as the leaf's weight
+// deserves. `aim(place on the light, receiver)`: the ray of a sample, unless it looks past the
+// light.
+template <typename Aim>
+double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
+                          RenderStatistics& counts, Aim aim) {
+  ShadowWorkspace& work = *block.work;
+  const Budget& budget = block.rules.budget;
+  const LeafContext& leaf = query.leaf;
+  const std::uint32_t light = query.lit.index;
+  const std::uint32_t first_round = std::bit_ceil(
+      std::max(least_rays, static_cast<std::uint32_t>(first_rays_a_root * leaf.weight)));
+  const std::uint32_t most = budget.samples(leaf.weight, rays_a_finest_cell, first_round);
+  const double error = budget.standard_error(leaf.weight, query.intensity());
+  const SobolPixel points{static_cast<int>(leaf.seed >> 32), static_cast<int>(leaf.seed), light};
+  work.weights.clear();
+  work.transmittances.clear();
+  WeighedVisibility found;
+  for (std::uint32_t first = 0, end = first_round; end <= most; first = end, end *= 2) {
+    look_at_patch(block, query, points, first, end, counts);
+    work.rays.clear();
+    for (std::uint32_t i = first; i < end; ++i) {
+      const auto& from = work.receivers[i - first];
+      if (!from) continue;
+      const std::optional<WeighedRay> ray = aim(points.light(i, light), *from);
+      if (!ray || !(ray->weight > 0.0)) continue;
+      work.rays.push_back(ray->ray);
+      work.weights.push_back(ray->weight);
+    }
+    const std::size_t before = work.transmittances.size();
+    work.transmittances.resize(before + work.rays.size());
+    block.scene->rays.transmittance(work.rays, std::span(work.transmittances).subspan(before),
+                                    query.lit.light.own_part);
+    counts.shadow_rays += work.rays.size();
+    found = WeighedVisibility::of(work.weights, work.transmittances);
+    if (found.standard_error <= error) break;
+  }
+  return work.weights.empty() ? ray_visibility(block, query, counts) : found.mean;
+}
+
+}  // namespace
+
+double sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                           const LightWindow& window, const Receiver& receiver,
+                           RenderStatistics& counts) {
+  const auto aim = [&](glm::dvec2 on_light, const Receiver& from) -> std::optional<WeighedRay> {
+    if (!window.holds(glm::vec2(on_light))) return std::nullopt;
+    if (window.round() && glm::length(on_light - 0.5) > 0.5) return std::nullopt;
+    glm::dvec3 target = window.towards(on_light);
+    if (!window.infinitely_far()) target += receiver.position - from.position;
+    WeighedRay found;
+    found.weight = weight_of(query.lit.light, from, target);
+    found.ray.origin = glm::vec3(from.position);
+    found.ray.direction = glm::vec3(target);
+    if (!window.infinitely_far()) found.ray.t_far = most_of_the_way;
+    return found;
+  };
+  return sampled_visibility(block, query, counts, aim);
+}
+
+double sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
+                           RenderStatistics& counts) {
+  const PreparedLight& light = query.lit.light;
+  const bool parallel = light.shape == PreparedLight::Shape::distant;
+  const auto aim = [&](glm::dvec2, const Receiver& from) -> std::optional<WeighedRay> {
+    const glm::dvec3 target = parallel ? light.towards : light.position - from.position;
+    WeighedRay found;
+    found.weight = std::max(0.0, glm::dot(from.normal, target));
+    if (!parallel) found.weight /= std::pow(glm::dot(target, target), 1.5);
+    found.ray.origin = glm::vec3(from.position);
+    found.ray.direction = glm::vec3(target);
+    if (!parallel) found.ray.t_far = most_of_the_way;
+    return found;
+  };
+  return sampled_visibility(block, query, counts, aim);
+}
+
+}  // namespace asos

@@ -1,0 +1,102 @@
+#include "renderer/shadows/shadow.h"
+
+#include "renderer/shading/shadow_ray.h"
+#include "renderer/shadows/area_shadow.h"
+#include "renderer/shadows/hard_shadow.h"
+#include "renderer/shadows/linear_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+// A leaf of less than this share of a finest cell, whose sample stands for as little as no marginal
+// leaf's does, is served by a ray like one.
+constexpr double small_leaf = 0.25;
+
+Box box_of(const ShadowPatch& patch) {
+  Box box;
+  for (const glm::dvec3& corner : patch.corners) box.grow(glm::vec3(corner));
+  return box;
+}
+
+double leaf_visibility(const ShadowContext& block, const Illumination& lit, const LeafContext& leaf,
+                       RenderStatistics& counts) {
+  ShadowQuery query{lit, leaf, {}};
+  // A leaf that is marginal or tiny is worth a ray.
+  const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.budget.max_level);
+  if (leaf.region.marginal || leaf.weight < least_weight)
+    return ray_visibility(block, query, counts);
+
+  // Ask what is known of the way to the light.
+  const auto patch =
+      lit.layer == 0 ? patch_of(block, lit.point, leaf.region, leaf.region.square) : std::nullopt;
+  Box around;
+  if (patch) {
+    around = box_of(*patch);
+  } else {
+    around.grow(lit.point.position);
+  }
+  const ShadowKnowledge known =
+      block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
+  // That nothing bounds the shadow does not rule out what stands in the light itself.
+  if (known.passage != ShadowKnowledge::Passage::open && lit.light.cuts.empty())
+    return known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0;
+
+  // Trace, by the kind of light.
+  query.found = own_part_ignored(block.scene->world, lit.light);
+  query.found.cut = known.cut;
+  if (lit.light.shape == PreparedLight::Shape::segment) return linear_shadow(block, query, counts);
+  if (lit.light.extended()) return area_shadow(block, query, counts);
+  return patch ? hard_shadow(block, query, *patch, counts) : ray_visibility(block, query, counts);
+}
+
+// The visibility of a light of some size from the middle of an even patch is that from all of it;
+// and all of it is in a hard shadow, or in none, where nothing bounds one.
+double even_visibility(const ShadowContext& block, const Illumination& lit, const LeafContext& leaf,
+                       RenderStatistics& counts) {
+  EvenPatch& even = *leaf.even;
+  double& visibility = even.visibilities[lit.index];
+  const auto holds_for_all = [&] {
+    return lit.light.extended() || visibility == 0.0 || visibility == 1.0;
+  };
+  if (visibility < 0.0) {
+    const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.middle));
+    // The light has set for the patch's middle, but not for this leaf.
+    if (there == glm::vec3(0.0f)) return leaf_visibility(block, lit, leaf, counts);
+    LeafContext middle = leaf;
+    middle.region = {even.square, {}};
+    middle.weight = std::pow(even.square.side / leaf.root_side, 2.0f);
+    middle.saturated = even.saturated;
+    visibility = leaf_visibility(
+        block, {lit.light, lit.index, even.middle, there, lit.reflected, 0}, middle, counts);
+  }
+  return holds_for_all() ? visibility : leaf_visibility(block, lit, leaf, counts);
+}
+
+}  // namespace
+
+double light_visibility(const ShadowContext& block, const Illumination& lit,
+                        const LeafContext& leaf, RenderStatistics& counts) {
+  // Whether a light this weak is shaded does not matter: all of them together stay below EPS.
+  const glm::vec3 all = lit.reflected * lit.unshadowed;
+  const double weakest = block.rules.budget.eps / static_cast<double>(block.lights);
+  if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest)) return 1.0;
+  const bool even = leaf.even && lit.layer == 0;
+  return even ? even_visibility(block, lit, leaf, counts)
+              : leaf_visibility(block, lit, leaf, counts);
+}
+
+double ray_visibility(const ShadowContext& block, const ShadowQuery& query,
+                      RenderStatistics& counts) {
+  const Illumination& lit = query.lit;
+  const glm::dvec2 at = unit_pair_of(query.leaf.seed + 0x9e3779b97f4a7c15ULL * (lit.index + 1));
+  const LightSample sample = sample_light(lit.light, receiver_at(lit.point), at.x, at.y);
+  if (sample.irradiance == glm::vec3(0.0f)) return 0.0;
+  ++counts.shadow_rays;
+  return static_cast<double>(
+      block.scene->rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part));
+}
+
+}  // namespace asos

@@ -1,0 +1,111 @@
+#include "renderer/shadows/shadow_context.h"
+
+#include "renderer/sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+// Of a light, or a patch: a part costs a ray, and leaves no error.
+constexpr int most_boundaries = 24;
+constexpr int most_pieces = 64;
+// Groups of boundaries in a light's square, beyond which no part of it is free of boundaries.
+constexpr int most_groups = 400;
+// Outlines are drawn at least as finely as in a pixel at MAX 3, so that they can be cut along.
+constexpr int finest_detail = 3;
+
+float largest(glm::vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+}  // namespace
+
+double ShadowQuery::intensity() const {
+  return std::min(1.0, static_cast<double>(largest(lit.reflected * lit.unshadowed)));
+}
+
+Receiver receiver_above(const SurfacePoint& point) {
+  Receiver receiver = receiver_at(point);
+  receiver.position += static_cast<double>(clear_height(point)) * receiver.geometric;
+  return receiver;
+}
+
+// Well mixed bits (Steele, Lea and Flood 2014).
+glm::dvec2 unit_pair_of(std::uint64_t bits) {
+  const RandomPair pair = unit_pair(mix_bits(bits));
+  return {pair.u, pair.v};
+}
+
+SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query) {
+  SubdivisionRules shadow;
+  shadow.budget = rules.budget.nested(query.leaf.level(), query.intensity(), 1);
+  shadow.exact_leaves = rules.exact_leaves;
+  shadow.jitter = true;
+  shadow.finest_detail = finest_detail;
+  shadow.limits.most_groups = most_groups;
+  shadow.limits.most_boundaries = most_boundaries;
+  shadow.limits.most_pieces = most_pieces;
+  shadow.limits.tolerance = std::ldexp(shadow.finest_side(), -6);
+  return shadow;
+}
+
+int levels_left(const ShadowRules& rules, const LeafContext& leaf) {
+  return rules.budget.nested(leaf.level(), 1.0, 1).max_level;
+}
+
+std::size_t most_entries_for_samples(int levels) {
+  constexpr std::size_t least = 48;
+  return std::max(least, (std::size_t{1} << 2 * levels) / 2);
+}
+
+std::optional<ShadowPatch> patch_of(const ShadowContext& block, const SurfacePoint& point,
+                                    const LeafRegion& region, const Square& s) {
+  ShadowPatch patch;
+  const glm::dvec3 normal(point.geometric_normal);
+  patch.plane = {normal, glm::dot(normal, glm::dvec3(point.position))};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec2 corner(s.u + ((i & 1) ? s.side : 0.0f), s.v + ((i & 2) ? s.side : 0.0f));
+    const auto at = block.frame->on_plane(corner, patch.plane);
+    if (!at) return std::nullopt;
+    patch.corners[i] = *at;
+  }
+  std::vector<BorderEdge>& border = block.work->border;
+  border.clear();
+  const glm::vec2 origin(s.u, s.v);
+  for (const BorderEdge& edge : region.border)
+    border.push_back({(edge.from - origin) / s.side, (edge.to - origin) / s.side});
+  patch.border = border;
+  patch.lift = static_cast<double>(clear_height(point));
+  return patch;
+}
+
+double deviation(const ShadowContext& block, const SurfacePoint& point, const ShadowPatch& patch) {
+  const auto& p = patch.corners;
+  const double reach = 0.5 * std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
+  return block.scene->features.departure(point.triangle, glm::dvec3(point.position), reach);
+}
+
+Trace trace_shadow(const ShadowContext& block, const ShadowQuery& query, const Pyray& pyray,
+                   const SubdivisionRules& rules, ShadowCaster& caster, RenderStatistics& counts,
+                   std::optional<std::span<const BorderEdge>> searched) {
+  Tracer& tracer = block.work->tracer;
+  TracedPyray own;
+  TracedPyray* traced = query.leaf.observed.wants_more() ? &own : nullptr;
+  const Trace trace = searched ? tracer.trace_searched(pyray, *searched, rules, caster, traced)
+                               : tracer.trace(block.scene->features, pyray, rules, caster, traced);
+  counts.shadow_rays += caster.rays_cast();
+  counts.count_shadow_pyray(query.lit.index);
+  if (traced && !trace.given_up) {
+    const int number = query.leaf.observed.begin(TracedPyray::Kind::shadow);
+    TracedPyray& sent = query.leaf.observed.observer->at(number);
+    sent.light = query.lit.index;
+    sent.result = glm::vec3(static_cast<float>(caster.visibility().value_or(0.0)));
+    sent.levels = std::move(own.levels);
+    sent.cells = std::move(own.cells);
+  }
+  return trace;
+}
+
+}  // namespace asos

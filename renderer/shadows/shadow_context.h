@@ -1,0 +1,103 @@
+#pragma once
+
+#include "renderer/geometry/frame.h"
+#include "renderer/pyray/rules.h"
+#include "renderer/pyray/tracer.h"
+#include "renderer/settings/settings.h"
+#include "renderer/shading/light_transport.h"
+#include "renderer/shadows/extended_caster.h"
+#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/patch_caster.h"
+#include "renderer/shadows/patch_view.h"
+#include "renderer/shadows/shadow_groups.h"
+#include "renderer/shadows/window_caster.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace asos {
+
+/// The rules that shadows of a viewer's leaves go by.
+struct ShadowRules {
+  ShadowQuality quality = ShadowQuality::refined;
+  int divisions = 2;  ///< n of the qualities that divide a patch into n x n
+  Budget budget;      ///< of the viewer's pyrays; those of shadows get what its levels leave
+  bool exact_leaves = true;
+  /// Some surfaces of the scene have holes, or let more light through here than there.
+  bool see_through = true;
+};
+
+/// Memory of shadow pyrays that is worth keeping. Holds no result.
+struct ShadowWorkspace {
+  Tracer tracer;
+  WindowCaster window_caster;
+  PatchCaster patch_caster;
+  ExtendedCaster extended_caster;
+  std::vector<BorderEdge> border;
+  std::vector<double> ends;
+  std::vector<Ray> rays;
+  std::vector<glm::vec2> places;
+  std::vector<std::uint32_t> place_of;
+  std::vector<SurfacePoint> seen;
+  std::vector<std::optional<Receiver>> receivers;
+  std::vector<double> weights;
+  std::vector<float> transmittances;
+};
+
+/// The surroundings that the shadows of one viewer's block share. Keeps pointers.
+struct ShadowContext {
+  const ShadowScene* scene = nullptr;
+  ShadowRules rules;
+  std::size_t lights = 1;        ///< in the scene
+  const Frame* frame = nullptr;  ///< of the viewer's block
+  PatchView* view = nullptr;
+  ShadowGroups* groups = nullptr;
+  ShadowWorkspace* work = nullptr;
+};
+
+/// The question to a shadow: how much of a light reaches the leaf's point?
+struct ShadowQuery {
+  const Illumination& lit;
+  const LeafContext& leaf;
+  SearchBounds found;  ///< what is known of the boundaries between: where they may be
+
+  /// The light's full contribution in display units, at most 1.
+  [[nodiscard]] double intensity() const;
+};
+
+/// Receivers of lights of some size: clear of the surface.
+[[nodiscard]] Receiver receiver_above(const SurfacePoint& point);
+
+/// Two numbers in [0, 1).
+[[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);
+
+/// The rules of a leaf's shadow pyrays: the levels that its parent left and EPS of what it
+/// contributes (Budget::nested).
+[[nodiscard]] SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query);
+
+/// The levels that a leaf leaves to its shadow pyrays, 1 at least.
+[[nodiscard]] int levels_left(const ShadowRules& rules, const LeafContext& leaf);
+
+/// The largest hit list before samples cost less than the search.
+[[nodiscard]] std::size_t most_entries_for_samples(int levels);
+
+/// The patch on the point's plane that a square of the viewer's frame shows, with the border of the
+/// leaf in units of that square. Nothing where the plane does not cross the frame's rays. The
+/// border lives in the workspace until the next call.
+[[nodiscard]] std::optional<ShadowPatch> patch_of(const ShadowContext& block,
+                                                  const SurfacePoint& point,
+                                                  const LeafRegion& region, const Square& s);
+
+/// How far the surface may leave a patch's plane, up to its corners, in world units.
+[[nodiscard]] double deviation(const ShadowContext& block, const SurfacePoint& point,
+                               const ShadowPatch& patch);
+
+/// Traces a shadow pyray whose search has begun (Tracer::search) or begins now, counts its rays and
+/// tells observers.
+Trace trace_shadow(const ShadowContext& block, const ShadowQuery& query, const Pyray& pyray,
+                   const SubdivisionRules& rules, ShadowCaster& caster, RenderStatistics& counts,
+                   std::optional<std::span<const BorderEdge>> searched = std::nullopt);
+
+}  // namespace asos

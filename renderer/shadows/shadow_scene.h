@@ -1,0 +1,16 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/rays/ray_scene.h"
+#include "renderer/world/world.h"
+
+namespace asos {
+
+/// The scene as shadow pyrays look at it.
+struct ShadowScene {
+  const World& world;
+  const FeatureSet& features;
+  const RayScene& rays;
+};
+
+}  // namespace asos

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "renderer/world/world.h"
+
+#include <utility>
+
+namespace asos::test {
+
+/// The surfaces of a scene alone.
+inline Result<World> flat_world(const Scene& scene) {
+  return flatten(scene).map([](FlattenedScene flattened) { return std::move(flattened.world); });
+}
+
+}  // namespace asos::test

@@ -1,0 +1,67 @@
+#include "ui/preview_render.h"
+
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+// How long changes wait for the first coarse picture of the render before them.
+constexpr double first_picture_seconds = 0.1;
+
+}  // namespace
+
+PreviewRender::PreviewRender(std::function<void()> wake, Refinement& refinement)
+    : refinement_(refinement), session_(std::move(wake)) {}
+
+void PreviewRender::update(const Subject& subject, double now_seconds) {
+  for (const FinishedTile& tile : session_.take_finished()) film_.put(tile);
+  if (out_of_date(subject) && !should_wait(subject, now_seconds)) restart(subject, now_seconds);
+  rest_or_go_on();
+}
+
+bool PreviewRender::out_of_date(const Subject& subject) const {
+  return subject.scene && (rendered_.scene != subject.scene ||
+                           rendered_.camera_revision != subject.camera_revision ||
+                           rendered_.settings != subject.settings);
+}
+
+bool PreviewRender::first_picture_pending() const {
+  const Progress progress = session_.progress();
+  return rendered_.scene && (progress.running || progress.paused) && !film_.covered();
+}
+
+bool PreviewRender::should_wait(const Subject& subject, double now_seconds) const {
+  const bool same_picture = rendered_.scene == subject.scene &&
+                            film().width == subject.settings.width &&
+                            film().height == subject.settings.height;
+  return same_picture && first_picture_pending() &&
+         now_seconds - restarted_seconds_ < first_picture_seconds;
+}
+
+void PreviewRender::restart(const Subject& subject, double now_seconds) {
+  // The old scene may go only when no worker uses it any more, which restart sees to.
+  session_.restart({subject.scene, subject.camera, subject.settings, true});
+  rendered_ = subject;
+  ++restarts_;
+  restarted_seconds_ = now_seconds;
+  refinement_.begin();
+  if (refinement_.rest() == Rest::none) session_.resume();
+  film_.begin(subject.settings.width, subject.settings.height);
+}
+
+void PreviewRender::rest_or_go_on() {
+  if (!refinement_.decide(session_.progress(), film_.estimated_rmse())) return;
+  refinement_.rest() == Rest::none ? session_.resume() : session_.pause();
+}
+
+void PreviewRender::stop() {
+  session_.cancel();
+  if (rendered_.scene && !session_.progress().finished) refinement_.end();
+}
+
+PictureDescription PreviewRender::description(const PictureDisplay& display) const {
+  return describe(*rendered_.scene, rendered_.camera, rendered_.settings, display);
+}
+
+}  // namespace asos

@@ -1,0 +1,86 @@
+#include "ui/scene_edits.h"
+
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+/// The window shows whole pictures.
+RenderSettings without_crop(RenderSettings settings) {
+  settings.crop = {};
+  return settings;
+}
+
+std::vector<EditedLight> lights_to_edit(const std::vector<Light>& of_scene) {
+  std::vector<EditedLight> lights;
+  for (const Light& light : of_scene) lights.push_back(EditedLight::of(light));
+  return lights;
+}
+
+}  // namespace
+
+SceneEdits::SceneEdits(OpenScene& scene, const RenderSettings& settings, std::function<void()> wake)
+    : scene_(scene),
+      first_settings_(without_crop(settings)),
+      now_{first_settings_, {}},
+      relighter_(std::move(wake)) {}
+
+void SceneEdits::reset() {
+  set_all_but_size(first_settings_);
+  reset_lights();
+  reset_dfrs();
+}
+
+std::vector<EditedLight>& SceneEdits::edit_lights() {
+  ++now_.look.lights_revision;
+  return now_.look.lights;
+}
+
+void SceneEdits::reset_lights() {
+  if (scene_) edit_lights() = lights_to_edit(scene_->own_lighting->lights);
+}
+
+MaterialDfrs& SceneEdits::edit_dfrs() {
+  ++now_.look.dfrs_revision;
+  return now_.look.dfrs;
+}
+
+void SceneEdits::reset_dfrs() {
+  if (scene_) edit_dfrs() = dfrs_of(scene_->world());
+}
+
+void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
+  reset_lights();
+  reset_dfrs();
+  relighter_.start_from(now_.look);
+  if (!picture) return;
+  // The scene has the picture's lights and ratios already: they are no edit.
+  now_.look.lights = lights_to_edit(scene_->lights());
+  now_.look.dfrs = scene_->dfrs();
+  RenderSettings settings = without_crop(picture->settings);
+  settings.threads = now_.settings.threads;
+  set_all_but_size(std::move(settings));
+}
+
+bool SceneEdits::same_as(const State& state) const {
+  RenderSettings sized = state.settings;
+  sized.width = now_.settings.width;
+  sized.height = now_.settings.height;
+  return now_.settings == sized && now_.look.lights_revision == state.look.lights_revision &&
+         now_.look.dfrs_revision == state.look.dfrs_revision;
+}
+
+void SceneEdits::restore(const State& state) {
+  set_all_but_size(state.settings);
+  if (now_.look.lights_revision != state.look.lights_revision) edit_lights() = state.look.lights;
+  if (now_.look.dfrs_revision != state.look.dfrs_revision) edit_dfrs() = state.look.dfrs;
+}
+
+void SceneEdits::set_all_but_size(RenderSettings settings) {
+  settings.width = now_.settings.width;
+  settings.height = now_.settings.height;
+  now_.settings = std::move(settings);
+}
+
+}  // namespace asos

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "renderer/picture/picture_description.h"
+#include "renderer/settings/settings.h"
+#include "ui/open_scene.h"
+#include "ui/relighter.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace asos {
+
+/// What a person edits of the open scene: the settings that it is rendered with, its lights and its
+/// materials' defocusing ratios (DFR). Lights and ratios reach the scene in the background. All
+/// members are for one thread.
+class SceneEdits {
+ public:
+  /// `scene` must outlive it. `settings` are those that `reset` goes back to. `wake` is called from
+  /// another thread when `relight` has something to do.
+  SceneEdits(OpenScene& scene, const RenderSettings& settings, std::function<void()> wake);
+
+  /// Widgets edit these. Their width and height are the picture's, which the viewpoint sets.
+  [[nodiscard]] RenderSettings& settings() { return now_.settings; }
+  [[nodiscard]] const RenderSettings& settings() const { return now_.settings; }
+  /// Settings, lights and materials as they were at first.
+  void reset();
+
+  /// The scene's lights, relative to World::origin. Once they were edited, the scene gets them in
+  /// the background, without its hierarchies being built anew.
+  [[nodiscard]] const std::vector<EditedLight>& lights() const { return now_.look.lights; }
+  [[nodiscard]] std::vector<EditedLight>& edit_lights();
+  /// The scene's own lights, as they were when it was opened.
+  void reset_lights();
+  /// How the scene's materials blur what they mirror. Edits reach the scene as those of lights do.
+  [[nodiscard]] const MaterialDfrs& dfrs() const { return now_.look.dfrs; }
+  [[nodiscard]] MaterialDfrs& edit_dfrs();
+  /// As the materials were when the scene was opened.
+  void reset_dfrs();
+  /// Whether the scene does not have the newest lights and materials yet.
+  [[nodiscard]] bool relighting() const { return relighter_.pending(now_.look); }
+  /// Gives the scene the newest lights and materials, in the background. Call once or more a frame.
+  void relight() { relighter_.update(scene_, now_.look); }
+  /// Starts from the scene that has just been opened: from its lights and materials, and from the
+  /// settings of the saved picture that it came with, if any. Only with a scene.
+  void adopt_scene(const std::optional<PictureDescription>& picture);
+
+  /// What can be taken back.
+  struct State {
+    RenderSettings settings;
+    SceneLook look;
+  };
+  [[nodiscard]] const State& state() const { return now_; }
+  /// Whether this is the state; the picture's size, which is the window's, does not count.
+  [[nodiscard]] bool same_as(const State& state) const;
+  void restore(const State& state);
+
+ private:
+  void set_all_but_size(RenderSettings settings);
+
+  OpenScene& scene_;
+  const RenderSettings first_settings_;
+  State now_;
+  Relighter relighter_;
+};
+
+}  // namespace asos

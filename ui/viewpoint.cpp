@@ -1,0 +1,130 @@
+#include "ui/viewpoint.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+// A window that is being dragged larger asks for many sizes; rendering waits until it rests.
+constexpr double size_rest_seconds = 0.15;
+
+double radius_of(const Box& bounds) {
+  return bounds.empty() ? 1.0 : 0.5 * static_cast<double>(glm::length(bounds.hi - bounds.lo));
+}
+
+/// How far ahead a camera's subject lies: the middle one of the depths that it sees around its
+/// centre. A single ray could slip through a gap and find the horizon. 0 where nothing is seen.
+double subject_distance(const RenderScene& scene, const Camera& camera) {
+  constexpr int grid = 9, margin = 2;
+  const View view(camera, grid, grid, radius_around_origin(scene.world().bounds));
+  const glm::dvec3 eye(camera.world_from_camera[3]);
+  const glm::dvec3 forward = -glm::dvec3(camera.world_from_camera[2]);
+  std::vector<double> depths;
+  for (int y = margin; y < grid - margin; ++y) {
+    for (int x = margin; x < grid - margin; ++x) {
+      const Ray ray = view.ray(x + 0.5, y + 0.5);
+      const Hit hit = scene.rays().closest(ray);
+      if (hit.valid()) depths.push_back(glm::dot(glm::dvec3(ray.at(hit.t)) - eye, forward));
+    }
+  }
+  if (depths.empty()) return 0.0;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+}  // namespace
+
+Viewpoint::Viewpoint(const OpenScene& scene, RenderSettings& settings)
+    : scene_(scene), settings_(settings) {}
+
+void Viewpoint::choose_camera(int index) {
+  if (!scene_) return;
+  const World& world = scene_->world();
+  const bool from_file = index >= 0 && index < static_cast<int>(world.cameras.size());
+  const Camera camera = from_file ? world.cameras[static_cast<std::size_t>(index)]
+                                  : default_camera(world, aspect_ratio());
+  take_over(camera, from_file ? index : -1);
+}
+
+void Viewpoint::take_over(const Camera& camera, int index) {
+  chosen_camera_ = index;
+  const World& world = scene_->world();
+  // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
+  const double radius = radius_of(world.bounds);
+  camera_.set(camera, radius, radius);
+  double distance = subject_distance(*scene_, camera);
+  if (distance <= 0.0 && !world.bounds.empty()) {
+    const glm::dvec3 middle(0.5f * (world.bounds.lo + world.bounds.hi));
+    const glm::dvec3 eye(camera.world_from_camera[3]);
+    distance = glm::dot(middle - eye, -glm::dvec3(camera.world_from_camera[2]));
+  }
+  if (distance > 0.0) camera_.set(camera, distance, radius);
+}
+
+void Viewpoint::frame_all() {
+  if (scene_) camera_.frame_all(scene_->world().bounds, aspect_ratio());
+}
+
+void Viewpoint::set_picture_size(int width, int height, double now_seconds) {
+  if (width <= 0 || height <= 0) {
+    pending_size_.reset();
+    return;
+  }
+  if (!sized_) {
+    settings_.width = width;
+    settings_.height = height;
+    sized_ = true;
+  } else if (width == settings_.width && height == settings_.height) {
+    pending_size_.reset();
+  } else if (!pending_size_ || pending_size_->width != width || pending_size_->height != height) {
+    pending_size_ = {width, height, now_seconds};
+  }
+}
+
+void Viewpoint::settle_size(double now_seconds) {
+  if (!pending_size_ || now_seconds - pending_size_->since_seconds < size_rest_seconds) return;
+  settings_.width = pending_size_->width;
+  settings_.height = pending_size_->height;
+  pending_size_.reset();
+}
+
+std::optional<double> Viewpoint::seconds_to_settle(double now_seconds) const {
+  if (!pending_size_) return std::nullopt;
+  return std::max(0.0, pending_size_->since_seconds + size_rest_seconds - now_seconds);
+}
+
+View Viewpoint::view() const {
+  return View(camera_.camera(), settings_.width, settings_.height,
+              radius_around_origin(scene_->world().bounds));
+}
+
+Hit Viewpoint::seen_at(double x, double y) const {
+  if (!scene_ || !sized_) return {};
+  return scene_->rays().closest(view().ray(x, y), seen_faces(settings_));
+}
+
+void Viewpoint::set_pivot_at(double x, double y) {
+  if (!scene_ || !sized_) return;
+  const Hit hit = seen_at(x, y);
+  if (hit.valid()) camera_.look_at(glm::dvec3(view().ray(x, y).at(hit.t)));
+}
+
+bool Viewpoint::same_as(const State& state) const {
+  return camera_.revision() == state.camera.revision();
+}
+
+void Viewpoint::restore(const State& state) {
+  if (same_as(state)) return;
+  camera_.restore(state.camera);
+  chosen_camera_ = state.chosen_camera;
+}
+
+double Viewpoint::aspect_ratio() const {
+  return static_cast<double>(settings_.width) / static_cast<double>(settings_.height);
+}
+
+}  // namespace asos

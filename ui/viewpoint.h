@@ -1,0 +1,74 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+#include "renderer/rays/ray_scene.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
+#include "ui/open_scene.h"
+#include "ui/orbit_camera.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace asos {
+
+/// From where the open scene is seen, and in a picture of which size: the width and height of the
+/// render settings. All members are for one thread.
+class Viewpoint {
+ public:
+  /// Both must outlive it; of the settings it sets the picture's size only.
+  Viewpoint(const OpenScene& scene, RenderSettings& settings);
+
+  [[nodiscard]] OrbitCamera& camera() { return camera_; }
+  [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
+  /// Takes over the scene's camera `index`; -1: the view that frames everything.
+  void choose_camera(int index);
+  /// The scene's camera that was taken over last; -1: another one.
+  [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
+  /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
+  /// scene.
+  void take_over(const Camera& camera, int index = -1);
+  void frame_all();
+
+  /// Asks for a picture of this size. The first one counts at once, later ones when the size has
+  /// been still for a moment. Sizes without area (a minimised window) are ignored.
+  void set_picture_size(int width, int height, double now_seconds);
+  /// Sets the size that was asked for, once it has been still. Call once or more a frame.
+  void settle_size(double now_seconds);
+  /// When that will be, in seconds from now; none: the size has settled.
+  [[nodiscard]] std::optional<double> seconds_to_settle(double now_seconds) const;
+  /// Whether the picture's size is known.
+  [[nodiscard]] bool sized() const { return sized_; }
+
+  /// The camera's view in a picture of the present size. Only with a scene.
+  [[nodiscard]] View view() const;
+  /// What is seen at (x, y), in pixels; not valid where that is the background.
+  [[nodiscard]] Hit seen_at(double x, double y) const;
+  /// Orbits about what the picture shows at (x, y), in pixels, from now on.
+  void set_pivot_at(double x, double y);
+
+  /// What can be taken back.
+  struct State {
+    OrbitCamera camera;
+    int chosen_camera = -1;
+  };
+  [[nodiscard]] State state() const { return {camera_, chosen_camera_}; }
+  [[nodiscard]] bool same_as(const State& state) const;
+  void restore(const State& state);
+
+ private:
+  struct PendingSize {
+    int width, height;
+    double since_seconds;
+  };
+  [[nodiscard]] double aspect_ratio() const;
+
+  const OpenScene& scene_;
+  RenderSettings& settings_;
+  OrbitCamera camera_;
+  int chosen_camera_ = -1;
+  bool sized_ = false;
+  std::optional<PendingSize> pending_size_;
+};
+
+}  // namespace asos
