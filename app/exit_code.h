@@ -2,7 +2,7 @@
 
 namespace asos {
 
-/// What the program tells the shell.
+/// The exit status that the program returns to the shell.
 enum ExitCode : int {
   exit_ok = 0,
   exit_bad_input = 1,      ///< a scene that cannot be opened, a file that cannot be written

@@ -63,7 +63,7 @@ void add_texture_resolution(CLI::App& app, RenderSettings& settings) {
       ->default_str(std::to_string(settings.texture.resolution));
 }
 
-// What only the methods that ASOS is compared with have.
+// Options that only the methods that ASOS is compared with have.
 void add_rival_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--contrast", "C",
                     "whitted: by how much the display intensities of a square's corners may differ "
@@ -103,8 +103,7 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
                     "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
                     whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
       ->default_str(std::to_string(settings.asos.max_level));
-  add_parsed_option(app, "--eps", "E",
-                    "EPS, the change of a pixel's display intensity that is let pass: 0 to 1",
+  add_parsed_option(app, "--eps", "E", "EPS, the tolerance of a pixel's display intensity: 0 to 1",
                     number(0, 1), [&](double e) { settings.asos.eps = e; })
       ->default_str(fmt::format("{}", settings.asos.eps));
   add_choice(app, "--leaf", "KIND",

@@ -16,7 +16,7 @@ class App;
 
 namespace asos {
 
-/// What the window and `render` have in common: a scene, how to render it, and from where.
+/// The arguments that the window and `render` share: a scene, how to render it, and from where.
 struct PictureArguments {
   std::string scene = "builtin:office";
   RenderSettings settings;
@@ -26,8 +26,8 @@ struct PictureArguments {
   NeedsChoice needs = NeedsChoice::scene;
 
   std::string from_file;                   ///< a picture whose settings these are; empty: none
-  std::optional<PictureDescription> from;  ///< what it says
-  std::optional<Error> from_error;         ///< why it says nothing
+  std::optional<PictureDescription> from;  ///< its contents
+  std::optional<Error> from_error;         ///< why it could not be read
 };
 
 // Each adds options that fill `arguments`, which has to outlive the parser.
@@ -36,10 +36,10 @@ struct PictureArguments {
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required);
 /// Where it is seen from, how bright it is shown, and which part of it.
 void add_camera_options(CLI::App& app, PictureArguments& arguments);
-/// What is kept of a scene and done although it does not need it.
+/// The option for what is kept of a scene and done although the scene does not need it.
 void add_needs_option(CLI::App& app, NeedsChoice& needs);
-/// Of those above, what decides on the true picture of a scene, and TR: for commands that choose
-/// methods and their quality by themselves.
+/// Those of the options above that decide on the true picture of a scene, and TR: for commands that
+/// choose methods and their quality by themselves.
 void add_look_options(CLI::App& app, PictureArguments& arguments);
 
 /// The settings with the sky that was asked for, which is read where it is a file; errors name it.

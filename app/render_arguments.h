@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// What `asos render` was asked for.
+/// The arguments of `asos render`.
 struct RenderArguments {
   PictureArguments picture;
   std::string output;

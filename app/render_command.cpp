@@ -72,7 +72,7 @@ tl::unexpected<Error> interrupted_error() {
   return tl::unexpected(Error{"render", "interrupted"});
 }
 
-// What of the saved picture is not overridden: its lights belong to its scene alone.
+// The parts of the saved picture that are not overridden: its lights belong to its scene alone.
 PictureDescription wanted_picture(const PictureArguments& wanted) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
   picture.needs = wanted.needs;

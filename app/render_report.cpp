@@ -24,7 +24,7 @@ nlohmann::ordered_json light_counts_json(const RenderReport& report) {
   return lights;
 }
 
-// What rendering it took.
+// The measurements of loading and rendering the scene.
 nlohmann::ordered_json measured_json(const RenderReport& report) {
   const FeatureCounts& edges = report.feature_edges;
   nlohmann::ordered_json measured{

@@ -21,7 +21,7 @@ struct ReportedLight {
   Light::Type type = Light::Type::point;
 };
 
-/// What a finished render was asked for, met and cost: told in --stats and inside the picture.
+/// The request, contents and cost of a finished render: told in --stats and inside the picture.
 struct RenderReport {
   std::string scene;  ///< as named on the command line
   std::uint64_t triangles = 0;
@@ -43,8 +43,8 @@ struct RenderReport {
 /// The same as the text of a file, valid UTF-8 whatever the scene's path is made of.
 [[nodiscard]] std::string statistics_text(const RenderReport& report);
 
-/// What a PNG's text chunks and an EXR's attributes say: how the picture can be made again, and the
-/// statistics.
+/// The text chunks of a PNG and the attributes of an EXR: how the picture can be made again, and
+/// the statistics.
 [[nodiscard]] ImageText picture_metadata(const RenderReport& report);
 
 /// The most memory that this process has held, in 10^6 bytes.

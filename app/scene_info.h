@@ -10,14 +10,14 @@
 
 namespace asos {
 
-/// What is in a scene, what of it is not supported, and what is left out because nothing needs it.
+/// The contents of a scene, those not supported, and those left out because nothing needs them.
 /// `ready` is the prepared `scene`. Bounds and positions are the author's coordinates. Lights are
 /// counted by type; "ball" counts those of the points and spots that have a radius, "sun" those of
 /// the directional ones that have an angular diameter.
 [[nodiscard]] nlohmann::ordered_json scene_info_json(const Scene& scene, const RenderScene& ready);
 
-/// What was left out: an array of objects with `feature`, `reason` and, where there is something of
-/// that sort, `stages`, `memory`, `controls` and `rows`.
+/// The features that were left out: an array of objects with `feature`, `reason` and, where there
+/// is something of that sort, `stages`, `memory`, `controls` and `rows`.
 [[nodiscard]] nlohmann::ordered_json left_out_json(const SceneNeeds& needs);
 
 /// A scene's information for a person: lines of text, without what is empty.

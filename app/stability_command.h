@@ -10,7 +10,7 @@ namespace asos {
 
 struct StabilityArguments {
   std::string folder;  ///< made if need be
-  bool quick = false;  ///< what the page says of the cases
+  bool quick = false;  ///< the page says that the cases are the quick part
 };
 
 /// Runs the cases, writes stability.html and stability.csv into the folder and returns the exit

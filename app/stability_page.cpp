@@ -43,7 +43,7 @@ tr.broken td { font-weight: 600; } tr.broken td.why { font-weight: 400; }
 constexpr const char* about = R"(<p>Each case measures one quantity against a closed form, an
 invariance or a converged value. It is broken if its error is more than its bound, if there is no
 figure at all, or if any pixel of its pictures is not a finite number. Bounds follow from the rounding
-of 32-bit floats, or from what the settings let pass, as the last column says; none was fitted to a
+of 32-bit floats, or from the settings' tolerance, as the last column says; none was fitted to a
 result. Samples that are not finite are left out of their pixels and counted here.</p>
 <p>Left out, since the program does not have them: the defocusing ratio (DFR, DFRMIN, DFRMAX, N),
 reflections and facing mirrors, and the texture levels of TR. Images are of 8 bits, which hold neither
@@ -68,7 +68,7 @@ std::string quoted_field(const std::string& text) {
   return field + '"';
 }
 
-/// What the last column says: why there is no figure, or why the bound is what it is.
+/// The text of the last column: why there is no figure, or why the bound is what it is.
 const std::string& why(const Finding& finding) {
   return finding.fault.empty() ? finding.outcome.reason : finding.fault;
 }

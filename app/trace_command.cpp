@@ -94,7 +94,7 @@ Command add_trace_command(CLI::App& program) {
       program.add_subcommand("trace", "Say how one pixel is split, cell by cell, and why");
   add_picture_options(*parser, arguments->picture, true);
   add_camera_options(*parser, arguments->picture);
-  // What says nothing about one pixel's subdivision.
+  // These options say nothing about one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
     parser->remove_option(parser->get_option(option));
   add_parsed_option(*parser, "--pixel", "x,y", "The pixel, from the picture's top left corner",

@@ -78,7 +78,7 @@ class Namer {
   }
 
   [[nodiscard]] std::string of_sheet(std::uint32_t sheet) const {
-    if (sheet == ObjectTally::clusters) return "small boundaries, not told apart";
+    if (sheet == ObjectTally::clusters) return "small boundaries, not resolved";
     const World& world = scene_.world();
     const std::uint32_t triangle = first_triangle_.at(sheet);
     const std::uint32_t part = world.triangle_part[triangle];
@@ -158,7 +158,7 @@ std::string place_text(const Json& p) {
   return fmt::format("{:6.4f} {:6.4f}", p[0].get<double>(), p[1].get<double>());
 }
 
-// What is not finite is null in the file.
+// Values that are not finite are null in the file.
 std::string colour_text(const Json& c) {
   std::string text;
   for (const Json& value : c)
@@ -215,7 +215,7 @@ std::string cell_text(const Json& cell) {
       fmt::format("{:>2}  {}  1/{:<4} {}", cell["level"].get<int>(), place_text(cell["corner"]),
                   std::lround(1.0 / cell["side"].get<double>()), text_of(cell["fate"]));
   if (clusters > 0)
-    text += fmt::format(", {} {} of boundaries not told apart", clusters,
+    text += fmt::format(", {} {} of boundaries not resolved", clusters,
                         clusters == 1 ? "group" : "groups");
   if (hidden > 0) text += fmt::format(", {} hidden", hidden);
   text += "\n";

@@ -14,7 +14,7 @@ namespace asos {
 struct TracedPicture {
   std::string scene;  ///< as named on the command line
   std::string camera;
-  RenderSettings settings;  ///< what it was rendered with
+  RenderSettings settings;  ///< the settings it was rendered with
 };
 
 /// How a pixel was subdivided: the papers' table level by level, then every cell. Objects are named

@@ -6,8 +6,8 @@
 
 #include <numbers>
 
-// What the editor of defocusing ratios (CGF'98 section 5.1) plots, and what dragging its points
-// means.
+// The values that the editor of defocusing ratios (CGF'98 section 5.1) plots, and the effect of
+// dragging its points.
 
 namespace asos {
 
@@ -32,10 +32,10 @@ void set_curves(Dfr& dfr, DfrChannel channel, double DfrCurve::*member, double v
 /// 5 times a power of ten, at least 10.
 [[nodiscard]] double widening_axis(const Dfr& dfr);
 
-/// What a pyray sees of a white bar on black by way of the mirror, 0 to 1, linear, by colour. The
-/// bar is mirrored_bar_width pyrays wide, and `place` is how far from its middle the pyray looks,
-/// in widths of a pyray that is not widened. Weighted as the renderer weighs a blurred reflection:
-/// the pyray's box convolved with what widens it.
+/// Radiance that a pyray sees of a white bar on black by way of the mirror, 0 to 1, linear, by
+/// colour. The bar is mirrored_bar_width pyrays wide, and `place` is how far from its middle the
+/// pyray looks, in widths of a pyray that is not widened. Weighted as the renderer weighs a blurred
+/// reflection: the pyray's box convolved with what widens it.
 inline constexpr double mirrored_bar_width = 12.0;
 [[nodiscard]] glm::vec3 mirrored_bar(const Dfr& dfr, double incidence_rad, double place);
 

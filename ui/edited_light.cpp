@@ -61,7 +61,7 @@ double outline_area(const std::vector<glm::dvec3>& outline, glm::dvec3 direction
   return 0.5 * glm::dot(sum, direction);
 }
 
-/// What one unit of a light's intensity is in candela, straight ahead and from afar.
+/// Candela that one unit of a light's intensity is, straight ahead and from afar.
 double candela_per_unit(const Light& light, double distance) {
   if (light.type == Light::Type::directional) return distance * distance;
   return is_flat(light.type) ? area_of(light) : 1.0;

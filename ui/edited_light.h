@@ -19,18 +19,18 @@ struct EditedLight {
   [[nodiscard]] static EditedLight of(Light light);
 };
 
-/// What the window calls a light: Light's types, and a ball told from a point.
+/// The window's kinds of lights: Light's types, with a ball distinguished from a point.
 enum class LightKind { point, sphere, spot, directional, linear, rectangle, disk, polygon };
 inline constexpr std::size_t light_kind_count = 8;
 
 [[nodiscard]] LightKind kind_of(const Light& light);
 
-/// What sizes and distances are measured by.
+/// The scale by which sizes and distances are measured.
 struct SceneSize {
   glm::dvec3 middle{0.0};
   double radius = 1.0;  ///< above 0
 
-  /// Of a box; an empty one counts as the unit ball.
+  /// The size of a box; an empty one counts as the unit ball.
   [[nodiscard]] static SceneSize of(const Box& bounds);
 };
 
@@ -38,7 +38,7 @@ struct SceneSize {
 /// as bright as before in the scene's middle if that lies straight ahead of it.
 [[nodiscard]] Light as_kind(const Light& light, LightKind kind, const SceneSize& scene);
 
-/// Of the side that shines: flat lights, 0 for others.
+/// Area of the side that shines: flat lights, 0 for others.
 [[nodiscard]] double area_of(const Light& light);
 
 /// How a light is turned: where it shines to (linear: where it runs to) as compass angle from +Z to

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_equal_samples = 1 << 14;
 
-/// What a method takes of the samples that it is given: squares, some of them.
+/// Number of samples that a method takes for about `wanted`: some methods need a square.
 int samples_for(Method method, double wanted) {
   const double least = std::clamp(wanted, 1.0, 1.0 * most_equal_samples);
   if (row_of(method).samples == SampleCount::any) return static_cast<int>(std::lround(least));

@@ -36,7 +36,7 @@ void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
   const PixelRect whole{0, 0, film.width, film.height};
   if (whole.empty()) return;
 
-  // What depends on the size, the exposure or the split map's scale is renewed as a whole.
+  // Layers whose size, exposure or split map scale has changed are renewed as a whole.
   const bool resized = film.width != width_ || film.height != height_;
   const bool exposed = display.exposure_ev != tone_.exposure_ev();
   const bool rescaled = max_level != max_level_ || display.split_colours != split_colours_;

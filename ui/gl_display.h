@@ -85,7 +85,7 @@ class GlDisplay {
   Layer picture_;
   Layer overlay_;
 
-  // What the compared layer was made from.
+  // The inputs that the compared layer was made from.
   struct Compared {
     std::uint64_t revision = 0;
     int chosen = -1;

@@ -9,7 +9,7 @@ namespace asos {
 
 namespace {
 
-// What a frame has already taken; decides whether the next event may still join it.
+// The input that a frame has already taken; decides whether the next event may still join it.
 struct FrameState {
   bool moved = false;
   bool wheel = false;
@@ -63,8 +63,8 @@ struct Apply {
   }
   bool operator()(const KeyChanged& e) const {
     if (e.key == Key::none) return true;
-    // What came before a modifier changed must not see it changed, and Dear ImGui takes a frame's
-    // text ahead of its keys.
+    // Input that came before a modifier changed must not see it changed, and Dear ImGui takes a
+    // frame's text ahead of its keys.
     const bool acted = state.wheel || state.buttons || state.typed || state.plain_key;
     if (is_modifier(e.key) && acted) return false;
     if (state.keys[static_cast<std::size_t>(e.key)]) return false;

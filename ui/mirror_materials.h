@@ -15,9 +15,9 @@ struct MirrorMaterial {
   std::vector<std::uint32_t> members;  ///< into World::materials, at least one
 };
 
-/// Of what `world` shows, which is that of a scene as it was prepared: what has a defocusing ratio
-/// of its own, metals that are not all rough, and whatever a texture or factor makes smooth enough
-/// to mirror by default.
+/// The materials that `world`, which is that of a scene as it was prepared, shows and that can
+/// mirror: those with a defocusing ratio of their own, metals that are not all rough, and those
+/// that a texture or factor makes smooth enough to mirror by default.
 [[nodiscard]] std::vector<MirrorMaterial> mirror_materials(const World& world);
 
 /// Index of the one that `material` belongs to; -1: none.

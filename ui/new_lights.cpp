@@ -77,7 +77,7 @@ Light new_light(glm::dvec3 eye, glm::dvec3 subject, double scene_radius) {
 std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t triangle,
                                    glm::dvec3 eye) {
   if (normal_of(scene.world(), triangle) == glm::dvec3(0.0)) return std::nullopt;
-  // What gives emissive meshes their lights finds the piece's outline.
+  // The function that gives emissive meshes their lights finds the piece's outline.
   const World face = face_around(scene, triangle, eye);
   const std::vector<Light> lights = emissive_lights(
       face, [](const World&, std::uint32_t, float, float) { return glm::vec3(1.0f); });

@@ -56,7 +56,7 @@ class OpenScene {
   /// Whether the error is that the open scene's file could not be read again: the scene stays.
   [[nodiscard]] bool reload_failed() const { return reload_failed_; }
 
-  /// What a scene that has just been opened comes with.
+  /// Facts about a scene that has just been opened.
   struct Opened {
     bool reloaded = false;                      ///< it is the same scene again
     std::optional<PictureDescription> picture;  ///< where the source was a saved picture
@@ -71,7 +71,7 @@ class OpenScene {
   std::shared_ptr<const RenderScene> scene_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;
-  bool reloading_ = false;  // what is being loaded is the same scene again
+  bool reloading_ = false;  // the scene being loaded is the open one again
   bool reload_failed_ = false;
   double load_seconds_ = 0.0;
   std::vector<FileStamp> files_;

@@ -107,7 +107,7 @@ void OrbitCamera::look_at(glm::dvec3 pivot) {
 void OrbitCamera::look_around(double azimuth_rad, double elevation_rad) {
   const glm::dvec3 stands = eye();
   const std::uint64_t before = revision_;
-  // What is seen turns against the way in which the eye would circle it.
+  // The scene in view turns against the way in which the eye would circle it.
   orbit(azimuth_rad, -elevation_rad);
   if (revision_ != before) pivot_ = stands - distance_ * basis().back;
 }

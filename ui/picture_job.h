@@ -34,7 +34,7 @@ class PictureJob {
     double fraction = 0.0;       ///< finished, 0 to 1
     double seconds_left = -1.0;  ///< negative: not known yet
   };
-  /// Of the picture that is under way.
+  /// The state of the picture that is under way.
   [[nodiscard]] std::optional<State> state() const;
   /// The file that was written, or why it was not; once. Nothing of one that was cancelled.
   [[nodiscard]] std::optional<Result<std::string>> take_outcome();

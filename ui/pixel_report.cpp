@@ -21,8 +21,8 @@ bool crosses(glm::vec2 p, glm::vec2 q, const TracedBoundary& b) {
   return side(b.from, b.to, p) != side(b.from, b.to, q) && side(p, q, b.from) != side(p, q, b.to);
 }
 
-/// What a place in a cell counts as: the sample with the fewest boundaries between, of those the
-/// nearest.
+/// Radiance that a place in a cell counts as: that of the sample with the fewest boundaries between
+/// the two, and of several such samples, of the nearest.
 glm::vec3 seen_at(const TracedCell& cell, glm::vec2 place) {
   glm::vec3 radiance(0.0f);
   auto best = std::pair(std::numeric_limits<std::ptrdiff_t>::max(), 0.0f);
@@ -38,7 +38,7 @@ glm::vec3 seen_at(const TracedCell& cell, glm::vec2 place) {
   return radiance;
 }
 
-/// What each place of a grid counts as. A cell that was split has no samples of its own.
+/// Radiance that each place of a grid counts as. A cell that was split has no samples of its own.
 std::vector<glm::vec3> seen_grid(const std::vector<TracedCell>& cells) {
   std::vector<glm::vec3> seen;
   if (cells.empty()) return seen;
@@ -89,7 +89,7 @@ void find_boundaries(const RenderScene& scene, const View& view, PixelReport& re
   const glm::vec2 size(static_cast<float>(view.width()), static_cast<float>(view.height()));
   const Square whole;
   HitLists lists;
-  // What is smaller than a quarter of a pixel needs no line of its own.
+  // Boundaries smaller than a quarter of a pixel need no line of their own.
   lists.reset(scene.features(), view.frame(0.0, 0.0, view.width(), view.height()),
               0.25f / std::max(size.x, size.y));
   HitLists::List open, found;

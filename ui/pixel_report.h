@@ -35,7 +35,8 @@ struct PixelReport {
   std::vector<std::vector<glm::vec3>> pyray_seen;  ///< the same of each of trace.pyrays
   std::vector<std::string> pyray_names;            ///< and what each is, in a few words
   std::vector<std::string> level_object;           ///< the object of largest change, one a level
-  /// Of the whole picture's hit list, where they were asked for; `most_boundaries` at most.
+  /// The boundaries of the whole picture's hit list, where they were asked for; `most_boundaries`
+  /// at most.
   std::vector<PictureBoundary> boundaries;
   bool all_boundaries = true;  ///< false: there are more
   static constexpr std::size_t most_boundaries = 20'000;
@@ -57,7 +58,7 @@ class PixelInspector {
 
   /// Call once a frame. `boundaries`: whether those of the picture are wanted.
   void update(const Previewer& previewer, std::optional<glm::ivec2> picked, bool boundaries);
-  /// Of the picked pixel, maybe of an older view; null where there is none.
+  /// The report on the picked pixel, maybe of an older view; null where there is none.
   [[nodiscard]] const PixelReport* report() const { return report_ ? &*report_ : nullptr; }
   [[nodiscard]] bool busy() const { return job_.pending(); }
 

@@ -19,7 +19,7 @@ namespace asos {
 /// resting when its refinement says so. One thread; rendering happens on others.
 class PreviewRender {
  public:
-  /// What a picture is rendered from; nothing without a scene.
+  /// The inputs of a picture; nothing is rendered without a scene.
   struct Subject {
     std::shared_ptr<const RenderScene> scene;
     std::uint64_t camera_revision = 0;
@@ -47,7 +47,7 @@ class PreviewRender {
   void start_again() { rendered_ = {}; }
 
   [[nodiscard]] const Film& film() const { return film_.film(); }
-  /// What of the film changed since the last call.
+  /// The parts of the film that changed since the last call.
   [[nodiscard]] std::vector<PixelRect> take_changed() { return film_.take_changed(); }
   /// See RefiningFilm.
   [[nodiscard]] std::optional<double> estimated_rmse() const { return film_.estimated_rmse(); }
@@ -58,11 +58,11 @@ class PreviewRender {
 
   /// The settings of the render that runs, its size included.
   [[nodiscard]] const RenderSettings& settings() const { return rendered_.settings; }
-  /// What the picture that is shown is rendered from. Only with one.
+  /// The inputs of the picture that is shown. Only with one.
   [[nodiscard]] Snapshot snapshot() const {
     return {rendered_.scene, rendered_.camera, rendered_.settings, false};
   }
-  /// What the picture that is shown follows from, whether it is finished or not. Only with one.
+  /// The description of the picture that is shown, whether it is finished or not. Only with one.
   [[nodiscard]] PictureDescription description(const PictureDisplay& display) const;
 
  private:

@@ -42,7 +42,7 @@ PreviewRender::Subject Previewer::subject() const {
 }
 
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
-  // What waits for the first picture goes on with the next tiles: look again at once.
+  // A change that waits for the first picture goes on with the next tiles: look again at once.
   if (render_.out_of_date(subject()) || edits_.relighting()) return 0.0;
   std::optional<double> due = viewpoint_.seconds_to_settle(now_seconds);
   if (const std::optional<double> limit = refinement_.seconds_to_limit(render_.progress()))

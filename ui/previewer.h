@@ -13,9 +13,9 @@
 
 namespace asos {
 
-/// What the window works on: the open scene, what a person edits of it, the viewpoint, and the
-/// render of it all with its refinement. Knows neither OpenGL nor ImGui. One thread; loading,
-/// relighting and rendering happen on others.
+/// The model that the window works on: the open scene, what a person edits of it, the viewpoint,
+/// and the render of it all with its refinement. Knows neither OpenGL nor ImGui. One thread;
+/// loading, relighting and rendering happen on others.
 class Previewer {
  public:
   struct Hooks {
@@ -45,7 +45,7 @@ class Previewer {
 
  private:
   void take_over(const OpenScene::Opened& opened);
-  /// What should be rendered: nothing before there are a scene and a size.
+  /// The subject to render: nothing before there are a scene and a size.
   [[nodiscard]] PreviewRender::Subject subject() const;
 
   // Each refers to some of those before it.

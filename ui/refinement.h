@@ -11,7 +11,7 @@ struct RefinementLimits {
   static constexpr double most_seconds = 86'400.0;
 
   double seconds = 0.0;  ///< of rendering, without pauses; 0: no limit
-  double rmse = 0.0;     ///< of RefiningFilm::estimated_rmse; 0: no limit
+  double rmse = 0.0;     ///< limit on RefiningFilm::estimated_rmse; 0: no limit
 
   bool operator==(const RefinementLimits&) const = default;
 };

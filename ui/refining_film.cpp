@@ -23,7 +23,7 @@ Film stretched(const Film& old, int width, int height) {
   return film;
 }
 
-/// Of linear values clipped to 0 to 1, summed over pixels and colours.
+/// Squared difference of linear values clipped to 0 to 1, summed over pixels and colours.
 double squared_difference(const Film& film, const FinishedTile& tile) {
   double sum = 0.0;
   for (int y = 0; y < tile.rect.height; ++y) {

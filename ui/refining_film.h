@@ -21,7 +21,7 @@ class RefiningFilm {
   void put(const FinishedTile& tile);
 
   [[nodiscard]] const Film& film() const { return film_; }
-  /// What of the film changed since the last call.
+  /// The parts of the film that changed since the last call.
   [[nodiscard]] std::vector<PixelRect> take_changed() { return std::exchange(changed_, {}); }
   /// Whether the render that runs has covered the picture, coarsely at least.
   [[nodiscard]] bool covered() const { return pixels_taken_ >= pixels(); }

@@ -42,7 +42,7 @@ class Relighter {
   struct Request {
     std::shared_ptr<const RenderScene> scene;
     std::optional<std::vector<Light>> lights;  // none: the scene has them
-    std::uint64_t lights_revision = 0;         // of what comes out
+    std::uint64_t lights_revision = 0;         // of the scene that comes out
     MaterialDfrs dfrs;
   };
   struct Relit {

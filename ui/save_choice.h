@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// What a person wants saved.
+/// A person's choice of what to save, and how.
 struct SaveChoice {
   enum class What {
     picture,  ///< rendered to the end, at any size, without anything over it

@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// What a person edits of the open scene: the settings that it is rendered with, its lights and its
+/// A person's edits of the open scene: the settings that it is rendered with, its lights and its
 /// materials' defocusing ratios (DFR). Lights and ratios reach the scene in the background. All
 /// members are for one thread.
 class SceneEdits {
@@ -45,7 +45,7 @@ class SceneEdits {
   /// settings of the saved picture that it came with, if any. Only with a scene.
   void adopt_scene(const std::optional<PictureDescription>& picture);
 
-  /// What can be taken back.
+  /// The state that undo restores.
   struct State {
     RenderSettings settings;
     SceneLook look;

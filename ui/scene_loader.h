@@ -45,7 +45,7 @@ class SceneLoader {
     std::string source;
     double seconds = 0.0;
   };
-  /// What is being loaded for the newest request.
+  /// The load under way for the newest request.
   [[nodiscard]] std::optional<Loading> loading() const;
 
  private:

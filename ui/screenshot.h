@@ -22,12 +22,12 @@ struct DisplaySettings;
 /// FOLDER/NAME-001, or the next number that no picture has.
 [[nodiscard]] std::string free_stem(const std::filesystem::path& folder, const std::string& name);
 
-/// What a saved picture says about itself: how it can be made again, time and statistics. Only with
-/// a picture.
+/// The metadata of a saved picture: how it can be made again, time and statistics. Only with a
+/// picture.
 [[nodiscard]] ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display);
 
-/// What of the display a picture keeps, and the way back. What is out of the window's range becomes
-/// its nearest end.
+/// The display settings that a picture keeps, and the way back. Values out of the window's range
+/// become its nearest end.
 [[nodiscard]] PictureDisplay described(const DisplaySettings& display);
 void show_as(const PictureDisplay& described, DisplaySettings& display);
 

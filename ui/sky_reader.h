@@ -19,7 +19,7 @@ class SkyReader {
       : job_([](const std::string& path) { return read_sky(path); }, {}, Overtaken::dropped) {}
 
   void read(std::string path) { job_.ask(std::move(path)); }
-  /// Of the newest request, once.
+  /// The outcome of the newest request, once.
   [[nodiscard]] std::optional<Outcome> take_outcome() { return job_.take_outcome(); }
   [[nodiscard]] bool busy() const { return job_.pending(); }
 

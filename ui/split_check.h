@@ -23,13 +23,13 @@ struct PixelRun {
   bool operator==(const PixelRun&) const = default;
 };
 
-/// What a finished picture is compared with: samples of the same view.
+/// A finished picture, and the samples of the same view that it is compared with.
 struct SplitEvidence {
   const Film& picture;
   const Film& centres;                    ///< one sample a pixel, through its middle
   const Film& reference;                  ///< the mean of many
-  const std::vector<float>& uncertainty;  ///< of the reference: standard error, the worst channel
-  int passes = 1000;                      ///< that this is told from
+  const std::vector<float>& uncertainty;  ///< the reference's standard error, the worst channel
+  int passes = 1000;                      ///< that the uncertainty is estimated from
 };
 
 /// Where splitting went wrong.
@@ -62,7 +62,7 @@ class SplitCheck {
   /// Call once a frame. `wanted`: whether to check at all. A picture that changes is checked anew
   /// once it is finished.
   void update(const Previewer& previewer, bool wanted, double alarm);
-  /// Of the picture as it is; null: none yet.
+  /// The findings about the picture as it is; null: none yet.
   [[nodiscard]] const SplitFindings* findings() const {
     return current_ && findings_ ? &*findings_ : nullptr;
   }

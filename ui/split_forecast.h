@@ -10,7 +10,7 @@ namespace asos {
 
 class Previewer;
 
-/// What a render will do, told by blocks all over the picture.
+/// The outcome of a render, forecast from blocks all over the picture.
 struct Forecast {
   double split_share = 0.0;  ///< of the pixels, 0 to 1
   double split_error = 0.0;  ///< its standard error
@@ -32,7 +32,7 @@ class SplitForecast {
   void ask(const Previewer& previewer);
   /// Call once a frame.
   void update();
-  /// Of the settings as they are; null: not known.
+  /// The forecast for the settings as they are; null: not known.
   [[nodiscard]] const Forecast* of(const Previewer& previewer) const;
   [[nodiscard]] bool busy() const { return job_.pending(); }
 

@@ -44,7 +44,7 @@ class StoppableJob {
     const std::scoped_lock lock(mutex_);
     return working_ || outcome_;
   }
-  /// What was told last, once.
+  /// The outcome that was told last, once.
   [[nodiscard]] std::optional<Outcome> take_outcome() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(outcome_, std::nullopt);

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// What the window remembers from run to run.
+/// The settings that the window remembers from run to run.
 struct StoredSettings {
   static constexpr std::size_t most_recent = 10;
 

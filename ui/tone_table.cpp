@@ -44,7 +44,7 @@ ToneTable::ToneTable(float exposure_ev) : exposure_ev_(exposure_ev) {
 }
 
 std::uint8_t ToneTable::byte(float radiance) const {
-  // What is zero, negative or not a finite number is left to the definition.
+  // Radiance that is zero, negative or not a finite number is left to the definition.
   if (!(radiance > 0.0f && radiance < std::numeric_limits<float>::infinity())) {
     return static_cast<std::uint8_t>(shown(radiance, exposure_ev_));
   }

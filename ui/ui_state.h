@@ -18,7 +18,7 @@
 
 namespace asos {
 
-/// What the window itself remembers, beside the previewer's scene and settings.
+/// The window's own state, beside the previewer's scene and settings.
 struct UiState {
   DisplaySettings display;
   PictureView view;
@@ -29,8 +29,8 @@ struct UiState {
   CheckChoice check;
   EqualTimeChoice equal_time;
   std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
-  int picked_pyray = -1;             ///< of the pixel's, that is looked at; -1: the pixel itself
-  bool show_boundaries = false;      ///< of the hit list, in the picture
+  int picked_pyray = -1;         ///< the one of its pyrays that is looked at; -1: the pixel itself
+  bool show_boundaries = false;  ///< of the hit list, in the picture
   Frames frames;
   bool show_panel = true;
   bool watch = false;               ///< load the scene's file again when it changes

@@ -203,7 +203,7 @@ void ViewStudy::clear() {
 void ViewStudy::update(bool disturbed) {
   disturbed_ = disturbed;
   if (started_) started_->set_disturbed(disturbed);
-  // What nobody sees any more keeps a scene and its pictures no longer than it has to.
+  // A study that nobody sees any more keeps a scene and its pictures no longer than it has to.
   if (!shown_ && !busy()) started_.reset();
 }
 

@@ -21,7 +21,7 @@ namespace asos {
 /// one only until the render has given up, some hundredths of a second.
 class ViewStudy {
  public:
-  /// What is studied. The plan names one scene, which is `scene`.
+  /// The view to study. The plan names one scene, which is `scene`.
   struct Subject {
     std::shared_ptr<const RenderScene> scene;
     Camera camera;  ///< relative to scene->world().origin
@@ -37,7 +37,7 @@ class ViewStudy {
     std::size_t points = 0;
     int passes = 0;      ///< of the reference
     bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less
-    SceneStudy study;    ///< of what was run so far; of the measures, RMSE alone
+    SceneStudy study;    ///< the points run so far; of the measures, RMSE alone
   };
 
   /// Begins anew. Errors, which leave everything as it was: no scene, a plan that `make_jobs`
@@ -62,7 +62,7 @@ class ViewStudy {
 
   bool disturbed_ = false;
   std::shared_ptr<Work> shown_;    // null after `clear`
-  std::shared_ptr<Work> started_;  // what the thread works on, or did last
+  std::shared_ptr<Work> started_;  // the work that the thread does, or did last
   std::jthread thread_;
 };
 

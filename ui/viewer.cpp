@@ -21,7 +21,7 @@ namespace asos {
 
 namespace {
 
-// What the user does is followed at once; tiles that arrive are shown less often, because showing
+// The user's input is followed at once; tiles that arrive are shown less often, because showing
 // them takes time from rendering them.
 constexpr double input_frame_seconds = 1.0 / 60.0;
 constexpr double tiles_frame_seconds = 1.0 / 20.0;

@@ -9,8 +9,8 @@ namespace asos {
 
 struct ViewerOptions {
   std::string source = "builtin:office";  ///< path or "builtin:NAME", opened in the background
-  /// What to start with. width and height are the picture's size that the window tries to offer;
-  /// from then on the picture follows the window.
+  /// The settings to start with. width and height are the picture's size that the window tries to
+  /// offer; from then on the picture follows the window.
   RenderSettings settings;
   SceneNeeds forced;  ///< see prepare
 };

@@ -104,7 +104,7 @@ View Viewpoint::view() const {
 
 Hit Viewpoint::seen_at(double x, double y) const {
   if (!scene_ || !sized_) return {};
-  return scene_->rays().closest(view().ray(x, y), seen_faces(settings_));
+  return scene_->rays().closest(view().ray(x, y), culling_of(settings_));
 }
 
 void Viewpoint::set_pivot_at(double x, double y) {

@@ -42,12 +42,12 @@ class Viewpoint {
 
   /// The camera's view in a picture of the present size. Only with a scene.
   [[nodiscard]] View view() const;
-  /// What is seen at (x, y), in pixels; not valid where that is the background.
+  /// The hit seen at (x, y), in pixels; not valid where that is the background.
   [[nodiscard]] Hit seen_at(double x, double y) const;
   /// Orbits about what the picture shows at (x, y), in pixels, from now on.
   void set_pivot_at(double x, double y);
 
-  /// What can be taken back.
+  /// The state that undo restores.
   struct State {
     OrbitCamera camera;
     int chosen_camera = -1;

@@ -42,7 +42,7 @@ class Window {
   [[nodiscard]] glm::ivec2 framebuffer_size() const;
   [[nodiscard]] float content_scale() const;
 
-  /// What happened since the last call.
+  /// The events since the last call.
   struct Happened {
     std::vector<InputEvent> input;
     std::vector<std::string> dropped_files;

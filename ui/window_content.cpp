@@ -85,7 +85,7 @@ void WindowContent::draw(const FrameInput& in) {
   ImGui::Render();
 
   history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
-  // What the widgets changed takes effect in this frame, before it is shown.
+  // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
   previewer_.update(in.time_seconds);
@@ -102,7 +102,7 @@ void WindowContent::draw(const FrameInput& in) {
   save_window(in);
 }
 
-// What other threads found out.
+// Takes over the results of other threads.
 void WindowContent::take_outcomes() {
   update_sky(previewer_.edits().settings(), state_.sky, sky_reader_);
   update_equal_time(previewer_, state_.equal_time, equal_time_, state_.frames);
@@ -349,7 +349,7 @@ void WindowContent::begin_saving() {
   picture_job_.start({std::move(snapshot), choice.path(), plain.exposure_ev, text});
 }
 
-// What the framebuffer shows, once the dialog has faded from it.
+// Saves the framebuffer, once the dialog has faded from it.
 void WindowContent::save_window(const FrameInput& in) {
   if (!window_to_save_ || in.time_seconds < save_window_seconds_) return;
   const SaveChoice choice = *std::exchange(window_to_save_, std::nullopt);

@@ -25,7 +25,7 @@ struct ImGuiContext;
 
 namespace asos {
 
-/// What a frame is drawn into, and when.
+/// The sizes of the window that a frame is drawn into, and the frame's time.
 struct FrameInput {
   glm::ivec2 window_size{0};       ///< the units of the mouse
   glm::ivec2 framebuffer_size{0};  ///< pixels
@@ -55,7 +55,7 @@ class WindowContent {
   [[nodiscard]] std::optional<double> seconds_to_redraw() const;
 
   [[nodiscard]] UiState& state() { return state_; }
-  /// What of it is worth to be remembered.
+  /// The part of the state that is worth remembering.
   [[nodiscard]] StoredSettings stored_settings() const;
   void apply(const StoredSettings& stored);
   [[nodiscard]] const Controls& controls() const { return controls_; }
@@ -98,7 +98,7 @@ class WindowContent {
   double save_window_seconds_ = 0.0;
   std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;
-  glm::vec2 scales_{0.0f};  // of text and of its raster, that the font was made for
+  glm::vec2 scales_{0.0f};  // the scales of text and of its raster that the font was made for
   double time_seconds_ = 0.0;
   int settling_frames_ = 0;  // Dear ImGui needs a few frames to come to rest after a change
 };

@@ -84,7 +84,7 @@ std::string under_floor_text(const SceneStudy& study) {
       escaped(study.scene), under, all, error_text(study.floor));
 }
 
-/// What took longer than anybody would wait for.
+/// The settings that took longer than anybody would wait for.
 std::string given_up_text(const SceneReport& scene, double longest_seconds) {
   if (scene.given_up.empty()) return "";
   return fmt::format("<li>{}: given up after {}, or as dearer than what was: {}.</li>\n",

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// What a scene has beside its numbers.
+/// The figures of a scene, beside its numbers.
 struct SceneFigures {
   std::vector<Plot> plots;
   ScenePictures pictures;

@@ -33,7 +33,7 @@ enum class Outcome { win, even, loss };
 /// Turns files into data URIs. The first failure is kept, and what follows is of no use.
 class Embedder {
  public:
-  /// Of a .png or .svg file.
+  /// The data URI of a .png or .svg file.
   [[nodiscard]] std::string uri(const std::string& path);
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 

@@ -48,7 +48,7 @@ std::optional<Dfr> plan_dfr_of(const json& j) {
   return dfr;
 }
 
-/// Of a report that is put together from its jobs the sky itself is not asked for any more.
+/// The sky itself is not read: a report that is put together from its jobs does not ask for it.
 StudyLook plan_look_of(const json& j) {
   StudyLook look;
   look.camera = {value_or_none<int>(j.at("camera")),

@@ -15,15 +15,15 @@
 
 namespace asos {
 
-/// What a report tells of a scene.
+/// The facts that a report tells of a scene.
 struct SceneFacts {
   std::uint64_t triangles = 0;
   double memory_mb = 0.0;  ///< of geometry, textures and hierarchies
   std::size_t lights = 0;
-  std::vector<std::string> left_out;  ///< what the scene does not need
+  std::vector<std::string> left_out;  ///< the features that the scene does not need
 };
 
-/// What one job found out, but for its picture.
+/// The results of one job, but for its picture.
 struct JobRecord {
   Job job;
   Machine machine;

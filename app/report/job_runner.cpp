@@ -22,7 +22,7 @@ std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// Of the bits of the radiance: the same for the same picture, and hardly ever for another.
+/// Hash of the bits of the radiance: the same for the same picture, and hardly ever for another.
 std::string hash_of(const Film& film) {
   std::uint64_t hash = mix_bits(static_cast<std::uint64_t>(film.width));
   for (const glm::vec3& v : film.radiance)

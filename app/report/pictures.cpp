@@ -79,7 +79,7 @@ glm::u8vec3 error_colour(double share) {
 }
 
 glm::u8vec3 region_colour(Region region) {
-  // Of Okabe and Ito's palette, as the split causes'.
+  // Colours of Okabe and Ito's palette, as the split causes'.
   switch (region) {
     case Region::outlines:
       return {240, 228, 66};

@@ -19,13 +19,13 @@ namespace asos {
 namespace fs = std::filesystem;
 namespace {
 
-/// Colours of Okabe and Ito (2008), told apart by the colour-blind; marks and dashes differ, too.
+/// Colours of Okabe and Ito (2008), distinct to the colour-blind; marks and dashes differ, too.
 constexpr std::array colours{"#D55E00", "#0072B2", "#009E73", "#CC79A7",
                              "#E69F00", "#56B4E9", "#000000", "#8A6D00"};
 /// As many marks as share no factor with the colours, so that pairs repeat late.
 constexpr std::array marks{7, 5, 9, 13, 11, 15, 4, 6, 8, 12, 10, 14, 1};
 
-/// What is drawn of a point, and what the axis says.
+/// The quantity that is drawn of a point, and the axis's title.
 struct Quantity {
   const char* ending;
   const char* title;

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// What `asos report` was asked for.
+/// The arguments of `asos report`.
 struct ReportArguments {
   StudyPlan plan;                  ///< complete once `look` has been taken into it
   PictureArguments look;           ///< how its scenes look: what add_look_options fills

@@ -31,7 +31,7 @@ struct PaperRow {
   bool under_floor = false;               ///< the error of ASOS is hardly known
   std::optional<EqualError> equal_error;  ///< beside stochastic sampling at its best
 
-  /// Of stochastic sampling's time to that of ASOS; 0: none was published, or can be told.
+  /// Ratio of stochastic sampling's time to that of ASOS; 0: none was published, or can be told.
   [[nodiscard]] double published_ratio() const {
     return published->rival_minutes / published->asos_minutes;
   }

@@ -60,7 +60,7 @@ Result<std::vector<SubdivisionRow>> subdivide_pixel(const Polygon& polygon) {
   return rows;
 }
 
-/// What lies to the left of a line that runs at 68 degrees past the pixel's middle.
+/// The half-plane to the left of a line that runs at 68 degrees past the pixel's middle.
 Polygon one_edge() {
   const double angle = 68.0 * std::numbers::pi / 180.0;
   const glm::dvec2 along(std::cos(angle), std::sin(angle));

@@ -44,8 +44,8 @@ FatPyray fat_pyray(const View& view, PixelRect block, PixelRect framed,
   return fat;
 }
 
-// Each cell that was examined has a sample of its own. What else the block cast, as to find out
-// whether a patch is evenly lit, its pixels share.
+// Each cell that was examined has a sample of its own. The block's other rays, as those cast to
+// find out whether a patch is evenly lit, are shared by its pixels.
 void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   std::uint64_t told = 0;
   for (const std::uint64_t of_pixel : rays) {
@@ -67,6 +67,7 @@ void publish(const FatPyray& fat, std::span<const Trace> traces, const EyeCaster
   for (int y = 0; y < fat.rows; ++y) {
     for (int x = 0; x < fat.columns; ++x) {
       const std::uint32_t i = fat.index(x, y);
+      // Count the pixel's cells and events.
       const SubdivisionOutcome& outcome = traces[i].outcome;
       const auto& cells = outcome.pyrays_by_level;
       for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
@@ -75,6 +76,7 @@ void publish(const FatPyray& fat, std::span<const Trace> traces, const EyeCaster
       statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
       statistics.saturated_pixels += outcome.saturated;
       statistics.unresolved_area += outcome.unresolved_area;
+      // Publish its radiance, level, cause and rays.
       result.tile.radiance.push_back(caster.colour(i));
       result.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
       const RootSum& sum = caster.sum(i);

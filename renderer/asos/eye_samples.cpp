@@ -8,7 +8,7 @@
 
 namespace asos {
 
-EyeSamples::EyeSamples(const EyeContext& eye) : eye_(&eye), faces_(seen_faces(*eye.settings)) {}
+EyeSamples::EyeSamples(const EyeContext& eye) : eye_(&eye), faces_(culling_of(*eye.settings)) {}
 
 SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
   const std::size_t first = rays_.size();
@@ -37,7 +37,8 @@ SampleId EyeSamples::add_unseen(glm::vec2 point) {
   return static_cast<SampleId>(rays_.size() - 1);
 }
 
-// Of a place to a 2^16th of the block: its last bits are rounding, which the scene's scale decides.
+// A hash of the sample's place to a 2^16th of the block: the last bits of a place are rounding,
+// which the scene's scale decides.
 std::uint64_t EyeSamples::seed(SampleId sample) const {
   const auto bits = [](float x) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::lround(x * 65536.0f)));

@@ -45,7 +45,7 @@ class EyeSamples final : public PatchView {
   [[nodiscard]] Ray ray_through(glm::vec2 p) const;
 
   const EyeContext* eye_;
-  Faces faces_;
+  Culling faces_;
   std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

@@ -41,7 +41,7 @@ void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
 void LeafShader::shade_one(const PyrayLeaf& leaf) {
   if (eye_->mask && !eye_->mask->holds(samples_->at(leaf.sample))) return;
 
-  // What splitting would not make even is sampled.
+  // Leaves that splitting would not make even are sampled.
   std::uint32_t fewest = 0;
   if (refinement_->glints(leaf.sample, leaf.weight)) {
     fewest = few_samples;
@@ -75,7 +75,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     return radiance;
   }
   if (eye_->mask && eye_->mask->blur) {
-    const auto light = viewer.shader.nearest_bare_light(ray);
+    const auto light = viewer.shader.nearest_light_without_geometry(ray);
     blurred_->add(leaf.region, 1.0, glm::dvec3(radiance),
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
@@ -105,17 +105,19 @@ LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const
 // Divides a leaf of a textured surface that no boundary passes through into TR x TR samples of a
 // pixel, each with its own share of the area (CGF'98 section 3.2). False: it is not to be divided.
 bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
+  // Decide whether to divide the leaf.
   const TextureSettings& settings = eye_->settings->texture;
   const LeafRegion& region = leaf.region;
   const double side = static_cast<double>(region.square.side) * eye_->block.width;
   const int n =
       texture_divisions(settings.resolution, side / static_cast<double>(eye_->viewer.pixel));
   const Hit& hit = samples_->hit(leaf.sample);
-  // What a mask cuts off is told by whole leaves only.
+  // Under a mask only whole squares are divided: it is asked about leaves, not their parts.
   const bool masked_part = eye_->mask && !region.border.empty();
   if (n == 1 || region.marginal || masked_part || !hit.valid() ||
       !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->needs))
     return false;
+  // Sample its parts.
   const LeafPlace place{{eye_->block.x, eye_->block.y}, eye_->block.width};
   const std::vector<TexturePart> parts =
       texture_parts(region, n, place, eye_->seed, settings.filter == TextureFilter::point);
@@ -133,6 +135,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
     const PyrayLeaf part{leaf.root, first + i, share, {parts[i].square, {}, parts[i].marginal}};
     (void)add_leaf(part, even ? &whole : refinement_->even_around(part.sample, part.region));
   }
+  // Note their mean as the leaf's.
   const double added = sums_[leaf.root].weight - before.weight;
   const glm::dvec3 radiance = sums_[leaf.root].radiance - before.radiance;
   note_result(leaf, added > 0.0 ? glm::vec3(radiance / added) : glm::vec3(0.0f));
@@ -147,12 +150,14 @@ std::uint32_t LeafShader::add_samples(std::uint32_t root, SampleId sample, const
     sampler_.emplace(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block, eye_->seed,
                      eye_->mask);
   }
+  // Set the goal.
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
   RegionSampler::Goal goal;
   goal.standard_error = eye_->budget.standard_error(weight);
   goal.least = eye_->budget.samples(weight, 1.0, fewest);
   goal.most = eye_->budget.samples(weight, reflected ? 16.0 : 4.0, fewest);
+  // Sample the region; with blur, as its kernel is distributed there.
   const bool blurred = eye_->mask && eye_->mask->blur;
   std::optional<BlurKernel> kernel;
   // The first sample is that of the root's middle.
@@ -160,6 +165,7 @@ std::uint32_t LeafShader::add_samples(std::uint32_t root, SampleId sample, const
   const RegionSampler::Estimate found =
       sampler_->sample(region, goal, *eye_->counts, kernel ? &*kernel : nullptr);
   if (found.samples == 0) return 0;
+  // Add the mean to the root.
   const double held = 1.0 - found.masked_share;
   if (blurred) {
     blurred_->add(region, held, found.mean, samples_->hit(0).t);

@@ -11,7 +11,9 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   if (all == glm::vec3(0.0f)) return;
   const CountForLight count(counts, lit.index);
-  const double visibility = light_visibility(*shadows_, lit, *leaf_, counts);
+  const LitLeaf query{lit, *leaf_};
+  double visibility = 0.0;
+  light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
   if (visibility > 0.0) radiance += static_cast<float>(visibility) * all;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();

@@ -53,7 +53,7 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
     const ShadowVerdict shadow = judge_shadows(sample, region);
     if (shadow.uneven) return {Unevenness::shadow};
     verdict.note = shadow.note;
-    // What is split for its shading need not have its shadows found again for each part.
+    // A leaf that is split for its shading need not have its shadows found again for each part.
     if (shading && region.border.empty() && samples_->opaque(sample) && nearly_flat(sample, share))
       even_.push_back(even_patch(sample, region, verdict.note));
   }
@@ -71,28 +71,30 @@ Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, const LeafR
   const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
   if (material.unlit) return {};
   const SurfacePoint point = samples_->point(sample);
+  const Patch patch = patch_around(sample, region);
   const float reflected = brightest(material) * std::numbers::inv_pi_v<float>;
   const auto level =
       static_cast<int>(std::lround(std::log2(eye_->root_side() / region.square.side)));
   const auto lights = eye_->viewer.shader.lights();
+  // Add up the errors of the lights until they exceed the tolerance.
   float error = 0.0f;
   std::vector<std::uint32_t> saturated;
   for (std::uint32_t i = 0; i < lights.size() && !(error > eye_->budget.tolerance); ++i) {
     if (!lights[i].casts_shadows || !lights[i].extended()) continue;
     const CountForLight count(*eye_->counts, i);
-    const Penumbra penumbra = find_penumbra(
-        *shadows_, {lights[i], i, point, patch_around(sample, region), reflected, level},
-        *eye_->counts);
+    const Penumbra penumbra =
+        find_penumbra(*shadows_, {lights[i], i, point, patch, reflected, level}, *eye_->counts);
     error += penumbra.error;
     if (penumbra.saturated) saturated.push_back(i);
   }
   if (error > eye_->budget.tolerance) return {true};
+  // Note the saturated lights.
   if (saturated.empty()) return {};
   saturated_.push_back(std::move(saturated));
   return {false, static_cast<std::uint32_t>(saturated_.size())};
 }
 
-// Of the surface's shading, but for its boundaries and shadows.
+// The error of the surface's shading by one sample, but for its boundaries and shadows.
 float Refinement::shading_error(SampleId sample, double share, const LeafRegion& region) const {
   const Hit& hit = samples_->hit(sample);
   const Ray& ray = samples_->ray(sample);
@@ -112,7 +114,7 @@ float Refinement::normal_error(SampleId sample, const LeafRegion& region) const 
   return brightest(material) * error * part * part;
 }
 
-// How light from what has a size, or a cone, falls off across a leaf.
+// How the light of lights that have a size, or a cone, falls off across a leaf.
 float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
   const Hit& hit = samples_->hit(sample);
   if (!(extended_lights_ || spots_) || eye_->scene->world().material_of(hit.triangle).unlit)
@@ -185,7 +187,7 @@ bool Refinement::nearly_flat(SampleId sample, double share) const {
   const Patch patch = samples_->patch(sample, share);
   const float size = std::min(glm::length(patch.right), glm::length(patch.down));
   const glm::dvec3 at(samples_->ray(sample).at(hit.t));
-  return 4.0 * eye_->scene->features().departure(hit.triangle, at, size) <
+  return 4.0 * eye_->scene->features().deviation(hit.triangle, at, size) <
          static_cast<double>(size);
 }
 

@@ -1,7 +1,7 @@
 #include "renderer/asos/reflected_pyray.h"
 
 #include "renderer/asos/eye_caster.h"
-#include "renderer/lights/bare_lights.h"
+#include "renderer/lights/lights_without_geometry.h"
 #include "renderer/reflections/mirror_surface.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
 
 // Lights that are seen in mirrors only have no edges among the scene's.
 void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const Shader& shader) {
-  for (const std::uint32_t i : shader.bare_lights()) {
+  for (const std::uint32_t i : shader.lights_without_geometry()) {
     const PreparedLight& light = shader.lights()[i];
     const auto apex = frame.parallel() ? std::nullopt : std::optional(frame.apex());
     for (const auto& light_outline : light_outlines(light, apex, frame.direction())) {
@@ -251,6 +251,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
     mirrored_eye.observed = {leaf.observed.observer,
                              leaf.observed.begin(TracedPyray::Kind::mirror)};
   }
+  // Trace it, or one ray where it is worth no more.
   EyeCaster caster(mirrored_eye, 1);
   bool split = false;
   if (one_ray) {
@@ -263,6 +264,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   } else {
     split = trace_mirrored(mirrored_eye, *sight, leaf, caster, eye.viewer.bounces);
   }
+  // Its eye rays are reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
   return {caster.colour(0), split || caster.sum(0).mirror_cut};

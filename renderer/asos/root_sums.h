@@ -15,7 +15,7 @@ namespace asos {
 /// The leaves of a blurred reflection, which count by a kernel that all of them tell together.
 class BlurredSum {
  public:
-  /// `share`: of the region, that counts. `distance`: of the surface that the leaf shows.
+  /// `share`: the part of the region that counts. `distance`: that of the surface that it shows.
   void add(const LeafRegion& region, double share, glm::dvec3 radiance, float distance);
 
   /// Their mean. The boundaries between the leaves are mostly the nearest surface's: its depth says

@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// What is known of how a pixel was rendered.
+/// The facts about how a pixel was rendered that decide the cause of its split.
 struct PixelFindings {
   SubdivisionOutcome outcome;
   bool by_samples = false;  ///< the safety net split it
@@ -13,7 +13,7 @@ struct PixelFindings {
   bool mirror_cut = false;  ///< a boundary split what one of its leaves mirrors
 };
 
-/// The one cause that a pixel is told to be split for. What keeps it from being resolved comes
+/// The one cause that a pixel is told to be split for. Causes that keep it from being resolved come
 /// first: saturation, then the depth limit. Then what split it first: boundaries come before what
 /// is shaded unevenly between them, and of several kinds of boundaries the outline counts before
 /// an intersection and that before a crease; then what a mirror shows; of unevenness, a shadow

@@ -28,7 +28,7 @@ class Neighbourhood {
     sums.trace();
   }
 
-  /// Of the 3 x 3 samples around a pixel of the block, those that are finite.
+  /// The weighted mean of the 3 x 3 samples around a pixel of the block, of those that are finite.
   [[nodiscard]] glm::vec3 mean(const SampleSums& sums, int x, int y) const {
     glm::dvec3 sum(0.0);
     double weight = 0.0;

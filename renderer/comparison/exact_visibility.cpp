@@ -243,8 +243,8 @@ void ExactVisibility::drop_hidden(const FrameRectangle& cell) {
   });
 }
 
-// What is left of each fragment when every other one is taken away where it is nearer; and of the
-// cell when all of them are.
+// Finds the rest of each fragment when every other one is taken away where it is nearer, and the
+// rest of the cell when all of them are.
 void ExactVisibility::resolve(const FrameRectangle& cell, const std::vector<Fragment>& fragments) {
   for (const Fragment& f : fragments) {
     pieces_.assign(1, f.polygon);

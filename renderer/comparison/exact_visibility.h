@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-// What of a set of triangles is seen through a square of a frame, exactly: beam tracing (CGF'98
-// section 2.6). Slow, in double precision, and made of nothing that the engine is made of: it is
-// what the engine is measured against. Every surface counts as opaque.
+// The exact visibility of a set of triangles through a square of a frame: beam tracing (CGF'98
+// section 2.6). Slow, in double precision, and made of nothing that the engine is made of: the
+// engine is measured against it. Every surface counts as opaque.
 
 namespace asos {
 
@@ -88,7 +88,7 @@ class ExactVisibility {
 
   std::span<const Facet> facets_;
   std::vector<Fragment> fragments_;    // of the cell at hand
-  std::vector<ConvexPolygon> pieces_;  // what is left of one fragment
+  std::vector<ConvexPolygon> pieces_;  // the rest of one fragment
   std::vector<ConvexPolygon> rest_;
   std::vector<VisiblePart> parts_;
 };

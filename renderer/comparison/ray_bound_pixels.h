@@ -13,8 +13,8 @@ namespace asos {
 /// the proximity of the rays to the boundary of an object"; Ohta and Maekawa 1990).
 ///
 /// The ray bounds are pyramids around 8 x 8, 4 x 4, 2 x 2 pixels and one: the same boundaries,
-/// found in the same hierarchy, as those of ASOS with square detection. What lies behind the
-/// surface that `centres` shows in the middle of a bound does not count, but for what lies less
+/// found in the same hierarchy, as those of ASOS with square detection. Boundaries behind the
+/// surface that `centres` shows in the middle of a bound do not count, but for those that lie less
 /// than a few pixels' widths behind it (Cover). `centres` are the hits of the rays through the
 /// pixels' centres, row by row; `block` is no larger than block_size.
 [[nodiscard]] std::vector<std::uint8_t> pixels_with_boundaries(const RenderScene& scene,

@@ -53,7 +53,7 @@ class AdaptiveBlock {
 
   BlockResult run() {
     take_pixels_corners();
-    // What lies between them is kept for a few pixels at a time, so that memory stays bounded.
+    // Samples between them are kept for a few pixels at a time, so that memory stays bounded.
     const int side = std::max(1, most_cells_across >> depth_);
     for (int y = 0; y < job_.block.height; y += side) {
       for (int x = 0; x < job_.block.width; x += side) {
@@ -203,8 +203,8 @@ class AdaptiveBlock {
     if (!stopped_ && sums_.add(sample)) stopped_ = job_.stop.stop_requested();
   }
 
-  // Of a place in a pixel: coarser levels first, so that what a level adds continues a Sobol
-  // sequence over the lights.
+  // The rank of a place in a pixel: coarser levels first, so that what a level adds continues a
+  // Sobol sequence over the lights.
   [[nodiscard]] int rank(int x, int y) const {
     int number = 0;
     for (int level = 1; level <= depth_; ++level) {

@@ -165,7 +165,7 @@ ShapeFeatures shape_features(const World& world) {
 
 // In the unit space a chord of length c leaves the sphere's plane by c^2 / 2, and a cone's by as
 // much over its radius there. Heights above the plane shrink by the length of the normal's image.
-double face_departure(const ShapeFace& face, glm::dvec3 position, double reach) {
+double face_deviation(const ShapeFace& face, glm::dvec3 position, double reach) {
   if (face.kind == ShapeFace::Kind::disk) return 0.0;
   const glm::dvec3 p = face.unit(position);
   const bool sphere = face.kind == ShapeFace::Kind::sphere;
@@ -176,8 +176,8 @@ double face_departure(const ShapeFace& face, glm::dvec3 position, double reach) 
                            : glm::dvec3(1, 0, 0);
   const double radius = sphere ? 1.0 : around;
   const double chord = reach * largest_growth(face.unit_from_world, sphere);
-  const double departure = 0.5 * chord * chord / (radius * glm::length(face.world_normal(n)));
-  return departure < face.size ? departure : face.size;
+  const double deviation = 0.5 * chord * chord / (radius * glm::length(face.world_normal(n)));
+  return deviation < face.size ? deviation : face.size;
 }
 
 double face_stretch(const ShapeFace& face) {

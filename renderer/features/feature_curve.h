@@ -18,7 +18,7 @@ struct FeatureCurve {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   EllipseArc arc;             ///< of a rim
-  bool outline = false;       ///< of `face`, instead of `arc`
+  bool outline = false;       ///< the outline of `face`, instead of `arc`
   std::uint32_t face = none;  ///< index into World::faces: of the side that a rim ends
   Box box;
 
@@ -33,7 +33,7 @@ struct FaceOutline {
   bool has_arc = false;
   EllipseArc arc;
   int line_count = 0;
-  double angle[2] = {0.0, 0.0};  ///< of the lines
+  double angle[2] = {0.0, 0.0};  ///< the rims' angles at which the lines end
 };
 
 /// As seen from the frame's apex, or along its direction.
@@ -49,7 +49,7 @@ struct ShapeFeatures {
 
 /// How far, in world units, a face leaves the plane that touches it at `position` within `reach` of
 /// there; not more than its size.
-[[nodiscard]] double face_departure(const ShapeFace& face, glm::dvec3 position, double reach);
+[[nodiscard]] double face_deviation(const ShapeFace& face, glm::dvec3 position, double reach);
 
 /// How much farther than a sphere of the same width a face leaves the plane that touches it, where
 /// it is seen at a slant: 1 for spheres and round cylinders, 0 for disks.

@@ -1,6 +1,6 @@
 #include "renderer/features/feature_edge.h"
 
-#include "renderer/features/departure.h"
+#include "renderer/features/deviation.h"
 #include "renderer/features/disjoint_sets.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 // Faces whose dihedral angle differs from 180 degrees by less than this (radians, as the sine) are
 // coplanar: a silhouette there would shift the picture by that share of the face's size only.
 constexpr double coplanar_sine = 1e-5;
-// Of triangles on the same three corners that look different, so many are told apart.
+// At most so many triangles on the same three corners that look different are distinguished.
 constexpr std::size_t most_alternatives = 4;
 
 struct HalfEdge {
@@ -216,7 +216,7 @@ class Extractor {
 
   ExtractedFeatures finish() {
     ExtractedFeatures out;
-    out.departure_of_triangle = departures(world_, facets_, edges_);
+    out.deviation_of_triangle = deviations(world_, facets_, edges_);
     out.sheet_of_triangle.resize(world_.triangles.size());
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
       out.sheet_of_triangle[t] = sheets_.find(t);

@@ -53,7 +53,7 @@ struct ExtractedFeatures {
   std::vector<FeatureEdge> edges;
   std::vector<std::uint32_t> sheet_of_triangle;  ///< faces joined by edges that always continue
                                                  ///< the surface smoothly share a sheet
-  std::vector<float> departure_of_triangle;      ///< see FeatureSet::departure
+  std::vector<float> deviation_of_triangle;      ///< see FeatureSet::deviation
   FeatureCounts counts;
 };
 

@@ -14,7 +14,7 @@ FeatureSet::FeatureSet(const World& world, TextureAt texture_at) : positions_(wo
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
-  departure_of_triangle_ = std::move(extracted.departure_of_triangle);
+  deviation_of_triangle_ = std::move(extracted.deviation_of_triangle);
   add_shapes(world);
   add(intersections.get());
   add_shape_intersections(world);
@@ -26,7 +26,7 @@ void FeatureSet::add_shapes(const World& world) {
   faces_ = world.faces;
   for (const ShapeFace& face : faces_) {
     sheet_of_triangle_.push_back(static_cast<std::uint32_t>(sheet_of_triangle_.size()));
-    departure_of_triangle_.push_back(
+    deviation_of_triangle_.push_back(
         face.kind == ShapeFace::Kind::disk ? 0.0f : static_cast<float>(face.size));
   }
   ShapeFeatures shapes = shape_features(world);
@@ -75,7 +75,7 @@ void FeatureSet::add_shape_intersections(const World& world) {
 std::size_t FeatureSet::memory_bytes() const {
   return hierarchy_.nodes.size() * sizeof(FeatureNode) + edges_.size() * sizeof(FeatureEdge) +
          sheet_of_triangle_.size() * sizeof(std::uint32_t) +
-         departure_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
+         deviation_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
          faces_.size() * sizeof(ShapeFace) + positions_.size() * sizeof(glm::vec3);
 }
 

@@ -34,18 +34,18 @@ class FeatureSet {
   }
 
   /// How far, in world units, the smooth surface around a triangle leaves the triangle's plane
-  /// within the next triangles. What lies less far behind the plane may be the surface's own
-  /// outline, where it bends away: the plane does not hide it.
-  [[nodiscard]] float departure(std::uint32_t triangle) const {
-    return departure_of_triangle_[triangle];
+  /// within the next triangles. A boundary that lies less far behind the plane may be the surface's
+  /// own outline, where it bends away: the plane does not hide it.
+  [[nodiscard]] float deviation(std::uint32_t triangle) const {
+    return deviation_of_triangle_[triangle];
   }
 
   /// The same within `reach` of a point of the surface: less for analytic shapes, which are bent
   /// everywhere alike.
-  [[nodiscard]] double departure(std::uint32_t surface, glm::dvec3 position, double reach) const {
-    const std::size_t triangles = departure_of_triangle_.size() - faces_.size();
-    if (surface < triangles) return departure(surface);
-    return face_departure(faces_[surface - triangles], position, reach);
+  [[nodiscard]] double deviation(std::uint32_t surface, glm::dvec3 position, double reach) const {
+    const std::size_t triangles = deviation_of_triangle_.size() - faces_.size();
+    if (surface < triangles) return deviation(surface);
+    return face_deviation(faces_[surface - triangles], position, reach);
   }
 
   /// False where surfaces pass through each other so often that the lines were left out; the safety
@@ -59,7 +59,7 @@ class FeatureSet {
   FeatureHierarchy hierarchy_;
   std::vector<FeatureEdge> edges_;
   std::vector<std::uint32_t> sheet_of_triangle_;
-  std::vector<float> departure_of_triangle_;
+  std::vector<float> deviation_of_triangle_;
   std::vector<FeatureCurve> curves_;
   std::vector<ShapeFace> faces_;      // the world's
   std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections

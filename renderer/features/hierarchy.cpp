@@ -89,7 +89,8 @@ std::optional<Chain> join(std::span<const glm::vec3> positions,
     left.erase(next);
   }
   if (whole.from == whole.to) return std::nullopt;
-  // What lies between two joints is no farther away than they are and it strays from their line.
+  // A chain between two joints is no farther from the line than the joints are, plus its own
+  // deviation.
   const glm::vec3 a = positions[whole.from], b = positions[whole.to];
   whole.deviation = 0.0f;
   for (const Chain& c : all) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr std::uint64_t most_pairs = 200'000'000;
 constexpr std::size_t most_face_pairs = 256;
-// Of the unit surface: nearer than this a plane touches, or meets a rim.
+// The distance, in the space of the unit surface, within which a plane touches it or meets a rim.
 constexpr double touch = 1e-6;
 constexpr double parallel = 1e-9;
 // Straight pieces all around a cone.
@@ -140,7 +140,7 @@ class FaceCutter {
     }
   }
 
-  // Of unit space, by its parts inside the bounds.
+  // Adds an arc of unit space by its parts inside the bounds.
   void add_arc(glm::dvec3 centre, glm::dvec3 cosine, glm::dvec3 sine) {
     EllipseArc arc{face_.world(centre), face_.world_from_unit * cosine,
                    face_.world_from_unit * sine};
@@ -186,7 +186,7 @@ class FaceCutter {
   std::vector<HalfSpace> bounds_;
 };
 
-// Of the faces of different shapes whose boxes overlap.
+// Adds the intersections of the faces of different shapes whose boxes overlap.
 void cross_faces(const World& world, ShapeIntersections& found) {
   const auto triangles = static_cast<std::uint32_t>(world.triangles.size());
   std::vector<Box> boxes;

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// What a material's texture returns at a point of a triangle, each channel 0 to 1 as it is stored:
+/// The value of a material's texture at a point of a triangle, each channel 0 to 1 as it is stored:
 /// not decoded, so that differences are those of a display.
 using TextureAt = glm::vec4 (*)(const World& world, const TextureUse& use, std::uint32_t triangle,
                                 float b1, float b2);

@@ -19,11 +19,11 @@ constexpr double askew = 1e-3;
 struct Rounding {
   glm::dvec3 of_coordinates;
 
-  // Of a distance along n, in units of n's length.
+  // The rounding of a distance along n, in units of n's length.
   [[nodiscard]] double along(glm::dvec3 n) const { return glm::dot(glm::abs(n), of_coordinates); }
 };
 
-// Of the longest side, along its longest axis.
+// The largest extent of a triangle's box along an axis.
 double size_of(const TriangleCorners& t) {
   const glm::dvec3 d = glm::max(t[0], glm::max(t[1], t[2])) - glm::min(t[0], glm::min(t[1], t[2]));
   return std::max({d.x, d.y, d.z});
@@ -79,7 +79,7 @@ std::optional<Stretch> common_line(const TriangleCorners& s, const TriangleCorne
   if (!x) return std::nullopt;
   const std::optional<Stretch> y = crossing(t, s, rounding);
   if (!y) return std::nullopt;
-  // What the two stretches share is the intersection.
+  // The common part of the two stretches is the intersection.
   const glm::dvec3 d = x->q - x->p;
   const double square = glm::dot(d, d);
   if (!(square > 0.0)) return std::nullopt;

@@ -105,7 +105,7 @@ Film::Film(int w, int h)
       seconds(radiance.size(), 0.0f) {}
 
 void Film::put(const FinishedTile& tile) {
-  // What lies outside the picture is left out; a tile whose arrays are too short is not a tile.
+  // Pixels outside the picture are left out; a tile whose arrays are too short is not a tile.
   if (tile.rect.empty()) return;
   const std::size_t pixels = pixels_of(tile.rect);
   if (tile.radiance.size() < pixels || tile.split_level.size() < pixels ||

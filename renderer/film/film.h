@@ -17,15 +17,15 @@ struct FinishedTile {
   std::vector<glm::vec3> radiance;        ///< linear
   std::vector<std::uint8_t> split_level;  ///< deepest level that the pixel split to; 0: not split
   std::vector<SplitCause> cause;          ///< why; methods other than ASOS tell none
-  /// What it cost: the rays of all kinds that were cast for it, and the seconds of its worker's
-  /// processor. What pixels share, in the smallest piece that is told apart, is spread over them
-  /// evenly. Or empty: not told, as of coarse passes.
+  /// The cost of each pixel: the rays of all kinds that were cast for it, and the seconds of its
+  /// worker's processor. A cost that pixels share, in the smallest piece that is measured, is
+  /// spread over them evenly. Empty: not known, as of coarse passes.
   std::vector<float> rays;
   std::vector<float> seconds;
   bool coarse = false;  ///< better pixels follow
 };
 
-/// Copies the pixels that two tiles of one picture share. What they cost is only copied where `to`
+/// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
 /// keeps it, as 0 where `from` does not tell it.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
@@ -53,7 +53,8 @@ struct Film {
 /// Display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. The stopping rules and
 /// the window use the same transform.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev);
-/// The same as bytes, rounded; fast enough for whole pictures. What is not a number shows as black.
+/// The same as bytes, rounded; fast enough for whole pictures. A value that is not a number shows
+/// as black.
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev);
 
 /// The split map's colour of a level on the absolute scale 0..max_level: sRGB bytes, brighter for

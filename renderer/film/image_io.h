@@ -50,8 +50,8 @@ struct ExrImage {
 };
 [[nodiscard]] Result<ExrImage> read_exr(const std::string& path);
 
-/// What a PNG's text chunks or an EXR's string attributes say; which of both it is, is told by its
-/// first bytes. Errors: cannot be read, is neither, its text is damaged.
+/// The text of a PNG's text chunks or an EXR's string attributes; the file's first bytes tell which
+/// of both it is. Errors: cannot be read, is neither, its text is damaged.
 [[nodiscard]] Result<ImageText> read_image_text(const std::string& path);
 
 /// Writes `bytes` to `path` by way of a file beside it. For every file that the program makes.

@@ -24,7 +24,7 @@ enum class SplitCause : std::uint8_t {
 };
 inline constexpr std::size_t split_cause_count = 10;
 
-/// What the causes are called in statistics, in the order of their values.
+/// The names of the causes in statistics, in the order of their values.
 inline constexpr std::array<const char*, split_cause_count> split_cause_names{
     "none",       "outline", "crease",  "intersection", "shadow",
     "reflection", "shading", "cut_out", "saturation",   "depth_limit"};

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// What the split map's colours tell of a pixel: the deepest level, why it was split, the rays that
-/// were cast for it, and the time that it took.
+/// The property of a pixel that the split map's colours show: the deepest level, why it was split,
+/// the rays that were cast for it, and the time that it took.
 enum class SplitMapColours { level, cause, rays, time };
 
 /// The absolute scales of rays and time: logarithmic, from the first to the last.
@@ -19,7 +19,7 @@ struct CostScale {
   [[nodiscard]] double share(double value) const;
 };
 inline constexpr CostScale rays_scale{1.0, 4096.0};
-inline constexpr CostScale seconds_scale{1e-7, 1e-2};  ///< of one processor
+inline constexpr CostScale seconds_scale{1e-7, 1e-2};  ///< seconds of one processor
 [[nodiscard]] const CostScale& cost_scale(SplitMapColours colours);
 
 /// Black at 0 over violet and orange to white at 1 and above, ever brighter: sRGB bytes.
@@ -30,8 +30,8 @@ struct SplitMapKey {
   SplitMapColours colours = SplitMapColours::level;
   int max_level = 0;  ///< of the scale of levels
 
-  /// What is told of a pixel: its level, its cause's number, or where on the scale of 1 to 255 its
-  /// cost lies. 0: nothing is told, and its colour is black.
+  /// The value shown of a pixel: its level, its cause's number, or where on the scale of 1 to 255
+  /// its cost lies. 0: nothing is known, and its colour is black.
   [[nodiscard]] std::uint8_t value(const Film& film, std::size_t pixel) const;
   /// The largest that has a colour of its own.
   [[nodiscard]] std::uint8_t last() const;

@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// What was done to find out how much of one light is seen.
+/// The work done to find out how much of one light is seen.
 struct LightStatistics {
   std::uint64_t shadow_rays = 0;
   std::uint64_t shadow_pyrays = 0;  ///< that were subdivided
@@ -38,13 +38,13 @@ struct RenderStatistics {
   /// ASOS: pixels by their cause; those with none are not counted.
   std::array<std::uint64_t, split_cause_count> pixels_by_cause{};
 
-  /// Of all kinds.
+  /// Rays of all kinds.
   [[nodiscard]] std::uint64_t rays() const { return eye_rays + shadow_rays + reflection_rays; }
   /// Counts shadow rays to a light, here and with that light.
   void count_shadow_ray(std::uint32_t light, std::uint64_t rays = 1);
-  /// The same for pyrays that were subdivided; their rays are counted apart.
+  /// The same for pyrays that were subdivided; their rays are counted separately.
   void count_shadow_pyray(std::uint32_t light, std::uint64_t pyrays = 1);
-  /// Of one light, all zero where it was asked for nothing.
+  /// The statistics of one light, all zero where it was asked for nothing.
   [[nodiscard]] LightStatistics of_light(std::size_t light) const {
     return light < lights.size() ? lights[light] : LightStatistics{};
   }

@@ -24,8 +24,8 @@ Frame Frame::prism(glm::dvec3 corner, glm::dvec3 direction, glm::dvec3 a, glm::d
 }
 
 glm::dvec3 Frame::world(FramePoint p) const {
-  if (parallel_) return apex_ + p.u * a_ + p.v * b_ - p.q * c_;
-  return apex_ + (p.u * a_ + p.v * b_ + c_) / p.q;
+  if (parallel_) return apex_ + p.u * a_ + p.v * b_ - p.nearness * c_;
+  return apex_ + (p.u * a_ + p.v * b_ + c_) / p.nearness;
 }
 
 std::optional<glm::dvec3> Frame::on_plane(glm::dvec2 uv, const HalfSpace& plane) const {

@@ -8,13 +8,13 @@
 
 namespace asos {
 
-/// A point of a frame's square with its nearness: u and v run from 0 to 1 across the pyray; q is
-/// larger for nearer points and linear along straight lines and across planes (1 / W for an apex,
-/// -W for an apex at infinity).
+/// A point of a frame's square with its nearness: u and v run from 0 to 1 across the pyray;
+/// the nearness is larger for nearer points and linear along straight lines and across planes (1 /
+/// W for an apex, -W for an apex at infinity).
 struct FramePoint {
   double u = 0.0;
   double v = 0.0;
-  double q = 0.0;
+  double nearness = 0.0;
 };
 
 /// The projective frame of a root pyray (design section 2): takes a world point p to (U, V, W) with
@@ -46,7 +46,7 @@ class Frame {
     const double q = 1.0 / h.z;
     return {h.x * q, h.y * q, q};
   }
-  /// The world point at (u, v) whose nearness is q.
+  /// The world point at (u, v) of this nearness.
   [[nodiscard]] glm::dvec3 world(FramePoint p) const;
 
   /// Where the line through (u, v) meets a plane: not behind the apex. Nothing where it does not.

@@ -13,14 +13,14 @@ constexpr double least_ring = 1e-7;
 
 /// Where around +Y a coordinate u is, and the way that goes on from there.
 struct Around {
-  double x, z;    // of the unit circle
+  double x, z;    // on the unit circle
   double xu, zu;  // derivatives by u
 
   explicit Around(double u)
       : x(-std::cos(two_pi * u)), z(std::sin(two_pi * u)), xu(two_pi * z), zu(-two_pi * x) {}
 };
 
-/// Of the unit surface.
+/// The point of the unit surface at (u, v), its derivatives and normal.
 FacePoint unit_point(const ShapeFace& face, double u, double v) {
   FacePoint p;
   switch (face.kind) {

@@ -14,8 +14,8 @@
 
 namespace asos {
 
-/// Of the ball around the origin that holds a box; infinite for an empty one. What a view of a
-/// world needs to know of it.
+/// The radius of the ball around the origin that holds a box; infinite for an empty one. A view of
+/// a world needs no more of its box.
 [[nodiscard]] double radius_around_origin(const Box& box);
 
 /// A picture of one pixel: the pyray from an apex through a parallelogram. A mirrored pyray is one.

@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// What is put together by place and by the way it faces.
+/// A point that is grouped by place and by the direction that it faces.
 struct ClusterPoint {
   glm::dvec3 position{0.0};  ///< in units of the size of the whole
   glm::dvec3 facing{0.0};    ///< unit; 0: none

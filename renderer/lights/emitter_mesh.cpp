@@ -12,7 +12,8 @@ namespace {
 // share of its largest triangle's longest edge from that one's plane.
 constexpr double least_cosine = 0.99996;
 constexpr double flatness = 1e-4;
-// What positions rounded to single precision may be off their plane, in their own size.
+// The largest distance of positions rounded to single precision from their plane, in their own
+// size.
 constexpr double rounding = 4.0 * std::numeric_limits<float>::epsilon();
 
 struct Edge {

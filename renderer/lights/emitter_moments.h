@@ -19,9 +19,9 @@ struct PrincipalAxes {
 /// Integrals over a set of triangles.
 struct Moments {
   double area = 0.0;
-  glm::dvec3 power{0.0};        ///< of radiance over the front sides' area: nits times area
+  glm::dvec3 power{0.0};        ///< integral of radiance over the front sides: nits times area
   glm::dvec3 centre{0.0};       ///< centroid of area
-  glm::dvec3 area_vector{0.0};  ///< of the unit normal: 0 for closed surfaces
+  glm::dvec3 area_vector{0.0};  ///< integral of the unit normal: 0 for closed surfaces
   glm::dmat3 normals{0.0};      ///< mean of n n^T: a third of the identity for isotropic ones
   glm::dmat3 spread{0.0};       ///< mean of d d^T, d the way from the centre
   double outward = 0.0;         ///< mean of n . d / mean of |d|: 1 for a sphere, -1 inside out

@@ -15,7 +15,7 @@ constexpr int most_steps = 64;
 constexpr double most_samples_a_part = 4e6;
 // An sRGB byte of 13 beside a white one: what lossy compression may make of black.
 constexpr double dark_share = 4e-3;
-// What texels seen through seams, or noise above that, give a triangle on the whole.
+// The share that texels seen through seams, or noise above that, give a triangle on the whole.
 constexpr double dark_triangle_share = 1e-3;
 // The dimmest triangles that together give this share of a part's power give way to the others.
 constexpr double negligible_share = 5e-3;
@@ -60,7 +60,8 @@ double brightest_channel(glm::dvec3 c) {
   return std::max({c.x, c.y, c.z});
 }
 
-/// What the material's emissive texture is a share of; 0 without one.
+/// The material's emission, in its brightest channel, where its emissive texture is white; 0
+/// without one.
 double full_emission(const Material& material) {
   if (!material.emissive_texture.used()) return 0.0;
   return brightest_channel(material.emissive) * material.emissive_strength;

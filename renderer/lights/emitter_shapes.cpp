@@ -21,7 +21,7 @@ std::optional<Light> shining(Light light, glm::dvec3 strength) {
   return light;
 }
 
-/// Of radiance L and area A: A L / 4 candela, for a ball of radius r shows pi r^2 and has 4 pi r^2.
+/// A ball of radiance L and area A has A L / 4 candela: of its area 4 pi r^2 it shows pi r^2.
 std::optional<Light> ball(const Moments& moments, double sides) {
   Light light;
   light.type = Light::Type::point;

@@ -26,9 +26,10 @@ inline constexpr std::size_t most_corners = 64;
 [[nodiscard]] std::optional<Light> tube_light(std::span<const EmitterTriangle> triangles,
                                               const Piece& piece, const Moments& moments);
 
-/// What faces one way by and large, flat or not: a rectangle at its middle, along its longest
-/// spread (Moments::spread) and of its area; or, for several pieces with gaps between, as large as
-/// they spread if that is more. What faces all ways: a ball of its area.
+/// The light of a piece that faces one way by and large, flat or not: a rectangle at its middle,
+/// along its longest spread (Moments::spread) and of its area; or, for several pieces with gaps
+/// between, as large as they spread if that is more. For a piece that faces all ways: a ball of its
+/// area.
 enum class Extent { area, spread };
 [[nodiscard]] std::optional<Light> one_light(const Moments& moments, bool two_sided, Extent extent);
 

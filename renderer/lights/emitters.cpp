@@ -21,7 +21,7 @@ using std::numbers::pi;
 constexpr std::size_t regions_of_box = 6;
 // Among many regions, those with at least this share of the area keep their outlines.
 constexpr double large_share = 0.1;
-// What a curved piece's rectangles take in: some 30 degrees of normals, a quarter of its length.
+// The extent of a curved piece's rectangles: some 30 degrees of normals, a quarter of its length.
 constexpr double curved_tolerance = 0.5;
 // A surface faces one way if at least this share of it is seen from there.
 constexpr double facing_share = 0.5;
@@ -36,7 +36,7 @@ struct EmissiveSurface {
   double scene_radius = 0.0;
 };
 
-/// What edges join.
+/// Regions that are joined by edges.
 struct ConnectedPiece {
   std::vector<Piece> regions;
   Piece triangles;
@@ -195,7 +195,7 @@ std::vector<Light> lights_of_many(const EmissiveSurface& surface,
   return lights;
 }
 
-/// Of the front side, and the back side where it shines too: nits times area times pi.
+/// The power of the front side, and of the back side where it shines too: nits times area times pi.
 double power(const Light& light) {
   const double brightest = brightest_channel(light.color) * light.intensity;
   switch (light.type) {

@@ -34,9 +34,9 @@ class ContourSum {
   double sum_ = 0.0;
 };
 
-/// Clips a closed outline to a horizon, corner by corner (Sutherland and Hodgman 1974). What a
-/// concave outline leaves is joined along the horizon there and back, which adds up to nothing: the
-/// contour sum of the result is right.
+/// Clips a closed outline to a horizon, corner by corner (Sutherland and Hodgman 1974). The parts
+/// that a concave outline leaves are joined along the horizon there and back, which adds up to
+/// nothing: the contour sum of the result is right.
 template <class Sink>
 class HorizonClip {
  public:

@@ -32,7 +32,8 @@ glm::dvec3 nearest_of_disk(const PreparedLight& light, glm::dvec3 hit) {
   return length > light.radius ? flat * (light.radius / length) : flat;
 }
 
-/// Of a ball (or a sun at the distance 1): from its middle at most a radius towards the ray.
+/// The nearest point of a ball (or a sun at the distance 1): from its middle at most a radius
+/// towards the ray.
 glm::dvec3 nearest_of_ball(glm::dvec3 to_middle, double radius, glm::dvec3 ray) {
   // A ray that leads away is nearest where it starts.
   const double along = std::max(0.0, glm::dot(to_middle, ray));

@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-// Of the free way to a wall: what a light's middle, and its sides, keep to.
+// The shares of the free way to a ceiling or wall that a light's middle, and its sides, keep to.
 constexpr double way_to_ceiling = 0.9;
 constexpr double way_to_wall = 0.8;
 constexpr double half_width_to_distance = 0.25;

@@ -1,6 +1,6 @@
 #include "renderer/lights/lighting.h"
 
-#include "renderer/lights/light_cuts.h"
+#include "renderer/lights/light_intersections.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,13 +22,14 @@ Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
   lighting.emissive_lights = static_cast<std::size_t>(std::count_if(
       lights.begin(), lights.end(), [](const Light& light) { return light.own_part >= 0; }));
   lighting.needs = find_needs(lights);
-  lighting.bare_lights = find_bare_lights(world, lights);
+  lighting.lights_without_geometry = find_lights_without_geometry(world, lights);
   for (const LightRule rule : {LightRule::physical, LightRule::published})
     lighting.by_rule[static_cast<std::size_t>(rule)] = prepared_by(lights, rule);
-  // Where the cuts are does not depend on the rule.
-  const LightCuts cuts = find_light_cuts(world, lighting.prepared(LightRule::physical));
+  // Where the intersections are does not depend on the rule.
+  const LightIntersections intersections =
+      find_light_intersections(world, lighting.prepared(LightRule::physical));
   for (std::vector<PreparedLight>& prepared : lighting.by_rule) {
-    for (std::size_t i = 0; i < prepared.size(); ++i) prepared[i].cuts = cuts[i];
+    for (std::size_t i = 0; i < prepared.size(); ++i) prepared[i].intersections = intersections[i];
   }
   lighting.lights = std::move(lights);
   return lighting;

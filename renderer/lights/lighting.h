@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/lights/bare_lights.h"
+#include "renderer/lights/lights_without_geometry.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/world/needs.h"
 #include "renderer/world/world.h"
@@ -16,19 +16,20 @@ namespace asos {
 /// by which rule, only reads. Immutable once shared.
 struct Lighting {
   std::vector<Light> lights;        ///< positions relative to World::origin
-  std::size_t emissive_lights = 0;  ///< of them: those that stand for emissive meshes
+  std::size_t emissive_lights = 0;  ///< how many of them stand for emissive meshes
   bool default_rig = false;         ///< next to no light came from the scene: they end in a rig
   SceneNeeds needs;                 ///< those of the lights alone
-  BareLights bare_lights;
+  LightsWithoutGeometry lights_without_geometry;
   std::array<std::vector<PreparedLight>, 2> by_rule;  ///< see prepared
 
-  /// In the order of `lights`, with their cuts (find_light_cuts).
+  /// In the order of `lights`, with their intersections (find_light_intersections).
   [[nodiscard]] std::span<const PreparedLight> prepared(LightRule rule) const {
     return by_rule[static_cast<std::size_t>(rule)];
   }
 };
 
-/// Prepares lights to shine on a world. Takes time for each light, and to find their cuts.
+/// Prepares lights to shine on a world. Takes time for each light, and to find the light
+/// intersections.
 [[nodiscard]] Lighting prepare_lighting(const World& world, std::vector<Light> lights);
 
 }  // namespace asos

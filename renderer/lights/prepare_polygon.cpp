@@ -88,7 +88,7 @@ glm::dvec2 best_axis(const std::vector<Outline2>& outlines) {
       const double length = glm::length(side);
       if (!(length > 0.0)) continue;
       const double area = box_along(corners, side / length).area();
-      // A clear gain only: equal boxes must not be told apart by rounding.
+      // A clear gain only: equal boxes must not be distinguished by rounding.
       if (!(area < smallest * (1.0 - 1e-9))) continue;
       smallest = area;
       best = side / length;

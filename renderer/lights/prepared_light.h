@@ -13,12 +13,12 @@
 namespace asos {
 
 /// A straight line in a light's own plane where a surface passes through it.
-struct LightCut {
+struct LightIntersection {
   glm::dvec3 from{0.0};
   glm::dvec3 to{0.0};
 };
-/// One list a light: see find_light_cuts.
-using LightCuts = std::vector<std::vector<LightCut>>;
+/// One list a light: see find_light_intersections.
+using LightIntersections = std::vector<std::vector<LightIntersection>>;
 
 /// A light with what its evaluation needs computed once.
 struct PreparedLight {
@@ -52,7 +52,8 @@ struct PreparedLight {
   double cone_scale = 0.0;  ///< spot: (scale * cos + offset)^2, clamped to 0..1
   double cone_offset = 1.0;
   std::int32_t own_part = -1;
-  std::vector<LightCut> cuts;  ///< polygon, disk: where surfaces of the world pass through it
+  std::vector<LightIntersection>
+      intersections;  ///< polygon, disk: where surfaces of the world pass through it
 
   /// Whether it has a size, so that its shadows have penumbrae.
   [[nodiscard]] bool extended() const { return shape != Shape::point && shape != Shape::distant; }
@@ -62,8 +63,8 @@ struct PreparedLight {
 /// or nothing, never anything that is not finite.
 [[nodiscard]] PreparedLight prepare_light(const Light& light, LightRule rule = LightRule::physical);
 
-/// What a spot's cone and a range leave of the light that goes to a point, 0 to 1: those of the
-/// light's middle stand for all of it.
+/// The share that a spot's cone and a range leave of the light that goes to a point, 0 to 1: those
+/// of the light's middle stand for all of it.
 [[nodiscard]] double attenuation(const PreparedLight& light, glm::dvec3 position);
 
 /// The irradiance that a receiver gets of the whole light with nothing in the way, clipped to both
@@ -79,7 +80,7 @@ struct PreparedLight {
 struct LightSample {
   glm::dvec3 direction{0, 1, 0};  ///< unit, from the receiver
   double distance = 0.0;          ///< to the point; infinite for distant lights and suns
-  glm::vec3 irradiance{0.0f};     ///< what the light gives by this sample's measure if it is seen
+  glm::vec3 irradiance{0.0f};     ///< given by the light by this sample's measure if it is seen
 };
 
 /// Chooses a point by two numbers in 0..1 so that the mean of `irradiance` over the unit square is

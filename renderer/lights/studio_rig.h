@@ -14,7 +14,8 @@
 
 namespace asos {
 
-/// What a white diffuse surface of unit albedo that faces a light of the rig reflects of it.
+/// The radiance that a white diffuse surface of unit albedo reflects of a light of the rig that it
+/// faces.
 inline constexpr double key_radiance = 0.60;
 inline constexpr double fill_radiance = 0.16;
 

@@ -40,7 +40,7 @@ OrderedJson camera_json(const Camera& camera) {
   return fields.take();
 }
 
-/// What View relies on.
+/// The first property that View relies on and a camera lacks; empty: none.
 std::string camera_fault(const Camera& camera) {
   constexpr double slack = 1e-6;
   const glm::dmat3 turn(camera.world_from_camera);

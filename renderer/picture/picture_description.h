@@ -39,7 +39,7 @@ struct PictureDescription {
   glm::dvec3 origin{0.0};  ///< World::origin, which camera and lights are relative to
   Camera camera;
   RenderSettings settings;
-  SkyChoice sky;  ///< of `settings`, where that has none yet
+  SkyChoice sky;  ///< the sky for `settings`, where that has none yet
   NeedsChoice needs = NeedsChoice::scene;
   std::optional<std::vector<Light>> lights;  ///< in place of the scene's own; none: its own
   std::optional<MaterialDfrs> dfrs;          ///< in place of its materials' own; none: their own
@@ -50,7 +50,7 @@ struct PictureDescription {
   [[nodiscard]] std::vector<Light> lights_from(glm::dvec3 other_origin) const;
 };
 
-/// Of a picture of `scene` as it is lit now.
+/// The description of a picture of `scene` as it is lit now.
 [[nodiscard]] PictureDescription describe(const RenderScene& scene, const Camera& camera,
                                           const RenderSettings& settings,
                                           const PictureDisplay& display);
@@ -61,7 +61,7 @@ struct PictureDescription {
 [[nodiscard]] Result<PictureDescription> parse_description(const std::string& text,
                                                            const std::string& file);
 
-/// What a PNG or an EXR file says of itself. Errors name the file.
+/// The description that a PNG or an EXR file holds. Errors name the file.
 [[nodiscard]] Result<PictureDescription> read_description(const std::string& path);
 
 /// Why the scene of the picture in `file` could not be loaded.

@@ -8,10 +8,10 @@
 
 namespace asos {
 
-/// What was counted while a picture was rendered, but for the counts by light.
+/// The counts of a picture's rendering, but for those by light.
 [[nodiscard]] nlohmann::ordered_json counts_json(const RenderStatistics& counts);
 
-/// What a picture's file says of itself: the program and the description.
+/// The text in a picture's file: the program and the description.
 [[nodiscard]] ImageText picture_text(const PictureDescription& description);
 /// The same, and `statistics` as JSON.
 [[nodiscard]] ImageText picture_text(const PictureDescription& description,

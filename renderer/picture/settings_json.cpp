@@ -10,7 +10,8 @@
 namespace asos {
 namespace {
 
-/// Every setting that has a value of its own; crop, DFR and sky may be absent, and are told apart.
+/// Every setting that has a value of its own; crop, DFR and sky may be absent, and are written
+/// separately.
 template <typename Fields, typename Settings>
 void each_setting(Fields& fields, Settings& s) {
   fields("width", s.width);

@@ -15,8 +15,8 @@
 
 namespace asos {
 
-/// What of a scene takes long to build: its surfaces, with the hierarchies of its rays and its
-/// boundaries. Immutable once shared, by scenes in whatever light; stays where it was made, for
+/// The parts of a scene that take long to build: its surfaces, with the hierarchies of its rays and
+/// its boundaries. Immutable once shared, by scenes in whatever light; stays where it was made, for
 /// `rays` points into `world`.
 struct Geometry {
   Geometry() = default;

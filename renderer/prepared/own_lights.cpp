@@ -21,7 +21,7 @@ constexpr double least_share_of_sky = 0.05;
 // A studio's lights that reach a smaller share of what is seen are shut out by walls.
 constexpr double least_reached_share = 0.25;
 
-/// What a surface emits at a point: times its opacity, as the shader adds it.
+/// A surface's emission at a point, times its opacity, as the shader adds it.
 glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, float b2) {
   const Material& m = world.material_of(triangle);
   glm::vec3 emission = m.emissive * m.emissive_strength;
@@ -33,7 +33,7 @@ glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, floa
   return opacity_at(world, triangle, b1, b2) * emission;
 }
 
-/// What a grid of eye rays meets.
+/// The surface points that a grid of eye rays meets.
 std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, const Camera& camera) {
   constexpr int width = 32;
   constexpr int height = 18;
@@ -42,7 +42,7 @@ std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, con
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const Ray ray = view.ray(x + 0.5, y + 0.5);
-      const Hit hit = rays.closest(ray, Faces::as_material_says);
+      const Hit hit = rays.closest(ray, Culling::as_material_says);
       if (!hit.valid()) continue;
       const SurfacePoint point = surface_point(world, {}, hit, -ray.direction);
       seen.push_back({ray.origin, point.position, point.geometric_normal});

@@ -21,7 +21,8 @@ bool finite(glm::dvec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// What the renderer relies on; a light without size, or with a bad direction, gives nothing.
+/// The fault for which the renderer cannot use a light; empty: none. A light without size, or with
+/// a bad direction, gives nothing.
 std::string fault_of(const Light& light, std::span<const Light> built) {
   const glm::vec3 power = light.color * light.intensity;
   bool sound = finite(light.position) && finite(light.direction) && finite(light.half_u) &&

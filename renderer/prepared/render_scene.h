@@ -20,7 +20,7 @@ namespace asos {
 /// its needs those of its parts.
 struct RenderScene {
   std::shared_ptr<const Geometry> geometry;
-  std::shared_ptr<const MaterialDfrs> materials;  ///< what of them can be edited, one for each
+  std::shared_ptr<const MaterialDfrs> materials;  ///< their defocusing ratios, which can be edited
   std::shared_ptr<const Lighting> lighting;
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
   SceneNeeds forced;                             ///< see prepare
@@ -45,12 +45,12 @@ struct RenderScene {
 [[nodiscard]] std::shared_ptr<const RenderScene> unedited_scene(
     std::shared_ptr<const Geometry> geometry, Lighting lighting, const SceneNeeds& forced = {});
 
-[[nodiscard]] inline Faces seen_faces(const RenderSettings& settings) {
-  return settings.cull ? Faces::as_material_says : Faces::all;
+[[nodiscard]] inline Culling culling_of(const RenderSettings& settings) {
+  return settings.cull ? Culling::as_material_says : Culling::none;
 }
 
-/// What a picture of the scene with these settings needs: more than the scene where the settings
-/// ask for it.
+/// The needs of a picture of the scene with these settings: more than the scene's where the
+/// settings ask for it.
 [[nodiscard]] SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings);
 
 /// The shader of a scene's picture, as the settings ask.
@@ -60,7 +60,7 @@ struct RenderScene {
   const bool mirrors = needs_of(scene, settings).mirrors;
   return Shader(
       scene.world(), scene.needs, scene.rays(), *scene.lighting,
-      {settings.shadow.cast, settings.shadow.light_rule, seen_faces(settings),
+      {settings.shadow.cast, settings.shadow.light_rule, culling_of(settings),
        filtered ? &scene.mips() : nullptr, PixelSpacing::of(view), settings.sky.get(),
        mirrors ? settings.mirror.bounces : 0, static_cast<float>(settings.mirror.roughest),
        settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs()});

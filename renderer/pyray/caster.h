@@ -29,7 +29,7 @@ struct PyrayLeaf {
   std::uint32_t root = 0;  ///< number of the root
   SampleId sample = no_sample;
   double weight = 1.0;     ///< share of the root's area
-  LeafRegion region;       ///< of the root frame
+  LeafRegion region;       ///< in the root frame
   std::uint32_t note = 0;  ///< the verdict's
 };
 

@@ -52,7 +52,7 @@ CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> vi
   const auto most_segments = static_cast<std::size_t>(rules.limits.most_boundaries);
   const auto most_pieces = static_cast<std::size_t>(rules.limits.most_pieces);
   if (boundaries.size() > most_segments) {
-    // What is not too long stays as it is: something thin between two chains would be lost.
+    // Few pieces keep their shape: something thin between two chains would be lost.
     const bool long_chains = segments_.size() > most_pieces;
     boundaries = chains_.simplify(segments_, long_chains ? tolerance(cell, rules) : 0.0f);
     result.boundaries = chains_.chain_count();

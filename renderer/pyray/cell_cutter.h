@@ -15,8 +15,8 @@ namespace asos {
 struct CellToCut {
   Square square;
   int level = 0;
-  float root_side = 1.0f;  ///< of its root's square
-  HidingPlane hiding;      ///< of the cover that its visible boundaries were found with
+  float root_side = 1.0f;  ///< side of its root's square
+  HidingPlane hiding;      ///< from the cover that its visible boundaries were found with
 };
 
 /// A cell cut along its boundaries. The spans live until the next cut.
@@ -24,7 +24,7 @@ struct CellCut {
   std::span<const CellPart> parts;        ///< none: it could not be cut
   std::span<const BorderEdge> borders;    ///< of the parts
   std::span<const std::uint32_t> along;   ///< the boundaries, as entries of the hit lists
-  std::span<const std::uint32_t> hidden;  ///< that turned out to be hidden on the way
+  std::span<const std::uint32_t> hidden;  ///< boundaries that turned out to be hidden on the way
   std::size_t boundaries = 0;             ///< edges, or chains where those were counted
 };
 

@@ -45,6 +45,7 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
   const bool has_middle = cell.middle != no_sample;
   std::size_t boundaries = 0;
   visible_.clear();
+  // Boundaries that a sample hid are seen elsewhere in the cell: cut along all of them.
   if (with_own_sample && cell.nothing_hides) {
     state_->search->find_visible(list, state_->search->sight(cell.square, Cover::none()), visible_);
     if (plan_cut(cell_index, {}, boundaries)) return;
@@ -65,9 +66,9 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
              has_middle ? std::span<const glm::vec2>() : std::span(&middle, 1));
     return;
   }
-  // Few: one sample in each part between them. Hopelessly many: samples all over it.
+  // Few boundaries: one sample in each part between them. Hopelessly many: samples all over it.
   if (exact && plan_cut(cell_index, sight.hiding, boundaries)) return;
-  // What might all be hidden has to be seen first.
+  // Saturation needs a sample first: its surface might hide all of the boundaries.
   const bool seen = cell.cover.valid || has_middle;
   if (exact && seen && plan_saturated(cell_index, boundaries)) return;
   // Otherwise marginal.
@@ -79,11 +80,13 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
 bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
                             std::size_t& boundaries) {
   const Cell& cell = level_->cells[cell_index];
+  // Cut the cell.
   const CellCut cut =
       cutter_.cut({cell.square, level_->number, state_->root(cell).square.side, hiding}, visible_,
                   state_->rules, state_->search->lists());
   boundaries = cut.boundaries;
   if (cut.parts.empty()) return false;
+  // Plan a sample in each part.
   Plan& plan = add_plan(Plan::Kind::cut, cell_index, {});
   plan.boundaries = state_->search->kinds_of(cut.along);
   plan.points.count = static_cast<std::uint32_t>(cut.parts.size());
@@ -95,7 +98,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
     parts_.back().first_edge += first_edge;
     points_.emplace_back(part.u, part.v);
   }
-  // Entries that are not among the visible ones; both are in the list's order.
+  // Note the entries that are not among the visible ones; both are in the list's order.
   plan.hidden.first = static_cast<std::uint32_t>(hidden_.size());
   auto next = visible_.begin();
   for (const std::uint32_t i : level_->list(cell)) {
@@ -197,11 +200,12 @@ void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) 
 }
 
 void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
+  // The samples have to hide the boundaries that were taken for hidden.
   if (!stay_hidden(cell, plan, first)) {
     cell.nothing_hides = true;
     return;
   }
-  // One part that is uneven is enough to split the cell.
+  // Make leaves of the parts. One that is uneven is enough to split the cell.
   const int finest = state_->rules.budget.max_level;
   const double whole = state_->weight(cell);
   const std::size_t first_leaf = state_->leaves.size();
@@ -221,6 +225,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     }
     state_->add_leaf(cell, first + i, whole * part.area, region, verdict.note);
   }
+  // Tell observers.
   if (TracedCell* traced = trace(cell, plan, CellFate::cut)) {
     traced->hidden = plan.hidden.count;
     for (std::uint32_t i = 0; i < plan.points.count; ++i) {
@@ -229,6 +234,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
       traced->samples.push_back({leaf.sample, at, leaf.weight, {}, {}});
     }
   }
+  // A cut counts as one more level.
   if (plan.points.count > 1) {
     SubdivisionOutcome& o = state_->outcome(cell);
     o.deepest = std::max(o.deepest, std::min(level_->number + 1, std::max(1, finest)));
@@ -243,6 +249,7 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
   const double whole = state_->weight(cell);
   const Root& root = state_->root(cell);
   TracedCell* traced = trace(cell, plan, CellFate::saturated);
+  // Make a leaf of each jittered sample; the caster adds up its own.
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const double share = whole / plan.points.count;
     state_->add_leaf(cell, first + i, share, {part_of(cell.square, n, i), {}, true});
@@ -255,6 +262,7 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
     const glm::vec2 at = root.place(middle_of(cell.square));
     traced->samples.push_back({plan.own_samples.sample, at, whole, {}, {}});
   }
+  // Count the finest cells as unresolved.
   SubdivisionOutcome& o = state_->outcome(cell);
   o.saturated = true;
   o.boundaries.add(plan.boundaries);

@@ -32,7 +32,7 @@ class CellResolver {
     std::uint32_t first_part = 0;  // as many as points
     Slice hidden;                  // entries taken for hidden
     Slice visible;                 // entries that observers see; only where one looks on
-    SaturatedSamples own_samples;  // of the caster
+    SaturatedSamples own_samples;  // the caster's own
     BoundaryKinds boundaries;
   };
 
@@ -52,7 +52,7 @@ class CellResolver {
   CellLevel* level_ = nullptr;
   SubdivisionState* state_ = nullptr;
   CellCutter cutter_;
-  BoundarySearch::List visible_;  // of the cell that is being planned
+  BoundarySearch::List visible_;  // visible boundaries of the cell that is being planned
   std::vector<Plan> plans_;
   std::vector<glm::vec2> points_;
   std::vector<CellPart> parts_;

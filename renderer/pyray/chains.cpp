@@ -80,7 +80,7 @@ void ChainSimplifier::walk(std::span<const Segment> segments, std::uint32_t star
   std::uint32_t entry = 2 * start + (from_second ? 1u : 0u);
   const auto joint = [&](std::uint32_t end) {
     const Segment& s = segments[end / 2];
-    return end & 1 ? Joint{s.u1, s.v1, s.q1} : Joint{s.u0, s.v0, s.q0};
+    return end & 1 ? Joint{s.u1, s.v1, s.nearness1} : Joint{s.u0, s.v0, s.nearness0};
   };
   chain_.push_back(joint(entry));
   while (entry != none && !used_[entry / 2]) {
@@ -123,12 +123,12 @@ void ChainSimplifier::emit_range(std::size_t first, std::size_t last, float tole
     return;
   }
   // Nearer than the chain anywhere between, so that nothing counts as hidden that is not.
-  float q0 = chain_[first].q, q1 = chain_[last].q;
+  float nearness0 = chain_[first].nearness, nearness1 = chain_[last].nearness;
   for (std::size_t i = first + 1; i < last; ++i) {
-    q0 = std::max(q0, chain_[i].q);
-    q1 = std::max(q1, chain_[i].q);
+    nearness0 = std::max(nearness0, chain_[i].nearness);
+    nearness1 = std::max(nearness1, chain_[i].nearness);
   }
-  simplified_.push_back({a.x, a.y, q0, b.x, b.y, q1, edge_});
+  simplified_.push_back({a.x, a.y, nearness0, b.x, b.y, nearness1, edge_});
 }
 
 }  // namespace asos

@@ -33,7 +33,7 @@ class ChainSimplifier {
     bool second;
   };
   struct Joint {
-    float u, v, q;
+    float u, v, nearness;
   };
 
   void join(std::span<const Segment> segments);
@@ -42,7 +42,7 @@ class ChainSimplifier {
   void emit_range(std::size_t first, std::size_t last, float tolerance);
 
   std::vector<End> ends_;
-  std::vector<std::uint32_t> partner_;  // of end 2 s + (second): the end joined to it, or none
+  std::vector<std::uint32_t> partner_;  // the end joined to end 2 s + (second), or none
   std::vector<std::uint8_t> used_;
   std::vector<Joint> chain_;
   std::uint32_t edge_ = 0;

@@ -17,43 +17,47 @@ namespace asos {
 ///
 /// The surface need not be flat. A boundary counts as behind only if it is deeper than the plane
 /// by `slack`: a few times the cell's width in the world, for a surface that bends away inside the
-/// cell, and as far as the surface is known to leave the plane (FeatureSet::departure), for one
+/// cell, and as far as the surface is known to leave the plane (FeatureSet::deviation), for one
 /// that does so in a facet seen nearly edge-on.
 struct Cover {
-  // Plane: q = (qu u + qv v + q1) at slack 0. Pushed back by a distance s along its normal it is
-  // (q * distance) / (distance + s) for a pyramid and q - s * q_slope for a prism.
-  double qu = 0.0;
-  double qv = 0.0;
-  double q1 = 0.0;
-  double distance = 0.0;   ///< of the apex from the plane; prism: 1 / q_slope
-  double q = 0.0;          ///< nearness of the sample itself
-  double departure = 0.0;  ///< how far the surface may leave the plane, in world units
+  // Plane: nearness = (per_u u + per_v v + at_origin) at slack 0. Pushed back by a distance s along
+  // its normal it is (nearness * distance) / (distance + s) for a pyramid and nearness - s * slope
+  // for a prism.
+  double per_u = 0.0;
+  double per_v = 0.0;
+  double at_origin = 0.0;
+  double distance = 0.0;   ///< of the apex from the plane; prism: 1 / slope
+  double nearness = 0.0;   ///< of the sample itself
+  double deviation = 0.0;  ///< how far the surface may leave the plane, in world units
   bool valid = false;
 
   /// No cover: everything counts.
   static Cover none() { return {}; }
 
-  /// Of a surface with normal `normal` (any length, any sign) at the world point `p`.
-  static Cover plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double departure = 0.0);
+  /// The cover of a surface with normal `normal` (any length, any sign) at the world point `p`.
+  static Cover plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double deviation = 0.0);
 };
 
-/// Of what a ray met.
+/// The cover of a hit.
 [[nodiscard]] Cover cover_of(const Frame& frame, const World& world, const FeatureSet& features,
                              const Hit& hit);
 
-/// A cover for one cell: hides what lies below q = u * qu + v * qv + q1.
+/// A cover for one cell: hides boundaries below the nearness u * per_u + v * per_v + at_origin.
 struct HidingPlane {
-  float qu = 0.0f;
-  float qv = 0.0f;
-  float q1 = -std::numeric_limits<float>::infinity();
+  float per_u = 0.0f;
+  float per_v = 0.0f;
+  float at_origin = -std::numeric_limits<float>::infinity();
 
-  /// Pushed back by `cover_slack` widths of a cell of the given side, and by the departure.
+  /// Pushed back by `cover_slack` widths of a cell of the given side, and by the deviation.
   static HidingPlane of(const Cover& cover, const Frame& frame, float side);
 
-  [[nodiscard]] bool hides(float u, float v, float q) const { return q < qu * u + qv * v + q1; }
-  /// Hides every point of a rectangle whose nearness is at most q.
-  [[nodiscard]] bool hides(float u0, float v0, float u1, float v1, float q) const {
-    return q < (qu > 0.0f ? qu * u0 : qu * u1) + (qv > 0.0f ? qv * v0 : qv * v1) + q1;
+  [[nodiscard]] bool hides(float u, float v, float nearness) const {
+    return nearness < per_u * u + per_v * v + at_origin;
+  }
+  /// Hides every point of a rectangle whose points are no nearer.
+  [[nodiscard]] bool hides(float u0, float v0, float u1, float v1, float nearness) const {
+    return nearness < (per_u > 0.0f ? per_u * u0 : per_u * u1) +
+                          (per_v > 0.0f ? per_v * v0 : per_v * v1) + at_origin;
   }
 };
 

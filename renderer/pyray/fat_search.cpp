@@ -19,6 +19,7 @@ void FatSearch::hand_down(int x, int y, int size, std::span<const std::uint32_t>
   // Any sample inside the square can hide boundaries behind it.
   const Cover cover = (*cover_of_)(x + size / 2, y + size / 2);
   const BoundarySearch::Sight sight = search_->sight(square, cover);
+  // Find the boundaries of the square among its parent's.
   BoundarySearch::List& list =
       size == 1 ? found_[fat_->index(x, y)].list
                 : lists_[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(size)))];
@@ -28,6 +29,7 @@ void FatSearch::hand_down(int x, int y, int size, std::span<const std::uint32_t>
     found_[fat_->index(x, y)].bounded = !clear;
     return;
   }
+  // A clear square holds clear pyrays only.
   if (clear) {
     for (int v = y; v < y + size; ++v) {
       for (int u = x; u < x + size; ++u) {
@@ -37,6 +39,7 @@ void FatSearch::hand_down(int x, int y, int size, std::span<const std::uint32_t>
     }
     return;
   }
+  // Hand the list down to the quarters.
   const int half = size / 2;
   for (int i = 0; i < 4; ++i) hand_down(x + (i & 1) * half, y + (i >> 1) * half, half, list);
 }

@@ -8,7 +8,7 @@ namespace asos {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-// Of the area between a piece and its arc, in finest cells, and of how far they lie apart.
+// The largest area between a piece and its arc, and the largest distance, in finest cells.
 constexpr double most_area = 1.0 / 400.0;
 constexpr double farthest = 1.0 / 16.0;
 constexpr int deepest = 14;
@@ -28,6 +28,7 @@ std::span<const Segment> Flattener::flatten(const Frame& frame, const EllipseArc
     emit(frame, arc, arc.from, arc.from + two_pi, finest_side);
     return segments_;
   }
+  // Emit each run of the arc that is inside, up to the next break.
   const std::size_t last = angles_.size() - 1;
   for (std::size_t i = 0; i < last;) {
     const auto kept = [&](std::size_t k) {
@@ -50,6 +51,7 @@ void Flattener::find_angles(const Frame& frame, const EllipseArc& arc,
                             std::span<const double> breaks, const FlattenBounds& bounds) {
   angles_.clear();
   breaks_.clear();
+  // Find where the arc crosses the sides of the square, drawn out by the margin, and the bounds.
   const auto rows = [&](glm::dvec3 d) {
     return glm::dvec3(glm::dot(frame.row_u(), d), glm::dot(frame.row_v(), d),
                       glm::dot(frame.row_w(), d));
@@ -70,6 +72,7 @@ void Flattener::find_angles(const Frame& frame, const EllipseArc& arc,
                     : glm::dot(half.normal, i == 1 ? arc.cosine : arc.sine);
     });
   }
+  // Add the breaks, and bring all angles into one turn.
   const std::size_t crossings = angles_.size();
   angles_.insert(angles_.end(), breaks.begin(), breaks.end());
   const bool closed = arc.closed();
@@ -80,6 +83,7 @@ void Flattener::find_angles(const Frame& frame, const EllipseArc& arc,
     if (i > 0 || !closed) angles_[i] -= two_pi * std::floor((given - from) / two_pi);
     if (i >= crossings) breaks_.push_back({angles_[i], given});
   }
+  // Add the ends.
   if (!closed) {
     std::erase_if(angles_, [&](double angle) { return angle > arc.to; });
     angles_.push_back(arc.from);
@@ -172,9 +176,9 @@ void Flattener::settle(bool closed) {
   for (std::size_t i = 0; i < last; ++i) {
     Segment s;
     s.u0 = static_cast<float>(at[i].u), s.v0 = static_cast<float>(at[i].v);
-    s.q0 = static_cast<float>(at[i].q);
+    s.nearness0 = static_cast<float>(at[i].nearness);
     s.u1 = static_cast<float>(at[i + 1].u), s.v1 = static_cast<float>(at[i + 1].v);
-    s.q1 = static_cast<float>(at[i + 1].q);
+    s.nearness1 = static_cast<float>(at[i + 1].nearness);
     segments_.push_back(s);
   }
 }

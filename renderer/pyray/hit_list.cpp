@@ -12,7 +12,7 @@
 namespace asos {
 namespace {
 
-// Curves are flattened as for cells of this side where boundaries are told apart however small they
+// Curves are flattened as for cells of this side where boundaries are resolved however small they
 // are.
 constexpr double finest_curve = 1.0 / 4096.0;
 
@@ -20,11 +20,12 @@ constexpr double finest_curve = 1.0 / 4096.0;
 // that it is marginal anyway.
 constexpr std::size_t few_entries = 4;
 constexpr std::size_t many_entries = 16;
-// So many in front of what a sample met that nothing smaller could make the cell less of a tangle.
-constexpr std::size_t tangle_nodes = 64;
+// With so many nodes in front of the surface that a sample met, the cell is saturated with
+// boundaries, whatever smaller ones they hold.
+constexpr std::size_t most_nodes_in_front = 64;
 // Segments are cut this far outside the root square, so that they are straight through its border.
 constexpr double margin = 1.0 / 16.0;
-// What is smaller than this in the square, however it is turned, may be a point in float32. It
+// An edge smaller than this in the square, however it is turned, may be a point in float32. It
 // is kept, so that no sample is taken there.
 constexpr double point_size = 1e-6;
 
@@ -91,13 +92,14 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   root_.clear();
   scene_entries_ = 0;
   if (features_->nodes().empty()) return;
+  // Begin with the cut, or with the hierarchy's root.
   if (bounds_.cut) {
     for (const CutNode& part : *bounds_.cut)
       open_node(features_->nodes()[part.node], part.children);
   } else {
     HitEntry root;
     root.u0 = root.v0 = -std::numeric_limits<float>::infinity();
-    root.u1 = root.v1 = root.q = std::numeric_limits<float>::infinity();
+    root.u1 = root.v1 = root.nearness = std::numeric_limits<float>::infinity();
     entries_.push_back(root);
   }
   root_.resize(entries_.size());
@@ -115,10 +117,10 @@ void HitLists::refine(const Square& cell, const HidingPlane& hiding,
                       std::span<const std::uint32_t> parent, List& list, bool seen) {
   list.clear();
   nodes_in_view_ = 0;
-  most_nodes_in_view_ = seen ? tangle_nodes : std::numeric_limits<std::size_t>::max();
+  most_nodes_in_view_ = seen ? most_nodes_in_front : std::numeric_limits<std::size_t>::max();
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
-  // Few entries left: what hides in the nodes decides.
+  // Few entries are left: open nodes, for their contents decide.
   while (list.size() <= few_entries && !exhausted()) {
     const auto node = std::find_if(list.begin(), list.end(), [&](std::uint32_t i) {
       return !entries_[i].is_segment() && !hidden(i, cell, hiding);
@@ -141,9 +143,9 @@ void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hid
     if (!clip(segments_[e.ref], cell).empty()) list.push_back(i);
     return;
   }
-  const bool is_hidden =
-      hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
-                   std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side), e.q);
+  const bool is_hidden = hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
+                                      std::min(e.u1, cell.u + cell.side),
+                                      std::min(e.v1, cell.v + cell.side), e.nearness);
   const float size = e.extent();
   if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ ||
       nodes_in_view_ >= most_nodes_in_view_ || exhausted()) {
@@ -179,7 +181,7 @@ bool HitLists::resolve(std::uint32_t i, const Square& cell, float tolerance, std
 bool HitLists::straight(const HitEntry& e, float tolerance) const {
   if (e.is_segment() || !e.is_chain()) return false;
   return e.extent() <= tolerance ||
-         e.chain_deviation * (frame_.parallel() ? 1.0f : e.q) * squares_a_unit_ <= tolerance;
+         e.chain_deviation * (frame_.parallel() ? 1.0f : e.nearness) * squares_a_unit_ <= tolerance;
 }
 
 // Makes the segment between a chain's ends, once.
@@ -214,12 +216,13 @@ bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hi
   if (!e.is_segment()) {
     return hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
                         std::min(e.u1, cell.u + cell.side), std::min(e.v1, cell.v + cell.side),
-                        e.q);
+                        e.nearness);
   }
   const Segment& s = segments_[e.ref];
   const Clip c = clip(s, cell);
   for (const float t : {c.t0, c.t1}) {
-    if (!hiding.hides(s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0), s.q0 + t * (s.q1 - s.q0)))
+    if (!hiding.hides(s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0),
+                      s.nearness0 + t * (s.nearness1 - s.nearness0)))
       return false;
   }
   return true;
@@ -248,7 +251,7 @@ void HitLists::open_node(const FeatureNode& node, unsigned children) {
     child.v0 = test.v0[c];
     child.u1 = test.u1[c];
     child.v1 = test.v1[c];
-    child.q = test.q[c];
+    child.nearness = test.nearness[c];
     child.ref = node.child[c];
     child.edge_count = node.edge_count[c];
     child.chain[0] = node.chain[0][c];
@@ -305,6 +308,7 @@ void HitLists::add_curve(std::uint32_t edge) {
 
 // The part of an edge that lies in the pyray, if any.
 void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
+  // Clip the edge to the pyray and to the bounds.
   const glm::dvec3 h0 = frame_.homogeneous(a);
   const glm::dvec3 h1 = frame_.homogeneous(b);
   std::optional<EdgeRange> range = inside(frame_, h0, h1);
@@ -315,16 +319,18 @@ void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
     range->keep(ha + beyond, hb + beyond);
   }
   if (!(range->t0 < range->t1)) return;
+  // Project the part that is left.
   const FramePoint p0 = frame_.project(range->t0 > 0.0 ? h0 + range->t0 * (h1 - h0) : h0);
   const FramePoint p1 = frame_.project(range->t1 < 1.0 ? h0 + range->t1 * (h1 - h0) : h1);
   Segment s;
   s.u0 = static_cast<float>(p0.u), s.v0 = static_cast<float>(p0.v);
   s.u1 = static_cast<float>(p1.u), s.v1 = static_cast<float>(p1.v);
-  s.q0 = static_cast<float>(p0.q), s.q1 = static_cast<float>(p1.q);
+  s.nearness0 = static_cast<float>(p0.nearness), s.nearness1 = static_cast<float>(p1.nearness);
   s.edge = edge;
   // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
   if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1)) return;
-  const double length = glm::distance(a, b) * (frame_.parallel() ? 1.0 : std::max(p0.q, p1.q));
+  const double length =
+      glm::distance(a, b) * (frame_.parallel() ? 1.0 : std::max(p0.nearness, p1.nearness));
   if (s.u0 == s.u1 && s.v0 == s.v1 && !(length * static_cast<double>(squares_a_unit_) < point_size))
     return;
   keep_segment(s);
@@ -335,7 +341,7 @@ void HitLists::keep_segment(const Segment& s) {
   entry.type = HitEntry::Type::segment;
   entry.u0 = std::min(s.u0, s.u1), entry.u1 = std::max(s.u0, s.u1);
   entry.v0 = std::min(s.v0, s.v1), entry.v1 = std::max(s.v0, s.v1);
-  entry.q = std::max(s.q0, s.q1);
+  entry.nearness = std::max(s.nearness0, s.nearness1);
   entry.ref = static_cast<std::uint32_t>(segments_.size());
   segments_.push_back(s);
   entries_.push_back(entry);

@@ -22,9 +22,9 @@ struct HitEntry {
   enum class Type : std::uint8_t { node, leaf, segment };
 
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;
-  float q = 0;
+  float nearness = 0;             ///< the greatest
   std::uint32_t ref = 0;          ///< node, first edge of a leaf, or segment
-  std::uint32_t first_child = 0;  ///< of the entries made when it was opened
+  std::uint32_t first_child = 0;  ///< the first entry made when it was opened
   std::uint32_t chain[2] = {FeatureEdge::none, FeatureEdge::none};  ///< see FeatureNode::chain
   float chain_deviation = 0.0f;
   std::uint32_t chord = FeatureEdge::none;  ///< the entry that stands for the chain, once made
@@ -67,9 +67,9 @@ class HitLists {
 
   /// The list of a cell from its parent's. Drops what misses the cell; opens a node while it is
   /// larger than a quarter of the cell, or while so few entries are left that the cell may turn out
-  /// empty or crossed by one boundary. What `hiding` hides is kept, but never opened. `seen`:
-  /// hiding is what a sample in the cell tells, so that opening may stop where a tangle lies before
-  /// it.
+  /// empty or crossed by one boundary. Entries that `hiding` hides are kept, but never opened.
+  /// `seen`: `hiding` is the surface that a sample in the cell met, so that opening may stop once
+  /// the cell is saturated with boundaries before it.
   void refine(const Square& cell, const HidingPlane& hiding, std::span<const std::uint32_t> parent,
               List& list, bool seen = false);
 
@@ -88,7 +88,7 @@ class HitLists {
     const FeatureEdge& edge = features_->edges()[segment(i).edge];
     return {edge.left_sheet, edge.right_sheet};
   }
-  /// What a segment is from where this frame looks: a crease or a seam whose two faces lie to the
+  /// The kind of a segment as seen in this frame: a crease or a seam whose two faces lie to the
   /// same side of it is a silhouette. Nothing for a boundary that is no feature of the scene.
   [[nodiscard]] std::optional<FeatureKind> kind(std::uint32_t i) const;
   /// The kind of a segment's edge as the scene has it; open where it is no edge of the scene.
@@ -121,9 +121,10 @@ class HitLists {
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;
-  std::size_t nodes_in_view_ = 0;  // of the list being refined: unopened ones that may be seen
+  std::size_t nodes_in_view_ = 0;  // unopened nodes of the list being refined that may be seen
   std::size_t most_nodes_in_view_ = 0;
-  float squares_a_unit_ = 1.0f;  // what a length across the view covers of the square, at q = 1
+  float squares_a_unit_ =
+      1.0f;  // length in the square of a world unit across the view, at nearness 1
   std::vector<HitEntry> entries_;
   std::vector<Segment> segments_;
   Flattener flattener_;

@@ -93,13 +93,14 @@ NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame
     at[r] = along(frame.row[r], c);
     reach[r] = along(frame.row_abs[r], h);
   }
+  // Which boxes meet the pyray, and their rectangles and greatest nearness.
   Masks inside =
       (at[0] + reach[0] >= 0.0f) & (at[1] + reach[1] >= 0.0f) & (at[2] + reach[2] >= 0.0f);
   Floats u0 = at[0] - reach[0], u1 = at[0] + reach[0];
   Floats v0 = at[1] - reach[1], v1 = at[1] + reach[1];
-  Floats q;
+  Floats nearness;
   if (frame.parallel) {
-    q = reach[2] - at[2];
+    nearness = reach[2] - at[2];
     inside &= (u0 <= 1.0f) & (v0 <= 1.0f);
   } else {
     for (int r = 0; r < 2; ++r)
@@ -112,7 +113,7 @@ NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame
     u1 = ahead ? u1 * (u1 < 0.0f ? q_far : q_near) : all(infinity);
     v0 = ahead ? v0 * (v0 < 0.0f ? q_near : q_far) : all(-infinity);
     v1 = ahead ? v1 * (v1 < 0.0f ? q_far : q_near) : all(infinity);
-    q = ahead ? q_near : all(infinity);
+    nearness = ahead ? q_near : all(infinity);
   }
   // No silhouette below: |axis . view| > sin(cone + ball), where the ball is the box's, seen from
   // the apex, and both angles together stay below a right one. All times the distance.
@@ -131,11 +132,12 @@ NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame
   const Masks no_silhouette =
       (cone_cosine * ball_cosine > cone_sine * ball_sine) & (facing > limit);
 
+  // Store the children that are kept.
   static_assert(width == 8);
   NodeTestResult out;
   store(u0, out.u0), store(u1, out.u1);
   store(v0, out.v0), store(v1, out.v1);
-  store(q, out.q);
+  store(nearness, out.nearness);
   const Masks bits = {1, 2, 4, 8, 16, 32, 64, 128};
   Masks always;
   for (int i = 0; i < width; ++i) always[i] = node.always[i];

@@ -18,14 +18,15 @@ struct NodeTestFrame {
   bool parallel;
 };
 
-/// What is left of a node's children: the rectangle of each in the frame and its greatest nearness.
+/// The children of a node that are kept: the rectangle of each in the frame and its greatest
+/// nearness.
 struct NodeTestResult {
   unsigned kept = 0;  ///< bit i: child i may bound something inside the square
   float u0[FeatureNode::width];
   float v0[FeatureNode::width];
   float u1[FeatureNode::width];
   float v1[FeatureNode::width];
-  float q[FeatureNode::width];
+  float nearness[FeatureNode::width];
 };
 
 /// Tests all children of a node: outside the pyray, or no silhouette as seen from the apex (by the

@@ -31,11 +31,11 @@ enum class CellFate {
 struct TracedSample {
   static constexpr std::uint32_t no_triangle = 0xffffffffu;
 
-  SampleId id = no_sample;  ///< of the caster
+  SampleId id = no_sample;  ///< the caster's number
   glm::vec2 at{0.0f};
   double weight = 0.0;                   ///< share of the pyray
   glm::vec3 radiance{0.0f};              ///< linear; shadows: the visibility of the light
-  std::uint32_t triangle = no_triangle;  ///< of the world, that it met
+  std::uint32_t triangle = no_triangle;  ///< the world's triangle that it met
 };
 
 /// A piece of a boundary that may be visible, clipped to what the detection of its cell reaches.

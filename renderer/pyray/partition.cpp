@@ -10,7 +10,7 @@ namespace asos {
 namespace {
 
 // Points closer than this, in cells, are one. Segments come in single precision of the root frame,
-// so nothing much finer has a meaning. What is smaller leaves a speck, which is given to what lies
+// so nothing much finer has a meaning. A smaller piece leaves a speck, which is given to the parts
 // around it: at most snap^2 of the cell each.
 constexpr double snap = 4e-6;
 bool on_border(glm::dvec2 p) {
@@ -86,6 +86,7 @@ bool CellPartition::add_piece(const Segment& s) {
   const glm::dvec2 p = (glm::dvec2(s.u0, s.v0) - corner) * scale;
   const glm::dvec2 d = (glm::dvec2(s.u1, s.v1) - corner) * scale - p;
   if (!std::isfinite(p.x + p.y + d.x + d.y)) return false;
+  // Clip the segment to the cell.
   double t0 = 0.0;
   double t1 = 1.0;
   for (int k = 0; k < 2; ++k) {
@@ -99,6 +100,7 @@ bool CellPartition::add_piece(const Segment& s) {
     t1 = std::min(t1, std::max(x, y));
   }
   if (!(t0 < t1)) return true;
+  // Along a side it cuts nothing off; a very short one bounds nothing.
   const Piece piece{snapped(p + t0 * d), snapped(p + t1 * d)};
   if (same_side(piece.p, piece.q)) return true;
   if (glm::distance(piece.p, piece.q) < snap) {
@@ -139,6 +141,7 @@ bool CellPartition::cut_by_one() {
     int n = 1;
     for (int c = static_cast<int>(std::floor(from)) + 1; c < to; ++c) polygon[n++] = corners[c % 4];
     polygon[n++] = part == 0 ? piece.q : piece.p;
+    // Sum up the area and the centroid, triangle by triangle.
     double area = 0.0;
     glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
     const std::size_t first_edge = borders_.size();
@@ -182,10 +185,12 @@ void CellPartition::add_edge(std::uint32_t a, std::uint32_t b) {
 
 // Makes nodes of all ends and crossings, and edges between neighbouring nodes of each piece.
 void CellPartition::split_pieces() {
+  // Make nodes of the ends.
   for (const Piece& piece : pieces_) {
     (void)node_at(piece.p);
     (void)node_at(piece.q);
   }
+  // Make nodes of the crossings.
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
       const glm::dvec2 d = pieces_[i].q - pieces_[i].p;
@@ -197,6 +202,7 @@ void CellPartition::split_pieces() {
       if (t > 0.0 && t < 1.0 && s > 0.0 && s < 1.0) (void)node_at(snapped(pieces_[i].p + t * d));
     }
   }
+  // Join the nodes along each piece, in their order.
   for (const Piece& piece : pieces_) {
     const glm::dvec2 d = piece.q - piece.p;
     const double length = glm::length(d);

@@ -16,7 +16,7 @@ struct CellPart {
   float u = 0.0f;     ///< a point well inside it, in the root frame
   float v = 0.0f;
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;  ///< its bounding rectangle
-  std::uint32_t first_edge = 0;          ///< of its sides, one after the other
+  std::uint32_t first_edge = 0;          ///< the first of its sides, which are consecutive
   std::uint32_t edge_count = 0;
 };
 
@@ -27,7 +27,7 @@ struct CellPart {
 class CellPartition {
  public:
   /// The parts, their areas adding up to 1, or nothing where the lines are too many for
-  /// `max_parts` or too nearly degenerate to be told apart: the cell then has to be subdivided.
+  /// `max_parts` or too nearly degenerate to be resolved: the cell then has to be subdivided.
   [[nodiscard]] std::span<const CellPart> cut(const Square& cell, std::span<const Segment> segments,
                                               std::size_t max_parts);
 

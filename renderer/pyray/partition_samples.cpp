@@ -25,6 +25,7 @@ bool CellPartition::inside_part(std::int32_t part, glm::dvec2 p) const {
 // Area, and the centroid where it lies well inside; else the clearest place among it and the
 // middles of a few chords: a boundary may lie a little beside where it is drawn.
 bool CellPartition::place_sample(std::int32_t part, const Loop& outer) {
+  // Sum up the area, the centroid and the bounds.
   double area = 0.0;
   glm::dvec2 centroid(0.0), lo(1.0), hi(0.0);
   const std::size_t first_edge = borders_.size();

@@ -28,7 +28,7 @@ struct Pyray {
 struct FatPyray {
   Frame frame;
   int side = 1;     ///< side x side pyrays; a power of two
-  int columns = 1;  ///< of those that are wanted, from the top left
+  int columns = 1;  ///< columns x rows of them are wanted, from the top left
   int rows = 1;
   int border = 0;        ///< steps of the frame around them
   double width = 1.0;    ///< of a pyray's square, in steps

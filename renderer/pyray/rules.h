@@ -12,11 +12,12 @@ namespace asos {
 /// which there are many and whose children are cheap; a light is looked at once, from afar, and its
 /// parts cost a ray each.
 struct CutLimits {
-  int least_parts = 16;      ///< that are allowed at any level
+  int least_parts = 16;      ///< parts that are allowed at any level
   int most_groups = 8;       ///< groups of boundaries that are resolved at all
   int most_boundaries = 12;  ///< edges, or chains of edges
   int most_pieces = 32;      ///< straight pieces of a few chains
-  /// Of chains, in roots; 0: a 64th of a finest cell, and less in larger ones.
+  /// The tolerance on simplified chains, in roots; 0: a 64th of a finest cell, and less in larger
+  /// ones.
   float tolerance = 0.0f;
 };
 

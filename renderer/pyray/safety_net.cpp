@@ -20,6 +20,7 @@ struct Splitter {
     const double weight = 1.0 / static_cast<double>(1ull << (2 * level));
     outcome.deepest = std::max(outcome.deepest, level);
     outcome.pyrays_by_level.at(static_cast<std::size_t>(level)) += 4;
+    // Sample the middles of the four quarters.
     std::array<glm::vec2, 4> points;
     for (int i = 0; i < 4; ++i) {
       const Square child = square.quarter(i);
@@ -29,10 +30,12 @@ struct Splitter {
     bool differ = false;
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
+    // Split further where they show different surfaces.
     if ((differ || level < first_trusted_level) && level < max_level) {
       for (int i = 0; i < 4; ++i) split(square.quarter(i), level + 1);
       return;
     }
+    // Else make a leaf of each.
     if (differ) outcome.unresolved_area += 4.0 * weight;
     for (std::uint32_t i = 0; i < 4; ++i)
       leaves.push_back(

@@ -24,11 +24,11 @@ struct Square {
   }
 };
 
-/// A straight piece of a boundary in a root frame: u, v and the nearness q (see FramePoint) are
+/// A straight piece of a boundary in a root frame: u, v and the nearness (see FramePoint) are
 /// linear along it.
 struct Segment {
-  float u0 = 0, v0 = 0, q0 = 0;
-  float u1 = 0, v1 = 0, q1 = 0;
+  float u0 = 0, v0 = 0, nearness0 = 0;
+  float u1 = 0, v1 = 0, nearness1 = 0;
   std::uint32_t edge = 0;  ///< index into FeatureSet::edges
 };
 

@@ -12,7 +12,7 @@ namespace asos {
 
 /// How one object stands after level K: a row of the papers' tables (GI'93 tables 1 and 2).
 struct ObjectTally {
-  /// What lies in clusters: boundaries so small that they were not told apart.
+  /// The number that stands for clusters: boundaries so small that they were not resolved.
   static constexpr std::uint32_t clusters = 0xfffffffeu;
 
   std::uint32_t object = 0;  ///< a sheet of the FeatureSet

@@ -18,6 +18,7 @@ std::span<const SubdivisionOutcome> Subdivider::run(BoundarySearch& search,
   CellLevel* next = &levels_[1];
   for (int number = 0; !current->cells.empty() && !caster.cancelled(); ++number) {
     current->number = number;
+    // Count the level's cells.
     for (const Cell& cell : current->cells) {
       SubdivisionOutcome& o = state_.outcome(cell);
       o.deepest = std::max(o.deepest, number);
@@ -76,15 +77,17 @@ void Subdivider::stop_roots(CellLevel& level) {
   finish_marginal(level);
 }
 
-// Counts the marginal cells of one root. What they are marginal to matters to the published rule
-// and to observers only.
+// Counts the marginal cells of one root. The objects that they are marginal to matter to the
+// published rule and to observers only.
 void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
   tally_.start(level.number);
+  // Without them count the cells alone.
   if (state_.rules.rule == StoppingRule::unresolved && !state_.root(cells.front()).traced) {
     tally_.marginal = static_cast<std::uint32_t>(std::count_if(
         cells.begin(), cells.end(), [](const Cell& cell) { return !cell.is_uneven(); }));
     return;
   }
+  // Find the objects near each cell.
   const HitLists& lists = state_.search->lists();
   for (const Cell& cell : cells) {
     if (cell.is_uneven()) continue;
@@ -110,6 +113,7 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
 void Subdivider::finish_marginal(CellLevel& level) {
   const bool at_limit = level.number >= state_.rules.budget.max_level;
   const bool anew = state_.rules.jitter && level.number == state_.rules.budget.max_level;
+  // Sample the cells that end here anew where they are jittered; the others keep their middles.
   points_.clear();
   for (const Cell& cell : level.cells) {
     if (!cell.done) continue;
@@ -117,6 +121,7 @@ void Subdivider::finish_marginal(CellLevel& level) {
                            : glm::vec2(cell.square.centre_u(), cell.square.centre_v()));
   }
   SampleId sample = anew && !points_.empty() ? state_.caster->probe(points_) : 0;
+  // Make a leaf of each.
   auto point = points_.begin();
   for (const Cell& cell : level.cells) {
     if (!cell.done) continue;

@@ -44,7 +44,7 @@ struct SubdivisionOutcome {
 struct Cell {
   Square square;
   std::uint32_t root = 0;
-  std::uint32_t first = 0;  ///< of its list, in the level's entries
+  std::uint32_t first = 0;  ///< where its list begins in the level's entries
   std::uint32_t count = 0;
   Cover cover{};  ///< of a sample in the cell's closure
   SampleId middle = no_sample;

@@ -151,21 +151,25 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       const std::uint32_t i = fat.index(x, y);
       Root root{fat.square_of(x, y, 1), {}, i, i, fat.seed_of(x, y), nullptr};
       if (i == observed) root.traced = traced;
+      // A bounded pyray is subdivided.
       if (fat_search_.bounded(i)) {
         root.list = fat_search_.list(i);
         roots_.push_back(root);
         continue;
       }
+      // A missed one goes to the safety net.
       if (traces_[i].by_samples) {
         traces_[i].outcome = split_by_samples(root, max_level, caster);
         continue;
       }
+      // A clear one that is shaded too unevenly is subdivided, too.
       const LeafRegion whole{root.square, {}};
       const LeafVerdict verdict = max_level > 0 ? caster.judge(i, 1.0, whole) : LeafVerdict{};
       if (verdict.uneven != Unevenness::none) {
         roots_.push_back(root);
         continue;
       }
+      // Else it is one leaf.
       if (root.traced)
         root.traced->cells.emplace_back().samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
       const PyrayLeaf leaf{i, i, 1.0, whole, verdict.note};
@@ -173,6 +177,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       traces_[i].outcome.pyrays_by_level[0] = 1;
     }
   }
+  // Subdivide them together.
   const auto done = subdivider_.run(search_, roots_, rules, caster);
   for (std::size_t k = 0; k < done.size(); ++k) traces_[roots_[k].id].outcome = done[k];
 }

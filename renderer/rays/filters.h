@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-// What Embree asks of us at a hit. Internal to this folder.
+// The filters that Embree calls at a hit. Internal to this folder.
 
 namespace asos::tracing {
 
@@ -29,7 +29,7 @@ struct Group {
   const World* world = nullptr;
   AlphaAt alpha = nullptr;
   SurfaceKind kind = SurfaceKind::opaque;
-  bool owned = false;  ///< of parts that are the surfaces of lights
+  bool owned = false;  ///< its parts are the surfaces of lights
   std::vector<std::uint32_t> triangles;
   float scale = 1.0f;  ///< EmbreeScene::scale
 
@@ -38,7 +38,7 @@ struct Group {
   }
 };
 
-/// What the surfaces that let light through leave of a packet's rays, by the rays' ids.
+/// The light that a packet's rays keep behind surfaces that let light through, by the rays' ids.
 struct Lanes {
   std::array<float, most_lanes> transmittance;
   std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first
@@ -82,16 +82,16 @@ struct Context {
 };
 static_assert(offsetof(Context, base) == 0, "the filters cast Embree's context back");
 
-/// Of a geometry, for closest hits: drops an ignored part, and holes; with lanes, blended surfaces
-/// too, whose attenuation is collected.
+/// The filter of a geometry for closest hits: drops an ignored part, and holes; with lanes, blended
+/// surfaces too, whose attenuation is collected.
 void closest_filter(const RTCFilterFunctionNArguments* args);
 
-/// Of a geometry, for shadow rays: drops an ignored part, holes, and blended surfaces as long as
-/// light is left. Needs lanes.
+/// The filter of a geometry for shadow rays: drops an ignored part, holes, and blended surfaces as
+/// long as light is left. Needs lanes.
 void shadow_filter(const RTCFilterFunctionNArguments* args);
 
-/// Of a context, so that only queries that ask for it pay: drops the backs of single-sided
-/// surfaces.
+/// The filter of a context, so that only queries that ask for it pay: drops the backs of
+/// single-sided surfaces.
 void back_filter(const RTCFilterFunctionNArguments* args);
 
 }  // namespace asos::tracing

@@ -89,7 +89,7 @@ void RayScene::Impl::pass_backs(std::span<const Ray> rays, std::span<Hit> hits) 
   if (count > 0) trace();
 }
 
-void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Faces faces) const {
+void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const {
   if (!impl_) {
     std::fill(hits.begin(), hits.end(), Hit{});
     return;
@@ -97,12 +97,12 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Faces fac
   Context context = impl_->nearest(rays.size());
   impl_->intersect(context, rays,
                    [hits](std::size_t i, std::size_t, const Hit& hit) { hits[i] = hit; });
-  if (faces == Faces::as_material_says && impl_->embree.sides().any_single_sided) {
+  if (faces == Culling::as_material_says && impl_->embree.sides().any_single_sided) {
     impl_->pass_backs(rays, hits);
   }
 }
 
-Hit RayScene::closest(const Ray& ray, Faces faces) const {
+Hit RayScene::closest(const Ray& ray, Culling faces) const {
   Hit hit;
   closest(std::span(&ray, 1), std::span(&hit, 1), faces);
   return hit;

@@ -12,24 +12,25 @@
 
 namespace asos {
 
-/// What a ray's alpha test needs to know of a world: opacity of `triangle` at (b1, b2), 0 to 1.
+/// Opacity of `triangle` at (b1, b2), 0 to 1, for a ray's alpha test.
 using AlphaAt = float (*)(const World& world, std::uint32_t triangle, float b1, float b2);
 
-/// Which sides of surfaces a ray meets.
-enum class Faces : std::uint8_t {
-  all,
+/// The sides of surfaces that a ray does not meet.
+enum class Culling : std::uint8_t {
+  none,  ///< both sides are met
   /// A ray goes through the back of a single-sided material's triangle as if it were not there, as
   /// glTF 2.0 says for what a viewer sees (section 3.9.4, doubleSided; which side is the back:
   /// meets_back).
   as_material_says,
 };
 
-/// What a shadow ray meets on its way.
+/// The surfaces that a shadow ray meets on its way.
 struct Blocker {
   /// The nearest surface that blocks all light: opaque, or masked where its opacity reaches the
   /// cut-off; not valid if there is none.
   Hit hit;
-  /// What `RayScene::transmittance` says: 0 if blocked, else what blended surfaces leave.
+  /// The same as `RayScene::transmittance`: 0 if blocked, else the share that blended surfaces
+  /// leave.
   float transmittance = 1.0f;
   /// Whether the ray met the geometry of a masked or blended material no farther than `hit` (which
   /// may be masked itself), hole or not: rays nearby may then fare otherwise, although no outline
@@ -65,8 +66,8 @@ class RayScene {
                                               const SceneNeeds& forced = {});
 
   /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
-  void closest(std::span<const Ray> rays, std::span<Hit> hits, Faces faces = Faces::all) const;
-  [[nodiscard]] Hit closest(const Ray& ray, Faces faces = Faces::all) const;
+  void closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces = Culling::none) const;
+  [[nodiscard]] Hit closest(const Ray& ray, Culling faces = Culling::none) const;
 
   /// The share of light that passes along each ray, 0 (blocked) to 1; `shares` is as long as
   /// `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
@@ -74,11 +75,11 @@ class RayScene {
                      std::int32_t ignored_part = -1) const;
   [[nodiscard]] float transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
 
-  /// What each ray meets on its way to a light; `blockers` is as long as `rays`.
+  /// The surfaces that each ray meets on its way to a light; `blockers` is as long as `rays`.
   void blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
                 std::int32_t ignored_part = -1) const;
 
-  /// What Embree holds for this scene, and the copies made for it.
+  /// The memory that Embree holds for this scene, and the copies made for it.
   [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Rays traced at once by the queries for spans: 16, 8, 4 or 1. Chosen for the processor by

@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// What the parts of a blurred reflection's square count for: each coordinate's weight is a box as
+/// The weights of the parts of a blurred reflection's square: each coordinate's weight is a box as
 /// wide as the pyray would be without blur, convolved with the lobe's box, so a trapezoid over 0 to
 /// 1, and all of it together is 1.
 class BlurKernel {
@@ -14,8 +14,9 @@ class BlurKernel {
   /// The share of the whole width that is the narrower of the two boxes, or the wider: 0 to 1 each.
   explicit BlurKernel(glm::dvec2 share);
 
-  /// Of a region: exact for straight sides (Green's theorem; along a side the integrand is a cubic
-  /// between the trapezoid's kinks, which two points of Gauss and Legendre integrate exactly).
+  /// The integral over a region: exact for straight sides (Green's theorem; along a side the
+  /// integrand is a cubic between the trapezoid's kinks, which two points of Gauss and Legendre
+  /// integrate exactly).
   [[nodiscard]] double integral(const LeafRegion& region) const;
 
   /// Where a point that is uniform in a square would be if it were distributed as the kernel is

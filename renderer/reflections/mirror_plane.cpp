@@ -23,13 +23,13 @@ bool lies_in(const MirrorPlane& plane, const World& world, std::uint32_t triangl
 
 bool met_mirror(const MirrorPlane& plane, const World& world, const Ray& ray, const Hit& hit) {
   return hit.valid() && !world.is_face(hit.triangle) &&
-         plane.above.height(glm::dvec3(ray.at(hit.t))) < plane.skin &&
+         plane.above.height(glm::dvec3(ray.at(hit.t))) < plane.hit_tolerance &&
          lies_in(plane, world, hit.triangle);
 }
 
 }  // namespace
 
-void pass_mirror(const MirrorPlane& plane, const World& world, const RayScene& scene, Faces faces,
+void pass_mirror(const MirrorPlane& plane, const World& world, const RayScene& scene, Culling faces,
                  std::span<Ray> rays, std::span<Hit> hits) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     for (int k = 0; k < most_passed && met_mirror(plane, world, rays[i], hits[i]); ++k) {

@@ -10,8 +10,8 @@ namespace {
 // A shading normal this close to the triangle's is the triangle's.
 constexpr float same_normal = 1.0f - 1e-6f;
 
-// Of the length of a ray, and of the coordinates that it starts at, by how much single precision
-// moves where it meets a plane.
+// How far single precision moves the point where a ray meets a plane, as a share of its length and
+// of the coordinates that it starts at.
 constexpr double ray_rounding = 4.0 * std::numeric_limits<float>::epsilon();
 
 // The plane of the triangle through one of its corners, which rounding has not moved. Rays start
@@ -26,7 +26,7 @@ void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSur
   const glm::dvec3 unit = glm::dot(n, surface.normal) < 0.0 ? -n / length : n / length;
   surface.position -= glm::dot(surface.position - p0, unit) * unit;
   surface.normal = surface.geometric = unit;
-  surface.skin = surface.clearance;
+  surface.hit_tolerance = surface.clearance;
   const glm::dvec3 p = glm::abs(surface.position);
   const double rounding = ray_rounding * (std::max({p.x, p.y, p.z}) + ray_length);
   surface.clearance = std::min(surface.clearance, rounding);
@@ -64,9 +64,9 @@ MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePo
 }
 
 std::optional<MirrorPlane> plane_of(const MirrorSurface& surface) {
-  if (!(surface.skin > 0.0)) return std::nullopt;
+  if (!(surface.hit_tolerance > 0.0)) return std::nullopt;
   return MirrorPlane{{surface.geometric, glm::dot(surface.geometric, surface.position)},
-                     surface.skin};
+                     surface.hit_tolerance};
 }
 
 IncidentPyray pyray_around(const PixelSpacing& spacing, const Ray& ray, float t, float side) {

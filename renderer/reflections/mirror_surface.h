@@ -11,7 +11,7 @@ namespace asos {
 
 /// The mirror that a pyray meets at a point of the world, whose hit is `hit`. With `bent`, the turn
 /// of its normals across the pyray's patch; without, it is taken for its tangent plane, which lies
-/// behind a hollow. Of flat triangles the plane is the triangle's own, in
+/// behind a hollow. For flat triangles the plane is the triangle's own, in
 /// double precision.
 [[nodiscard]] MirrorSurface mirror_surface(const World& world, const Hit& hit,
                                            const SurfacePoint& point, const IncidentPyray& pyray,

@@ -16,7 +16,7 @@ namespace asos {
 /// How a blurred pyray's kernel changes with depth. On the mirror all of its width is the pyray's
 /// own patch, far away most is the lobe's.
 struct BlurByDepth {
-  glm::dvec2 far_share{1.0};   ///< of the width, what is not the lobe's, far away
+  glm::dvec2 far_share{1.0};   ///< share of the width that is not the lobe's, far away
   double apex_distance = 0.0;  ///< from the apex to the mirror
   double start = 0.0;          ///< from the apex to where distances are measured from
 
@@ -29,8 +29,8 @@ struct BlurByDepth {
   }
 };
 
-/// What the parts of a mirrored pyray's square count for: by the blur's kernel; nothing outside of
-/// the leaf that was mirrored, nor below the mirror. A default one: each its area.
+/// The weights of the parts of a mirrored pyray's square: by the blur's kernel; 0 outside of the
+/// leaf that was mirrored, and below the mirror. By default each part counts by its area.
 struct MirroredMask {
   std::optional<BlurByDepth> blur;
   std::optional<Horizon> horizon;

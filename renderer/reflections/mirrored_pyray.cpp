@@ -55,7 +55,7 @@ bool finite(glm::dvec3 v) {
   return std::isfinite(v.x + v.y + v.z);
 }
 
-// What stands for the patch of a plane across the mirrored axis: the pyray's own edges, mirrored.
+// A stand-in for the patch of a plane across the mirrored axis: the pyray's own edges, mirrored.
 // The patch itself is not as long as it looks where it is seen very steeply.
 MirrorPatch mirrored_patch(const IncidentPyray& pyray, const MirrorSurface& surface) {
   const double scale = pyray.perspective ? pyray.distance : 1.0;
@@ -153,6 +153,7 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
   const MirrorPatch patch = patch_of(pyray, surface.geometric);
   const bool sharp = !(lobe.width > 0.0);
   std::optional<MirroredPyray> out;
+  // A plane without blur mirrors the apex.
   if (sharp && !surface.bent()) {
     out = pyray.perspective
               ? diverging(edges, pyray.distance * glm::length(pyray.axis), lobe, surface)
@@ -160,18 +161,22 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
   } else {
     const glm::dvec3 right = widened(edges.right, lobe.right, lobe.width);
     const glm::dvec3 down = widened(edges.down, lobe.down, lobe.width);
+    // With blur the pyramid stays within the patch where it can. Else its apex is where the
+    // reflected rays, continued backwards, come nearest to each other.
     const MirrorPatch seen = surface.bent() ? patch : mirrored_patch(pyray, surface);
     const auto within = sharp ? std::nullopt : apex_within(seen, edges.axis, right, down);
     const double apex = within ? *within : nearest_apex(seen, edges.axis, right, down);
     if (apex > 0.0 && std::isfinite(apex)) {
       out = diverging(edges, apex, lobe, surface);
     } else if (surface.bent()) {
+      // They meet in front of the mirror: take its tangent plane.
       MirrorSurface plane = surface;
       plane.turn_right = plane.turn_down = glm::dvec3(0.0);
       return mirrored(pyray, plane, lobe);
     }
   }
   if (!out) return std::nullopt;
+  // The pyray begins above the surface.
   const double height =
       glm::dot(surface.geometric, surface.position) + surface.clearance + surface.rise;
   out->picture.beyond = {surface.geometric, height};

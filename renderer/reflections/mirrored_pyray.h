@@ -23,9 +23,9 @@ struct MirrorSurface {
   glm::dvec3 normal{0, 0, 1};     ///< unit, that mirrors; towards the viewer
   glm::dvec3 geometric{0, 0, 1};  ///< unit, of the plane that reflected rays have to leave
   double clearance = 0.0;         ///< how far above that plane they start
-  double skin = 0.0;              ///< MirrorPlane's; 0: not a plane
+  double hit_tolerance = 0.0;     ///< MirrorPlane's; 0: not a plane
   double rise = 0.0;  ///< by how much a hollow one is higher at the corners of the pyray's patch
-  glm::dvec3 turn_right{0.0};  ///< of the unit normal across the pyray's patch; 0: flat
+  glm::dvec3 turn_right{0.0};  ///< turn of the unit normal across the pyray's patch; 0: flat
   glm::dvec3 turn_down{0.0};
 
   [[nodiscard]] bool bent() const {
@@ -34,7 +34,7 @@ struct MirrorSurface {
 };
 
 /// A square of directions around the mirrored one, over which a blurred reflection is the mean.
-/// `width`: of a side, one unit ahead.
+/// `width`: the length of a side, one unit ahead.
 struct MirrorLobe {
   glm::dvec3 right{1, 0, 0};  ///< unit, square to the mirrored direction and to each other
   glm::dvec3 down{0, 1, 0};
@@ -42,7 +42,7 @@ struct MirrorLobe {
 };
 
 /// The direction in which the surface mirrors `direction` (any length): unit, and above the plane
-/// of the geometric normal, to which what a bent normal mirrors below it is raised.
+/// of the geometric normal. A direction that a bent normal mirrors below it is raised to it.
 [[nodiscard]] glm::dvec3 mirrored_direction(const MirrorSurface& surface, glm::dvec3 direction);
 
 /// The lobe's square around the mirrored direction, turned like the picture that is mirrored.
@@ -61,7 +61,7 @@ struct MirrorPatch {
 struct MirroredPyray {
   PyrayPicture picture;
   double apex_distance = 0.0;  ///< from the apex to the surface; infinite: parallel rays
-  /// Of the pyray's width far from the surface, what is not the lobe's: right and down.
+  /// Share of the pyray's width far from the surface that is not the lobe's: right and down.
   glm::dvec2 sharp_share{1.0};
 };
 

@@ -16,8 +16,8 @@ namespace asos {
 /// looking at all of it would cost more (design section 5, "Saturation").
 class RegionSampler {
  public:
-  /// `block`: what the frame shows whose square the regions lie in, in pixels. `mask`: what counts
-  /// of it, and for how much; null: all the same. All have to outlive this.
+  /// `block`: the pixels that the frame shows whose square the regions lie in. `mask`: the parts of
+  /// it that count, and for how much; null: all the same. All have to outlive this.
   RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
                 PixelRect block, int seed, const MirroredMask* mask = nullptr);
 
@@ -30,7 +30,7 @@ class RegionSampler {
   struct Estimate {
     glm::dvec3 mean{0.0};       ///< linear radiance
     std::uint32_t samples = 0;  ///< that count; 0: there is no mean
-    double masked_share = 0.0;  ///< of the samples in the region, those that the mask left out
+    double masked_share = 0.0;  ///< share of the samples in the region that the mask left out
   };
 
   /// The samples are a function of the region, and of the pixel that its square starts in. Four at

@@ -46,7 +46,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       places_(&places),
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
-      faces_(seen_faces(settings)) {}
+      faces_(culling_of(settings)) {}
 
 SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
                        const RenderSettings& settings, SamplePlaces& places)
@@ -55,7 +55,7 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       places_(&places),
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
-      faces_(seen_faces(settings)) {}
+      faces_(culling_of(settings)) {}
 
 void SampleSums::resize(std::size_t count) {
   radiance_.resize(count, glm::dvec3(0.0));

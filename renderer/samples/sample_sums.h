@@ -46,11 +46,11 @@ class SampleSums {
 
   /// True once a batch was full and was traced, which moved the places to other samples.
   bool add(const PointSample& sample);
-  /// Traces what waits. Sums are up to date only after it.
+  /// Traces the waiting samples. Sums are up to date only after it.
   void trace();
 
   [[nodiscard]] Sum sum(std::size_t target) const { return {radiance_[target], count_[target]}; }
-  /// What the ray of a sum's latest sample met first.
+  /// The first hit of the ray of a sum's latest sample.
   [[nodiscard]] const Hit& hit(std::size_t target) const { return hit_[target]; }
   [[nodiscard]] RenderStatistics& statistics() { return statistics_; }
 
@@ -70,7 +70,7 @@ class SampleSums {
   SamplePlaces* places_;
   SampledLights lights_;
   SampledReflections reflections_;
-  Faces faces_;
+  Culling faces_;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;
   std::vector<Hit> hit_;

@@ -54,7 +54,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
                           glm::dot(right, surface.geometric), glm::dot(down, surface.geometric)};
     const glm::dvec2 at = places_->in_lobe(seen.bounces);
     if (!(horizon.at(at) > 0.0)) return;
-    // What lies below the surface counts for nothing, and the rest for all.
+    // Directions below the surface count for nothing, and the rest for all.
     next.weight /= static_cast<float>(horizon.share_above());
     direction = glm::normalize(direction + (at.x - 0.5) * right + (at.y - 0.5) * down);
   }

@@ -48,13 +48,13 @@ class SampledReflections {
   SampledReflections(const World& world, const LightPlaces& places)
       : world_(&world), places_(&places) {}
 
-  /// Of a sample that counts by `weight`; `shader` is its picture's.
+  /// Adds the reflection of a sample that counts by `weight`; `shader` is its picture's.
   void add(const Reflection& reflection, const PointSample& sample, glm::vec3 weight,
            const Shader& shader);
 
   [[nodiscard]] std::size_t waiting() const { return pending_.size(); }
   void forget_since(std::size_t count) { pending_.resize(count); }
-  /// What waits, in the order in which it came; nothing waits then.
+  /// Takes the waiting samples, in the order in which they came; none waits then.
   [[nodiscard]] std::vector<ReflectedSample> take() { return std::exchange(pending_, {}); }
 
  private:

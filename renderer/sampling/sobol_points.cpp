@@ -59,7 +59,8 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
   return (x >> 16) | (x << 16);
 }
 
-// What is scrambled: four dimensions, of which each light has its own last two.
+// The seed of one of the four scrambled dimensions, the last two of which each light has of its
+// own.
 std::uint64_t seed_of(std::uint64_t key, std::uint32_t light, std::uint64_t dimension) {
   return mix_bits(key + ((std::uint64_t{light} << 2) | dimension));
 }

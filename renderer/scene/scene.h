@@ -158,7 +158,7 @@ struct Light {
   std::int32_t own_part = -1;
 };
 
-/// What the file held that is not drawn or not supported, in words for a person.
+/// The parts of the file that are not drawn or not supported, in words for a person.
 struct SceneNotes {
   std::vector<std::string> warnings;                ///< repaired or ignored, with the reason
   std::vector<std::string> unsupported_extensions;  ///< optional ones that are not honoured
@@ -179,7 +179,7 @@ struct Scene {
   std::vector<Camera> cameras;
   SceneNotes notes;
 
-  /// Of what is drawn: a box has 12, other shapes none.
+  /// The triangles of all instances: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;
 };
 

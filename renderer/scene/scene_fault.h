@@ -10,7 +10,7 @@ namespace asos {
 /// As many vertices as 32 bits count, less what marks that there is none.
 inline constexpr std::uint64_t largest_vertex_count = 0xfffffffeu;
 
-/// What of its header's promises a scene breaks: indices in range, arrays of one length, sizes of
+/// The promises of scene.h that a scene breaks: indices in range, arrays of one length, sizes of
 /// shapes. Empty if nothing.
 [[nodiscard]] std::string scene_fault(const Scene& scene);
 

@@ -35,7 +35,7 @@ class BlockMiddles {
     }
     render_.snapshot.scene->rays().closest(std::span(rays_).first(blocks.size()),
                                            std::span(hits_).first(blocks.size()),
-                                           seen_faces(render_.snapshot.settings));
+                                           culling_of(render_.snapshot.settings));
     sums_.assign(blocks.size(), glm::dvec3(0.0));
     RenderStatistics uncounted;
     for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -54,7 +54,7 @@ class RenderSession {
   /// as well.
   void pause();
   void resume();
-  /// Stops and waits. What was published stays.
+  /// Stops and waits. Published tiles stay.
   void cancel();
   /// Waits for the end of the render.
   void wait();
@@ -65,7 +65,7 @@ class RenderSession {
   /// Tiles finished since the last call, oldest first. Never tiles of an older snapshot.
   [[nodiscard]] std::vector<FinishedTile> take_finished();
   [[nodiscard]] Progress progress() const;
-  /// Of the final pass so far; complete and reproducible once finished.
+  /// The statistics of the final pass so far; complete and reproducible once finished.
   [[nodiscard]] RenderStatistics statistics() const;
 
  private:

@@ -2,7 +2,7 @@
 
 namespace asos {
 
-// What settings choose among.
+// The values that settings choose among.
 
 /// How pixels are rendered: by a row of method_table (renderer/comparison/method.h).
 /// asos_published: asos with cone detection, point leaves and the published rule, whatever the
@@ -71,7 +71,7 @@ enum class CurvedMirror {
 /// stands for; point: they are looked up where its ray hits.
 enum class TextureFilter { footprint, point };
 
-/// What a person asks for: what the scene needs, or everything, for the same picture.
+/// The features that a person asks for: those that the scene needs, or all, for the same picture.
 enum class NeedsChoice { scene, all };
 
 }  // namespace asos

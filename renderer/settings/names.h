@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// What a choice is called on the command line, in statistics and in pictures' texts. Methods'
-/// names are in their own table (renderer/comparison/method.h).
+/// The name of a choice on the command line, in statistics and in pictures' texts. Methods' names
+/// are in their own table (renderer/comparison/method.h).
 template <typename T>
 struct Named {
   const char* name;

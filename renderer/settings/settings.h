@@ -83,7 +83,7 @@ struct MirrorSettings {
   bool operator==(const MirrorSettings&) const = default;
 };
 
-/// What to render with. Defaulted and comparable; widgets edit a copy, work takes a copy.
+/// The settings of a rendering. Defaulted and comparable; widgets edit a copy, work takes a copy.
 /// `validated` says what is out of range; nothing is clamped silently.
 struct RenderSettings {
   static constexpr double max_filter_width = 4.0;
@@ -100,20 +100,21 @@ struct RenderSettings {
   TextureSettings texture;
   ShadowSettings shadow;
   MirrorSettings mirror;
-  std::shared_ptr<const Sky> sky;  ///< what surrounds the scene; null: neutral grey
+  std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
-  int seed = 0;      ///< of the scrambling of what samples by Sobol, from 0: other noise
+  int seed = 0;      ///< of the scrambling of Sobol samples, from 0; another one: other noise
   int threads = 0;   ///< workers; 0: all cores but one
 
   bool operator==(const RenderSettings&) const = default;
 
-  /// What is rendered: the crop, or all of the picture.
+  /// The pixels that are rendered: the crop, or all of the picture.
   [[nodiscard]] PixelRect visible() const {
     return crop == PixelRect{} ? PixelRect{0, 0, width, height} : crop;
   }
 };
 
-/// What asos really renders with: for asos_published the settings with what the papers published.
+/// The settings that asos really renders with: for asos_published, those with the published choices
+/// of the papers.
 [[nodiscard]] RenderSettings as_published(RenderSettings settings);
 
 /// Side of the aligned blocks of pixels that most methods work in: see block_side.

@@ -23,7 +23,7 @@ inline constexpr float roughness_floor = 0.1f;
 /// one sample of a pixel settles it.
 inline constexpr float least_broad_roughness = 0.6f;
 
-/// What does not depend on the light: made once a point.
+/// The values of a material that do not depend on the light: made once a point.
 struct ViewedMaterial {
   glm::vec3 diffuse;   ///< albedo of the Lambert part: what is not mirrored towards this viewer
   glm::vec3 specular;  ///< share of a constant environment that the GGX lobe returns
@@ -37,7 +37,7 @@ struct ViewedMaterial {
 /// angle.) A transmissive surface reflects nothing diffusely of the share that it lets through.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
 
-/// What the surface reflects of light from one direction: radiance per irradiance (1 / sr), so
+/// The light from one direction that the surface reflects: radiance per irradiance (1 / sr), so
 /// that the cosine is the caller's.
 [[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
 /// The same with a lobe that is not the material's own: its D * V.

@@ -11,7 +11,8 @@
 #include <cmath>
 #include <cstdint>
 
-// What a sample stands for: a square of the picture, and the patch of surface that it shows.
+// The extent that a sample stands for: a square of the picture, and the patch of surface that it
+// shows.
 
 namespace asos {
 
@@ -74,8 +75,8 @@ struct Footprint {
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }
 };
 
-/// Of the patch on the plane with the edges e1 and e2. A point for a patch that is not finite and
-/// for edges that span no area.
+/// The footprint of the patch on the plane with the edges e1 and e2. A point for a patch that is
+/// not finite and for edges that span no area.
 [[nodiscard]] inline Footprint footprint_between(glm::vec3 e1, glm::vec3 e2, const Patch& patch) {
   // The duals of the edges in the triangle's plane, by Gram's matrix.
   const float g11 = glm::dot(e1, e1);
@@ -95,7 +96,7 @@ struct Footprint {
   return std::isfinite(f.right.x + f.right.y + f.down.x + f.down.y) ? f : Footprint{};
 }
 
-/// Of a hit on a triangle or on a face of an analytic shape.
+/// The footprint of a hit on a triangle or on a face of an analytic shape.
 [[nodiscard]] inline Footprint footprint_on(const World& world, const Hit& hit,
                                             const Patch& patch) {
   if (world.is_face(hit.triangle)) {

@@ -27,8 +27,8 @@ struct Illumination {
           glm::dvec3(point.geometric_normal)};
 }
 
-/// What a surface mirrors of the scene: the mean radiance over a square of directions around the
-/// mirrored one.
+/// The part of the scene that a surface mirrors: the mean radiance over a square of directions
+/// around the mirrored one.
 struct Reflection {
   const ViewedRay& seen;      ///< that meets the surface
   const SurfacePoint& point;  ///< where it does so

@@ -9,7 +9,7 @@ namespace {
 
 // The variance of a turn that is spread evenly over the patch's edge.
 constexpr float box_variance = 1.0f / 12.0f;
-// Of a lobe's squared roughness; what is added below it changes the highlight by as little.
+// A share of a lobe's squared roughness; an addition below it changes the highlight by as little.
 constexpr float least_added = 1e-3f;
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace asos {
 
-/// What an image's texels are, and so what their mean is.
+/// The meaning of an image's texels, and so of their mean.
 enum class TexelKind {
   color,   ///< sRGB with linear alpha: averaged as light
   cover,   ///< the same where alpha cuts or blends: colours count by their alpha
@@ -61,7 +61,7 @@ class MipChains {
   std::vector<std::array<MipChain, texel_kinds>> chains_;  // by image
 };
 
-/// What a material's base colour texture is.
+/// The kind of a material's base colour texture.
 [[nodiscard]] TexelKind base_color_kind(const Material& material);
 
 }  // namespace asos

@@ -53,7 +53,7 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
                           const ViewedPoint& view, const Highlight& highlight) {
   const glm::vec3 n = view.point.shading_normal;
   const glm::vec3 l = highlight.direction;
-  // What would be mirrored from below the horizon is not.
+  // Light from below the horizon is not mirrored.
   if (!(glm::dot(n, l) > 0.0f)) return brdf(seen, {}, 0.0f);
   const glm::vec3 half = glm::normalize(l + view.to_viewer);
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
@@ -101,9 +101,9 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
       settings_(settings),
       lights_(lighting.prepared(settings.light_rule)) {}
 
-std::optional<LightHit> Shader::nearest_bare_light(const Ray& ray) const {
+std::optional<LightHit> Shader::nearest_light_without_geometry(const Ray& ray) const {
   std::optional<LightHit> nearest;
-  for (const std::uint32_t i : bare_lights()) {
+  for (const std::uint32_t i : lights_without_geometry()) {
     const auto met = meet_light(lights_[i], ray);
     if (met && (!nearest || met->t < nearest->t)) nearest = met;
   }
@@ -119,11 +119,11 @@ const Dfr* Shader::own_dfr(std::uint32_t triangle) const {
 std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
                                               const SurfaceMaterial& material,
                                               glm::vec3 reflected) const {
-  // What no 8-bit picture shows is not worth a ray, whatever the light.
+  // A reflection that no 8-bit picture shows is not worth a ray, whatever the light.
   constexpr float least_reflected = 1.0f / 256.0f;
   const float most = seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
   if (seen.bounces >= settings_.reflections || !(most >= least_reflected)) return std::nullopt;
-  // What a normal map's mean leaves out blurs, too: the squared slopes add up.
+  // The bumps that a normal map's mean leaves out blur, too: the squared slopes add up.
   const double bumps = static_cast<double>(point.spread.variance);
   const Dfr* own = own_dfr(point.triangle);
   const bool rough = !(material.roughness <= settings_.roughest_mirror);
@@ -187,7 +187,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
     const PreparedLight& light = lights_[i];
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
-    // What is mirrored shows the lights that have an area: those are their highlights.
+    // Reflections show the lights that have an area: those are their highlights.
     const glm::vec3 share_out =
         mirrors && shown_by_mirrors(light)
             ? brdf(seen, {}, 0.0f)
@@ -223,7 +223,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   Hit hit = seen.hit;
   std::uint32_t last = Hit::none;
   const glm::vec3 to_viewer = -glm::normalize(ray.direction);
-  const auto light = seen.bounces > 0 ? nearest_bare_light(ray) : std::nullopt;
+  const auto light = seen.bounces > 0 ? nearest_light_without_geometry(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {
     if (light && !(hit.valid() && hit.t < light->t)) return sum + share * light->radiance;

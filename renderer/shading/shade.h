@@ -2,8 +2,8 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/ray.h"
-#include "renderer/lights/bare_lights.h"
 #include "renderer/lights/lighting.h"
+#include "renderer/lights/lights_without_geometry.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/shading/light_transport.h"
@@ -28,16 +28,16 @@ class Sky;
 /// The same without transmission, and with a masked material's cut-off applied: 0 or 1.
 [[nodiscard]] float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
-/// What is shaded and what is left out.
+/// The choice of what is shaded and what is left out.
 struct ShadingSettings {
   bool shadows = true;  ///< lights cast shadows
   LightRule light_rule = LightRule::physical;
-  Faces faces = Faces::all;  ///< which surfaces lie behind blended ones
-  /// What textures, and highlights on surfaces that turn, are averaged with over what a sample
-  /// stands for; null: every sample is a point.
+  Culling faces = Culling::none;  ///< which surfaces lie behind blended ones
+  /// The mip chains by which textures, and highlights on surfaces that turn, are averaged over the
+  /// extent that a sample stands for; null: every sample is a point.
   const MipChains* mips = nullptr;
   PixelSpacing spacing;                ///< of the picture; only with mips
-  const Sky* sky = nullptr;            ///< what surrounds the world; null: the neutral one
+  const Sky* sky = nullptr;            ///< the surroundings of the world; null: the neutral one
   int reflections = 0;                 ///< bounces that are followed
   float roughest_mirror = 0.35f;       ///< see RenderSettings
   const Dfr* dfr = nullptr;            ///< of all that mirrors; null: of each material its own
@@ -64,16 +64,18 @@ class Shader {
   [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
                                    LightTransport& transport, RenderStatistics& counts) const;
 
-  /// What an eye ray stands for whose nearest hit is `hit`: a square of `side` pixels.
+  /// An eye ray whose nearest hit is `hit`, for the square of `side` pixels that it stands for.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;
 
   /// A pixel's steps in the picture.
   [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
   [[nodiscard]] int reflections() const { return settings_.reflections; }
   /// Lights that reflections show although no surface of the scene does, by index into lights().
-  [[nodiscard]] std::span<const std::uint32_t> bare_lights() const { return lighting_.bare_lights; }
+  [[nodiscard]] std::span<const std::uint32_t> lights_without_geometry() const {
+    return lighting_.lights_without_geometry;
+  }
   /// The first of them on a ray, if any, whatever else lies on it.
-  [[nodiscard]] std::optional<LightHit> nearest_bare_light(const Ray& ray) const;
+  [[nodiscard]] std::optional<LightHit> nearest_light_without_geometry(const Ray& ray) const;
   /// By how much the surface blurs what it mirrors, as Reflection::width; nothing where it is not
   /// followed.
   [[nodiscard]] std::optional<glm::vec3> mirror_width(const ViewedRay& seen,

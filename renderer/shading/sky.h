@@ -13,7 +13,8 @@
 
 namespace asos {
 
-/// What surrounds a scene, infinitely far away: linear radiance by direction. +Y is up. Immutable.
+/// The surroundings of a scene, infinitely far away: linear radiance by direction. +Y is up.
+/// Immutable.
 class Sky {
  public:
   /// The same radiance from everywhere.
@@ -46,7 +47,7 @@ class Sky {
 
   /// As on the command line, "R,G,B:R,G,B" or the file, and by how much it is turned.
   [[nodiscard]] std::string name() const;
-  /// What it was made from.
+  /// The choice that it was made from.
   [[nodiscard]] const SkyChoice& choice() const { return choice_; }
 
  private:
@@ -72,15 +73,15 @@ class Sky {
 [[nodiscard]] Result<std::shared_ptr<const Sky>> read_sky(const std::string& path,
                                                           double turn_deg = 0.0);
 
-// What shading asks for. Without a sky, null, it is the neutral one of environment.h.
+// Functions for shading. A null sky is the neutral one of environment.h.
 
 /// Radiance of the background around a unit direction, averaged over a square of `side` pixels
 /// where there is a `spacing`.
 [[nodiscard]] glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* spacing,
                                    float side);
 
-/// What a surface reflects of the sky towards the viewer: diffusely, and by its lobe around the
-/// mirrored direction. Not occluded but for sky_visibility.
+/// The radiance of the sky that a surface reflects towards the viewer: diffusely, and by its lobe
+/// around the mirrored direction. Not occluded but for sky_visibility.
 [[nodiscard]] glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
                                       glm::vec3 to_viewer);
 

@@ -12,8 +12,8 @@ namespace asos {
 
 class Sky;
 
-/// What surrounds a scene, as a person asks for it: nothing but the neutral grey, two colours, a
-/// file.
+/// The surroundings of a scene, as a person asks for them: nothing but the neutral grey, two
+/// colours, a file.
 struct SkyChoice {
   struct Colours {
     glm::vec3 zenith{0.0f};  ///< linear
@@ -29,7 +29,7 @@ struct SkyChoice {
 
 /// The sky that was chosen, null for the neutral one; a file is read. Errors name it.
 [[nodiscard]] Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice);
-/// What a sky was made from; of null, the neutral one.
+/// The choice that a sky was made from; of null, the neutral one.
 [[nodiscard]] SkyChoice choice_of(const Sky* sky);
 
 }  // namespace asos

@@ -26,7 +26,7 @@ glm::vec3 normalized_or(glm::vec3 v, glm::vec3 fallback) {
 /// A triangle, or the plane that touches a face of an analytic shape (HitPlane).
 struct Triangle {
   bool face;
-  glm::uvec3 v{0};  // of a triangle
+  glm::uvec3 v{0};  // vertices of a triangle
   float b0, b1, b2;
 
   Triangle(const World& world, const Hit& hit)

@@ -38,8 +38,8 @@ struct SurfaceMaterial {
   bool unlit = false;
 };
 
-/// What a sample stands for: a square of `side` pixels, and what averages textures over the patch
-/// that it shows. A default one is a point.
+/// The extent that a sample stands for: a square of `side` pixels, and the mip chains that average
+/// textures over the patch that it shows. A default one is a point.
 struct SampleExtent {
   const PixelSpacing* spacing = nullptr;
   const MipChains* mips = nullptr;

@@ -36,7 +36,7 @@ struct TexelPatch {
   return {longer * unit, shorter * glm::vec2(-unit.y, unit.x)};
 }
 
-/// What lies between texels: the bilinear mean, or the nearest one.
+/// The value between texels: the bilinear mean, or the nearest one.
 enum class TexelShape { tent, box };
 
 /// The integral of a texture over a parallelogram, as weights of the texels around it: exact where

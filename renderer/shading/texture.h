@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// What the RGB bytes of an image mean where it is looked up. Alpha is always linear.
+/// The meaning of the RGB bytes of an image where it is looked up. Alpha is always linear.
 enum class Encoding { srgb, linear };
 
 /// The linear value of an sRGB-encoded byte.

@@ -26,7 +26,7 @@ struct TexelBudget {
   float across = 8.0f;   ///< texels that it is wide at least, where it has so many
   float most = 1024.0f;  ///< texels that count for it, at most; those of longer ones are coarser
 
-  /// Of what is seen through a square of `side` pixels.
+  /// The budget for a footprint that is seen through a square of `side` pixels.
   [[nodiscard]] static TexelBudget of(float side) {
     const TexelBudget whole;
     const float share = side < 1.0f ? side : 1.0f;

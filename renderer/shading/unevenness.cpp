@@ -29,9 +29,9 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
   return {n / std::sqrt(length2), along(steps.right) + along(steps.down)};
 }
 
-// What a light's highlight can add to the error. A GGX lobe of width alpha is peak / (1 + (x /
-// alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak; farther out its
-// width is what it has fallen over.
+// The error that a light's highlight can add. A GGX lobe of width alpha is
+// peak / (1 + (x / alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak;
+// farther out its width is what it has fallen over.
 float highlight_error(const Light& light, const Material& material, float roughness,
                       const Bend& bend, glm::vec3 position, glm::vec3 to_viewer) {
   glm::vec3 to_light = -glm::vec3(light.direction);

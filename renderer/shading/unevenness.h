@@ -15,7 +15,7 @@ namespace asos {
 /// across the patch. The shading normal turns (its cosine to a light errs by turn^2 / 24 along each
 /// edge), near a light the inverse square of the distance falls off (6 / 24 of the squared ratio of
 /// edge to distance), both times what the material reflects at most; and a bent, smooth surface may
-/// hold a light's highlight, narrower than the patch. The ray's direction is unit. What lies beyond
+/// hold a light's highlight, narrower than the patch. The ray's direction is unit. Surfaces beyond
 /// a boundary, shadows and textures are not looked at. 0 for flat shading under distant lights, for
 /// unlit materials, and for patches that are not finite, which splitting would not make so.
 [[nodiscard]] float midpoint_error(const World& world, std::span<const Light> lights,

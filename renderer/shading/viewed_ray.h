@@ -15,11 +15,11 @@ struct ViewedRay {
   float side = 0.0f;  ///< of the square around it, in pixels of `spacing`; 0: a point
   const PixelSpacing* spacing = nullptr;  ///< of the picture; null: of the eye's
   /// How wide a pyray is, one unit ahead (2 tan(beta / 2)): a pixel, and the lobes of the blurred
-  /// reflections on its way. What a defocusing ratio widens.
+  /// reflections on its way. A defocusing ratio widens it.
   float width = 0.0f;
   int bounces = 0;          ///< reflections on its way
   float throughput = 1.0f;  ///< the most that the picture gets of its radiance, by colour
-  PartShape shape = {};     ///< of what it stands for, beside the square
+  PartShape shape = {};     ///< of the part that it stands for, beside the square
 };
 
 }  // namespace asos

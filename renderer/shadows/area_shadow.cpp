@@ -57,6 +57,7 @@ double divided_shadow(const ShadowContext& block, const ShadowQuery& query,
   double sum = 0.0;
   int parts = 0;
   for (int i = 0; i < n * n; ++i) {
+    // Choose a point of the part.
     const Square part = part_of(region.square, n, i);
     const std::uint64_t seed =
         query.leaf.seed + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(i);
@@ -64,6 +65,7 @@ double divided_shadow(const ShadowContext& block, const ShadowQuery& query,
     const glm::vec2 at(part.u + part.side * static_cast<float>(inside.x),
                        part.v + part.side * static_cast<float>(inside.y));
     if (!region.holds(at)) continue;
+    // Find the visibility from it, or from the part.
     if (extended) {
       sum += extended_shadow(block, query, part, counts);
     } else {
@@ -80,8 +82,8 @@ double divided_shadow(const ShadowContext& block, const ShadowQuery& query,
 }  // namespace
 
 double area_shadow(const ShadowContext& block, const ShadowQuery& query, RenderStatistics& counts) {
-  // An extended pyray needs a patch that lies on the surface as a whole. What is seen through
-  // another surface has none at all.
+  // An extended pyray needs a patch that lies on the surface as a whole. A surface seen through
+  // another one has none at all.
   const bool whole = query.leaf.region.border.empty();
   const Receiver middle = receiver_above(query.lit.point);
   if (query.lit.layer > 0) return point_area_shadow(block, query, middle, counts);
@@ -128,7 +130,8 @@ double point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
   pyray.outline = window->boundaries();
   pyray.seed = query.leaf.seed;
 
-  // What varies between outlines is sampled; the paper's qualities split the light for it.
+  // Visibility that varies between outlines is sampled; the paper's qualities split the light for
+  // it.
   WindowCaster& caster = block.work->window_caster;
   caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);

@@ -38,7 +38,8 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
   const auto& p = patch.corners;
   const glm::dvec3 right = 0.5 * (p[1] - p[0] + p[3] - p[2]);
   const glm::dvec3 down = 0.5 * (p[2] - p[0] + p[3] - p[1]);
-  // How wide it is at the surface: the patch covers the light's projection, or the other way round.
+  // Find how wide the pyray is at the surface: the patch covers the light's projection, or the
+  // other way round.
   const double covered = fit == Fit::inside ? 1.0 / ratio_of(a, b, right, down, m).larger()
                                             : ratio_of(right, down, a, b, m).larger();
   if (!(covered > 0.0) || !std::isfinite(covered)) return std::nullopt;
@@ -46,6 +47,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
   const double width = std::min(covered, widest);
   const double back = width / (1.0 - width);
 
+  // Put its apex as far behind the surface as that takes, and bound it by surface and light.
   ExtendedPyray pyray{
       Frame::pyramid(window.frame().apex() - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
       {},
@@ -56,6 +58,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
   pyray.between[0] = pyray.surface;
   const auto between = window.between();
   pyray.between[1] = between.size() > 1 ? between[1] : pyray.surface;
+  // Project the patch's outline into its square.
   static constexpr std::size_t around[4] = {0, 1, 3, 2};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto at = [&](std::size_t corner) {

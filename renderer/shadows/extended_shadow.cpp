@@ -10,6 +10,7 @@ namespace {
 std::optional<double> trace_extended(const ShadowContext& block, const ShadowQuery& query,
                                      const Square& part, ExtendedPyray::Fit fit,
                                      RenderStatistics& counts) {
+  // Fit the pyray to the light and the patch.
   const Illumination& lit = query.lit;
   const auto patch = patch_of(block, lit.point, query.leaf.region, part);
   if (!patch) return std::nullopt;
@@ -22,6 +23,7 @@ std::optional<double> trace_extended(const ShadowContext& block, const ShadowQue
   const auto extended = ExtendedPyray::of(*window, *patch, fit);
   if (!extended) return std::nullopt;
 
+  // Trace it.
   Pyray pyray{extended->frame};
   pyray.bounds = query.found;
   pyray.bounds.within = extended->between;

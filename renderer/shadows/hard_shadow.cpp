@@ -21,6 +21,7 @@ bool bent(const ShadowPatch& patch, double deviation) {
 
 double hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
                    RenderStatistics& counts) {
+  // Frame the patch as the light sees it.
   const Illumination& lit = query.lit;
   const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
   const auto frame =

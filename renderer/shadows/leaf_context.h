@@ -18,7 +18,7 @@ namespace asos {
 /// all of it. That of a light without size does where it is all or nothing.
 struct EvenPatch {
   SurfacePoint middle;
-  Square square;                           ///< of the viewer's frame
+  Square square;                           ///< in the viewer's frame
   std::vector<double> visibilities;        ///< of each light, 0 to 1; negative: not known yet
   std::vector<std::uint32_t> saturated{};  ///< see LeafContext, of its middle
 };
@@ -26,11 +26,11 @@ struct EvenPatch {
 /// A leaf of an eye pyray, or of a mirrored one, as shadows and reflections see it while it is
 /// shaded.
 struct LeafContext {
-  LeafRegion region;          ///< of the viewer's frame
+  LeafRegion region;          ///< in the viewer's frame
   float root_side = 1.0f;     ///< side of the leaf's root in that frame
   double weight = 1.0;        ///< the leaf's share of the root's area
   glm::vec2 at{0.5f};         ///< its sample, in that frame
-  std::uint64_t seed = 0;     ///< of its own
+  std::uint64_t seed = 0;     ///< its own
   EvenPatch* even = nullptr;  ///< that it is a part of, if any
   /// Lights whose view from the sample was found to be saturated with boundaries.
   std::span<const std::uint32_t> saturated{};

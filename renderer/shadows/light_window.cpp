@@ -70,7 +70,7 @@ LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, c
   const glm::dvec3 back = orientation_ * glm::normalize(face);
   const double distance = -glm::dot(back, middle);
   // The outlines of what passes through the light meet the line where it does so.
-  const double way = light.cuts.empty() ? 1.0 - before_light : 1.0;
+  const double way = light.intersections.empty() ? 1.0 - before_light : 1.0;
   between_[1] = {back, glm::dot(back, frame_.apex()) - distance * way};
 
   if (!round_ && !light.rectangle) add_outlines(light);
@@ -122,7 +122,7 @@ void LightWindow::add_outlines(const PreparedLight& light) {
 }
 
 void LightWindow::add_cuts(const PreparedLight& light) {
-  for (const LightCut& cut : light.cuts)
+  for (const LightIntersection& cut : light.intersections)
     boundaries_.push_back({in_window(light, cut.from), in_window(light, cut.to)});
 }
 
@@ -144,7 +144,7 @@ double LightWindow::form(const LeafRegion& region) const {
       sum += contour_side(towards(side.from), towards(side.to), normal_);
     });
   }
-  // What lies below the horizon would count as negative light.
+  // Parts below the horizon would count as negative light.
   return std::max(0.0, orientation_ * sum);
 }
 
@@ -178,6 +178,7 @@ double LightWindow::round_form(const LeafRegion& region) const {
   std::array<double, most_crossings> angles;
   std::size_t count = 0;
   double sum = 0.0;
+  // Sum up the sides inside the disk, and note where they cross the rim.
   region.for_each_edge([&](const BorderEdge& side) {
     const glm::dvec2 p = glm::dvec2(side.from) - 0.5;
     const glm::dvec2 d = glm::dvec2(side.to) - glm::dvec2(side.from);
@@ -196,6 +197,7 @@ double LightWindow::round_form(const LeafRegion& region) const {
       angles[count++] = std::atan2(at.y, at.x);
     }
   });
+  // Add the arcs of the rim inside the region.
   std::sort(angles.begin(), angles.begin() + count);
   if (count == 0) angles[count++] = 0.0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -44,7 +44,7 @@ class LightWindow {
   /// The light is the disk that touches the square's sides.
   [[nodiscard]] bool round() const { return round_; }
 
-  /// What lies between the receiver's horizon and the light.
+  /// The half-spaces between the receiver's horizon and the light.
   [[nodiscard]] std::span<const HalfSpace> between() const {
     return std::span(between_).first(infinite_ ? 1 : 2);
   }

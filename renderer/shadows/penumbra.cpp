@@ -30,7 +30,8 @@ PatchInWindow patch_in_window(const Frame& window, const Patch& patch) {
           std::abs(along_v(patch.right)) + std::abs(along_v(patch.down))};
 }
 
-// What is infinitely far is looked at where it is farther than all that could shade the patch.
+// The frame around the light. One that is infinitely far is put farther than all that could shade
+// the patch.
 std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& receiver,
                                   double reach) {
   const auto window = LightWindow::of(light, receiver);
@@ -46,13 +47,13 @@ class VisibilityCurvature {
  public:
   /// `line`: the light is the window's middle line, along u.
   VisibilityCurvature(const Frame& window, PatchInWindow patch, bool line,
-                      std::span<const LightCut> cuts)
+                      std::span<const LightIntersection> cuts)
       : frame_(window), patch_(patch), line_(line) {
     const auto placed = [&](glm::dvec3 p) {
       const glm::dvec3 h = frame_.homogeneous(p);
       return glm::dvec2(h.x / h.z, h.y / h.z);
     };
-    for (const LightCut& cut : cuts) cuts_.push_back({placed(cut.from), placed(cut.to)});
+    for (const LightIntersection& cut : cuts) cuts_.push_back({placed(cut.from), placed(cut.to)});
   }
 
   // Adds a straight piece of a boundary, in the world.
@@ -108,8 +109,8 @@ class VisibilityCurvature {
     if (out || !(length > 0.0)) return;
     const glm::dvec2 across = glm::dvec2(std::abs(q.y - p.y), std::abs(q.x - p.x)) / length;
     const double e = eu * across.x + ev * across.y;
-    // What hangs from a surface in the light hides the one side of it or the other: its boundary
-    // bends the visibility twice as much.
+    // A blocker that hangs from a surface in the light hides the one side of it or the other: its
+    // boundary bends the visibility twice as much.
     if (std::any_of(cuts_.begin(), cuts_.end(),
                     [&](const Cut& cut) { return distance(cut, middle) < e; }))
       sum_ += std::min(0.5, 0.5 * e) * std::min(1.0, length);
@@ -176,7 +177,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
   const auto half =
       static_cast<double>(0.5f * (glm::length(query.patch.right) + glm::length(query.patch.down)));
   pyray.between[0].offset +=
-      block.scene->features.departure(query.point.triangle, glm::dvec3(query.point.position), half);
+      block.scene->features.deviation(query.point.triangle, glm::dvec3(query.point.position), half);
   return pyray;
 }
 
@@ -220,12 +221,12 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
 
   // Sum up how each bends the visibility.
   VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,
-                                query.light.cuts);
+                                query.light.intersections);
   for (const Segment& s : *boundaries) {
     const Clip c = clip(s, pyray.square);
     const auto at = [&](float t) {
-      return pyray.frame.world(
-          {s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0), s.q0 + t * (s.q1 - s.q0)});
+      return pyray.frame.world({s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0),
+                                s.nearness0 + t * (s.nearness1 - s.nearness0)});
     };
     curvature.add(at(c.t0), at(c.t1));
   }

@@ -41,6 +41,7 @@ struct WeighedVisibility {
 
   static WeighedVisibility of(std::span<const double> weights,
                               std::span<const float> transmittances) {
+    // Sum up the quarters.
     std::array<double, 4> all{}, lit{};
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const std::size_t quarter = 4 * i / weights.size();
@@ -51,6 +52,7 @@ struct WeighedVisibility {
     if (!(whole > 0.0)) return {};
     WeighedVisibility part;
     part.mean = (lit[0] + lit[1] + lit[2] + lit[3]) / whole;
+    // Their scatter tells the error of the mean.
     double squares = 0.0;
     for (std::size_t q = 0; q < 4; ++q) {
       const double off = lit[q] - part.mean * all[q];
@@ -65,7 +67,7 @@ struct WeighedVisibility {
 
 // Whether the plane of a point's triangle is its surface for as far as a leaf goes.
 bool flat(const ShadowContext& block, const SurfacePoint& point) {
-  return block.scene->features.departure(point.triangle) <= 0.0f;
+  return block.scene->features.deviation(point.triangle) <= 0.0f;
 }
 
 // Receivers on the patch for the points with the given numbers; those without a place get none.
@@ -76,10 +78,12 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   const Bounds2 box = bounds_of(query.leaf.region);
   const Receiver middle = receiver_above(point);
   work.receivers.assign(end - first, std::nullopt);
+  // A surface seen through another one has no patch.
   if (query.lit.layer > 0) {
     for (auto& receiver : work.receivers) receiver = middle;
     return;
   }
+  // Place the points in the leaf.
   work.places.clear();
   work.place_of.clear();
   for (std::uint32_t i = first; i < end; ++i) {
@@ -121,6 +125,7 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
   const Budget& budget = block.rules.budget;
   const LeafContext& leaf = query.leaf;
   const std::uint32_t light = query.lit.index;
+  // Find how many rays the leaf is worth, and the error to reach.
   const std::uint32_t first_round = std::bit_ceil(
       std::max(least_rays, static_cast<std::uint32_t>(first_rays_a_root * leaf.weight)));
   const std::uint32_t most = budget.samples(leaf.weight, rays_a_finest_cell, first_round);
@@ -130,6 +135,7 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
   work.transmittances.clear();
   WeighedVisibility found;
   for (std::uint32_t first = 0, end = first_round; end <= most; first = end, end *= 2) {
+    // Aim the round's rays.
     look_at_patch(block, query, points, first, end, counts);
     work.rays.clear();
     for (std::uint32_t i = first; i < end; ++i) {
@@ -140,11 +146,13 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
       work.rays.push_back(ray->ray);
       work.weights.push_back(ray->weight);
     }
+    // Trace them.
     const std::size_t before = work.transmittances.size();
     work.transmittances.resize(before + work.rays.size());
     block.scene->rays.transmittance(work.rays, std::span(work.transmittances).subspan(before),
                                     query.lit.light.own_part);
     counts.shadow_rays += work.rays.size();
+    // End once the mean is known well enough.
     found = WeighedVisibility::of(work.weights, work.transmittances);
     if (found.standard_error <= error) break;
   }

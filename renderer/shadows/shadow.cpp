@@ -41,7 +41,7 @@ double leaf_visibility(const ShadowContext& block, const Illumination& lit, cons
   const ShadowKnowledge known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
   // That nothing bounds the shadow does not rule out what stands in the light itself.
-  if (known.passage != ShadowKnowledge::Passage::open && lit.light.cuts.empty())
+  if (known.passage != ShadowKnowledge::Passage::open && lit.light.intersections.empty())
     return known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0;
 
   // Trace, by the kind of light.
@@ -76,6 +76,12 @@ double even_visibility(const ShadowContext& block, const Illumination& lit, cons
 }
 
 }  // namespace
+
+void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> batch,
+                        std::span<double> visibilities, RenderStatistics& counts) {
+  for (std::size_t i = 0; i < batch.size(); ++i)
+    visibilities[i] = light_visibility(block, batch[i].lit, batch[i].leaf, counts);
+}
 
 double light_visibility(const ShadowContext& block, const Illumination& lit,
                         const LeafContext& leaf, RenderStatistics& counts) {

@@ -6,9 +6,20 @@
 
 namespace asos {
 
-/// The visibility of a light from the patch that a leaf shows, 0 to 1: how ASOS finds shadows, by
+/// A light, and a leaf that it shines on. Keeps references.
+struct LitLeaf {
+  const Illumination& lit;
+  const LeafContext& leaf;
+};
+
+/// The visibilities of lights from the patches that leaves show, 0 to 1: how ASOS finds shadows, by
 /// pyrays between the light and the patch (CGF'98 section 4). Where nothing lies between a group of
 /// coplanar points and a light, one ray tells for all of them.
+///
+/// A batch is answered one by one, in its order.
+void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> batch,
+                        std::span<double> visibilities, RenderStatistics& counts);
+/// The same of one leaf.
 [[nodiscard]] double light_visibility(const ShadowContext& block, const Illumination& lit,
                                       const LeafContext& leaf, RenderStatistics& counts);
 

@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-// Of a light, or a patch: a part costs a ray, and leaves no error.
+// The limits for cutting a light, or a patch: a part costs a ray, and leaves no error.
 constexpr int most_boundaries = 24;
 constexpr int most_pieces = 64;
 // Groups of boundaries in a light's square, beyond which no part of it is free of boundaries.
@@ -84,7 +84,7 @@ std::optional<ShadowPatch> patch_of(const ShadowContext& block, const SurfacePoi
 double deviation(const ShadowContext& block, const SurfacePoint& point, const ShadowPatch& patch) {
   const auto& p = patch.corners;
   const double reach = 0.5 * std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
-  return block.scene->features.departure(point.triangle, glm::dvec3(point.position), reach);
+  return block.scene->features.deviation(point.triangle, glm::dvec3(point.position), reach);
 }
 
 Trace trace_shadow(const ShadowContext& block, const ShadowQuery& query, const Pyray& pyray,

@@ -61,7 +61,7 @@ struct ShadowContext {
 struct ShadowQuery {
   const Illumination& lit;
   const LeafContext& leaf;
-  SearchBounds found;  ///< what is known of the boundaries between: where they may be
+  SearchBounds found;  ///< where boundaries between the leaf and the light may be
 
   /// The light's full contribution in display units, at most 1.
   [[nodiscard]] double intensity() const;

@@ -42,6 +42,7 @@ void ShadowGroups::reset(std::size_t lights) {
 }
 
 void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch) {
+  // Find the group of the surface, or begin one.
   const std::uint32_t sheet = scene_.features.sheet(hit.triangle);
   std::size_t i = 0;
   while (i < used_ && groups_[i].sheet != sheet) ++i;
@@ -60,7 +61,7 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
     for (Answer& answer : group.answers) answer.known = false;
   }
   Group& group = groups_[i];
-  // Half as far again as the patch goes to first order.
+  // Grow it by the patch, half as far again as that goes to first order.
   const glm::vec3 around = 0.75f * (glm::abs(patch.right) + glm::abs(patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return;
   group.box.grow(position - around);
@@ -118,6 +119,7 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
   using Passage = ShadowKnowledge::Passage;
   answer.known = true;
   answer.passage = Passage::open;
+  // Search the shaft between the group and the light.
   Shaft shaft(group.box, light_box(light, group.box));
   if (group.planar) {
     const double above = static_cast<double>(clear_height(point)) + group.tolerance;

@@ -15,7 +15,7 @@
 
 namespace asos {
 
-/// What is known of the light between some points and a light.
+/// The passage of light between some points and a light, as far as it is known.
 struct ShadowKnowledge {
   enum class Passage : std::uint8_t { open, lit, shaded };
 
@@ -36,8 +36,8 @@ class ShadowGroups {
   /// A point that the block shows, and the patch of its pixel.
   void add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch);
 
-  /// What is known of the way from a patch around `point` to a light. `counts_ray` tells whether a
-  /// ray was cast to find out. What the cut points to lives until the next call of `reset`.
+  /// The passage from a patch around `point` to a light, as far as it is known. Rays cast to find
+  /// out are added to `rays_cast`. The cut lives until the next call of `reset`.
   [[nodiscard]] ShadowKnowledge ask(const PreparedLight& light, std::uint32_t index,
                                     const SurfacePoint& point, const Box& patch,
                                     std::uint64_t& rays_cast);

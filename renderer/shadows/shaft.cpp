@@ -32,11 +32,13 @@ void Shaft::add_bevels(const Box& from, const Box& to, int i, int j) {
     return glm::dvec2((c & 1) ? box.hi[i] : box.lo[i], (c & 2) ? box.hi[j] : box.lo[j]);
   };
   for (int c = 0; c < 4; ++c) {
+    // Take the line between two like corners.
     const glm::dvec2 start = corner(from, c);
     const glm::dvec2 along = corner(to, c) - start;
     const double length = glm::length(along);
     if (!(length > 0.0) || along.x == 0.0 || along.y == 0.0) continue;
     glm::dvec2 normal = glm::dvec2(-along.y, along.x) / length;
+    // Keep it if all corners lie on one side of it, with a normal to that side.
     double lowest = 0.0, highest = 0.0;
     for (int k = 0; k < 4; ++k) {
       for (const Box* box : {&from, &to}) {
@@ -58,6 +60,7 @@ void Shaft::add_bevels(const Box& from, const Box& to, int i, int j) {
 
 unsigned Shaft::met_children(const FeatureNode& node) const {
   constexpr int width = FeatureNode::width;
+  // Test the boxes against the bounds and the bevels.
   bool met[width];
   for (int c = 0; c < width; ++c) {
     met[c] = node.lo[0][c] <= bounds_.hi[0] && node.hi[0][c] >= bounds_.lo[0] &&
@@ -71,6 +74,7 @@ unsigned Shaft::met_children(const FeatureNode& node) const {
     for (int c = 0; c < width; ++c)
       met[c] = met[c] & (bevel.first * first[c] + bevel.second * second[c] >= bevel.offset);
   }
+  // Keep those that reach into the half-space, too.
   unsigned kept = 0;
   for (unsigned c = 0; c < node.child_count; ++c) {
     if (!met[c]) continue;

@@ -47,8 +47,8 @@ struct ShaftSearch {
   bool complete = false;  ///< every edge was looked at: an empty cut proves that there are none
 };
 
-/// What of the feature hierarchy lies in a shaft, opened until `most` nodes hold it. Edges that
-/// `ignored` ignores do not count.
+/// Finds the part of the feature hierarchy that lies in a shaft, opened until `most` nodes hold it.
+/// Edges that `ignored` ignores do not count.
 void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBounds& ignored,
                   std::size_t most, ShaftSearch& found);
 

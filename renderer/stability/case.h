@@ -9,16 +9,16 @@
 
 namespace asos::stability {
 
-/// What a case measured: one line of the report.
+/// The measurement of a case: one line of the report.
 struct Outcome {
-  std::string quantity;  ///< what was measured, with its unit
+  std::string quantity;  ///< the name of the figure, with its unit
   double expected = 0.0;
   double got = 0.0;
   double error = 0.0;
-  double bound = 0.0;                  ///< the largest error that is let pass
+  double bound = 0.0;                  ///< tolerance on the error
   std::string reason;                  ///< where the bound comes from
   std::uint64_t rejected_samples = 0;  ///< not finite, left out of their pixels by the renderer
-  std::uint64_t bad_pixels = 0;        ///< of the pictures rendered: not finite
+  std::uint64_t bad_pixels = 0;        ///< pixels of the pictures rendered that are not finite
 };
 
 /// A stiff or extreme scene or setting, and how to measure it. `run` may be called from any thread;

@@ -7,7 +7,8 @@
 
 #include <vector>
 
-// What pictures and lights should give, worked out in double precision without the renderer.
+// The values that pictures and lights should give, worked out in double precision without the
+// renderer.
 
 namespace asos::stability {
 

@@ -155,7 +155,7 @@ void add_places(std::vector<Case>& cases) {
   cases.push_back(
       under("a ball around the camera and the point", {{ball({0, 4, 0}, 16.0)}, {}}, pi));
   cases.push_back(under("a ball half below the receiver", {{ball({2, 0, 0}, 1.0)}, {}}, [] {
-    // Of a ball on the horizon, of half angle a: the half of a cap that is above it.
+    // The upper half of the cap, of half angle a, that a ball on the horizon fills.
     const double a = std::asin(0.5);
     return a - std::sin(a) * std::cos(a);
   }()));

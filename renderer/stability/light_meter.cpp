@@ -36,7 +36,7 @@ Result<Outcome> LightMeter::measure(const Measure& measure, double lux) const {
   const double black = dark->at(0, 0);
   const double per_lux = one_lux->at(0, 0) - black;
 
-  // What blocks light stands beside the pixel, not before it.
+  // Blockers stand beside the pixel, not before it.
   for (const Face& face : blockers) place(scene, mesh_of(face.corners), matte(0.0f));
   scene.lights = lights;
   // Sixteen roundings each of the light's irradiance, of the sum and of the three pictures.

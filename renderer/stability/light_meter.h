@@ -17,7 +17,7 @@ struct LightMeter {
   std::vector<Face> blockers;
   double floor_half = 1.0;  ///< half the floor's side
   int max_level = 3;
-  RenderSettings (*change)(RenderSettings) = nullptr;  ///< of what settings_of gives
+  RenderSettings (*change)(RenderSettings) = nullptr;  ///< applied to settings_of's result
 
   /// The case's figure: lux at the origin. The measure's bound is as a share of `lux` (of one lux
   /// where that is more), and comes on top of what float32 costs the three pictures.

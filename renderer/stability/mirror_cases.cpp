@@ -23,7 +23,7 @@ namespace {
 constexpr const char* mirror_group = "mirrors";
 constexpr const char* worst_of_small = "radiance of the worst of 8x8 pixels";
 
-/// What is left of the surroundings where no bounce follows: their mean.
+/// The mean of the surroundings, which stands for them where no bounce follows.
 constexpr double unfollowed = background * static_cast<double>(sky_visibility);
 
 const Measure all_of_the_sky{worst_of_small, 64.0 * rounding,

@@ -32,7 +32,7 @@ struct Picture {
 /// Renders the scene by its first camera, which it must have. Refused settings are an error.
 [[nodiscard]] Result<Picture> render(const Scene& scene, const RenderSettings& settings);
 
-/// What a case says of its figure before it has one.
+/// The description of a case's figure, before it is measured.
 struct Measure {
   std::string quantity;
   double bound = 0.0;

@@ -118,7 +118,7 @@ void add_moves(std::vector<Case>& cases) {
 Result<Outcome> card_on_ground(const Face& ground) {
   const Face card = tilted_card();
   const PictureView view{card_camera(), picture_side, picture_side};
-  // What the ground adds where the card does not hide it.
+  // The ground adds its light where the card does not hide it.
   const auto expected = [&](int x, int y) {
     const double hidden = coverage(view, card.corners, x, y);
     return hidden * static_cast<double>(card.colour) +

@@ -13,7 +13,7 @@
 
 namespace asos::stability {
 
-// What a file may hold and no surface should have.
+// Numbers that a file may hold and no surface should have.
 inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float infinite = std::numeric_limits<float>::infinity();
 

@@ -144,7 +144,7 @@ void add_shape_places(std::vector<Case>& cases) {
            const Camera camera = look_at({0, 0, distance}, {0, 0, 0}, 50.0);
            Scene scene = scene_of({}, camera);
            add_shape(scene, ball_shape(1.0), unlit(1.0f));
-           // Of a ball the tangent of the half angle is r / sqrt(d^2 - r^2).
+           // The tangent of the half angle of a ball is r / sqrt(d^2 - r^2).
            const double pixels = 1.0 / (2.0 * std::tan(0.5 * camera.fov_y_rad));
            const double share = std::numbers::pi * pixels * pixels / (distance * distance - 1.0);
            return one_value(

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-// What surrounds a scene: too dark, too bright, of one texel, of texels that are no light.
+// The surroundings of a scene: too dark, too bright, of one texel, of texels that are no light.
 
 namespace asos::stability {
 namespace {

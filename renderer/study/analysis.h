@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// What one run of a setting cost.
+/// The cost of one run of a setting.
 struct Cost {
   double wall_seconds = 0.0;
   double cpu_seconds = 0.0;  ///< of all threads together
@@ -75,7 +75,7 @@ struct Slope {
   int points = 0;      ///< above the floor
 };
 
-/// What came out for one scene.
+/// The results for one scene.
 struct SceneStudy {
   std::string scene;
   std::vector<StudyPoint> points;
@@ -86,8 +86,8 @@ struct SceneStudy {
   std::vector<Slope> slopes;
 };
 
-/// What `rival` takes to the error of a point, at the best of its settings above the floor. Nothing
-/// where the point is under the floor, or the rival was not measured.
+/// The time that `rival` takes to reach the error of a point, at the best of its settings above the
+/// floor. Nothing where the point is under the floor, or the rival was not measured.
 [[nodiscard]] std::optional<EqualError> at_equal_error(const SceneStudy& study,
                                                        const StudyPoint& point,
                                                        const std::string& rival);

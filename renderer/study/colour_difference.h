@@ -11,7 +11,8 @@ struct Lab {
   double b = 0.0;
 };
 
-/// Of linear sRGB, each channel 0 to 1, seen under its own white (IEC 61966-2-1, D65).
+/// The CIELAB colour of linear sRGB, each channel 0 to 1, seen under its own white (IEC 61966-2-1,
+/// D65).
 [[nodiscard]] Lab lab_of_linear_srgb(glm::dvec3 linear);
 
 /// CIEDE2000 with kL = kC = kH = 1 (Sharma, Wu and Dalal 2005, "The CIEDE2000 color-difference

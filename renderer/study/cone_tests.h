@@ -8,7 +8,7 @@
 
 namespace asos {
 
-/// What the circular cone that surrounds a pyray meets of an object (GI'93, "Detection Phase").
+/// How the circular cone that surrounds a pyray meets an object (GI'93, "Detection Phase").
 enum class ConeMeeting {
   none,      ///< nothing of it
   marginal,  ///< its boundary, as far as the test can tell
@@ -32,8 +32,8 @@ struct PyrayCone {
 /// Exact, of a convex polygon in a plane.
 [[nodiscard]] ConeMeeting meet_polygon(const PyrayCone& cone, std::span<const glm::dvec3> corners);
 
-/// Of a disk or a side with circles for rims (a uniform scale). A rim counts as a boundary where it
-/// is hidden by the side, too.
+/// Tests a disk, or a side with circles for rims (a uniform scale). A rim counts as a boundary
+/// where it is hidden by the side, too.
 [[nodiscard]] ConeMeeting meet_disk(const PyrayCone& cone, const ShapeFace& face);
 /// `side`, and the disks that close it.
 [[nodiscard]] ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side);

@@ -29,8 +29,8 @@ struct CurveValue {
 [[nodiscard]] std::optional<CurveValue> error_at_seconds(std::span<const CurvePoint> curve,
                                                          double seconds);
 
-/// What is left of a curve when every point goes that another one beats or equals in both time and
-/// error, from the quickest on. Along it errors fall as times grow.
+/// The points of a curve that no other one beats or equals in both time and error, from the
+/// quickest on. Along it errors fall as times grow.
 [[nodiscard]] std::vector<CurvePoint> pareto_front(std::vector<CurvePoint> points);
 
 /// The slope of log error over log time, by least squares. Nothing with fewer than two times.

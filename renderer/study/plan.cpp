@@ -14,7 +14,7 @@
 namespace asos {
 namespace {
 
-// Of the reference's two halves; any render asks for smaller ones.
+// The seeds of the reference's two halves; any render asks for smaller ones.
 constexpr std::array half_seeds{1'000'003, 1'500'007};
 
 RenderSettings base_settings(const StudyPlan& plan, const StudyLook& look) {

@@ -15,17 +15,17 @@ namespace asos {
 
 /// Where a scene is seen from; as it is by default where nothing is set.
 struct StudyCamera {
-  std::optional<int> index;                      ///< of the file's cameras, from 0
+  std::optional<int> index;                      ///< index in the file's cameras, from 0
   std::optional<std::array<double, 6>> look_at;  ///< eye and target, in the author's coordinates
   std::optional<double> fov_y_deg;
 
   bool operator==(const StudyCamera&) const = default;
 };
 
-/// What the true picture of a scene depends on beside the scene: the same for all methods.
+/// Everything beside the scene that its true picture depends on: the same for all methods.
 struct StudyLook {
   StudyCamera camera;
-  std::string sky = "neutral";            ///< what it is called: Sky::name
+  std::string sky = "neutral";            ///< its name: Sky::name
   std::shared_ptr<const Sky> opened_sky;  ///< the same to render with, not compared; null: neutral,
                                           ///< or not opened, as where jobs are only merged
   int reflections = RenderSettings{}.mirror.bounces;
@@ -51,7 +51,7 @@ struct StudyScene {
   bool operator==(const StudyScene&) const = default;
 };
 
-/// What a study compares. Everything that its jobs follow from: the same plan makes the same list.
+/// The comparisons of a study. All of its jobs follow from it: the same plan makes the same list.
 struct StudyPlan {
   std::vector<std::string> scenes;   ///< sources, measured with whole ladders
   StudyLook look;                    ///< of those scenes
@@ -61,8 +61,8 @@ struct StudyPlan {
   int height = 180;
   int repetitions = 3;
   double budget_seconds = 60.0;  ///< for the reference of one scene
-  /// What one picture of a setting may take. One that takes longer is given up, and with it the
-  /// dearer settings of its curve.
+  /// The time that one picture of a setting may take. One that takes longer is given up, and with
+  /// it the dearer settings of its curve.
   double longest_seconds = 600.0;
   int threads = 0;     ///< of each render; 0: all cores but one
   bool paper = false;  ///< also the cases of CGF'98 table 2
@@ -83,12 +83,12 @@ struct Job {
   JobKind kind = JobKind::point;
   std::string scene;  ///< its subject's name
   StudyScene subject;
-  Rung rung;           ///< what to render
+  Rung rung;           ///< the setting to render
   int repetition = 0;  ///< point: from 1
   int pass = 0;        ///< reference: from 0
   int half = 0;        ///< reference: 0 or 1
 
-  /// What it is in words, the same for the same work.
+  /// The job in words, the same for the same work.
   [[nodiscard]] std::string title() const;
 };
 

@@ -4,13 +4,13 @@
 
 namespace asos {
 
-/// What the in-out test of a pyray's cone against a primitive costs beside the test of a ray.
+/// The cost of the in-out test of a pyray's cone against a primitive, beside that of a ray's test.
 struct PrimitiveCost {
   const char* name = "";
   double ray_ns = 0.0;
   double cone_ns = 0.0;
-  /// What this program does instead for curved faces: finding their outline in the pyray's square.
-  /// 0 for those that are meshes here.
+  /// The cost of this program's own way for curved faces: finding their outline in the pyray's
+  /// square. 0 for those that are meshes here.
   double square_ns = 0.0;
   double published = 0.0;  ///< cone over ray, GI'93 table 3
 

@@ -17,7 +17,7 @@ class Reference {
   void add(const Film& first, const Film& second, int samples);
 
   [[nodiscard]] int passes() const { return passes_; }
-  /// Of a pixel, in both halves together.
+  /// The samples of a pixel, in both halves together.
   [[nodiscard]] long samples() const { return 2L * samples_; }
 
   /// The mean of both halves. There is at least one pass.

@@ -27,7 +27,7 @@ class Looker {
 
   [[nodiscard]] Region look(double x, double y) const {
     const Ray ray = view_.ray(x, y);
-    const Hit hit = scene_.rays().closest(ray, seen_faces(settings_));
+    const Hit hit = scene_.rays().closest(ray, culling_of(settings_));
     if (!hit.valid()) return Region::rest;
     const SurfacePoint point = surface_point(scene_.world(), scene_.needs, hit, -ray.direction);
     if (point.geometric_normal == glm::vec3(0.0f)) return Region::rest;

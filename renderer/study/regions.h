@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// What a pixel shows, as far as it matters for antialiasing; where several hold, the first.
+/// The content of a pixel, as far as it matters for antialiasing; where several hold, the first.
 enum class Region : std::uint8_t {
   outlines,     ///< ASOS splits it for an outline, a crease, an intersection or a cut-out
   penumbrae,    ///< a shadow's edge splits it, or a light of some size is seen in part
@@ -34,8 +34,8 @@ struct RegionMap {
 /// The settings that the regions are found at: ASOS with MAX 4 and EPS 1/256.
 [[nodiscard]] RenderSettings region_settings(RenderSettings settings);
 
-/// The regions of a picture that `film` is the rendering of, at `region_settings`. What a pixel
-/// shows is asked at its centre.
+/// The regions of a picture that `film` is the rendering of, at `region_settings`. A pixel's
+/// content is that at its centre.
 [[nodiscard]] RegionMap find_regions(const Snapshot& snapshot, const Film& film);
 
 }  // namespace asos

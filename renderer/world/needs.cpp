@@ -76,7 +76,7 @@ bool emits(const Material& m) {
   return m.emissive_strength > 0.0f && std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0.0f;
 }
 
-/// A texture may make it smoother anywhere. What reflects nothing mirrors nothing.
+/// A texture may make it smoother anywhere. A material that reflects nothing mirrors nothing.
 bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
   const bool reflects = m.metallic > 0.0f || m.specular > 0.0f;
   const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||

@@ -10,8 +10,8 @@
 
 namespace asos {
 
-/// What a scene needs (design section 8). What it does not need costs nothing. A default one needs
-/// nothing.
+/// The features that a scene needs (design section 8). Those that it does not need cost nothing. A
+/// default one needs nothing.
 struct SceneNeeds {
   bool textures = false;
   bool mip_chains = false;
@@ -50,10 +50,10 @@ struct SceneNeeds {
            suns;
   }
 
-  /// What either of the two needs.
+  /// The features that either of the two needs.
   [[nodiscard]] SceneNeeds with(const SceneNeeds& other) const;
 
-  /// What was left out, with the reason and what that saves, in a sentence each.
+  /// The features that were left out, with the reason and the saving, in a sentence each.
   [[nodiscard]] std::vector<std::string> left_out() const;
 
   bool operator==(const SceneNeeds&) const = default;
@@ -78,14 +78,14 @@ struct SceneFeature {
 /// Each member of SceneNeeds once.
 [[nodiscard]] std::span<const SceneFeature> scene_features();
 
-/// What was left out.
+/// The features that were left out.
 [[nodiscard]] std::vector<SceneFeature> features_left_out(const SceneNeeds& needs);
 
-/// What the surfaces of `world` and their materials need. `intersections` is true: whether surfaces
-/// pass through each other is known only once FeatureSet has looked.
+/// The features that the surfaces of `world` and their materials need. `intersections` is true:
+/// whether surfaces pass through each other is known only once FeatureSet has looked.
 [[nodiscard]] SceneNeeds find_needs(const World& world);
 
-/// What lights need beyond that.
+/// The features that lights need beyond those.
 [[nodiscard]] SceneNeeds find_needs(std::span<const Light> lights);
 
 /// SceneNeeds::mirrors where the materials have these defocusing ratios instead of their own.

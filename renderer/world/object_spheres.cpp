@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-// Of the vertices of a part.
+// The vertex of a part that has the largest distance2.
 template <typename Distance2>
 glm::dvec3 farthest(std::span<const glm::vec3> vertices, Distance2 distance2) {
   double most = -1.0;

@@ -19,7 +19,7 @@ struct ObjectSphere {
   std::uint32_t part = 0;
 };
 
-/// Of every part that has a vertex.
+/// The spheres of all parts that have a vertex.
 [[nodiscard]] std::vector<ObjectSphere> object_spheres(const World& world);
 
 }  // namespace asos

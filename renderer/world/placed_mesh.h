@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-// What of a scene's meshes goes into its World.
+// The parts of a scene's meshes that go into its World.
 
 namespace asos {
 
@@ -30,7 +30,7 @@ struct PlacedMesh {
 /// Leaves out the vertices that no triangle uses, since they may lie anywhere.
 [[nodiscard]] PlacedMesh place(const Mesh& mesh);
 
-/// What attributes the world keeps.
+/// The attributes that the world keeps.
 struct Attributes {
   bool tangents = false;
   bool texcoords[2] = {false, false};

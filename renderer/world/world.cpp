@@ -106,7 +106,8 @@ class Flattener {
     keep_ = find_attributes(scene_, shown);
   }
 
-  /// What a shape is drawn as: faces, or triangles of its own. Lamps are found among triangles.
+  /// Chooses whether a shape is drawn as faces or as triangles of its own. Lamps are found among
+  /// triangles.
   void choose_shapes() {
     faces_.resize(scene_.instances.size());
     for (const Instance& instance : scene_.instances) {

@@ -40,7 +40,7 @@ struct World {
   std::vector<glm::vec4> colors;             ///< linear RGBA, or empty
   std::vector<glm::uvec3> triangles;         ///< into positions
   std::vector<ShapeFace> faces;              ///< of analytic shapes
-  std::vector<std::uint32_t> triangle_part;  ///< of each triangle, then of each face
+  std::vector<std::uint32_t> triangle_part;  ///< the part of each triangle, then of each face
   std::vector<Part> parts;
   std::vector<Material> materials;  ///< the scene's, then glTF's default material
   std::vector<Texture> textures;
@@ -48,8 +48,8 @@ struct World {
   std::vector<Camera> cameras;  ///< relative to origin
   Box bounds;                   ///< of the positions that triangles use; empty if none
 
-  /// What a ray meets has one number: a triangle's index, or that of a face of an analytic shape
-  /// behind them all.
+  /// Every surface that a ray meets has one number: a triangle's index, or that of a face of an
+  /// analytic shape behind them all.
   [[nodiscard]] bool is_face(std::uint32_t surface) const { return surface >= triangles.size(); }
   [[nodiscard]] const ShapeFace& face(std::uint32_t surface) const {
     return faces[surface - triangles.size()];
@@ -58,7 +58,7 @@ struct World {
     return static_cast<std::uint32_t>(triangles.size() + faces.size());
   }
 
-  /// Of a surface, into `materials`.
+  /// The index of a surface's material in `materials`.
   [[nodiscard]] std::uint32_t material_index(std::uint32_t surface) const {
     return parts[triangle_part[surface]].material;
   }
@@ -74,7 +74,7 @@ using MaterialDfrs = std::vector<std::optional<Dfr>>;
 /// The materials' own.
 [[nodiscard]] MaterialDfrs dfrs_of(const World& world);
 
-/// What flattening makes of a scene: its surfaces, and its lights relative to World::origin.
+/// A scene after flattening: its surfaces, and its lights relative to World::origin.
 struct FlattenedScene {
   World world;
   std::vector<Light> lights;

@@ -97,7 +97,7 @@ TEST_F(FromOption, FilesAreFoundFromAnywhere) {
   EXPECT_EQ(said("a.png").scene, path("s.glb"));
 }
 
-// What the window shows and saves, its lights edited.
+// The picture that the window shows and saves, its lights edited.
 TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   RenderSettings settings;
   settings.asos.max_level = 2;

@@ -220,7 +220,7 @@ TEST(ReportCommand, ALookTravelsWithItsJobs) {
     const AsosRun run = with_job(look, job);
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
-  // What was read back makes the same list, so that only jobs are missing.
+  // The plan that was read back makes the same list, so that only jobs are missing.
   const AsosRun merge = run_asos({"report", "--merge", path, "-o", path});
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_TRUE(contains(merge.err, "has not been run")) << merge.err;

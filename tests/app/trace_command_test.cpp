@@ -31,7 +31,7 @@ std::string argument_of(const glm::ivec2& pixel) {
   return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
 }
 
-// What the file tells agrees with itself: weights, colour, and four children a split.
+// The contents of the file agree with each other: weights, colour, and four children a split.
 void check_consistent(const json& trace) {
   double weight = 0.0;
   glm::dvec3 colour(0.0);
@@ -96,7 +96,7 @@ TEST(TraceCommand, TheTableIsThePapers) {
         ++rows;
         const int in = object.at("in"), out = object.at("out"), larger = object.at("larger");
         EXPECT_LE(in + out, row.at("marginal").get<int>());
-        const bool clusters = object.at("object") == "small boundaries, not told apart";
+        const bool clusters = object.at("object") == "small boundaries, not resolved";
         EXPECT_EQ(larger, clusters ? in + out : std::max(in, out));
         EXPECT_EQ(object.at("share"), static_cast<double>(larger) / cells);
         EXPECT_EQ(object.at("change"),

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-// What the benchmarks share: opening scenes, timed renders, errors of pictures.
+// Functions that the benchmarks share: opening scenes, timed renders, errors of pictures.
 
 namespace asos::bench {
 
@@ -50,7 +50,7 @@ class Times {
 
 /// Root mean square errors of a picture, over all pixels and channels.
 struct PictureError {
-  double shown = 0.0;  ///< of radiance clipped to 0..1
+  double shown = 0.0;  ///< error of radiance clipped to 0..1
   double raw = 0.0;
 };
 [[nodiscard]] PictureError picture_error(const Film& film, const Film& reference);
@@ -58,7 +58,7 @@ struct PictureError {
 /// Indices of the pixels, worst first, by squared error clipped to 0..1.
 [[nodiscard]] std::vector<std::size_t> worst_pixels(const Film& film, const Film& reference);
 
-/// What became of a pixel.
+/// How a pixel was finished.
 enum class Outcome { one_sample, resolved, unresolved, saturated, by_samples };
 inline constexpr int outcome_count = 5;
 [[nodiscard]] const char* name_of(Outcome outcome);

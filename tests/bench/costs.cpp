@@ -1,4 +1,4 @@
-// What the engine's parts cost, as ratios of processor times (medians of runs that take turns):
+// The cost of the engine's parts, as ratios of processor times (medians of runs that take turns):
 //   wall       a wall that fills the view in front of `dense`, over the wall alone
 //   saturated  a soup of triangles smaller than finest cells, over as many stochastic samples
 //   fat        fat pyrays of 2, 4 and 16 pixels over those of 8

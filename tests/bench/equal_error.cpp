@@ -127,7 +127,7 @@ double rival_seconds(const std::vector<Rung>& ladder, double error) {
   return seconds ? seconds->value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// What the error at `spp` samples would be, as the last two steps of the ladder go on.
+/// The error to expect at `spp` samples, if it goes on as in the last two steps of the ladder.
 double extrapolated_error(const std::vector<Rung>& ladder, int spp) {
   const Rung& a = *(ladder.end() - 3);
   const Rung& b = ladder.back();

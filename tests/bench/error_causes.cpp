@@ -9,7 +9,7 @@
 namespace asos::bench {
 namespace {
 
-/// What a pixel shows; where several hold, the last.
+/// The kind of surface that a pixel shows; where several hold, the last.
 enum class Look { plain, shiny, textured, see_through };
 constexpr int look_count = 4;
 constexpr std::array<const char*, look_count> look_names{"plain", "shiny", "textured",

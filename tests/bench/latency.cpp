@@ -33,7 +33,7 @@ struct Settings {
   int threads = 1;
 };
 
-/// What the window's event loop sleeps on.
+/// The event that the window's event loop sleeps on.
 class Bell {
  public:
   void ring() {
@@ -53,7 +53,7 @@ class Bell {
   bool rung_ = false;
 };
 
-/// Of all threads together: what is left of a time when the machine does other things as well.
+/// Processor time of all threads together, which does not count the machine's other work.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

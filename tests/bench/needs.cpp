@@ -1,5 +1,5 @@
-// What leaving out saves: each feature that a scene does not need is forced in alone, then all of
-// them together. The table shows how much more that takes, as ratios to what the scene needs (1:
+// The savings of leaving out: each feature that a scene does not need is forced in alone, then all
+// of them together. The table shows how much more that takes, as ratios to what the scene needs (1:
 // nothing saved): processor time of the picture, time to build, memory of the scene. Renders
 // alternate between the two, so that drift of the machine meets both. Renders' ratios are of
 // medians; builds' of the fastest, for they take milliseconds in several threads. Pictures are

@@ -1,4 +1,4 @@
-// What a pyray's in-out test costs beside a ray's, for each of the primitives of GI'93, table 3:
+// The cost of a pyray's in-out test beside a ray's, for each of the primitives of GI'93, table 3:
 // `bench_primitives`. The last column is what this program does instead for curved faces, which is
 // to find their outline in the pyray's square.
 

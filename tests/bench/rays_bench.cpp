@@ -52,7 +52,7 @@ void count_rays(benchmark::State& state, std::size_t rays) {
 }
 
 void trace_blocks(benchmark::State& state, const RayScene& scene, const std::vector<Ray>& rays,
-                  Faces faces) {
+                  Culling faces) {
   std::vector<Hit> hits(rays.size());
   for (auto _ : state) {
     for (std::size_t i = 0; i < rays.size(); i += 64) {
@@ -67,7 +67,7 @@ void closest_by_packet_width(benchmark::State& state) {
   const World world = scene_of(static_cast<int>(state.range(1)));
   RayScene scene = built(world);
   scene.set_packet_width(static_cast<int>(state.range(0)));
-  trace_blocks(state, scene, eye_rays(), Faces::all);
+  trace_blocks(state, scene, eye_rays(), Culling::none);
 }
 BENCHMARK(closest_by_packet_width)->ArgsProduct({{1, 4, 8, 16}, {1'000, 1'000'000}});
 
@@ -79,7 +79,8 @@ void closest_without_backs(benchmark::State& state) {
     for (glm::uvec3& corners : world.triangles) std::swap(corners.y, corners.z);
   }
   const RayScene scene = built(world);
-  trace_blocks(state, scene, eye_rays(), state.range(0) ? Faces::as_material_says : Faces::all);
+  trace_blocks(state, scene, eye_rays(),
+               state.range(0) ? Culling::as_material_says : Culling::none);
 }
 BENCHMARK(closest_without_backs)
     ->ArgNames({"cull", "turned", "triangles"})

@@ -44,7 +44,7 @@ struct Row {
   std::size_t triangles = 0;
   double load_seconds = 0.0;
   double build_seconds = 0.0;
-  double first_picture_seconds = 0.0;  ///< of blocks; since the start of loading, as the next
+  double first_picture_seconds = 0.0;  ///< blocks; since the start of loading, as the next
   double first_pixels_seconds = 0.0;   ///< a tile with a sample for each pixel
   Seconds sample;                      ///< stochastic, one sample a pixel
   Seconds asos;

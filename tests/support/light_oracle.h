@@ -148,8 +148,8 @@ struct FlatRegion {
   const auto add = [&](double y) {
     if (y > region.y0 && y < region.y1) breaks.push_back(y);
   };
-  // What the horizons leave may be too thin to be found otherwise: where they cut the border, and
-  // where they meet.
+  // The part above the horizons may be too thin to be found otherwise: break where the horizons
+  // cross the border, and where they meet.
   const double n_y = glm::dot(receiver.normal, region.y_axis);
   const double g_y = glm::dot(receiver.geometric, region.y_axis);
   const double n_0 = glm::dot(receiver.normal, to_origin);
@@ -253,7 +253,7 @@ struct FlatRegion {
     }
     return sum * std::sin(theta);
   };
-  // What the horizons leave may be too thin to be found otherwise.
+  // The part above the horizons may be too thin to be found otherwise.
   std::vector<double> breaks{0.0, half_angle};
   const auto add = [&](double theta) {
     if (theta > 0.0 && theta < half_angle) breaks.push_back(theta);

@@ -88,7 +88,7 @@ class BruteForceCaster : public Caster {
   [[nodiscard]] int probes() const { return static_cast<int>(samples_.size()); }
 
   std::vector<double> coverage;  ///< of each part, 0 to 1
-  double total = 0.0;            ///< of all leaves
+  double total = 0.0;            ///< coverage of all leaves
 
  private:
   struct Sample {

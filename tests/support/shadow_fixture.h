@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/lights/light_cuts.h"
+#include "renderer/lights/light_intersections.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shadows/shadow.h"
 #include "renderer/world/needs.h"
@@ -44,7 +44,7 @@ class ShadowFixture {
         rules_(rules),
         light_(prepare_light(light)) {
     rules_.see_through = find_needs(world_).varying_opacity;
-    light_.cuts = find_light_cuts(world_, {&light_, 1}).front();
+    light_.intersections = find_light_intersections(world_, {&light_, 1}).front();
   }
 
   [[nodiscard]] const World& world() const { return world_; }

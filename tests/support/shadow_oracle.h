@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-// What a receiver sees of a flat light between convex occluders, by clipping the light.
+// The part of a flat light that a receiver sees between convex occluders, by clipping the light.
 
 namespace asos::test {
 

@@ -25,7 +25,7 @@ inline Pyray unit_pyray() {
 
 struct Answer {
   std::vector<double> coverage;  ///< of each part, as a share of the pyray
-  double total = 0.0;            ///< of all leaves
+  double total = 0.0;            ///< coverage of all leaves
   int probes = 0;
   SubdivisionOutcome outcome;
 };
@@ -82,7 +82,7 @@ inline std::uint32_t add_parallel_polygon(PolygonScene& scene, const Polygon& co
   return scene.add(points);
 }
 
-/// What lies to the left of a line through p (v running up), as far as one pixel can tell.
+/// The half-plane to the left of a line through p (v running up), as far as one pixel can tell.
 inline Polygon half_plane(glm::dvec2 p, glm::dvec2 direction) {
   const glm::dvec2 d = 4.0 * direction;
   const glm::dvec2 n(-d.y, d.x);

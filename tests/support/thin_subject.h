@@ -54,8 +54,8 @@ inline Scene thin_scene(const ThinSubject& subject, double x, int size) {
   return scene;
 }
 
-/// What the subject adds to the sum of the picture's intensities, or takes from it, over the exact
-/// value: its area times its contrast.
+/// The amount that the subject adds to the sum of the picture's intensities, or takes from it, over
+/// the exact value: its area times its contrast.
 inline double thin_share(const ThinSubject& subject, const Film& film) {
   double sum = 0.0;
   for (const glm::vec3& c : film.radiance) sum += static_cast<double>(c.g);
@@ -65,7 +65,7 @@ inline double thin_share(const ThinSubject& subject, const Film& film) {
   return (sum - plain) / (contrast * thin_width * height);
 }
 
-/// Of the shares at all steps of a movement.
+/// The spread of the shares at all steps of a movement.
 struct Steadiness {
   double range = 0.0;  ///< (max - min) / mean
   double mean = 0.0;

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// What the current framebuffer, which is `height` high, shows in `area`, which is told from the
-/// top left: rows of RGB bytes from the top. Before it is presented.
+/// The pixels of the current framebuffer, which is `height` high, in `area`, which is told from the
+/// top left: rows of RGB bytes from the top. Call before it is presented.
 [[nodiscard]] std::vector<std::uint8_t> read_framebuffer(const PixelRect& area, int height);
 
 }  // namespace asos

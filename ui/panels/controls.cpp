@@ -93,7 +93,7 @@ float option_gap() {
   return ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
 }
 
-// What a row of options leaves of the width beside their names.
+// Width that a row of options leaves beside their names.
 float room_beside(std::span<const Controls::Option> options) {
   float taken = option_gap() * static_cast<float>(options.size() - 1);
   for (const Controls::Option& option : options) taken += ImGui::CalcTextSize(option.name).x;

@@ -48,7 +48,7 @@ constexpr std::array presets{
 /// ratio up, 0 to 1.
 struct DfrPlot {
   glm::vec2 lo, hi;
-  double axis = 100.0;  ///< of the widening, in percent
+  double axis = 100.0;  ///< where the axis of the widening ends, in percent
 
   [[nodiscard]] float x_at(double incidence_rad) const {
     return lo.x + static_cast<float>(incidence_rad / quarter_turn) * (hi.x - lo.x);
@@ -261,7 +261,7 @@ void preset_list(Controls& controls, Dfr& dfr) {
     if (alike(dfr) && dfr.rgb[0] == preset.curve) chosen = static_cast<int>(names.size());
     names.emplace_back(preset.name);
   }
-  // What is none of them has a name, too, but cannot be chosen.
+  // A curve that is none of them has a name, too, but cannot be chosen.
   if (chosen < 0) {
     chosen = static_cast<int>(names.size());
     names.emplace_back("own curve");

@@ -27,7 +27,7 @@ constexpr std::array timed_rivals{
 
 }  // namespace
 
-// What was rendered meanwhile is of no use beside another picture.
+// A frame that was rendered for another picture is of no use beside this one.
 void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice, EqualTimeJob& job,
                        Frames& frames) {
   const bool current = choice.restarts == previewer.render().restarts();

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// What the picture is set beside.
+/// The method that the picture is compared with.
 struct EqualTimeChoice {
   Method method = Method::sobol;
   std::uint64_t restarts = 0;  ///< of the picture that the job is for

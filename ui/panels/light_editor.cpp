@@ -80,7 +80,7 @@ class LightEditor {
   }
 
  private:
-  /// What a double click goes back to: the light as it came, if it was of this kind.
+  /// The value that a double click restores: that of the light as it came, if it was of this kind.
   [[nodiscard]] std::optional<double> original(double value) const {
     return same_kind_ ? std::optional(value) : std::nullopt;
   }

@@ -28,7 +28,7 @@ Outline circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
   return outline;
 }
 
-/// What a light looks like, as closed outlines; a ball as its outline for the viewer.
+/// A light's shape as closed outlines; a ball as its outline for the viewer.
 std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
   const glm::dvec3 right(camera.world_from_camera[0]), up(camera.world_from_camera[1]);
   const glm::dvec3 p = light.position;
@@ -80,7 +80,7 @@ class Projection {
   [[nodiscard]] glm::dvec3 moved(glm::dvec3 p, glm::vec2 by) const {
     const FramePoint from = frame_.project(homogeneous(p));
     const glm::dvec2 share = glm::dvec2(by * area_.scale / view_.scale()) / size_;
-    return frame_.world({from.u + share.x, from.v + share.y, from.q}) - frame_.world(from);
+    return frame_.world({from.u + share.x, from.v + share.y, from.nearness}) - frame_.world(from);
   }
 
   /// A straight line, clipped in front of the viewer.

@@ -33,12 +33,12 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
 void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
                  const PictureView& view, const PictureArea& area);
 
-/// What was found out about the picked pixel; null where it is not known, or not yet.
+/// Findings about the picked pixel; null where it is not known, or not yet.
 struct PixelFacts {
   const PixelReport* report = nullptr;
   const SplitFindings* findings = nullptr;  ///< of the picture: holds a reference
 };
-/// What is known of the picked pixel: values, errors, cost, how it was split and why it stopped.
+/// The facts known of the picked pixel: values, errors, cost, how it was split and why it stopped.
 void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
                  const PixelFacts& facts, const PictureArea& area);
 /// Where the picked pixel is, and the boundaries of the hit list, over the picture.
@@ -47,7 +47,7 @@ void picked_mark(const PixelReport* report, const UiState& state, const PictureA
 void wipe_line(Controls& controls, Frames& frames, const PictureView& view, const Film& film,
                const PictureArea& area);
 
-/// What lies over the picture: the error to read and copy, what is being loaded, or the invitation
+/// Notices over the picture: the error to read and copy, what is being loaded, or the invitation
 /// to open something.
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 

@@ -18,13 +18,13 @@ namespace asos {
 
 /// `forecast` is asked while EPS or MAX is held.
 void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast);
-/// What `scene` needs no shadows for, or no soft ones, is not shown.
+/// Controls of shadows, or of soft shadows, that `scene` does not need are not shown.
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
 
 /// Pause, stop, and until when a render refines.
 void refinement_panel(Controls& controls, Previewer& previewer);
 
-/// What is chosen among the lights.
+/// The person's choice among the lights.
 struct LightChoice {
   int selected = -1;       ///< -1: none
   bool show_marks = true;  ///< in the picture, while one is selected
@@ -47,7 +47,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
 void statistics_panel(Controls& controls, const RenderStatistics& statistics,
                       const RenderSettings& settings, const RenderScene& scene,
                       double finished_share);
-/// What a person should know before trusting the picture; nothing where there is nothing.
+/// Remarks that a person should know before trusting the picture; nothing where there are none.
 void warnings_panel(Controls& controls, const SceneNotes& notes);
 
 /// The line under the picture: what is going on and for how long still, or `message`.

@@ -88,7 +88,7 @@ struct PixelCanvas {
   }
 };
 
-/// What is drawn: the pixel itself, or a pyray that one of its leaves sent on.
+/// The pyray that is drawn: the pixel itself, or one that a leaf of the pixel sent on.
 struct ShownPyray {
   const std::vector<TracedCell>& cells;
   const std::vector<glm::vec3>& seen;
@@ -150,7 +150,7 @@ void cell_tooltip(const TracedCell& cell) {
   ImGui::TextUnformatted(
       fmt::format("Cell of level {}: {:.4g} % of the pixel", cell.level, area).c_str());
   ImGui::TextUnformatted(words_of(cell.fate));
-  ImGui::TextDisabled("%s", fmt::format("{} boundaries, {} groups not told apart, {} hidden",
+  ImGui::TextDisabled("%s", fmt::format("{} boundaries, {} groups not resolved, {} hidden",
                                         cell.boundaries.size(), cell.clusters, cell.hidden)
                                 .c_str());
   constexpr std::size_t most = 8;
@@ -181,7 +181,7 @@ void tree(Controls& controls, const PixelReport& report, int shown_pyray, float 
   const bool own = shown_pyray < 0;
   const TracedPyray* pyray =
       own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
-  // A light's lit share is no radiance: exposure leaves it alone.
+  // A light's visibility is no radiance: exposure leaves it alone.
   const bool shadow = pyray && pyray->kind == TracedPyray::Kind::shadow;
   const ShownPyray shown{
       own ? report.trace.cells : pyray->cells,

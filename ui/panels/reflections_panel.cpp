@@ -16,7 +16,7 @@ namespace asos {
 
 namespace {
 
-/// What a curve starts with that a person asks for: figure 18's.
+/// The curve that a person starts to edit from: figure 18's.
 constexpr DfrCurve first_curve{0.05, 1.0, 32.0};
 
 const std::array<std::string, 4> curved_ways{"nearest pyramid", "tangent plane", "split to MAX",

@@ -13,12 +13,12 @@
 
 namespace asos {
 
-/// What is chosen among the mirrors.
+/// The person's choice among the mirrors.
 struct ReflectionChoice {
-  int material = 0;  ///< of `mirrors`
+  int material = 0;  ///< index into `mirrors`
   DfrChannel channel = DfrChannel::all;
 
-  // What the open scene has, found once.
+  // The mirrors of the open scene, found once.
   std::uint64_t scene = 0;  ///< Previewer::scenes_opened
   std::vector<MirrorMaterial> mirrors;
   std::optional<glm::ivec2> followed;  ///< the picked pixel whose material was chosen last

@@ -59,7 +59,7 @@ void edge_rows(Controls& controls, const FeatureCounts& edges) {
   kind("   crossing", edges.intersection, "Lines in which surfaces pass through each other.");
 }
 
-/// What is saved, line by line.
+/// The savings of leaving `feature` out, line by line.
 std::string savings(const SceneFeature& feature) {
   std::string text = "Left out with it, at no cost:";
   const auto add = [&](const char* kind, const char* words) {

@@ -54,7 +54,7 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
   if (!controls.section("Shadows")) return;
   if (!scene || scene->needs.shadows)
     controls.checkbox("Shadows", "Lights cast shadows.", settings.shadow.cast, usual.shadow.cast);
-  // What the papers published chooses its own quality and rule.
+  // The published method chooses its own quality and rule.
   const bool soft = scene && scene->needs.soft_shadows;
   if (settings.method == Method::asos && settings.shadow.cast && soft)
     quality_controls(controls, settings);

@@ -8,9 +8,9 @@
 
 namespace asos {
 
-/// What the settings' sky does not tell.
+/// The person's choices that the settings' sky does not tell.
 struct SkyEdit {
-  bool gradient = false;  ///< of a sky of one colour: it is a gradient whose colours are the same
+  bool gradient = false;  ///< a sky of one colour is a gradient whose colours are the same
   bool file = false;      ///< a picture is asked for and none is there yet
   std::string path;       ///< typed
   std::string error;      ///< why it could not be read
@@ -19,7 +19,7 @@ struct SkyEdit {
 /// Call once a frame, whether the panel is shown or not: takes over what was read.
 void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader);
 
-/// What surrounds the scene.
+/// The controls of the scene's surroundings.
 void sky_panel(Controls& controls, RenderSettings& settings, SkyEdit& choice, SkyReader& reader);
 
 }  // namespace asos

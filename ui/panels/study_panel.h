@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// What a study of the view is asked for.
+/// The choices for a study of the view.
 struct StudyChoice {
   std::set<std::string> rivals{"sobol", "stochastic"};  ///< beside asos
   int budget_seconds = 30;                              ///< for the reference

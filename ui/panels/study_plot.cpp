@@ -19,7 +19,7 @@ struct MethodColour {
   const char* method;
   std::uint32_t rgb;
 };
-/// After Okabe and Ito (2008), told apart by the colour-blind, lightened for a dark ground.
+/// After Okabe and Ito (2008), distinct to the colour-blind, lightened for a dark ground.
 constexpr MethodColour method_colours[] = {
     {"asos", 0xff8a3d},       {"asos-published", 0xf0c05a}, {"uniform", 0x9aa0a8},
     {"stochastic", 0x56b4e9}, {"sobol", 0x2fc49a},          {"whitted", 0xe39ac4},

@@ -19,10 +19,10 @@ struct LogAxis {
   /// 0 at its begin, 1 at its end; `value` is above 0.
   [[nodiscard]] double share(double value) const;
 };
-/// Of the decades that hold all of `values`, which are above 0; those that are not are left out.
+/// The axis over the decades that hold all of `values` above 0; the other values are left out.
 [[nodiscard]] LogAxis axis_over(const std::vector<double>& values);
 
-/// What a plot of a study shows.
+/// The contents of a plot of a study.
 struct StudyPlot {
   struct Mark {
     double seconds = 0.0;

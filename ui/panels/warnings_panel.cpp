@@ -14,7 +14,7 @@ namespace {
 
 constexpr float most_lines = 6.0f;  // before the list scrolls
 
-// What a person should know before trusting the picture.
+// Remarks that a person should know before trusting the picture.
 std::vector<std::string> remarks(const SceneNotes& notes) {
   std::vector<std::string> lines = notes.warnings;
   for (const std::string& extension : notes.unsupported_extensions) {

@@ -196,7 +196,7 @@ void add_blob(Mesh& mesh, glm::vec3 centre, glm::vec3 size, const Blob& blob, in
     glm::vec3 slope(0.0f);  // gradient of r as a function of all space
     for (const Blob::Bump& b : blob.bumps) {
       const float fall = b.sharpness * (glm::dot(d, b.towards) - 1.0f);
-      if (fall < -17.0f) continue;  // less than a float near 1 can tell apart
+      if (fall < -17.0f) continue;  // less than a float near 1 can resolve
       const float h = b.height * std::exp(fall);
       r += h;
       slope += (h * b.sharpness) * b.towards;

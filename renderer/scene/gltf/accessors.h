@@ -33,7 +33,7 @@ class Accessors {
   [[nodiscard]] Checked<int> components(int accessor) const;
 
   [[nodiscard]] bool normalized(int accessor) const;
-  /// What the accessor declares, whether data stands behind it or not.
+  /// The count that the accessor declares, whether data stands behind it or not.
   [[nodiscard]] Checked<std::uint64_t> declared_count(int accessor) const;
   [[nodiscard]] bool has_data(int accessor) const;
   /// The largest value of the accessor's (unsigned) type.

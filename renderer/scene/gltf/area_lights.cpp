@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// What the two proposals call a shape and its sizes, brought to one form: metres in the node.
+/// The sizes of a shape by either of the two proposals, brought to one form: metres in the node.
 struct FlatShape {
   double width = 1.0, height = 1.0, radius = 1.0;
 };

@@ -16,9 +16,9 @@ using FileBytes = std::vector<std::uint8_t>;
 [[nodiscard]] Checked<FileBytes> read_file(const std::filesystem::path& path,
                                            std::uint64_t max_bytes);
 
-/// What a glTF `uri` refers to: an embedded `data:` URI, or a file in `folder` or below it. Other
-/// schemes, absolute paths and paths that lead out of the folder (also through symbolic links) are
-/// refused, so that a downloaded model cannot read elsewhere.
+/// The contents that a glTF `uri` refers to: an embedded `data:` URI, or a file in `folder` or
+/// below it. Other schemes, absolute paths and paths that lead out of the folder (also through
+/// symbolic links) are refused, so that a downloaded model cannot read elsewhere.
 [[nodiscard]] Checked<FileBytes> read_uri(const std::filesystem::path& folder,
                                           std::string_view uri);
 

@@ -51,7 +51,7 @@ std::string polygon_fault(const Light& light) {
   return agrees ? "" : "has an outline that does not run counter-clockwise about its direction";
 }
 
-/// What is wrong with the place, the way and the size that the light's type needs.
+/// The fault of the place, the direction and the size that the light's type needs; empty if none.
 std::string shape_fault(const Light& light) {
   const bool directed = light.type != Light::Type::point && light.type != Light::Type::linear;
   if (directed && !within(glm::length(light.direction), 0.999, 1.001)) {

@@ -7,7 +7,7 @@
 namespace asos::gltf {
 
 /// Why `light` is not what scene.h promises of its type, in words that follow its name; empty where
-/// it is. What the importer adds and what the exporter writes has no fault.
+/// it is. The lights that the importer adds and those that the exporter writes have no fault.
 [[nodiscard]] std::string light_fault(const Light& light);
 
 }  // namespace asos::gltf

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// What the encodings of lights (LIGHTS.md) have in common.
+// Functions that the encodings of lights (LIGHTS.md) have in common.
 
 namespace asos::gltf {
 

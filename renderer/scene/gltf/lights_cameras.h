@@ -13,8 +13,8 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
                 Scene& scene);
 
 /// Adds the node's lights: the one of KHR_lights_punctual, which may have a size in extras, and the
-/// area, linear or polygon light. What is not a valid light is left out with a warning. LIGHTS.md
-/// has the encodings.
+/// area, linear or polygon light. An invalid light is left out with a warning. LIGHTS.md has the
+/// encodings.
 void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                Scene& scene);
 

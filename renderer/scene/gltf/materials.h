@@ -4,7 +4,7 @@
 
 namespace asos::gltf {
 
-/// Takes over all of a document's materials, in the document's order. What is out of range is
+/// Takes over all of a document's materials, in the document's order. A value out of range is
 /// brought into it with a warning.
 void import_materials(Document& document, Textures& textures, Scene& scene);
 

@@ -79,7 +79,7 @@ std::string count_fault(const Outlines& outlines) {
   return fmt::format("has {} corners; the limit is {}", corners, most_outline_corners);
 }
 
-/// What the outlines do to each other, once they are flat.
+/// The fault of flat outlines that meet or nest wrongly; empty if none.
 std::string crossing_fault(const FlatOutlines& flat) {
   const glm::dvec3 n = flat.normal;
   const glm::dvec3 axis = std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);

@@ -15,7 +15,7 @@ struct SkinPose {
   std::vector<glm::dmat4> joints;
 };
 
-/// What to make a mesh from.
+/// The primitive to make a mesh from, and how.
 struct PrimitiveRequest {
   const tinygltf::Primitive& primitive;
   std::string place;                   ///< "mesh 3 primitive 0", for messages
@@ -36,7 +36,7 @@ struct LoadedMesh {
 /// Triangles, or for the modes that are not drawn points or segments, that `elements` make.
 [[nodiscard]] std::uint64_t drawn_count(int mode, std::uint64_t elements);
 
-/// What is wrong with a primitive's accessors, without reading their data; empty if nothing.
+/// The faults of a primitive's accessors, without reading their data; empty if nothing.
 [[nodiscard]] std::string declared_faults(const tinygltf::Primitive& primitive,
                                           Accessors& accessors);
 

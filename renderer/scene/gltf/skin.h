@@ -5,7 +5,7 @@
 
 namespace asos::gltf {
 
-/// The skin's matrices at the time that is shown. What is missing or broken is repaired with a
+/// The skin's matrices at the time that is shown. Missing or broken parts are repaired with a
 /// warning. Faults: the skin does not exist or has no joints.
 [[nodiscard]] Checked<SkinPose> skin_pose(Document& document, Accessors& accessors,
                                           const NodeGraph& graph, int skin);

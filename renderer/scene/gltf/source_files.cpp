@@ -14,7 +14,7 @@ namespace asos {
 
 namespace {
 
-/// What a glTF document names besides itself, as paths relative to it.
+/// The files that a glTF document names besides itself, as paths relative to it.
 std::vector<std::string> named_files(const nlohmann::json& document) {
   std::vector<std::string> files;
   for (const char* list : {"buffers", "images"}) {

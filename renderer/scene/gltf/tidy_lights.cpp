@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-// What lights and their nodes may say in extras (LIGHTS.md).
+// The extras that lights and their nodes may have (LIGHTS.md).
 constexpr std::array<std::string_view, 4> light_extras = {"casts_shadows", "two_sided", "radius",
                                                           "angular_diameter"};
 constexpr std::array<std::string_view, 5> node_extras = {

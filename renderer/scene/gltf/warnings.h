@@ -17,8 +17,8 @@ inline tl::unexpected<std::string> fault(std::string reason) {
   return tl::unexpected<std::string>(std::move(reason));
 }
 
-/// What the importer repaired or ignored, each said once. A broken file can have a million faults,
-/// so the list is bounded and its last line counts the rest.
+/// The faults that the importer repaired or ignored, each said once. A broken file can have a
+/// million faults, so the list is bounded and its last line counts the rest.
 class Warnings {
  public:
   /// Something is wrong, but nothing is lost by it.

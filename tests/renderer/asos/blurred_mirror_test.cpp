@@ -21,7 +21,7 @@ using test::unlit;
 
 constexpr int side = 48;
 constexpr double distance = 4.0;  // of the camera above the mirror
-constexpr double height = 6.0;    // of what is mirrored
+constexpr double height = 6.0;    // of the mirrored object
 constexpr double fov = 0.06;      // so narrow that all rays meet the mirror upright
 
 /// Looks straight down at a mirror in y = 0, in which it sees what hangs at y = 6.
@@ -68,7 +68,7 @@ struct Edge {
   double at = 0.0013;
   double width = 0.0;  // of the lobe, one unit ahead
 
-  /// Of the pixel in this column, by the dark half-plane x < at.
+  /// Share of the pixel in this column that the dark half-plane x < at covers.
   [[nodiscard]] double covered(int column) const {
     const double pixel = 2.0 * std::tan(0.5 * fov) / side;
     const double middle = (column + 0.5 - 0.5 * side) * pixel * (distance + height);
@@ -118,7 +118,7 @@ TEST(BlurredMirror, DoesNotDependOnTheResolutionWhenItIsRough) {
   Edge edge;
   edge.width = lobe_width(0.05);
   const auto row = middle_row(half_plane(material, edge.at), settings_of(Method::asos));
-  // What the lobe returns of a constant environment.
+  // The radiance that the lobe returns of a constant environment.
   const double all = row.back();
   EXPECT_NEAR(all, static_cast<double>(sky_radiance), 0.05 * all);
   for (int x = 0; x < side; ++x)
@@ -132,7 +132,7 @@ TEST(BlurredMirror, IsWhatSamplesConvergeTo) {
   edge.width = 2.0 * std::tan(0.5 * fov) / side * 4.0;
   RenderSettings settings = settings_of(Method::sobol);
   settings.sampling.spp = 4096;
-  // What as many independent samples would be off by.
+  // The deviation of as many independent samples.
   const double deviation = 0.5 / std::sqrt(settings.sampling.spp);
   const auto row = middle_row(half_plane(material, edge.at), settings);
   const double sky = static_cast<double>(sky_radiance);

@@ -78,7 +78,7 @@ TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
   settings.asos.eps = 0.0;
   settings.mirror.curved = GetParam();
   settings.mirror.widest_angle_deg = 4.0;
-  // What the reference cannot tell apart: it is off by about as much as another one differs.
+  // The reference's noise: it is off by about as much as another one differs.
   const double noise = rmse(picture(*scene, sobol(1024, 1)), reference);
   std::vector<double> errors;
   for (const int level : {1, 2, 4}) {

@@ -19,7 +19,7 @@ auto white_left_of_the_line() {
   return make_render_scene(two_colours(line, glm::vec3(1), glm::vec3(0)));
 }
 
-/// Of a pixel that is the mean of `width` columns around its middle.
+/// The share of a pixel that is the mean of `width` columns around its middle.
 double share_left_of_the_line(int x, double width) {
   return std::clamp((static_cast<double>(line) - (x + 0.5 - 0.5 * width)) / width, 0.0, 1.0);
 }

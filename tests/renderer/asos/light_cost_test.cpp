@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-// What shadows cost where there are none, and what many lights add up to.
+// The cost of shadows where there are none, and the sum of many lights.
 
 namespace asos::test::light_cost_test {
 namespace {

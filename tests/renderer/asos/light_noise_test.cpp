@@ -33,8 +33,9 @@ Means brightness(const Picture& picture) {
   return means;
 }
 
-/// What a pixel of ASOS may be off its mean besides noise: each leaf is let pass while it is within
-/// this of the mean of its patch (RenderSettings::refine_shading), and so is each light's shadow.
+/// Tolerance of a pixel of ASOS about its mean besides noise: each leaf is accepted while it is
+/// within this of the mean of its patch (RenderSettings::refine_shading), and so is each light's
+/// shadow.
 constexpr double let_pass = 2.0 / 2048.0;
 
 /// Four seeds of sampling; the standard error of their mean is pooled over a pixel's surroundings,

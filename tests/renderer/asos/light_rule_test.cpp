@@ -87,7 +87,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-// What the floor makes of irradiance is the same for both rules: the physical picture tells it.
+// The floor reflects irradiance alike under both rules: the physical picture tells its radiance.
 TEST(LightRule, PublishedIsItsClosedFormInEveryPixel) {
   const Picture dark = picture_of({}, Method::asos, LightRule::physical);
   const View view(viewer(), width, height);

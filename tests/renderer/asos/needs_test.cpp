@@ -16,7 +16,8 @@
 #include <string>
 #include <vector>
 
-// What a scene does not need is left out, and forcing it back in changes no bit of any picture.
+// Features that a scene does not need are left out, and forcing them back in changes no bit of any
+// picture.
 
 namespace asos::needs_test {
 namespace {
@@ -262,7 +263,7 @@ TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
 
 TEST(ForcedNeeds, TakeMemoryThatIsLeftOutOtherwise) {
   Scene scene = pane_on_floor();
-  add_texture(scene);  // of no material
+  add_texture(scene);  // used by no material
   const SharedScene needed = prepare(scene).value();
   EXPECT_TRUE(needed->world().colors.empty() && needed->world().tangents.empty());
   EXPECT_TRUE(needed->world().texcoords[0].empty() && needed->world().images[0].rgba.empty());

@@ -58,7 +58,8 @@ TEST(PartShape, HasTheMomentsOfAnyPart) {
     const double side = std::sqrt(area);
     const glm::dvec2 middle = glm::dvec2(at) + side * glm::dvec2(shape.offset);
     const glm::dvec2 e = side * glm::dvec2(shape.right), f = side * glm::dvec2(shape.down);
-    // Of a triangle: the mean of its corners, and (sum of their outer products about it) / 12.
+    // The triangle's mean is that of its corners, its second moments are (sum of the corners' outer
+    // products about the mean) / 12.
     const glm::dvec2 mean = (a + b + c) / 3.0;
     const auto product = [&](int x, int y) {
       double sum = 0.0;

@@ -261,7 +261,7 @@ TEST(RoughMeshes, FlippedFacesLookTheSame) {
   EXPECT_EQ(a.statistics.missed_splits, 0u);
   EXPECT_EQ(b.statistics.missed_splits, 0u);
   // Barycentric coordinates are rounded differently, and of the rays that sample a penumbra one may
-  // fall to the other side of an edge: within what is let pass of a pixel at MAX 4.
+  // fall to the other side of an edge: within the tolerance of a pixel at MAX 4.
   EXPECT_TRUE(a.same(b, std::ldexp(1.0f, -10)));
   EXPECT_LT(a.rms(b), 1e-5);
 }

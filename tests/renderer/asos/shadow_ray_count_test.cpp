@@ -133,8 +133,8 @@ TEST(ShadowRayCount, IsNoneForLightsThatGiveNothing) {
   EXPECT_NE(together.film.radiance, dark.film.radiance);
 }
 
-// EPS over the number of lights is let pass of each: whether a light that weak is shaded or not
-// does not show.
+// The tolerance of each light is EPS over the number of lights: whether a light that weak is shaded
+// or not does not show.
 TEST(ShadowRayCount, IsNoneForLightsTooWeakToMatter) {
   RenderSettings settings = settings_with(8);
   settings.asos.eps = 1.0 / 64.0;

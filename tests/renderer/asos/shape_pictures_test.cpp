@@ -97,7 +97,7 @@ class Conic {
 
 struct Worst {
   double error = 0.0;
-  double total = 0.0;  ///< of all pixels, signed
+  double total = 0.0;  ///< signed error of all pixels
   int partial = 0;
 };
 
@@ -293,7 +293,7 @@ TEST(ShapePictures, FromInsideOnlyRimsAreSeen) {
   expect_near(against_samples(under(world, light), camera, 256), 1e-3);
 }
 
-// Of a sphere of 20, 3 and 0.4 pixels' radius.
+// The radius is 20, 3 and 0.4 pixels.
 TEST(ShapePictures, SpheresAndDisksCoverWhatTheClosedFormSays) {
   for (const Shape& shape : {sphere(1.0), disk(1.0)}) {
     for (const Place& place : places()) {

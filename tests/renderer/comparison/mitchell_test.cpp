@@ -26,8 +26,8 @@ TEST(Mitchell, AFlatPictureCostsFourRaysAPixel) {
   }
 }
 
-// Of four points of the sequence two lie in each half of the pixel, so that an edge through the
-// middle is always seen; of 256 points each column of 1/256 has one.
+// Two of four points of the sequence lie in each half of the pixel, so that an edge through the
+// middle is always seen; each column of 1/256 has one of 256 points.
 TEST(Mitchell, AnEdgeTakesTheHighDensityAndIsExactWhereTheNetIs) {
   for (const int spp : {16, 64, 256}) {
     const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(1), glm::vec3(0)));

@@ -83,7 +83,7 @@ std::size_t surfaces_in(const RenderScene& scene, const View& view, int x, int y
   std::set<std::uint32_t> surfaces;
   for (int k = 0; k < n * n; ++k) {
     const Ray ray = view.ray(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
-    const Hit hit = scene.rays().closest(ray, Faces::as_material_says);
+    const Hit hit = scene.rays().closest(ray, Culling::as_material_says);
     surfaces.insert(hit.valid() ? scene.features().sheet(hit.triangle) : Hit::none);
   }
   return surfaces.size();
@@ -92,7 +92,7 @@ std::size_t surfaces_in(const RenderScene& scene, const View& view, int x, int y
 struct Findings {
   int bounded = 0;
   int differ = 0;                    // pixels whose rays meet more than one surface
-  int unbounded = 0;                 // of them, those that count as having no boundary
+  int unbounded = 0;                 // those of them that count as having no boundary
   std::vector<glm::ivec2> doubtful;  // pixels with a boundary of which no ray tells
 };
 

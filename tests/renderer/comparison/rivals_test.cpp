@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-// What the methods have in common that ASOS is compared with and that decide where to sample.
+// Properties that all methods share that ASOS is compared with and that decide where to sample.
 
 namespace asos::test::rivals_test {
 namespace {

@@ -35,7 +35,7 @@ TEST(Whitted, AVerticalEdgeIsFoundToHalfASquare) {
         two_colours(4.0f + static_cast<float>(share), glm::vec3(1), glm::vec3(0)));
     for (int depth = 0; depth <= 6; ++depth) {
       const BlockResult r = render_small(*scene, whitted(depth));
-      // Of the squares that the edge crosses two corners are white.
+      // Two corners of each square that the edge crosses are white.
       const double squares = std::ldexp(1.0, depth);
       const double expected = (std::floor(share * squares) + 0.5) / squares;
       for (int y = 0; y < 8; ++y) {

@@ -187,8 +187,8 @@ TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
   const World smooth = cube(true), creased = cube(false);
   const FeatureSet bent(smooth), flat(creased);
   for (std::uint32_t t = 0; t < 12; ++t) {
-    EXPECT_FLOAT_EQ(bent.departure(t), 2.0f);
-    EXPECT_EQ(flat.departure(t), 0.0f);
+    EXPECT_FLOAT_EQ(bent.deviation(t), 2.0f);
+    EXPECT_EQ(flat.deviation(t), 0.0f);
   }
   // A roof that falls by 3 in 4 on one side, and on that side twice modelled.
   World roof = empty_world();
@@ -196,9 +196,9 @@ TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
   add_part(roof, {{0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, -4, -3}},
            std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)), {{0, 1, 2}, {0, 1, 3}, {0, 3, 1}});
   const FeatureSet features(roof);
-  EXPECT_FLOAT_EQ(features.departure(0), 3.0f);
-  EXPECT_FLOAT_EQ(features.departure(1), 3.0f);  // 5 times the sine, which is 3/5
-  EXPECT_FLOAT_EQ(features.departure(2), 3.0f);
+  EXPECT_FLOAT_EQ(features.deviation(0), 3.0f);
+  EXPECT_FLOAT_EQ(features.deviation(1), 3.0f);  // 5 times the sine, which is 3/5
+  EXPECT_FLOAT_EQ(features.deviation(2), 3.0f);
 }
 
 TEST(Features, ZeroAreaTrianglesBoundNothing) {

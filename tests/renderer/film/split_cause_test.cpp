@@ -28,8 +28,8 @@ glm::dvec3 lab(glm::dvec3 rgb) {
   return {116.0 * v.y - 16.0, 500.0 * (v.x - v.y), 200.0 * (v.y - v.z)};
 }
 
-/// What eyes without one kind of cones see, in linear RGB: Vienot, Brettel and Mollon, "Digital
-/// video colourmaps for checking the legibility of displays by dichromats" (1999).
+/// The colour that eyes without one kind of cones see, in linear RGB: Vienot, Brettel and Mollon,
+/// "Digital video colourmaps for checking the legibility of displays by dichromats" (1999).
 glm::dvec3 as_seen_by(int missing_cone, glm::dvec3 rgb) {
   const glm::dmat3 lms_from_rgb(17.8824, 3.45565, 0.0299566, 43.5161, 27.1554, 0.184309, 4.11935,
                                 3.86714, 1.46709);

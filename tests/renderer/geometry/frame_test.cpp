@@ -23,7 +23,7 @@ TEST(Frame, ProjectAndWorldAreInverse) {
       // The matrix may be nearly singular; its inverse then loses digits in proportion.
       EXPECT_NEAR(q.u, p.u, 1e-8);
       EXPECT_NEAR(q.v, p.v, 1e-8);
-      EXPECT_NEAR(q.q, p.q, 1e-8);
+      EXPECT_NEAR(q.nearness, p.nearness, 1e-8);
     }
   }
 }
@@ -36,7 +36,7 @@ TEST(Frame, NearnessIsLinearAlongALineInTheSquare) {
   const FramePoint m = frame.project(frame.homogeneous(0.25 * a + 0.75 * b));
   const double t = (m.u - p.u) / (q.u - p.u);
   EXPECT_NEAR(m.v, p.v + t * (q.v - p.v), 1e-12);
-  EXPECT_NEAR(m.q, p.q + t * (q.q - p.q), 1e-12);
+  EXPECT_NEAR(m.nearness, p.nearness + t * (q.nearness - p.nearness), 1e-12);
 }
 
 Camera camera_of(Camera::Type type) {

@@ -147,7 +147,7 @@ TEST(EmissiveLights, AThousandLampsAreAtMost64LightsOfTheirPower) {
     EXPECT_GT(lights.size(), max_lights_of_part / 2);
     const double power = 50.0 * pi * area_of(world, 0);
     EXPECT_NEAR(total_flux(lights, {2, 1.25, 0}, 10.0), power, 0.01 * power);
-    // What a surface near the field gets is what all the lamps give it.
+    // A surface near the field gets the light that all the lamps give it.
     const Receiver near{{2, 1.25, 1.5}, {0, 0, -1}, {0, 0, -1}};
     double merged = 0.0;
     for (const Light& light : lights) merged += unshadowed_irradiance(prepare_light(light), near).r;

@@ -15,7 +15,7 @@ namespace {
 using Outlines2 = std::vector<std::vector<glm::dvec2>>;
 
 constexpr int kRounds = 60;
-const double kSizes[] = {1e-4, 1e-2, 0.3, 1.0, 3.0, 100.0, 1e4};  // of a distance of about 1
+const double kSizes[] = {1e-4, 1e-2, 0.3, 1.0, 3.0, 100.0, 1e4};  // sizes at a distance of about 1
 
 /// To 1e-5; below that a contour sum is left with the rounding of its sides, which are up to 1.
 void expect_form(double form, double expected, double size, int round) {

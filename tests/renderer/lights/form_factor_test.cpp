@@ -160,7 +160,7 @@ TEST(LineForm, IsThatOfALevelTubeAboveItsMiddle) {
 TEST(LineForm, GivesNothingAlongATubeAndInverseSquareAlongPoints) {
   const Receiver receiver{{0, 0, 0}, up, up};
   EXPECT_EQ(line_form({0, 1, 0}, {0, 2, 0}, true, receiver), 0.0);
-  EXPECT_NEAR(line_form({0, 1, 0}, {0, 2, 0}, false, receiver), 0.5, 1e-15);  // of dy / y^2
+  EXPECT_NEAR(line_form({0, 1, 0}, {0, 2, 0}, false, receiver), 0.5, 1e-15);  // int dy / y^2
   EXPECT_EQ(line_form({0, -1, 0}, {0, 2, 0}, false, receiver), 0.0) << "on the line itself";
 }
 

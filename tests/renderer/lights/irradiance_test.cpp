@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 const glm::dvec3 up(0, 1, 0);
 
-/// Of the red channel; the lights of tests/support shine 5 in it.
+/// Irradiance of the red channel; the lights of tests/support shine 5 in it.
 float irradiance(const Light& light, const Receiver& receiver,
                  LightRule rule = LightRule::physical) {
   return unshadowed_irradiance(prepare_light(light, rule), receiver).r;

@@ -11,7 +11,7 @@
 namespace asos::sample_light_test {
 namespace {
 
-/// Of the red channel, over the middles of count x count cells.
+/// Mean irradiance of the red channel over the middles of count x count cells.
 double mean(const PreparedLight& light, const Receiver& receiver, int count) {
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {

@@ -22,7 +22,7 @@ Box box(glm::vec3 lo, glm::vec3 hi) {
   return b;
 }
 
-/// Of a white diffuse surface.
+/// Radiance of a white diffuse surface.
 double radiance(const Light& light, glm::dvec3 position, glm::dvec3 normal) {
   return unshadowed_irradiance(prepare_light(light), {position, normal, normal}).r / pi;
 }

@@ -225,7 +225,7 @@ TEST(PictureDescription, IsNeverReadInPart) {
   EXPECT_FALSE(parse_description(std::string(100000, '['), "a").has_value());
 }
 
-// What was edited in the window is in its pictures.
+// Edits made in the window are in its pictures.
 TEST(PictureDescription, EditedBlurComesBackWithItsScene) {
   const Scene scene = load_scene("builtin:solids").value();
   const auto original = prepare(scene).value();

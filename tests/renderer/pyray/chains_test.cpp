@@ -60,7 +60,7 @@ Segments shuffled(Segments segments, std::mt19937& random) {
   std::shuffle(segments.begin(), segments.end(), random);
   for (Segment& s : segments) {
     if (random() % 2) continue;
-    std::swap(s.u0, s.u1), std::swap(s.v0, s.v1), std::swap(s.q0, s.q1);
+    std::swap(s.u0, s.u1), std::swap(s.v0, s.v1), std::swap(s.nearness0, s.nearness1);
   }
   return segments;
 }
@@ -208,8 +208,8 @@ TEST(ChainSimplifier, TheSameInputGivesTheSameBitsFromUsedMemory) {
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     EXPECT_EQ(first_of(again[i]), first_of(fresh[i]));
     EXPECT_EQ(second_of(again[i]), second_of(fresh[i]));
-    EXPECT_EQ(again[i].q0, fresh[i].q0);
-    EXPECT_EQ(again[i].q1, fresh[i].q1);
+    EXPECT_EQ(again[i].nearness0, fresh[i].nearness0);
+    EXPECT_EQ(again[i].nearness1, fresh[i].nearness1);
   }
 }
 
@@ -221,7 +221,7 @@ TEST(ChainSimplifier, IsNowhereFartherThanTheChain) {
     for (const glm::vec3& j : joints) {
       if (j.x < std::min(s.u0, s.u1) || j.x > std::max(s.u0, s.u1)) continue;
       const float t = (j.x - s.u0) / (s.u1 - s.u0);
-      EXPECT_GE(s.q0 + t * (s.q1 - s.q0), j.z - rounding);
+      EXPECT_GE(s.nearness0 + t * (s.nearness1 - s.nearness0), j.z - rounding);
     }
   }
 }

@@ -25,7 +25,7 @@ const Material grey = matte(glm::vec3(0.5f));
 const Material grey_both = double_sided(grey);
 
 /// The hits of one ray in every form: alone, and in the last lane of packets of each width.
-std::vector<Hit> all_forms(RayScene& scene, const Ray& ray, Faces faces) {
+std::vector<Hit> all_forms(RayScene& scene, const Ray& ray, Culling faces) {
   std::vector<Hit> found = {scene.closest(ray, faces)};
   for (const int width : {1, 4, 8, 16}) {
     scene.set_packet_width(width);
@@ -39,48 +39,48 @@ std::vector<Hit> all_forms(RayScene& scene, const Ray& ray, Faces faces) {
   return found;
 }
 
-TEST(Faces, ARayGoesThroughTheBackOfASingleSidedSurface) {
+TEST(Culling, ARayGoesThroughTheBackOfASingleSidedSurface) {
   World world;
   add_square(world, 0.0f, grey, false);  // its back is up
   add_square(world, -1.0f, grey, true);
   RayScene scene = build(world);
-  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Faces::as_material_says)) {
+  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::as_material_says)) {
     EXPECT_FLOAT_EQ(hit.t, 2.0f);
     EXPECT_EQ(world.triangle_part[hit.triangle], 1u);
   }
-  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Faces::all)) {
+  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::none)) {
     EXPECT_FLOAT_EQ(hit.t, 1.0f);
   }
   // From below, the front of the first is met through the back of the second.
   Ray up = down(0.1f, 0.3f, -5.0f);
   up.direction = {0, 0, 1};
-  for (const Hit& hit : all_forms(scene, up, Faces::as_material_says)) {
+  for (const Hit& hit : all_forms(scene, up, Culling::as_material_says)) {
     EXPECT_FLOAT_EQ(hit.t, 5.0f);
     EXPECT_EQ(world.triangle_part[hit.triangle], 0u);
   }
 }
 
-TEST(Faces, NothingBehindABackIsBackground) {
+TEST(Culling, NothingBehindABackIsBackground) {
   World world;
   for (int i = 0; i < 100; ++i) add_square(world, -0.01f * static_cast<float>(i), grey, false);
   RayScene scene = build(world);
-  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Faces::as_material_says)) {
+  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::as_material_says)) {
     EXPECT_FALSE(hit.valid());
   }
 }
 
-TEST(Faces, DoubleSidedSurfacesShowTheirBack) {
+TEST(Culling, DoubleSidedSurfacesShowTheirBack) {
   World world;
   add_square(world, 0.0f, grey, false);
   add_square(world, -1.0f, grey_both, false);
   add_square(world, -2.0f, grey, true);
   RayScene scene = build(world);
-  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Faces::as_material_says)) {
+  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::as_material_says)) {
     EXPECT_EQ(world.triangle_part[hit.triangle], 1u);
   }
 }
 
-TEST(Faces, AFrontInTheVeryPlaceOfABackIsMet) {
+TEST(Culling, AFrontInTheVeryPlaceOfABackIsMet) {
   // As leaves are modelled: two single-sided squares of opposite windings in one plane.
   for (const bool back_first : {false, true}) {
     World world;
@@ -93,7 +93,7 @@ TEST(Faces, AFrontInTheVeryPlaceOfABackIsMet) {
       Ray ray;
       ray.origin = {side(rng), side(rng), 1.7f};
       ray.direction = glm::vec3(side(rng), side(rng), 0.3f) - ray.origin;
-      for (const Hit& hit : all_forms(scene, ray, Faces::as_material_says)) {
+      for (const Hit& hit : all_forms(scene, ray, Culling::as_material_says)) {
         ASSERT_TRUE(hit.valid()) << i;
         EXPECT_EQ(world.triangle_part[hit.triangle], back_first ? 1u : 0u) << i;
       }
@@ -101,19 +101,19 @@ TEST(Faces, AFrontInTheVeryPlaceOfABackIsMet) {
   }
 }
 
-TEST(Faces, ShadowRaysMeetBothSides) {
+TEST(Culling, ShadowRaysMeetBothSides) {
   World world;
   add_square(world, 0.0f, grey, false);
   const RayScene scene = build(world);
   const Ray ray = down(0.1f, 0.3f);
-  EXPECT_FALSE(scene.closest(ray, Faces::as_material_says).valid());
+  EXPECT_FALSE(scene.closest(ray, Culling::as_material_says).valid());
   EXPECT_EQ(scene.transmittance(ray), 0.0f);
   Blocker blocker;
   scene.blockers({&ray, 1}, {&blocker, 1});
   EXPECT_TRUE(blocker.hit.valid());
 }
 
-TEST(Faces, HolesAndBlendedSurfacesHaveBacksToo) {
+TEST(Culling, HolesAndBlendedSurfacesHaveBacksToo) {
   World world;
   Material glass = matte(glm::vec3(1));
   glass.transmission = 0.5f;
@@ -124,7 +124,7 @@ TEST(Faces, HolesAndBlendedSurfacesHaveBacksToo) {
   add_square(world, 0.1f, test::blended(0.5f), true);
   add_square(world, 0.0f, grey, true);
   RayScene scene = build(world);
-  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Faces::as_material_says)) {
+  for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::as_material_says)) {
     EXPECT_EQ(world.triangle_part[hit.triangle], 4u);
   }
 }
@@ -144,7 +144,7 @@ World placed_quad(const glm::dmat4& world_from_mesh) {
   return flatten(scene).value().world;
 }
 
-TEST(Faces, AMirroredInstanceKeepsItsFrontInFront) {
+TEST(Culling, AMirroredInstanceKeepsItsFrontInFront) {
   const auto scaled = [](double x, double y, double z) {
     glm::dmat4 m(1.0);
     m[0][0] = x;
@@ -164,7 +164,7 @@ TEST(Faces, AMirroredInstanceKeepsItsFrontInFront) {
     const World world = placed_quad(c.placed);
     RayScene scene = build(world);
     const Ray ray = down(0.1f, 0.3f);
-    for (const Hit& hit : all_forms(scene, ray, Faces::as_material_says)) {
+    for (const Hit& hit : all_forms(scene, ray, Culling::as_material_says)) {
       EXPECT_EQ(hit.valid(), c.front_up);
     }
     EXPECT_EQ(meets_back(world, 0, ray.direction), !c.front_up);
@@ -173,7 +173,7 @@ TEST(Faces, AMirroredInstanceKeepsItsFrontInFront) {
   }
 }
 
-TEST(Faces, AgreeWithBruteForceInDouble) {
+TEST(Culling, AgreeWithBruteForceInDouble) {
   World world = test::random_triangles(21, 250, 0.5f);
   for (std::size_t i = 0; i < world.materials.size(); i += 3) {
     world.materials[i].double_sided = true;
@@ -187,7 +187,7 @@ TEST(Faces, AgreeWithBruteForceInDouble) {
   for (const int width : {1, 4, 8, 16}) {
     scene.set_packet_width(width);
     std::vector<Hit> hits(rays.size());
-    scene.closest(rays, hits, Faces::as_material_says);
+    scene.closest(rays, hits, Culling::as_material_says);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const glm::dvec3 d(rays[i].direction);
       std::uint32_t expected = Hit::none;
@@ -214,7 +214,7 @@ TEST(Faces, AgreeWithBruteForceInDouble) {
       ++compared;
       culled += scene.closest(rays[i]).triangle != expected;
       ASSERT_EQ(hits[i].triangle, expected) << "width " << width << " ray " << i;
-      ASSERT_EQ(scene.closest(rays[i], Faces::as_material_says).triangle, expected) << i;
+      ASSERT_EQ(scene.closest(rays[i], Culling::as_material_says).triangle, expected) << i;
     }
   }
   EXPECT_GT(compared, 3000);

@@ -135,7 +135,7 @@ TEST(OwnPart, LampsAreMetAsEverByRaysForTheViewer) {
   std::mt19937 rng(52);
   std::vector<Ray> rays(500);
   for (Ray& ray : rays) ray = test::random_ray(rng);
-  for (const Faces faces : {Faces::all, Faces::as_material_says}) {
+  for (const Culling faces : {Culling::none, Culling::as_material_says}) {
     std::vector<Hit> a(rays.size());
     std::vector<Hit> b(rays.size());
     lamps.closest(rays, a, faces);

@@ -204,10 +204,10 @@ TEST(ShapeRays, GoThroughBacksOfSingleSidedShapes) {
   const RayScene rays = test::build(world);
   const Ray inside = test::down(0.3f, 0.2f, 0.0f);
   EXPECT_TRUE(rays.closest(inside).valid());
-  EXPECT_FALSE(rays.closest(inside, Faces::as_material_says).valid());
+  EXPECT_FALSE(rays.closest(inside, Culling::as_material_says).valid());
   const Ray outside = test::down(0.3f, 0.2f, 5.0f);
-  EXPECT_TRUE(rays.closest(outside, Faces::as_material_says).valid());
-  EXPECT_EQ(rays.closest(outside).t, rays.closest(outside, Faces::as_material_says).t);
+  EXPECT_TRUE(rays.closest(outside, Culling::as_material_says).valid());
+  EXPECT_EQ(rays.closest(outside).t, rays.closest(outside, Culling::as_material_says).t);
 }
 
 TEST(ShapeRays, ABlendedShapeTakesItsShareTwice) {

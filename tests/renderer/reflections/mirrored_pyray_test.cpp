@@ -59,7 +59,7 @@ TEST(MirroredPyray, ABlurredOneOfASquareLeavesFromItsPatch) {
   EXPECT_NEAR(glm::distance(c, d), 1e-3, 2e-6);
 }
 
-// What lies beside a strip of mirror, as the frame beside a pane does, is no part of it.
+// A surface beside a strip of mirror, such as the frame beside a pane, is no part of it.
 TEST(MirroredPyray, ABlurredOneOfAStripDoesNotLeaveBesideIt) {
   for (const double tilt : {0.0, 0.6, 1.2}) {
     for (const auto& [right, down] : {std::pair{1e-3, 8e-3}, {8e-3, 1e-3}, {2e-3, 2e-3}}) {

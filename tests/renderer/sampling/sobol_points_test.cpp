@@ -158,8 +158,8 @@ TEST(SobolPixel, PixelAndLightTogetherAreNets) {
 }
 
 TEST(SobolPixel, IsNoNetOfBetterQuality) {
-  // What the net test must be able to see: the light's pair is none of quality zero, and points
-  // that do not start at a multiple of their number are none of the pixel's.
+  // The net test must be able to see that the light's pair is no net of quality zero, and that
+  // points that do not start at a multiple of their number are no net of the pixel's.
   const SobolPixel pixel(1, 2, 3);
   EXPECT_FALSE(is_net(points(pixel, 0, 64), {2, 3}, 0));
   EXPECT_FALSE(is_net(points(pixel, 3, 64), {0, 1}, 0));

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// What the built-in scenes of CGF'98 sections 7.2 to 7.4 are made of.
+// The materials of the built-in scenes of CGF'98 sections 7.2 to 7.4.
 
 namespace asos {
 namespace {

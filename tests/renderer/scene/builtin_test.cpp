@@ -38,7 +38,7 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
   return welded;
 }
 
-/// What keeps a mesh from being a closed, consistently wound surface, or empty.
+/// The reason why a mesh is not a closed, consistently wound surface; empty where it is one.
 std::string why_not_closed(const Mesh& mesh) {
   const std::vector<std::uint32_t> welded = weld(mesh);
   std::unordered_map<std::uint64_t, int> directed;

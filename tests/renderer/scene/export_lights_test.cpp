@@ -160,7 +160,7 @@ TEST(ExportLights, FlatLightsOutliveTheLossOfEitherDescription) {
   EXPECT_LT(glm::length(before - after), 1e-5f * glm::length(before));
 }
 
-/// What a Blender round trip leaves: truth values as 0 and 1, whole numbers as they are.
+/// A Blender round trip leaves truth values as 0 and 1, and whole numbers as they are.
 TEST(ExportLights, TruthValuesMayComeBackAsNumbers) {
   const Scene scene = lit_scene();
   json root = exported(scene);

@@ -49,7 +49,7 @@ TEST(ImportPunctualSize, TheNodesExtrasGoBeforeTheLights) {
   file.with(punctual, sized("point", "radius", 0.25));
   file.node()["extras"] = {{"radius", 2}, {"author", "somebody"}};
   EXPECT_EQ(file.light().radius, 2.0);
-  // What the light's type has no use for is none of it.
+  // A size that the light's type has no use for is ignored.
   LightFile sun;
   sun.with(punctual, sized("directional", "radius", 0.25));
   EXPECT_EQ(sun.light().radius, 0.0);

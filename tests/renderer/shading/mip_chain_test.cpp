@@ -78,7 +78,7 @@ TEST(MipChain, ColoursAreAveragedAsLight) {
 }
 
 TEST(MipChain, ColoursOfCutOutsCountByTheirAlpha) {
-  // What is cut away is green, as painters leave it, and must not shine through.
+  // The texels that are cut away are green, as painters leave it, and must not shine through.
   const Image image = make_image(4, 4, [](int x, int) {
     return x % 2 == 0 ? Texel{255, 0, 0, 255} : Texel{0, 255, 0, 0};
   });

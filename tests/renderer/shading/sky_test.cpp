@@ -67,7 +67,7 @@ double mean_of(const Sky& sky, const Patch3& patch) {
   return static_cast<double>(sky.radiance(patch.direction, patch.right, patch.down).g);
 }
 
-/// Of a surface under the sky, over pi.
+/// Irradiance of a surface under the sky, over pi.
 double irradiance(const Radiance& radiance, glm::dvec3 normal) {
   constexpr int n = 400;
   double sum = 0.0;

@@ -8,7 +8,7 @@
 
 namespace asos::stability {
 
-// What GoogleTest prints of a parameter.
+// The text that GoogleTest prints for a parameter.
 static void PrintTo(const Case& item, std::ostream* stream) {
   *stream << item.group << ": " << item.name;
 }

@@ -39,7 +39,7 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
   return light;
 }
 
-/// What a plain world needs: what cannot be told from it alone.
+/// The needs of a plain world: those that cannot be told from it alone.
 SceneNeeds least_needs() {
   SceneNeeds needs;
   needs.unused_images = true;
@@ -153,7 +153,7 @@ TEST(Needs, ImagesThatNothingShowsAreReleased) {
   add_texture(world, 8);
   Material hidden;
   hidden.base_color_texture.texture = 1;
-  world.materials.push_back(hidden);  // of no part
+  world.materials.push_back(hidden);  // used by no part
   EXPECT_FALSE(find_needs(world).unused_images);
   release_unused_images(world);
   EXPECT_EQ(world.images[0].rgba.size(), 64u);

@@ -31,7 +31,7 @@ Scene scene_of(Mesh mesh, const glm::dmat4& placed = glm::dmat4(1.0)) {
 }
 
 TEST(Flatten, RecentresInDoublePrecision) {
-  // Around ten million units a float cannot tell steps of half a unit apart.
+  // Around ten million units a float cannot resolve steps of half a unit.
   const glm::dvec3 far(1e7, -2e7, 3e7);
   Mesh mesh = triangle_mesh();
   mesh.positions[1] = {0.25f, 0, 0};

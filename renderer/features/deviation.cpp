@@ -1,4 +1,4 @@
-#include "renderer/features/departure.h"
+#include "renderer/features/deviation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace {
 
 using FacetBoxes = std::unordered_map<std::uint32_t, Box>;
 
-// Of facets with more than one triangle.
+// The boxes of the facets with more than one triangle.
 FacetBoxes boxes_of(const World& world, DisjointSets& facets) {
   FacetBoxes boxes;
   const auto n = static_cast<std::uint32_t>(world.triangles.size());
@@ -45,9 +45,9 @@ struct Plane {
 
 }  // namespace
 
-std::vector<float> departures(const World& world, DisjointSets& facets,
+std::vector<float> deviations(const World& world, DisjointSets& facets,
                               std::span<const FeatureEdge> edges) {
-  std::vector<float> departure(world.triangles.size());
+  std::vector<float> deviation(world.triangles.size());
   const FacetBoxes boxes = boxes_of(world, facets);
   const auto depart = [&](std::uint32_t from, std::uint32_t to, std::uint32_t third) {
     const Plane plane = Plane::of(world, from);
@@ -55,7 +55,7 @@ std::vector<float> departures(const World& world, DisjointSets& facets,
     const double d = box == boxes.end() ? plane.distance(glm::dvec3(world.positions[third]))
                                         : plane.distance(box->second);
     // From where a flat facet's surface goes on, it goes on from all of the facet.
-    float& most = departure[facets.find(from)];
+    float& most = deviation[facets.find(from)];
     most = std::max(most, static_cast<float>(d));
   };
   for (const FeatureEdge& edge : edges) {
@@ -64,8 +64,8 @@ std::vector<float> departures(const World& world, DisjointSets& facets,
     depart(edge.right_sheet, edge.left_sheet, edge.left);
   }
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
-    departure[t] = departure[facets.find(t)];
-  return departure;
+    deviation[t] = deviation[facets.find(t)];
+  return deviation;
 }
 
 }  // namespace asos

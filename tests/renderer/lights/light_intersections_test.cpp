@@ -1,4 +1,4 @@
-#include "renderer/lights/light_cuts.h"
+#include "renderer/lights/light_intersections.h"
 
 #include "tests/support/tiny_world.h"
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace asos::test::light_cuts_test {
+namespace asos::test::light_intersections_test {
 namespace {
 
 /// A light of 2 x 1 in y = 2, its middle at x = z = 0, that shines downwards.
@@ -22,14 +22,14 @@ Light ceiling_light() {
   return light;
 }
 
-std::vector<LightCut> cuts_of(const World& world, const Light& light) {
+std::vector<LightIntersection> cuts_of(const World& world, const Light& light) {
   const PreparedLight prepared = prepare_light(light);
-  return find_light_cuts(world, {&prepared, 1}).at(0);
+  return find_light_intersections(world, {&prepared, 1}).at(0);
 }
 
-double length_of(const std::vector<LightCut>& cuts) {
+double length_of(const std::vector<LightIntersection>& cuts) {
   double sum = 0.0;
-  for (const LightCut& cut : cuts) sum += glm::distance(cut.from, cut.to);
+  for (const LightIntersection& cut : cuts) sum += glm::distance(cut.from, cut.to);
   return sum;
 }
 
@@ -40,10 +40,10 @@ World wall(double x, double bottom, double top) {
   return world;
 }
 
-TEST(LightCuts, LieWhereASurfaceMeetsTheLightsPlane) {
-  const std::vector<LightCut> cuts = cuts_of(wall(0.25, 0.0, 8.0), ceiling_light());
+TEST(LightIntersections, LieWhereASurfaceMeetsTheLightsPlane) {
+  const std::vector<LightIntersection> cuts = cuts_of(wall(0.25, 0.0, 8.0), ceiling_light());
   ASSERT_FALSE(cuts.empty());
-  for (const LightCut& cut : cuts) {
+  for (const LightIntersection& cut : cuts) {
     for (const glm::dvec3 p : {cut.from, cut.to}) {
       EXPECT_NEAR(p.x, 0.25, 1e-7);
       EXPECT_NEAR(p.y, 2.0, 1e-7);
@@ -53,13 +53,13 @@ TEST(LightCuts, LieWhereASurfaceMeetsTheLightsPlane) {
   EXPECT_NEAR(length_of(cuts), 1.0 + 1.0 / 16.0, 1e-6);
 }
 
-TEST(LightCuts, AreOnlyOfWhatMeetsTheLight) {
+TEST(LightIntersections, AreOnlyOfWhatMeetsTheLight) {
   EXPECT_TRUE(cuts_of(wall(1.01, 0.0, 8.0), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 1.999), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 2.001, 8.0), ceiling_light()).empty());
 }
 
-TEST(LightCuts, AreWhereSurfacesEndOnTheSideThatShines) {
+TEST(LightIntersections, AreWhereSurfacesEndOnTheSideThatShines) {
   EXPECT_FALSE(cuts_of(wall(0.25, 0.0, 2.0), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 2.0, 8.0), ceiling_light()).empty());
   Light both = ceiling_light();
@@ -67,7 +67,7 @@ TEST(LightCuts, AreWhereSurfacesEndOnTheSideThatShines) {
   EXPECT_FALSE(cuts_of(wall(0.25, 2.0, 8.0), both).empty());
 }
 
-TEST(LightCuts, AreNotAlongTheOutlineNorInThePlane) {
+TEST(LightIntersections, AreNotAlongTheOutlineNorInThePlane) {
   // A shade that hangs from the outline of a light in a ceiling.
   World world = wall(1.0, 0.0, 2.0);
   add_quad(world, {-9, 2, -9}, {18, 0, 0}, {0, 0, 18}, matte({0.5f, 0.5f, 0.5f}));
@@ -90,7 +90,7 @@ TEST(LightCuts, AreNotAlongTheOutlineNorInThePlane) {
                    .empty());
 }
 
-TEST(LightCuts, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
+TEST(LightIntersections, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
   Light light = ceiling_light();
   light.own_part = 0;
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
@@ -103,7 +103,7 @@ TEST(LightCuts, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
 }
 
 // Through a disk: the length of the chord.
-TEST(LightCuts, OfADiskAreChords) {
+TEST(LightIntersections, OfADiskAreChords) {
   Light disk = ceiling_light();
   disk.type = Light::Type::disk;
   disk.radius = 1.0;
@@ -113,14 +113,14 @@ TEST(LightCuts, OfADiskAreChords) {
   EXPECT_TRUE(cuts_of(corner, disk).empty());
 }
 
-TEST(LightCuts, AreNotKeptBeyondWhatIsCutAlong) {
+TEST(LightIntersections, AreNotKeptBeyondWhatIsCutAlong) {
   World world;
   for (int i = 0; i < 1000; ++i) {
     const float x = static_cast<float>(i) / 1000.0f;
     add_triangle(world, {x, 1, 0}, {x, 3, 0}, {x, 3, 0.1f}, matte({0.5f, 0.5f, 0.5f}));
   }
-  EXPECT_EQ(cuts_of(world, ceiling_light()).size(), most_light_cuts);
+  EXPECT_EQ(cuts_of(world, ceiling_light()).size(), most_light_intersections);
 }
 
 }  // namespace
-}  // namespace asos::test::light_cuts_test
+}  // namespace asos::test::light_intersections_test

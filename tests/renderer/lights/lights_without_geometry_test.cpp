@@ -1,4 +1,4 @@
-#include "renderer/lights/bare_lights.h"
+#include "renderer/lights/lights_without_geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/lights/light_cuts.h"
+#include "renderer/lights/light_intersections.h"
 
 #include "renderer/geometry/cross.h"
 
@@ -17,7 +17,7 @@ constexpr std::size_t run_length = 64;
 // Pieces are kept this far beside the rectangle around a light, in half edges, so that they are
 // straight through its border.
 constexpr double margin = 1.0 / 16.0;
-// What lies within this of the light's plane, in sizes of the light, or of its outline, in half
+// A point within this of the light's plane, in sizes of the light, or of its outline, in half
 // edges, lies on it. Rays end closer to the light.
 constexpr double touching = 1e-6;
 // Roundings of float32 by which the place of a vertex may be off.
@@ -74,18 +74,19 @@ class CutLight {
     return light_.own_part == static_cast<std::int32_t>(part);
   }
 
-  [[nodiscard]] std::optional<LightCut> cut_by(const std::array<glm::vec3, 3>& corners) const {
+  [[nodiscard]] std::optional<LightIntersection> cut_by(
+      const std::array<glm::vec3, 3>& corners) const {
     const auto crossing = crossing_of(corners);
     if (!crossing) return std::nullopt;
     const auto piece = clipped(*crossing, 1.0 + margin);
     if (!piece || !counts(*piece)) return std::nullopt;
-    return LightCut{in_world(piece->p), in_world(piece->q)};
+    return LightIntersection{in_world(piece->p), in_world(piece->q)};
   }
 
-  /// Whether any of the cuts passes through the light itself.
-  [[nodiscard]] bool cut_by_any(const std::vector<LightCut>& cuts) const {
+  /// Whether any of the light intersections passes through the light itself.
+  [[nodiscard]] bool cut_by_any(const std::vector<LightIntersection>& cuts) const {
     if (light_.shape != PreparedLight::Shape::disk) return !cuts.empty();
-    return std::any_of(cuts.begin(), cuts.end(), [&](const LightCut& cut) {
+    return std::any_of(cuts.begin(), cuts.end(), [&](const LightIntersection& cut) {
       const Piece piece{placed(cut.from), placed(cut.to)};
       const glm::dvec2 d = piece.q - piece.p;
       const double t = std::clamp(-glm::dot(piece.p, d) / glm::dot(d, d), 0.0, 1.0);
@@ -182,8 +183,9 @@ Box box_of(const World& world, std::size_t triangle) {
 
 }  // namespace
 
-LightCuts find_light_cuts(const World& world, std::span<const PreparedLight> prepared) {
-  LightCuts cuts(prepared.size());
+LightIntersections find_light_intersections(const World& world,
+                                            std::span<const PreparedLight> prepared) {
+  LightIntersections cuts(prepared.size());
   const std::vector<CutLight> lights(prepared.begin(), prepared.end());
   const std::size_t count = world.triangles.size();
   for (std::size_t first = 0; first < count && !lights.empty(); first += run_length) {
@@ -193,14 +195,15 @@ LightCuts find_light_cuts(const World& world, std::span<const PreparedLight> pre
     for (std::size_t i = first; i < end; ++i) run.grow(boxes[i - first] = box_of(world, i));
     for (std::size_t k = 0; k < lights.size(); ++k) {
       if (!lights[k].meets(run)) continue;
-      for (std::size_t i = first; i < end && cuts[k].size() < most_light_cuts; ++i) {
+      for (std::size_t i = first; i < end && cuts[k].size() < most_light_intersections; ++i) {
         if (lights[k].owns(world.triangle_part[i]) || !lights[k].meets(boxes[i - first])) continue;
         if (const auto cut = lights[k].cut_by(corners_of(world, i))) cuts[k].push_back(*cut);
       }
     }
   }
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    if (cuts[k].size() < most_light_cuts && !lights[k].cut_by_any(cuts[k])) cuts[k].clear();
+    if (cuts[k].size() < most_light_intersections && !lights[k].cut_by_any(cuts[k]))
+      cuts[k].clear();
   }
   return cuts;
 }

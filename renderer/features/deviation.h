@@ -9,9 +9,9 @@
 namespace asos {
 
 /// How far the smooth surface leaves each triangle's plane within the neighbouring flat facets, in
-/// world units: see FeatureSet::departure. `facets` joins triangles that lie in one plane. `edges`
+/// world units: see FeatureSet::deviation. `facets` joins triangles that lie in one plane. `edges`
 /// still name their triangles where later the sheets are.
-[[nodiscard]] std::vector<float> departures(const World& world, DisjointSets& facets,
+[[nodiscard]] std::vector<float> deviations(const World& world, DisjointSets& facets,
                                             std::span<const FeatureEdge> edges);
 
 }  // namespace asos

@@ -1,4 +1,4 @@
-#include "renderer/lights/bare_lights.h"
+#include "renderer/lights/lights_without_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +67,9 @@ std::vector<glm::dvec3> circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
 
 }  // namespace
 
-BareLights find_bare_lights(const World& world, std::span<const Light> lights) {
-  BareLights found;
+LightsWithoutGeometry find_lights_without_geometry(const World& world,
+                                                   std::span<const Light> lights) {
+  LightsWithoutGeometry found;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
     if (light.own_part >= 0 || !has_area(light)) continue;

@@ -16,8 +16,9 @@ namespace asos {
 /// Lights of some area that no surface of the world shows, by index: rays for
 /// the viewer go through them, but what is mirrored shows them, for they are its highlights (CGF'98
 /// section 5.1). A light is shown by its own part, and by an emissive stand-in around its middle.
-using BareLights = std::vector<std::uint32_t>;
-[[nodiscard]] BareLights find_bare_lights(const World& world, std::span<const Light> lights);
+using LightsWithoutGeometry = std::vector<std::uint32_t>;
+[[nodiscard]] LightsWithoutGeometry find_lights_without_geometry(const World& world,
+                                                                 std::span<const Light> lights);
 
 /// Where a ray meets a light, and the radiance that it sends back.
 struct LightHit {
