@@ -87,6 +87,7 @@ TEST(MethodTable, HasARowForEachMethod) {
   for (const MethodRow& row : method_table()) {
     EXPECT_EQ(&row_of(row.value), &row);
     EXPECT_NE(row.about, std::string()) << row.name;
+    EXPECT_NE(row.render, nullptr) << row.name;
     names.insert(row.name);
     titles.insert(row.title);
     RenderSettings settings;
