@@ -58,8 +58,8 @@ void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   for (float& of_pixel : result.tile.rays) of_pixel += shared;
 }
 
-void publish(const FatPyray& fat, std::span<const Trace> traces, const EyeCaster& caster,
-             BlockResult& result) {
+void publish(const FatPyray& fat, int max_level, std::span<const Trace> traces,
+             const EyeCaster& caster, BlockResult& result) {
   RenderStatistics& statistics = result.statistics;
   // Middles beyond the picture's border were traced with the others and do not count.
   statistics.eye_rays -= static_cast<std::uint64_t>(fat.side * fat.side - fat.columns * fat.rows);
@@ -76,6 +76,7 @@ void publish(const FatPyray& fat, std::span<const Trace> traces, const EyeCaster
       statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
       statistics.saturated_pixels += outcome.saturated;
       statistics.unresolved_area += outcome.unresolved_area;
+      statistics.pyrays_by_level[static_cast<std::size_t>(max_level)] += caster.sum(i).samples;
       // Publish its radiance, level, cause and rays.
       result.tile.radiance.push_back(caster.colour(i));
       result.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
@@ -157,7 +158,7 @@ BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
                         eye.observed_root, watch ? &watch->observer.pixel : nullptr);
 
   // Publish the pixels.
-  publish(fat, traces, caster, result);
+  publish(fat, settings.asos.max_level, traces, caster, result);
   if (watch) {
     const Trace& trace = traces[eye.observed_root];
     watch->missed = trace.missed;

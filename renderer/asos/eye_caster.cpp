@@ -48,15 +48,14 @@ void EyeCaster::middles_known(int side) {
   refinement_.learn_normals(side);
 }
 
-SaturatedSamples EyeCaster::sample_saturated(std::uint32_t root, const Square& square,
-                                             double weight) {
-  if (!eye_.budget.refines()) return {};
+SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight) {
+  if (!eye_.budget.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
-  const std::uint32_t count =
+  const bool sampled =
       leaf_shader_.add_samples(root, sample, {square, {}}, weight, LeafShader::enough_samples);
   sums_[root].rays += eye_.counts->rays() - before;
-  return {count, sample};
+  return sampled ? sample : no_sample;
 }
 
 glm::vec3 EyeCaster::colour(std::uint32_t root) const {

@@ -32,12 +32,16 @@ class EyeCaster final : public Caster {
     return samples_.surface(sample);
   }
   [[nodiscard]] bool opaque(SampleId sample) const override { return samples_.opaque(sample); }
+  [[nodiscard]] bool samples_leaf(SampleId sample) const override {
+    return samples_.cut_out(sample) && eye_.budget.refines();
+  }
   [[nodiscard]] LeafVerdict judge(SampleId sample, double share,
                                   const LeafRegion& region) override {
     return refinement_.judge(sample, share, region);
   }
-  [[nodiscard]] SaturatedSamples sample_saturated(std::uint32_t root, const Square& square,
-                                                  double weight) override;
+  [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
+                                          double weight) override;
+  void finish() override { leaf_shader_.finish(); }
   [[nodiscard]] bool cancelled() const override { return eye_.stop.stop_requested(); }
   void take(std::span<const PyrayLeaf> leaves) override { leaf_shader_.shade(leaves); }
   [[nodiscard]] glm::vec3 result(SampleId sample) const override {

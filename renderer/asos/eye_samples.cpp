@@ -26,14 +26,23 @@ SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
     if (eye_->viewer.mirror)
       pass_mirror(*eye_->viewer.mirror, scene.world(), scene.rays(), faces_, rays, hits);
   }
+  if (scene.needs.alpha_mask) find_cut_outs(first);
   eye_->counts->eye_rays += points.size();
   return static_cast<SampleId>(first);
+}
+
+void EyeSamples::find_cut_outs(std::size_t first) {
+  cut_out_.resize(rays_.size());
+  met_.resize(rays_.size() - first);
+  eye_->scene->rays().blockers(std::span(rays_).subspan(first), met_);
+  for (std::size_t i = first; i < rays_.size(); ++i) cut_out_[i] = met_[i - first].cut_out;
 }
 
 SampleId EyeSamples::add_unseen(glm::vec2 point) {
   points_.push_back(point);
   rays_.push_back(ray_through(point));
   hits_.emplace_back();
+  if (!cut_out_.empty()) cut_out_.push_back(false);
   return static_cast<SampleId>(rays_.size() - 1);
 }
 

@@ -34,6 +34,11 @@ class EyeSamples final : public PatchView {
   [[nodiscard]] std::uint32_t surface(SampleId sample) const;
   /// Whether it met the background, or a surface without holes and nothing shining through.
   [[nodiscard]] bool opaque(SampleId sample) const;
+  /// Whether it met a surface that is cut out by its texture, hole or not: boundaries that nothing
+  /// but samples can tell may be near.
+  [[nodiscard]] bool cut_out(SampleId sample) const {
+    return !cut_out_.empty() && cut_out_[sample];
+  }
   [[nodiscard]] SurfacePoint point(SampleId sample) const;
   /// The patch of the surface around the hit that a part of the root's weight `share` shows.
   [[nodiscard]] Patch patch(SampleId sample, double share) const;
@@ -43,12 +48,15 @@ class EyeSamples final : public PatchView {
 
  private:
   [[nodiscard]] Ray ray_through(glm::vec2 p) const;
+  void find_cut_outs(std::size_t first);
 
   const EyeContext* eye_;
   Culling faces_;
   std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
+  std::vector<bool> cut_out_;     // empty in scenes without cut-outs
+  std::vector<Blocker> met_;      // scratch
   std::vector<Ray> looked_rays_;  // scratch
   std::vector<Hit> looked_hits_;
 };

@@ -3,6 +3,7 @@
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
+#include "renderer/shading/brdf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +46,12 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   std::uint32_t fewest = 0;
   if (refinement_->glints(leaf.sample, leaf.weight)) {
     fewest = few_samples;
+  } else if (refinement_->cut_out(leaf.sample, leaf.region)) {
+    fewest = enough_samples;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
     fewest = enough_samples;
   }
-  if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest) > 0)
-    return;
+  if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest)) return;
 
   // Textured surfaces are divided into TR x TR samples of a pixel; all else is one leaf.
   if (add_texture_samples(leaf)) return;
@@ -81,6 +83,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     return radiance;
   }
   sum.add(glm::dvec3(radiance), leaf.weight);
+  note_variation(leaf, radiance, radiance + transport.inexact());
   return radiance;
 }
 
@@ -142,39 +145,94 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   return true;
 }
 
-// The standard error that the part's weight deserves; one sample for each finest cell at least, and
-// four at most, or sixteen where what is mirrored may be far brighter than white.
-std::uint32_t LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
-                                      double weight, std::uint32_t fewest) {
+bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
+                             double weight, std::uint32_t fewest) {
   if (!sampler_) {
     sampler_.emplace(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block, eye_->seed,
                      eye_->mask);
   }
-  // Set the goal.
+  const RegionSampler::Goal goal = goal_of(weight, fewest);
+  const PyrayLeaf leaf{root, sample, weight, region};
+  if (!eye_->mask) {
+    sampler_->add(region, goal);
+    put_off_.push_back(leaf);
+    return true;
+  }
+  // With blur, as its kernel is distributed there. The first sample is that of the root's middle.
+  std::optional<BlurKernel> kernel;
+  if (eye_->mask->blur) kernel = eye_->mask->blur->at(static_cast<double>(samples_->hit(0).t));
+  return add_estimate(leaf,
+                      sampler_->sample(region, goal, *eye_->counts, kernel ? &*kernel : nullptr));
+}
+
+// The standard error that the part's weight deserves; one sample for each finest cell at least, and
+// four at most, or sixteen where what is mirrored may be far brighter than white.
+RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest) const {
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
   RegionSampler::Goal goal;
   goal.standard_error = eye_->budget.standard_error(weight);
   goal.least = eye_->budget.samples(weight, 1.0, fewest);
   goal.most = eye_->budget.samples(weight, reflected ? 16.0 : 4.0, fewest);
-  // Sample the region; with blur, as its kernel is distributed there.
-  const bool blurred = eye_->mask && eye_->mask->blur;
-  std::optional<BlurKernel> kernel;
-  // The first sample is that of the root's middle.
-  if (blurred) kernel = eye_->mask->blur->at(static_cast<double>(samples_->hit(0).t));
-  const RegionSampler::Estimate found =
-      sampler_->sample(region, goal, *eye_->counts, kernel ? &*kernel : nullptr);
-  if (found.samples == 0) return 0;
-  // Add the mean to the root.
+  return goal;
+}
+
+// Adds the mean of a part to its root, for the share of it that the mask holds.
+bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found) {
+  if (found.samples == 0) return false;
   const double held = 1.0 - found.masked_share;
-  if (blurred) {
-    blurred_->add(region, held, found.mean, samples_->hit(0).t);
+  RootSum& sum = sums_[leaf.root];
+  if (eye_->mask && eye_->mask->blur) {
+    blurred_->add(leaf.region, held, found.mean, samples_->hit(0).t);
   } else {
-    sums_[root].radiance += held * weight * found.mean;
-    sums_[root].weight += held * weight;
+    sum.radiance += held * leaf.weight * found.mean;
+    sum.weight += held * leaf.weight;
   }
-  note_result({root, sample, weight, region}, glm::vec3(found.mean));
-  return found.samples;
+  sum.samples += found.samples;
+  note_result(leaf, glm::vec3(found.mean));
+  return true;
+}
+
+// A highlight, or what a bent or bumpy surface mirrors, is one sample's for a whole leaf.
+void LeafShader::note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::vec3 shading) {
+  const Hit& hit = samples_->hit(leaf.sample);
+  if (eye_->mask || !eye_->budget.refines() || leaf.region.marginal || leaf.weight == 1.0 ||
+      !hit.valid())
+    return;
+  const Material& material = eye_->scene->world().material_of(hit.triangle);
+  const bool glossy =
+      material.metallic_roughness_texture.used() || material.roughness < least_broad_roughness;
+  if (material.unlit || !glossy) return;
+  variation_.add({leaf, samples_->surface(leaf.sample), radiance, shading});
+}
+
+// Leaves that turn out to differ are sampled after all.
+void LeafShader::sample_uneven() {
+  const auto tolerance = static_cast<double>(eye_->budget.tolerance);
+  for (const ShadedLeaf& shaded : variation_.take_uneven(tolerance)) {
+    const PyrayLeaf& leaf = shaded.leaf;
+    sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);
+    add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, few_samples);
+  }
+}
+
+void LeafShader::finish() {
+  sample_uneven();
+  if (put_off_.empty() || eye_->stop.stop_requested()) return;
+  const std::uint64_t before = eye_->counts->rays();
+  const auto found = sampler_->run(*eye_->counts);
+  std::uint64_t samples = 0;
+  for (std::size_t i = 0; i < put_off_.size(); ++i) {
+    add_estimate(put_off_[i], found[i]);
+    samples += found[i].samples;
+  }
+  // Each root's share of their rays.
+  const auto rays = static_cast<double>(eye_->counts->rays() - before);
+  for (std::size_t i = 0; i < put_off_.size() && samples > 0; ++i) {
+    const double share = static_cast<double>(found[i].samples) / static_cast<double>(samples);
+    sums_[put_off_[i].root].rays += static_cast<std::uint64_t>(std::llround(share * rays));
+  }
+  put_off_.clear();
 }
 
 void LeafShader::note_result(const PyrayLeaf& leaf, glm::vec3 radiance) {

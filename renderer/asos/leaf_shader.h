@@ -2,6 +2,7 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf_variation.h"
 #include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/samples/region_sampler.h"
@@ -26,20 +27,28 @@ class LeafShader {
 
   void shade(std::span<const PyrayLeaf> leaves);
 
-  /// Samples a part of a root as a whole, evenly over it and over each light together. The number
-  /// of samples, at least `fewest`; 0: none hit what counts. `sample` stands for them.
-  std::uint32_t add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
-                            double weight, std::uint32_t fewest);
+  /// Samples a part of a root as a whole, evenly over it and over each light together: at least
+  /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
+  /// put off until `finish`, to share packets of rays.
+  bool add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region, double weight,
+                   std::uint32_t fewest);
   /// So many tell how far their mean may be off.
   static constexpr std::uint32_t enough_samples = 16;
+
+  /// Samples what was put off. Sums are complete after it.
+  void finish();
 
   /// The radiance of a leaf of the observed root.
   [[nodiscard]] glm::vec3 result(SampleId sample) const;
 
  private:
   void shade_one(const PyrayLeaf& leaf);
+  void sample_uneven();
+  void note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::vec3 shading);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
+  [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest) const;
+  bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
 
@@ -50,6 +59,8 @@ class LeafShader {
   std::span<RootSum> sums_;
   BlurredSum* blurred_;
   std::optional<RegionSampler> sampler_;  // made when first needed
+  std::vector<PyrayLeaf> put_off_;        // in the sampler's order; without their borders
+  LeafVariation variation_;
   std::map<SampleId, glm::vec3> results_;
 };
 

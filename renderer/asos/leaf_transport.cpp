@@ -15,6 +15,7 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   double visibility = 0.0;
   light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
   if (visibility > 0.0) radiance += static_cast<float>(visibility) * all;
+  hidden_ += static_cast<float>(1.0 - visibility) * all;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
 }
@@ -24,6 +25,7 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
   const Mirrored mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
   if (!mirrored.followed) return false;
   radiance += mirrored.radiance;
+  if (mirrored.flat) mirrored_ += mirrored.radiance;
   met_mirror_edge_ |= mirrored.split;
   return true;
 }

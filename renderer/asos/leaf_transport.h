@@ -21,10 +21,16 @@ class LeafTransport final : public LightTransport {
   /// Whether a boundary divided what the leaf mirrors.
   [[nodiscard]] bool met_mirror_edge() const { return met_mirror_edge_; }
 
+  /// What the leaf would show more of if nothing shaded it, less what flat mirrors show: added to
+  /// its radiance, what is left varies with its shading alone.
+  [[nodiscard]] glm::vec3 inexact() const { return hidden_ - mirrored_; }
+
  private:
   const EyeContext* eye_;
   const ShadowContext* shadows_;
   const LeafContext* leaf_;
+  glm::vec3 hidden_{0.0f};    // light that does not reach it
+  glm::vec3 mirrored_{0.0f};  // by flat mirrors
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;
 };

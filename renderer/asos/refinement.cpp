@@ -44,13 +44,14 @@ void Refinement::learn_normals(int side) {
 }
 
 LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& region) {
-  if (!samples_->hit(sample).valid() || !eye_->budget.refines()) return {};
+  if (!samples_->hit(sample).valid() || !eye_->budget.refines() || cut_out(sample, region))
+    return {};
   const bool shading =
       !glints(sample, share) && (shading_error(sample, share, region) > eye_->budget.tolerance ||
                                  mirrors_too_widely(sample, region));
   LeafVerdict verdict;
   if (extended_lights_ && !even_around(sample, region)) {
-    const ShadowVerdict shadow = judge_shadows(sample, region);
+    const ShadowVerdict shadow = judge_shadows(sample, share, region);
     if (shadow.uneven) return {Unevenness::shadow};
     verdict.note = shadow.note;
     // A leaf that is split for its shading need not have its shadows found again for each part.
@@ -67,7 +68,8 @@ std::span<const std::uint32_t> Refinement::saturated(std::uint32_t note) const {
 }
 
 // Edges of shadows from lights of some size.
-Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, const LeafRegion& region) {
+Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double share,
+                                                    const LeafRegion& region) {
   const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
   if (material.unlit) return {};
   const SurfacePoint point = samples_->point(sample);
@@ -82,8 +84,8 @@ Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, const LeafR
   for (std::uint32_t i = 0; i < lights.size() && !(error > eye_->budget.tolerance); ++i) {
     if (!lights[i].casts_shadows || !lights[i].extended()) continue;
     const CountForLight count(*eye_->counts, i);
-    const Penumbra penumbra =
-        find_penumbra(*shadows_, {lights[i], i, point, patch, reflected, level}, *eye_->counts);
+    const Penumbra penumbra = find_penumbra(
+        *shadows_, {lights[i], i, point, patch, reflected, level, share}, *eye_->counts);
     error += penumbra.error;
     if (penumbra.saturated) saturated.push_back(i);
   }

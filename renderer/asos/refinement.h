@@ -33,6 +33,11 @@ class Refinement {
   /// Whether a normal map scatters the lights' highlights all over a leaf: splitting would not make
   /// it even, so it is sampled as it is.
   [[nodiscard]] bool glints(SampleId sample, double share) const;
+  /// Whether a texture may cut the surface out within a leaf: only samples tell.
+  [[nodiscard]] bool cut_out(SampleId sample, const LeafRegion& region) const {
+    return samples_->cut_out(sample) && !region.marginal && eye_->budget.refines() &&
+           eye_->budget.max_level > 0;
+  }
   /// Whether a leaf would be split further for its shading, were there any levels left.
   [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
 
@@ -47,7 +52,8 @@ class Refinement {
     bool uneven = false;
     std::uint32_t note = 0;
   };
-  [[nodiscard]] ShadowVerdict judge_shadows(SampleId sample, const LeafRegion& region);
+  [[nodiscard]] ShadowVerdict judge_shadows(SampleId sample, double share,
+                                            const LeafRegion& region);
   [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;

@@ -224,7 +224,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   // Mirror the leaf's pyray.
   const Bounds2 part = bounds_of(leaf.region);
   const auto sight = mirrored_sight(eye, reflection, part, width);
-  if (!sight) return {{}, false, false};
+  if (!sight) return {{}, false, true, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
   const MirroredMask mask = mask_of(*sight, leaf.region, part, width, view.start());
@@ -267,7 +267,8 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   // Its eye rays are reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
-  return {caster.colour(0), split || caster.sum(0).mirror_cut};
+  const bool flat = !sight->surface.bent() && !(reflection.point.spread.variance > 0.0f);
+  return {caster.colour(0), split || caster.sum(0).mirror_cut, flat};
 }
 
 }  // namespace
@@ -283,6 +284,7 @@ Mirrored trace_reflection(const EyeContext& eye, const Reflection& reflection,
       const Mirrored one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
       all.radiance[c] = one.radiance[c];
       all.split |= one.split;
+      all.flat &= one.flat;
       all.followed &= one.followed;
     }
   }

@@ -12,6 +12,7 @@ namespace asos {
 struct Mirrored {
   glm::vec3 radiance{0.0f};
   bool split = false;    ///< a boundary divided it
+  bool flat = true;      ///< the mirror, so that it shows its boundaries where they are
   bool followed = true;  ///< false: the pyray that would show it has no extent or is not finite
 };
 

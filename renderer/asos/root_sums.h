@@ -39,9 +39,10 @@ class BlurredSum {
 struct RootSum {
   glm::dvec3 radiance{0.0};
   double weight = 0.0;
-  bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
-  bool mirror_cut = false;  ///< a boundary split what one of its leaves mirrors
-  std::uint64_t rays = 0;   ///< of all kinds that were cast for its leaves, beside their own
+  bool shadow_cut = false;    ///< the edge of a hard shadow cut one of its leaves
+  bool mirror_cut = false;    ///< a boundary split what one of its leaves mirrors
+  std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
+  std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
 
   void add(glm::dvec3 leaf, double leaf_weight) {
     radiance += leaf_weight * leaf;

@@ -10,6 +10,14 @@
 
 namespace asos {
 
+/// What exact answers cost, in shadow rays: measured over scenes of all kinds at equal error
+/// (tests/bench/every_scene.cpp). A part that deserves fewer rays takes rays.
+struct Prices {
+  static constexpr double light_window = 40.0;   ///< a light cut along what stands before it
+  static constexpr double penumbra_test = 40.0;  ///< a search for a shadow's edges on a patch
+  static constexpr double patch = 10.0;          ///< a patch cut along the edges of a hard shadow
+};
+
 /// How well a pyray has to be known, and what may be spent on it: the one place that says how MAX
 /// and EPS of a pixel become those of its parts and of the pyrays that these send on (CGF'98
 /// section 4.1; design sections 5 and 13). Weights are shares of the root's area, intensities are
@@ -42,6 +50,18 @@ struct Budget {
   /// its weight, since the errors of a root's parts are independent.
   [[nodiscard]] double standard_error(double weight, double intensity = 1.0) const {
     return 0.5 * static_cast<double>(tolerance) / (intensity * std::sqrt(weight));
+  }
+
+  /// Rays that a part's view of a light takes until its mean is known that well, all over the part
+  /// and the light: the error of such points falls with the power 3/4 of their number.
+  [[nodiscard]] double rays(double weight, double intensity) const {
+    constexpr double error_of_one = 0.35;
+    return std::pow(error_of_one / standard_error(weight, intensity), 4.0 / 3.0);
+  }
+
+  /// Whether that many rays cost less than an exact answer of that price.
+  [[nodiscard]] bool rays_suffice(double weight, double intensity, double price) const {
+    return refines() && rays(weight, intensity) <= price;
   }
 
   /// How many finest cells a part stands for.

@@ -33,12 +33,6 @@ struct PyrayLeaf {
   std::uint32_t note = 0;  ///< the verdict's
 };
 
-/// A caster's own samples of a cell that is saturated with boundaries.
-struct SaturatedSamples {
-  std::uint32_t count = 0;      ///< 0: it took none
-  SampleId sample = no_sample;  ///< stands for all of them
-};
-
 /// The side that asks the engine: knows how to look along points of the root frame's square, and
 /// what to make of the leaves. Each kind of pyray (from the eye, to a light, by way of a mirror) is
 /// the same engine behind another caster. A caster keeps its samples and numbers them.
@@ -63,6 +57,9 @@ class Caster {
   /// Whether nothing is seen through the surface that a sample met.
   [[nodiscard]] virtual bool opaque(SampleId /*sample*/) const { return true; }
 
+  /// Whether a leaf of this sample is sampled all over whatever bounds it: splitting is no use.
+  [[nodiscard]] virtual bool samples_leaf(SampleId /*sample*/) const { return false; }
+
   /// Whether one sample can stand for a part of a root, which is `share` of its area, or shading or
   /// shadows vary over it by more than the tolerance. The engine then splits it, down to MAX.
   [[nodiscard]] virtual LeafVerdict judge(SampleId /*sample*/, double /*share*/,
@@ -70,13 +67,12 @@ class Caster {
     return {};
   }
 
-  /// Asks for samples of a cell that is saturated with boundaries; `weight` is its share of the
-  /// root's area. Otherwise the engine takes jittered leaves of the finest size (design section 5,
-  /// "Saturation").
-  [[nodiscard]] virtual SaturatedSamples sample_saturated(std::uint32_t /*root*/,
-                                                          const Square& /*square*/,
-                                                          double /*weight*/) {
-    return {};
+  /// Asks for samples of a cell that is saturated with boundaries, now or until `finish`; `weight`
+  /// is its share of the root's area. The sample that stands for them; none: the engine takes
+  /// jittered leaves of the finest size (design section 5, "Saturation").
+  [[nodiscard]] virtual SampleId sample_saturated(std::uint32_t /*root*/, const Square& /*square*/,
+                                                  double /*weight*/) {
+    return no_sample;
   }
 
   /// Whether the samples so far show that subdividing is hopeless. Asked of single pyrays only.
@@ -89,6 +85,9 @@ class Caster {
   /// Finished leaves, in an order that does not depend on threads. Their regions' borders live for
   /// the call.
   virtual void take(std::span<const PyrayLeaf> leaves) = 0;
+
+  /// All roots are subdivided: whatever was put off has to be done now.
+  virtual void finish() {}
 
   /// The result of a sample that stood for a leaf, for observers: linear radiance, or a light's
   /// visibility.

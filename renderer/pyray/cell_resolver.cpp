@@ -127,7 +127,7 @@ bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundari
   keep_for_observers(cell, plan, visible_);
   plan.own_samples =
       state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
-  if (plan.own_samples.count > 0) return true;
+  if (plan.own_samples != no_sample) return true;
   plan.points.count = n * n;
   for (std::uint32_t i = 0; i < n * n; ++i)
     points_.push_back(state_->jittered(cell.root, part_of(cell.square, n, i)));
@@ -258,9 +258,9 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
       traced->samples.push_back({first + i, at, share, {}, {}});
     }
   }
-  if (traced && plan.own_samples.count > 0) {
+  if (traced && plan.own_samples != no_sample) {
     const glm::vec2 at = root.place(middle_of(cell.square));
-    traced->samples.push_back({plan.own_samples.sample, at, whole, {}, {}});
+    traced->samples.push_back({plan.own_samples, at, whole, {}, {}});
   }
   // Count the finest cells as unresolved.
   SubdivisionOutcome& o = state_->outcome(cell);
@@ -268,7 +268,7 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
   o.boundaries.add(plan.boundaries);
   o.deepest = finest;
   o.unresolved_area += whole;
-  o.pyrays_by_level[static_cast<std::size_t>(finest)] += plan.points.count + plan.own_samples.count;
+  o.pyrays_by_level[static_cast<std::size_t>(finest)] += plan.points.count;
   cell.done = true;
 }
 

@@ -29,10 +29,10 @@ class CellResolver {
     Kind kind = Kind::middle;
     std::uint32_t cell = 0;
     Slice points;
-    std::uint32_t first_part = 0;  // as many as points
-    Slice hidden;                  // entries taken for hidden
-    Slice visible;                 // entries that observers see; only where one looks on
-    SaturatedSamples own_samples;  // the caster's own
+    std::uint32_t first_part = 0;      // as many as points
+    Slice hidden;                      // entries taken for hidden
+    Slice visible;                     // entries that observers see; only where one looks on
+    SampleId own_samples = no_sample;  // stands for the caster's own
     BoundaryKinds boundaries;
   };
 

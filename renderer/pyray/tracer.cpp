@@ -58,6 +58,7 @@ Trace Tracer::trace_searched(const Pyray& pyray, std::span<const BorderEdge> out
 
   // Subdivide.
   result.outcome = subdivider_.run(search_, std::span(&root, 1), rules, caster).front();
+  caster.finish();
   fill_results(traced, caster);
   return result;
 }
@@ -72,6 +73,7 @@ std::span<const Trace> Tracer::trace(const FeatureSet& features, const FatPyray&
   fat_search_.run(search_, fat, [&](int x, int y) { return caster.cover(fat.index(x, y)); });
   find_missed_splits(fat, caster);
   finish_roots(fat, rules, caster, observed, traced);
+  caster.finish();
   fill_results(traced, caster);
   return traces_;
 }
@@ -158,7 +160,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
         continue;
       }
       // A missed one goes to the safety net.
-      if (traces_[i].by_samples) {
+      if (traces_[i].by_samples && !caster.samples_leaf(i)) {
         traces_[i].outcome = split_by_samples(root, max_level, caster);
         continue;
       }

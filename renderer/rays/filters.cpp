@@ -68,6 +68,8 @@ void closest_filter(const RTCFilterFunctionNArguments* args) {
     if (lanes) {
       float& touched = lanes->touched[candidate.lane()];
       touched = std::min(touched, candidate.t());
+      float& masked = lanes->masked[candidate.lane()];
+      if (kind == SurfaceKind::masked) masked = std::min(masked, candidate.t());
     }
     if (kind == SurfaceKind::masked) return !candidate.hole();
     if (!lanes) return true;

@@ -42,10 +42,12 @@ struct Group {
 struct Lanes {
   std::array<float, most_lanes> transmittance;
   std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first
+  std::array<float, most_lanes> masked;   ///< where a masked one was
 
   void reset() {
     transmittance.fill(1.0f);
     touched.fill(std::numeric_limits<float>::infinity());
+    masked.fill(std::numeric_limits<float>::infinity());
   }
 };
 

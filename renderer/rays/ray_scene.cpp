@@ -140,7 +140,7 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
   Context context = impl_->nearest(rays.size(), ignored_part);
   if (!impl_->embree.see_through()) {
     impl_->intersect(context, rays, [blockers](std::size_t i, std::size_t, const Hit& hit) {
-      blockers[i] = {hit, hit.valid() ? 0.0f : 1.0f, false};
+      blockers[i] = {hit, hit.valid() ? 0.0f : 1.0f, false, false};
     });
     return;
   }
@@ -150,9 +150,9 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
     // A ray that nothing blocks has met all blended surfaces on its way, in whatever order.
     const float left = met.transmittance[lane];
     const bool blocked = hit.valid() || left <= tracing::opaque_enough;
-    const float touched = met.touched[lane] / context.scale;
-    blockers[i] = {hit, blocked ? 0.0f : left,
-                   touched < hit.t || (hit.valid() && touched == hit.t)};
+    const auto before = [&](float t) { return t < hit.t || (hit.valid() && t == hit.t); };
+    blockers[i] = {hit, blocked ? 0.0f : left, before(met.touched[lane] / context.scale),
+                   before(met.masked[lane] / context.scale)};
   });
 }
 

@@ -36,6 +36,8 @@ struct Blocker {
   /// may be masked itself), hole or not: rays nearby may then fare otherwise, although no outline
   /// of a surface lies between.
   bool see_through = false;
+  /// The same of masked materials alone, whose outlines no edge tells.
+  bool cut_out = false;
 };
 
 /// Rays against a world's triangles and analytic shapes, through Embree. Masked surfaces are tested

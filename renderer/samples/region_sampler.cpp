@@ -6,7 +6,10 @@
 namespace asos {
 namespace {
 
-constexpr std::uint32_t per_sum = 1;
+// The side of a sample's footprint, in that of the square that it stands for. Samples that are many
+// need no smoothing, and what smoothes highlights (PatchLobe) is off at grazing angles: an eighth
+// as bright as it should be, or twice, in squares as large as that.
+constexpr float footprint_share = 0.25f;
 
 }  // namespace
 
@@ -19,76 +22,103 @@ RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
       places_(seed),
       sums_(scene, viewer, settings, places_) {}
 
-RegionSampler::Estimate RegionSampler::sample(const LeafRegion& region, const Goal& goal,
-                                              RenderStatistics& counts, const BlurKernel* kernel) {
-  sums_.resize(0);
-  Share all;
-  Estimate found;
-  std::uint32_t first = 0;
-  for (std::uint32_t end = goal.least; end <= goal.most; end *= 2) {
-    const Share round = add(region, kernel, first, end);
-    all.in_region += round.in_region;
-    all.masked += round.masked;
-    first = end;
-    found = estimate(end);
-    if (found.samples > 0 && standard_error(end, found.mean) <= goal.standard_error) break;
-  }
-  if (all.in_region > 0) found.masked_share = static_cast<double>(all.masked) / all.in_region;
-  counts += sums_.statistics();
-  sums_.statistics() = {};
-  return found;
+std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
+  Waiting& waiting = waiting_.emplace_back();
+  waiting.square = region.square;
+  waiting.first_edge = borders_.size();
+  waiting.edges = region.border.size();
+  borders_.insert(borders_.end(), region.border.begin(), region.border.end());
+  waiting.goal = goal;
+  waiting.per_sum = std::max(1u, goal.least / 4);
+  return waiting_.size() - 1;
 }
 
-RegionSampler::Share RegionSampler::add(const LeafRegion& region, const BlurKernel* kernel,
-                                        std::uint32_t first, std::uint32_t end) {
-  Share share;
-  const Bounds2 bounds = bounds_of(region);
+std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& counts,
+                                                            const BlurKernel* kernel) {
+  // Make room for their sums.
+  std::size_t sums = 0;
+  for (Waiting& waiting : waiting_) {
+    waiting.first_sum = sums;
+    sums += std::max(1u, waiting.goal.most / waiting.per_sum);
+  }
+  sums_.resize(0);
+  sums_.resize(sums);
+  found_.assign(waiting_.size(), {});
+  // Sample in rounds all of which the goals are not met.
+  for (std::size_t left = waiting_.size(); left > 0;) {
+    for (Waiting& waiting : waiting_)
+      if (!waiting.done) add_round(waiting, kernel);
+    sums_.trace();
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+      Waiting& waiting = waiting_[i];
+      if (waiting.done) continue;
+      found_[i] = estimate(waiting);
+      waiting.done = 2 * waiting.taken > waiting.goal.most ||
+                     (found_[i].samples > 0 &&
+                      standard_error(waiting, found_[i].mean) <= waiting.goal.standard_error);
+      left -= waiting.done;
+    }
+  }
+  waiting_.clear();
+  borders_.clear();
+  counts += sums_.statistics();
+  sums_.statistics() = {};
+  return found_;
+}
+
+// As many samples as there are so far.
+void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
+  const LeafRegion part = region(waiting);
+  const Bounds2 bounds = bounds_of(part);
   const double width = static_cast<double>(block_.width);
   const glm::dvec2 origin(block_.x, block_.y);
-  const auto x = static_cast<int>(std::floor(origin.x + width * region.square.u));
-  const auto y = static_cast<int>(std::floor(origin.y + width * region.square.v));
+  const auto x = static_cast<int>(std::floor(origin.x + width * part.square.u));
+  const auto y = static_cast<int>(std::floor(origin.y + width * part.square.v));
   const glm::vec2 size = (bounds.hi - bounds.lo) * static_cast<float>(width);
-  const float side = std::sqrt(size.x * size.y / static_cast<float>(end));
-  sums_.resize(end / per_sum);
+  const std::uint32_t end = waiting.taken > 0 ? 2 * waiting.taken : waiting.goal.least;
+  const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
   places_.start_pixel(x, y);
-  for (std::uint32_t i = first; i < end; ++i) {
+  for (std::uint32_t i = waiting.taken; i < end; ++i) {
     places_.start_sample(static_cast<int>(i));
     const PixelPoint p = places_.in_pixel();
     glm::vec2 at = glm::mix(bounds.lo, bounds.hi, glm::vec2(p.x, p.y));
-    if (!region.holds(at)) continue;
-    ++share.in_region;
-    if (kernel && region.border.empty()) at = kernel->warped(at, region.square);
+    if (!part.holds(at)) continue;
+    ++waiting.in_region;
+    if (kernel && part.border.empty()) at = kernel->warped(at, part.square);
     if (mask_ && !mask_->holds(at)) {
-      ++share.masked;
+      ++waiting.masked;
       continue;
     }
-    if (sums_.add({origin + width * glm::dvec2(at), side, x, y, static_cast<int>(i), i / per_sum}))
+    if (sums_.add({origin + width * glm::dvec2(at), side, x, y, static_cast<int>(i),
+                   waiting.first_sum + i / waiting.per_sum}))
       places_.start_pixel(x, y);
   }
-  sums_.trace();
-  return share;
+  waiting.taken = end;
 }
 
-RegionSampler::Estimate RegionSampler::estimate(std::uint32_t count) const {
+RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
   Estimate all;
-  for (std::uint32_t k = 0; k < count / per_sum; ++k) {
-    const SampleSums::Sum sum = sums_.sum(k);
+  for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k) {
+    const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
     all.mean += sum.radiance;
     all.samples += sum.count;
   }
   if (all.samples > 0) all.mean /= static_cast<double>(all.samples);
+  if (waiting.in_region > 0)
+    all.masked_share = static_cast<double>(waiting.masked) / waiting.in_region;
   return all;
 }
 
 // By the quarters of the samples so far, each of which is as well distributed as its size allows.
-double RegionSampler::standard_error(std::uint32_t count, glm::dvec3 mean) const {
-  const std::uint32_t sums = count / per_sum;
+double RegionSampler::standard_error(const Waiting& waiting, glm::dvec3 mean) const {
+  const std::uint32_t sums = waiting.taken / waiting.per_sum;
   double squares = 0.0;
   for (std::uint32_t q = 0; q < 4; ++q) {
     SampleSums::Sum quarter;
     for (std::uint32_t k = q * sums / 4; k < (q + 1) * sums / 4; ++k) {
-      quarter.radiance += sums_.sum(k).radiance;
-      quarter.count += sums_.sum(k).count;
+      const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
+      quarter.radiance += sum.radiance;
+      quarter.count += sum.count;
     }
     if (quarter.count == 0) continue;
     const glm::dvec3 off = glm::abs(quarter.mean() - mean);

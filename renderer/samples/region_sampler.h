@@ -7,7 +7,10 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace asos {
 
@@ -33,28 +36,49 @@ class RegionSampler {
     double masked_share = 0.0;  ///< share of the samples in the region that the mask left out
   };
 
-  /// The samples are a function of the region, and of the pixel that its square starts in. Four at
-  /// a time, twice as many each round, until the four quarters of them tell that the goal is met.
-  /// With a `kernel`, squares are sampled as it is distributed there.
+  /// Puts a region off until `run`; its number among those that wait, from 0.
+  std::size_t add(const LeafRegion& region, const Goal& goal);
+  /// Samples all regions that wait, and none waits then. Their estimates, by number, are valid
+  /// until the next call. Four samples at a time, twice as many each round, until the four quarters
+  /// of a region's tell that its goal is met; the rays of all regions in a round share packets. The
+  /// samples are a function of the region, and of the pixel that its square starts in. With a
+  /// `kernel`, squares are sampled as it is distributed there.
+  std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
+  /// One region alone.
   [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
-                                RenderStatistics& counts, const BlurKernel* kernel = nullptr);
+                                RenderStatistics& counts, const BlurKernel* kernel = nullptr) {
+    add(region, goal);
+    return run(counts, kernel).front();
+  }
 
  private:
-  /// How many samples of a round lie in the region, and how many of these beside the mask.
-  struct Share {
+  /// A region that waits, with what is known of it so far.
+  struct Waiting {
+    Square square;
+    std::size_t first_edge = 0, edges = 0;  // of its border
+    Goal goal;
+    std::uint32_t per_sum = 0;  // samples in each of its sums
+    std::size_t first_sum = 0;
+    std::uint32_t taken = 0;  // samples so far, with those beside the region
     std::uint32_t in_region = 0;
-    std::uint32_t masked = 0;
+    std::uint32_t masked = 0;  // of these, beside the mask
+    bool done = false;
   };
-  [[nodiscard]] Share add(const LeafRegion& region, const BlurKernel* kernel, std::uint32_t first,
-                          std::uint32_t end);
-  [[nodiscard]] Estimate estimate(std::uint32_t count) const;
-  [[nodiscard]] double standard_error(std::uint32_t count, glm::dvec3 mean) const;
+  [[nodiscard]] LeafRegion region(const Waiting& waiting) const {
+    return {waiting.square, std::span(borders_).subspan(waiting.first_edge, waiting.edges)};
+  }
+  void add_round(Waiting& waiting, const BlurKernel* kernel);
+  [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
+  [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
 
   PixelRect block_;
   const MirroredMask* mask_;
   double white_;  // the radiance that a picture may show as white
   SobolPlaces places_;
-  SampleSums sums_;  // of four samples each
+  SampleSums sums_;
+  std::vector<Waiting> waiting_;
+  std::vector<BorderEdge> borders_;
+  std::vector<Estimate> found_;
 };
 
 }  // namespace asos

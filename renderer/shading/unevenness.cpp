@@ -1,6 +1,7 @@
 #include "renderer/shading/unevenness.h"
 
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,30 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
   return {n / std::sqrt(length2), along(steps.right) + along(steps.down)};
 }
 
+/// The gloss of a surface where it was hit: a highlight's width and colour, by its textures.
+struct Gloss {
+  float roughness = 1.0f;
+  float f0 = 0.04f;
+};
+
+Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
+  float roughness = material.roughness, metallic = material.metallic;
+  const TextureUse& use = material.metallic_roughness_texture;
+  if (use.used()) {
+    const glm::vec4 texel =
+        sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear);
+    roughness *= texel.g;
+    metallic *= texel.b;
+  }
+  const glm::vec3 c = glm::vec3(material.base_color);
+  return {roughness, glm::mix(0.04f, std::max({c.x, c.y, c.z}), metallic)};
+}
+
 // The error that a light's highlight can add. A GGX lobe of width alpha is
 // peak / (1 + (x / alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak;
 // farther out its width is what it has fallen over.
-float highlight_error(const Light& light, const Material& material, float roughness,
-                      const Bend& bend, glm::vec3 position, glm::vec3 to_viewer) {
+float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, glm::vec3 position,
+                      glm::vec3 to_viewer) {
   glm::vec3 to_light = -glm::vec3(light.direction);
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
   if (light.type != Light::Type::directional) {
@@ -41,14 +61,21 @@ float highlight_error(const Light& light, const Material& material, float roughn
     irradiance /= glm::dot(d, d);
     to_light = glm::normalize(d);
   }
-  const float least_roughness = std::max(roughness, roughness_floor);
+  const float least_roughness = std::max(gloss.roughness, roughness_floor);
   const float alpha = least_roughness * least_roughness;
-  const glm::vec3 c = glm::vec3(material.base_color);
-  const float f0 = glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic);
-  const float peak = irradiance * f0 / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
+  // The peak, where the normal is the half vector: light from behind grazes, and nearly all of it
+  // is mirrored there (Schlick's Fresnel term, Smith's shadowing).
+  const glm::vec3 half = glm::normalize(to_light + to_viewer);
+  const float along = std::clamp(glm::dot(half, to_viewer), 0.0f, 1.0f);
+  const float grazing = std::pow(1.0f - along, 5.0f);
+  const float fresnel = gloss.f0 + (1.0f - gloss.f0) * grazing;
+  const float a2 = alpha * alpha;
+  const float peak =
+      irradiance * fresnel /
+      (4.0f * std::numbers::pi_v<float> * a2 * std::sqrt(along * along * (1.0f - a2) + a2));
   const glm::vec3 normal = glm::dot(bend.normal, to_viewer) < 0.0f ? -bend.normal : bend.normal;
   // How far the patch's nearest normal is from the half vector, and the lobe there.
-  const float cosine = glm::dot(normal, glm::normalize(to_light + to_viewer));
+  const float cosine = glm::dot(normal, half);
   const float away = std::sqrt(std::max(0.0f, 2.0f - 2.0f * cosine));
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(bend.turn2));
   const float width2 = alpha * alpha + nearest * nearest;
@@ -80,10 +107,11 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const Bend bend = bend_of(world, hit, patch);
   const glm::vec3 position = ray.at(hit.t);
   float error = reflected * (bend.turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
-  if (bend.turn2 > 0.0f && material.roughness < least_broad_roughness) {
-    for (const Light& light : lights) {
-      error += highlight_error(light, material, material.roughness, bend, position, -ray.direction);
-    }
+  if (!(bend.turn2 > 0.0f)) return std::min(1.0f, error);
+  const Gloss gloss = gloss_of(world, hit, material);
+  if (gloss.roughness < least_broad_roughness) {
+    for (const Light& light : lights)
+      error += highlight_error(light, gloss, bend, position, -ray.direction);
   }
   return error < 1.0f ? error : 1.0f;
 }
@@ -92,11 +120,13 @@ float glint_error(std::span<const Light> lights, const Material& material, float
                   const SurfacePoint& point, glm::vec3 to_viewer) {
   const float variance = point.spread.variance;
   if (material.unlit || roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
+  const glm::vec3 c = glm::vec3(material.base_color);
+  const Gloss gloss{roughness, glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic)};
   // An even turn along an edge has a twelfth of its square for a variance.
   const Bend bend{point.shading_normal, 12.0f * variance};
   float error = 0.0f;
   for (const Light& light : lights)
-    error += highlight_error(light, material, roughness, bend, point.position, to_viewer);
+    error += highlight_error(light, gloss, bend, point.position, to_viewer);
   return error < 1.0f ? error : 1.0f;
 }
 

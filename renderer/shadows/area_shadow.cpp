@@ -40,7 +40,9 @@ bool uneven_at_last(const ShadowContext& block, const ShadowQuery& query,
                     glm::vec3(0.5 * (p[2] - p[0] + p[3] - p[1]))};
   const float reflected = std::max({lit.reflected.x, lit.reflected.y, lit.reflected.z});
   const Penumbra penumbra = find_penumbra(
-      block, {lit.light, lit.index, lit.point, shown, reflected, query.leaf.level()}, counts);
+      block,
+      {lit.light, lit.index, lit.point, shown, reflected, query.leaf.level(), query.leaf.weight},
+      counts);
   return penumbra.error > block.rules.budget.tolerance;
 }
 
@@ -89,7 +91,9 @@ double area_shadow(const ShadowContext& block, const ShadowQuery& query, RenderS
   if (query.lit.layer > 0) return point_area_shadow(block, query, middle, counts);
   switch (block.rules.quality) {
     case ShadowQuality::refined:
-      if (is_saturated(query) || uneven_at_last(block, query, counts)) {
+      if (block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(),
+                                          Prices::light_window) ||
+          is_saturated(query) || uneven_at_last(block, query, counts)) {
         if (const auto window = LightWindow::of(query.lit.light, middle))
           return sampled_area_shadow(block, query, *window, middle, counts);
       }

@@ -29,6 +29,11 @@ double hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowP
                : PatchCaster::frame_from(lit.light.position, patch);
   if (!frame) return ray_visibility(block, query, counts);
 
+  // A part that is known well enough by a few rays takes them.
+  if (block.rules.quality == ShadowQuality::refined &&
+      block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(), Prices::patch))
+    return sampled_hard_shadow(block, query, counts);
+
   // Search between the patch and the light.
   const double off_plane = deviation(block, lit.point, patch);
   const HalfSpace above{patch.plane.normal, patch.plane.offset + patch.lift + off_plane};

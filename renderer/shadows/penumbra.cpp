@@ -42,6 +42,26 @@ std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& re
                         scale * frame.base_v());
 }
 
+/// The part of a line that lies in the window, or `beyond` it by no more than that: a step of a
+/// long boundary may pass it and have both ends, and its middle, far away. Nothing if none does.
+std::optional<std::pair<glm::dvec2, glm::dvec2>> near_window(glm::dvec2 p, glm::dvec2 q,
+                                                             glm::dvec2 beyond) {
+  // Clip by Liang and Barsky.
+  const glm::dvec2 d = q - p;
+  double t0 = 0.0, t1 = 1.0;
+  for (int i = 0; i < 2; ++i) {
+    const double lo = -beyond[i] - p[i], hi = 1.0 + beyond[i] - p[i];
+    if (d[i] == 0.0) {
+      if (lo > 0.0 || hi < 0.0) return std::nullopt;
+      continue;
+    }
+    t0 = std::max(t0, std::min(lo / d[i], hi / d[i]));
+    t1 = std::min(t1, std::max(lo / d[i], hi / d[i]));
+  }
+  if (!(t0 < t1)) return std::nullopt;
+  return std::pair(p + t0 * d, p + t1 * d);
+}
+
 /// How the visibility of the light bends within the patch, summed over boundaries.
 class VisibilityCurvature {
  public:
@@ -100,13 +120,14 @@ class VisibilityCurvature {
     // How far the boundary moves to either side across the window while the receiver moves over the
     // patch.
     const double eu = 0.5 * patch_.u * (1.0 / w - 1.0), ev = 0.5 * patch_.v * (1.0 / w - 1.0);
-    const glm::dvec2 p(hp.x / hp.z, hp.y / hp.z), q(hq.x / hq.z, hq.y / hq.z);
+    const auto near = near_window({hp.x / hp.z, hp.y / hp.z}, {hq.x / hq.z, hq.y / hq.z}, {eu, ev});
+    if (!near) return;
+    const auto& [p, q] = *near;
     const glm::dvec2 middle = 0.5 * (p + q);
-    const bool out = middle.x < -eu || middle.x > 1.0 + eu || middle.y < -ev || middle.y > 1.0 + ev;
     const bool well_in =
         middle.x > eu && middle.x < 1.0 - eu && middle.y > ev && middle.y < 1.0 - ev;
     const double length = glm::distance(p, q);
-    if (out || !(length > 0.0)) return;
+    if (!(length > 0.0)) return;
     const glm::dvec2 across = glm::dvec2(std::abs(q.y - p.y), std::abs(q.x - p.x)) / length;
     const double e = eu * across.x + ev * across.y;
     // A blocker that hangs from a surface in the light hides the one side of it or the other: its
@@ -201,6 +222,9 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   const float intensity =
       std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
   if (!(intensity > tolerance)) return {};
+  if (block.rules.budget.rays_suffice(query.weight, static_cast<double>(intensity),
+                                      Prices::penumbra_test))
+    return {};
 
   // Find all boundaries in the pyray around the patch.
   const auto around_patch = pyray_around(block, query, static_cast<double>(tolerance / intensity));

@@ -13,6 +13,7 @@ struct PenumbraQuery {
   Patch patch;             ///< around the point
   float reflected = 1.0f;  ///< radiance that the patch makes of irradiance at most
   int level = 0;           ///< how many times the pixel was split to get the patch
+  double weight = 1.0;     ///< of the patch, of its root
 };
 
 /// The answer. A saturated view of a light has more boundaries than rays would cost that look at it

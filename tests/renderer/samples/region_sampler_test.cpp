@@ -96,6 +96,23 @@ TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
   EXPECT_EQ(first.mean, again.mean);
 }
 
+TEST_F(TwoColours, AreTheSameTogetherAsAlone) {
+  const std::array<Square, 3> squares = {crossed, Square{0.25f, 0.25f, 0.5f},
+                                         Square{4.0f / 8.0f, 4.0f / 8.0f, 1.0f / 8.0f}};
+  const std::array<RegionSampler::Goal, 3> goals = {
+      RegionSampler::Goal{-1.0, 64}, RegionSampler::Goal{0.02, 256}, RegionSampler::Goal{-1.0, 16}};
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    EXPECT_EQ(sampler.add({squares[i], {}}, goals[i]), i);
+  const auto together = sampler.run(counts_);
+  ASSERT_EQ(together.size(), squares.size());
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const auto alone = sample({squares[i], {}}, goals[i]);
+    EXPECT_EQ(together[i].samples, alone.samples);
+    EXPECT_EQ(together[i].mean, alone.mean);
+  }
+}
+
 /// A floor whose normals swing from pixel to pixel, under a panel.
 FlattenedScene swinging(float amplitude) {
   FlattenedScene scene;

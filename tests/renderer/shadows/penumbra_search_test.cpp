@@ -1,0 +1,88 @@
+#include "renderer/shadows/penumbra.h"
+#include "tests/support/sample_lights.h"
+#include "tests/support/shadow_fixture.h"
+#include "tests/support/shadow_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+// Whether a shadow's edge on a patch is found, however the patch, the blocker and the light lie.
+
+namespace asos::test::penumbra_search_test {
+namespace {
+
+/// The verdict on a patch around the origin of a plane, below a rectangle light of 2 x 1.5 at the
+/// height 2 and whatever stands in the world.
+class PenumbraSearch : public testing::Test {
+ protected:
+  [[nodiscard]] Penumbra look(World world, const Patch& patch, double weight = 1.0) {
+    Light light;
+    light.type = Light::Type::rectangle;
+    light.position = {0, 2, 0};
+    light.direction = {0, -1, 0};
+    light.half_u = {1, 0, 0};
+    light.half_v = {0, 0, 0.75};
+    light.intensity = intensity;
+    const ShadowFixture fixture(std::move(world), light);
+    const ShadowScene scene{fixture.world(), fixture.features(), fixture.rays()};
+    ShadowGroups groups(scene);
+    groups.reset(1);
+    ShadowWorkspace work;
+    NoView view;
+    const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
+    ShadowContext block;
+    block.scene = &scene;
+    block.rules.budget.tolerance = 1.0f / 256.0f;
+    block.frame = &eye;
+    block.view = &view;
+    block.groups = &groups;
+    block.work = &work;
+    SurfacePoint point;
+    point.triangle = 0;  // flat
+    point.shading_normal = point.geometric_normal = {0, 1, 0};
+    RenderStatistics counts;
+    return find_penumbra(block, {fixture.light(), 0, point, patch, 1.0f, 0, weight}, counts);
+  }
+
+  float intensity = 1000.0f;
+};
+
+/// A pole of the width 0.02 close above the plane, along z: it hides the light from the patch's
+/// middle, and from a fifth of it.
+World pole(double height, double length) {
+  World world;
+  add_occluder(world, {-0.01, height, -0.5 * length}, {0.02, 0, 0}, {0, 0, length});
+  return world;
+}
+
+// The boundaries leave the window far on both sides: no end of a piece of them, and no middle, is
+// near it.
+TEST_F(PenumbraSearch, FindsALongPoleAcrossANarrowPatch) {
+  for (const double length : {1.0, 8.0, 64.0}) {
+    for (const float depth : {0.1f, 0.01f, 0.001f}) {
+      const Penumbra found = look(pole(0.002, length), {{0.1f, 0, 0}, {0, 0, depth}});
+      EXPECT_TRUE(found.saturated || found.error > 0.1f) << length << ' ' << depth;
+    }
+  }
+}
+
+TEST_F(PenumbraSearch, LeavesAPatchAloneThatNoShadowReaches) {
+  World world;
+  add_occluder(world, {3.0, 0.002, -4}, {0.02, 0, 0}, {0, 0, 8});
+  const Penumbra found = look(std::move(world), {{0.1f, 0, 0}, {0, 0, 0.01f}});
+  EXPECT_EQ(found.error, 0.0f);
+  EXPECT_FALSE(found.saturated);
+}
+
+// What a few rays tell well enough is not looked for: a light part of a pixel, or a dim light.
+TEST_F(PenumbraSearch, IsNotMadeForPartsThatDeserveFewRays) {
+  const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
+  EXPECT_GT(look(pole(0.002, 8.0), patch, 1.0).error, 0.1f);
+  EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0 / 256.0).error, 0.0f);
+  intensity = 0.05f;
+  EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0).error, 0.0f);
+}
+
+}  // namespace
+}  // namespace asos::test::penumbra_search_test
