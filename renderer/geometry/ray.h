@@ -7,11 +7,12 @@
 
 namespace asos {
 
-/// Points origin + t * direction with t_near <= t <= t_far.
+/// Points origin + t * direction with t_near <= t <= t_far. The members lie so that both vectors
+/// start at 16 bytes: a processor that copies a ray by 16 bytes hands either on without waiting.
 struct Ray {
   glm::vec3 origin{0.0f};
-  glm::vec3 direction{0, 0, -1};
   float t_near = 0.0f;
+  glm::vec3 direction{0, 0, -1};
   float t_far = std::numeric_limits<float>::infinity();
 
   [[nodiscard]] glm::vec3 at(float t) const { return origin + t * direction; }

@@ -67,6 +67,10 @@ Ray View::ray(double x, double y) const {
   return ray;
 }
 
+void View::rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const {
+  for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
+}
+
 Frame View::frame(double x, double y, double width, double height) const {
   const glm::dvec3 corner = corner_ + x * pixel_right_ + y * pixel_down_;
   const glm::dvec3 a = width * pixel_right_;

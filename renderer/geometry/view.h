@@ -11,6 +11,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace asos {
 
@@ -51,6 +52,9 @@ class View {
 
   /// The eye ray through a point of the picture, in pixels; unit direction.
   [[nodiscard]] Ray ray(double x, double y) const;
+
+  /// The same through many points; `rays` is as long as `points`.
+  void rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const;
 
   /// The frame of the pyray through a rectangle of the picture, in pixels: (u, v) runs from 0 to 1
   /// from its top left to its bottom right corner.

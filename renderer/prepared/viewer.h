@@ -29,7 +29,7 @@ struct Viewer {
     return viewer;
   }
   [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side,
-                                 const PartShape& shape = {}) const {
+                                 const PartShape& shape = square_part) const {
     return {ray, hit, side, &spacing, width, bounces, throughput, shape};
   }
 };

@@ -140,6 +140,49 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
   }
 }
 
+/// Lanes `first` and on of the arrays; those beyond the last ray hold numbers of no meaning and are
+/// not valid.
+template <std::size_t lanes, typename Rays>
+void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std::size_t first,
+          float scale) {
+  const std::size_t count = std::min(lanes, rays.count - first);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    lane_of(query.org_x, i) = rays.origin[0][first + i] * scale;
+    lane_of(query.org_y, i) = rays.origin[1][first + i] * scale;
+    lane_of(query.org_z, i) = rays.origin[2][first + i] * scale;
+    lane_of(query.tnear, i) = 0.0f;
+    lane_of(query.dir_x, i) = rays.direction[0][first + i];
+    lane_of(query.dir_y, i) = rays.direction[1][first + i];
+    lane_of(query.dir_z, i) = rays.direction[2][first + i];
+    lane_of(query.tfar, i) = rays.t_far[first + i] * scale;
+    lane_of(query.mask, i) = ~0u;
+    lane_of(query.id, i) = static_cast<unsigned>(i);
+    // As traceable: a direction of length 1 is not 0.
+    const float sum = lane_of(query.org_x, i) + lane_of(query.org_y, i) + lane_of(query.org_z, i) +
+                      lane_of(query.dir_x, i) + lane_of(query.dir_y, i) + lane_of(query.dir_z, i);
+    const bool sound = std::abs(sum) <= std::numeric_limits<float>::max() &&
+                       lane_of(query.tfar, i) >= 0.0f && i < count;
+    valid[i] = sound ? -1 : 0;
+  }
+}
+
+/// The same for rays that are arrays.
+template <int width, typename Store>
+void occlude_packets(RTCScene scene, Context& context, const RayArrays& rays, Store store) {
+  constexpr std::size_t lanes = width;
+  constexpr float far_end_of_blocked = -std::numeric_limits<float>::infinity();  // Embree's mark
+  for (std::size_t first = 0; first < rays.count; first += lanes) {
+    const std::size_t count = std::min(lanes, rays.count - first);
+    alignas(64) std::array<int, lanes> valid;
+    alignas(64) typename Packet<width>::Rays query{};
+    load(query, valid, rays, first, context.scale);
+    if (context.lanes) context.lanes->reset();
+    if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);
+    for (std::size_t i = 0; i < count; ++i)
+      store(first + i, i, valid[i] != 0 && lane_of(query.tfar, i) == far_end_of_blocked);
+  }
+}
+
 /// Calls `work` with a width that is known when it is compiled; one ray goes alone.
 template <typename Work>
 void with_width(int width, std::size_t rays, Work work) {

@@ -125,6 +125,23 @@ void RayScene::transmittance(std::span<const Ray> rays, std::span<float> shares,
   });
 }
 
+void RayScene::transmittance(const RayArrays& rays, std::span<float> shares,
+                             std::int32_t ignored_part) const {
+  if (!impl_) {
+    std::fill(shares.begin(), shares.end(), 1.0f);
+    return;
+  }
+  Lanes left;
+  Context context = impl_->context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
+  context.lanes = &left;
+  tracing::with_width(impl_->width, rays.count, [&](auto lanes) {
+    tracing::occlude_packets<lanes()>(impl_->embree.scene(), context, rays,
+                                      [&](std::size_t i, std::size_t lane, bool blocked) {
+                                        shares[i] = blocked ? 0.0f : left.transmittance[lane];
+                                      });
+  });
+}
+
 float RayScene::transmittance(const Ray& ray, std::int32_t ignored_part) const {
   float share = 1.0f;
   transmittance(std::span(&ray, 1), std::span(&share, 1), ignored_part);

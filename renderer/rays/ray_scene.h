@@ -5,6 +5,7 @@
 #include "renderer/world/needs.h"
 #include "renderer/world/world.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -22,6 +23,15 @@ enum class Culling : std::uint8_t {
   /// glTF 2.0 says for what a viewer sees (section 3.9.4, doubleSided; which side is the back:
   /// meets_back).
   as_material_says,
+};
+
+/// Rays as arrays, which start where they are: the arrays may be read up to the next multiple
+/// of 16.
+struct RayArrays {
+  std::size_t count = 0;
+  std::array<const float*, 3> origin{};
+  std::array<const float*, 3> direction{};  ///< unit
+  const float* t_far = nullptr;
 };
 
 /// The surfaces that a shadow ray meets on its way.
@@ -74,6 +84,8 @@ class RayScene {
   /// The share of light that passes along each ray, 0 (blocked) to 1; `shares` is as long as
   /// `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
   void transmittance(std::span<const Ray> rays, std::span<float> shares,
+                     std::int32_t ignored_part = -1) const;
+  void transmittance(const RayArrays& rays, std::span<float> shares,
                      std::int32_t ignored_part = -1) const;
   [[nodiscard]] float transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
 

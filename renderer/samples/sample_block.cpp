@@ -7,6 +7,18 @@
 
 namespace asos {
 
+void SamplePlaces::on_light(std::uint32_t light, LightPlaceBatch& places) {
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const SampleIndex& sample = batch_[i];
+    if (i == 0 || !sample.same_pixel(batch_[i - 1])) start_pixel(sample.x, sample.y);
+    start_sample(sample.index);
+    constexpr double scale = 4294967296.0;
+    const glm::dvec2 at = glm::min(scale * on_light(light), scale - 1.0);
+    places.u[i] = static_cast<std::uint32_t>(at.x);
+    places.v[i] = static_cast<std::uint32_t>(at.y);
+  }
+}
+
 int grid_side(int spp) {
   int n = 1;
   while (n * n < spp) ++n;

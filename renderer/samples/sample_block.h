@@ -3,6 +3,9 @@
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sampled_lights.h"
 
+#include <cstdint>
+#include <span>
+
 namespace asos {
 
 /// A sample's place in its pixel, each coordinate 0 to 1.
@@ -19,6 +22,14 @@ class SamplePlaces : public LightPlaces {
   /// Goes to sample `index` of the pixel.
   virtual void start_sample(int index) = 0;
   [[nodiscard]] virtual PixelPoint in_pixel() const = 0;
+
+  using LightPlaces::on_light;
+  /// One sample after the other.
+  void start_batch(std::span<const SampleIndex> samples) override { batch_ = samples; }
+  void on_light(std::uint32_t light, LightPlaceBatch& places) override;
+
+ private:
+  std::span<const SampleIndex> batch_;
 };
 
 /// The side of the first square of at least `spp` samples.
@@ -37,6 +48,7 @@ class GridPlaces final : public SamplePlaces {
   void start_pixel(int x, int y) override { x_ = x, y_ = y; }
   void start_sample(int index) override { index_ = index; }
   [[nodiscard]] PixelPoint in_pixel() const override;
+  using SamplePlaces::on_light;
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
 
  private:

@@ -19,6 +19,10 @@ class OneSample final : public LightTransport {
         sample_(sample),
         weight_(weight) {}
 
+  bool gather(const LitPoint& point) override {
+    lights_.gather(point, {sample_.x, sample_.y, sample_.index}, {sample_.target, weight_});
+    return true;
+  }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, {sample_.target, weight_}, counts);
   }
@@ -64,8 +68,8 @@ void SampleSums::resize(std::size_t count) {
 }
 
 bool SampleSums::add(const PointSample& sample) {
-  samples_[used_] = sample;
-  rays_[used_++] = viewer_.view.ray(sample.at.x, sample.at.y);
+  points_[used_] = sample.at;
+  samples_[used_++] = sample;
   if (used_ < batch) return false;
   trace();
   return true;
@@ -74,6 +78,7 @@ bool SampleSums::add(const PointSample& sample) {
 void SampleSums::trace() {
   const std::span rays = std::span(rays_).first(used_);
   const std::span hits = std::span(hits_).first(used_);
+  viewer_.view.rays(std::span(points_).first(used_), rays);
   scene_->rays().closest(rays, hits, faces_);
   if (viewer_.mirror)
     pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
@@ -87,7 +92,7 @@ void SampleSums::trace() {
       ++count_[sample.target];
   }
   follow_reflections();
-  lights_.trace(radiance_);
+  lights_.trace(radiance_, statistics_);
   used_ = 0;
 }
 
@@ -95,7 +100,8 @@ void SampleSums::trace() {
 // sample counts, where its radiance is not finite.
 bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen) {
   places_->start_sample(sample.index);
-  const std::size_t lights = lights_.waiting(), reflections = reflections_.waiting();
+  const SampledLights::Waiting lights = lights_.waiting();
+  const std::size_t reflections = reflections_.waiting();
   OneSample transport(lights_, reflections_, viewer_.shader, sample, weight);
   const glm::vec3 radiance = weight * viewer_.shader.radiance(seen, transport, statistics_);
   if (std::isfinite(radiance.x + radiance.y + radiance.z)) {

@@ -76,6 +76,7 @@ class SampleSums {
   std::vector<Hit> hit_;
   RenderStatistics statistics_;
   std::array<PointSample, batch> samples_{};
+  std::array<glm::dvec2, batch> points_{};
   std::array<Ray, batch> rays_;
   std::array<Hit, batch> hits_;
   std::size_t used_ = 0;

@@ -21,7 +21,78 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
+void SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
+                           const SampleShare& share) {
+  if (lights_.empty()) {
+    for (const PreparedLight& light : point.lights) lights_.emplace_back(light);
+  }
+  const std::size_t batch = points_ / LitBatch::size;
+  if (batch == batches_.size()) batches_.push_back(std::make_unique<Gathered>());
+  Gathered& gathered = *batches_[batch];
+  const std::size_t i = points_++ % LitBatch::size;
+  gathered.points.count = i;
+  gathered.points.add(point, share.weight);
+  gathered.samples[i] = sample;
+  gathered.targets[i] = share.target;
+}
+
+void SampledLights::forget_since(const Waiting& then) {
+  points_ = then.points;
+  pending_.resize(then.rays);
+}
+
+void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
+  for (std::size_t first = 0; first < points_; first += LitBatch::size) {
+    Gathered& batch = *batches_[first / LitBatch::size];
+    batch.points.count = std::min(LitBatch::size, points_ - first);
+    trace(batch, sums, counts);
+  }
+  points_ = 0;
+  trace_pending(sums);
+}
+
 void SampledLights::trace(std::vector<glm::dvec3>& sums) {
+  RenderStatistics none;
+  trace(sums, none);
+}
+
+void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
+                          RenderStatistics& counts) {
+  places_->start_batch(std::span(batch.samples).first(batch.points.count));
+  ShadowRayBatch& rays = shadow_rays_;
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    const PreparedLight& prepared = *lights_[light].light;
+    if (!is_gathered(prepared)) continue;
+    shares_.assign(LitBatch::size, 1.0f);
+    if (prepared.casts_shadows) {
+      if (prepared.extended()) places_->on_light(light, on_light_);
+      shade_batch(batch.points, lights_[light], on_light_, rays);
+      const std::size_t sent = rays.count + rays.rejected;
+      if (sent > 0) counts.count_shadow_ray(light, sent);
+      trace_shadows(prepared.own_part);
+    } else {
+      shade_unshadowed(batch.points, lights_[light], rays);
+    }
+    counts.rejected_samples += rays.rejected;
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      const glm::vec3 carried(rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]);
+      sums[batch.targets[rays.point[i]]] += glm::dvec3(shares_[i] * carried);
+    }
+  }
+}
+
+void SampledLights::trace_shadows(std::int32_t own_part) {
+  const ShadowRayBatch& rays = shadow_rays_;
+  if (rays.count == 0) return;
+  const auto arrays = [](const auto& of) {
+    return std::array<const float*, 3>{of[0].data(), of[1].data(), of[2].data()};
+  };
+  rays_->transmittance(
+      RayArrays{rays.count, arrays(rays.origin), arrays(rays.direction), rays.t_far.data()},
+      std::span(shares_).first(rays.count), own_part);
+}
+
+void SampledLights::trace_pending(std::vector<glm::dvec3>& sums) {
   // Rays of one light follow each other's lead; a light's own part is one for all its rays.
   std::stable_sort(pending_.begin(), pending_.end(), [](const Pending& a, const Pending& b) {
     return a.ignored_part < b.ignored_part;

@@ -1,15 +1,30 @@
 #pragma once
 
+#include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/shading/light_transport.h"
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace asos {
+
+/// A sample by its place in a picture's sequence.
+struct SampleIndex {
+  int x = 0;  ///< of its pixel
+  int y = 0;
+  int index = 0;
+
+  [[nodiscard]] bool same_pixel(const SampleIndex& other) const {
+    return x == other.x && y == other.y;
+  }
+};
 
 /// Where on a light each sample of a pixel looks.
 class LightPlaces {
@@ -22,6 +37,12 @@ class LightPlaces {
   [[nodiscard]] virtual glm::dvec2 in_lobe(int bounce) const {
     return on_light(0x4000u + static_cast<std::uint32_t>(bounce));
   }
+
+  /// Goes to a batch of samples, at most LitBatch::size of them, which have to outlive what is
+  /// asked about them. The sample under way is another one then.
+  virtual void start_batch(std::span<const SampleIndex> samples) = 0;
+  /// Of each sample of the batch: `on_light` as 32-bit fractions.
+  virtual void on_light(std::uint32_t light, LightPlaceBatch& places) = 0;
 };
 
 /// The weight of a sample in one of the sums that its method keeps.
@@ -31,20 +52,28 @@ struct SampleShare {
 };
 
 /// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
-/// sample. The rays are gathered and go in packets, so that what they carry is added later.
+/// sample. Points are gathered, and shaded light by light in batches; rays go in packets.
 class SampledLights {
  public:
   /// Both have to outlive this.
-  SampledLights(const RayScene& rays, const LightPlaces& places) : rays_(&rays), places_(&places) {}
+  SampledLights(const RayScene& rays, LightPlaces& places) : rays_(&rays), places_(&places) {}
 
-  /// The shadow ray of a sample of that share, which the places are at.
+  /// All lights of a point, for a sample of that share.
+  void gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
+  /// One light, by a shadow ray of a sample of that share, which the places are at.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
-  /// How many rays wait; `forget_since` drops those from the given number on.
-  [[nodiscard]] std::size_t waiting() const { return pending_.size(); }
-  void forget_since(std::size_t count) { pending_.resize(count); }
+  /// How much waits; `forget_since` drops what has come since.
+  struct Waiting {
+    std::size_t points = 0;
+    std::size_t rays = 0;
+  };
+  [[nodiscard]] Waiting waiting() const { return {points_, pending_.size()}; }
+  void forget_since(const Waiting& then);
 
-  /// Traces what waits and adds what arrives.
+  /// Shades and traces what waits and adds what arrives. The places are at other samples then.
+  void trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  /// The same where all that waits came by `add`, which has counted it.
   void trace(std::vector<glm::dvec3>& sums);
 
  private:
@@ -54,9 +83,23 @@ class SampledLights {
     std::size_t target = 0;
     std::int32_t ignored_part = -1;
   };
+  struct Gathered {
+    LitBatch points;
+    std::array<SampleIndex, LitBatch::size> samples;
+    std::array<std::size_t, LitBatch::size> targets;
+  };
+
+  void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace_shadows(std::int32_t own_part);
+  void trace_pending(std::vector<glm::dvec3>& sums);
 
   const RayScene* rays_;
-  const LightPlaces* places_;
+  LightPlaces* places_;
+  std::vector<LightConstants> lights_;  // of all points gathered
+  std::size_t points_ = 0;
+  std::vector<std::unique_ptr<Gathered>> batches_;  // all full but the last of `points_`
+  LightPlaceBatch on_light_;
+  ShadowRayBatch shadow_rays_;
   std::vector<Pending> pending_;
   std::vector<Ray> batch_;
   std::vector<float> shares_;

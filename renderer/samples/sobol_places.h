@@ -1,10 +1,13 @@
 #pragma once
 
+#include "renderer/kernels/sobol_kernel.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/sampling/sobol_points.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace asos {
 
@@ -13,10 +16,13 @@ class SobolPlaces final : public SamplePlaces {
  public:
   explicit SobolPlaces(int seed) : seed_(static_cast<std::uint32_t>(seed)) {}
 
-  void start_pixel(int x, int y) override { points_.emplace(x, y, seed_); }
+  void start_pixel(int x, int y) override {
+    points_.emplace(x, y, seed_);
+    in_pixel_.forget();
+  }
   void start_sample(int index) override { index_ = static_cast<std::uint32_t>(index); }
   [[nodiscard]] PixelPoint in_pixel() const override {
-    const glm::dvec2 p = points_->pixel(index_);
+    const glm::dvec2 p = in_pixel_.at(*points_, index_);
     return {p.x, p.y};
   }
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override {
@@ -26,10 +32,28 @@ class SobolPlaces final : public SamplePlaces {
     return points_->lobe(index_, static_cast<std::uint32_t>(bounce));
   }
 
+  void start_batch(std::span<const SampleIndex> samples) override {
+    batch_.clear();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const SampleIndex& sample = samples[i];
+      const auto index = static_cast<std::uint32_t>(sample.index);
+      if (i > 0 && sample.same_pixel(samples[i - 1])) {
+        batch_.add(index);
+      } else {
+        batch_.add(SobolPixel(sample.x, sample.y, seed_), index);
+      }
+    }
+  }
+  void on_light(std::uint32_t light, LightPlaceBatch& places) override {
+    batch_.on_light(light, places);
+  }
+
  private:
   std::uint32_t seed_;
   std::optional<SobolPixel> points_;
   std::uint32_t index_ = 0;
+  mutable SobolPixelPlaces in_pixel_;
+  SobolBatch batch_;
 };
 
 }  // namespace asos

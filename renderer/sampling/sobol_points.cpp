@@ -51,13 +51,26 @@ constexpr std::array<DirectionNumbers, 4> directions = {mirrored(), generated(se
                                                         generated(third_dimension),
                                                         generated(fourth_dimension)};
 
-constexpr std::uint32_t reversed(std::uint32_t x) {
-  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  return (x >> 16) | (x << 16);
+constexpr std::uint32_t sum_of_directions(const DirectionNumbers& numbers, std::uint32_t index) {
+  std::uint32_t bits = 0;
+  for (std::size_t k = 0; index != 0; ++k, index >>= 1) {
+    if (index & 1u) bits ^= numbers[k];
+  }
+  return bits;
 }
+
+// The points that most pixels take, once for all.
+constexpr std::uint32_t few = 256;
+using MirroredPoints = std::array<std::uint32_t, few>;
+constexpr std::array<MirroredPoints, 4> mirrored_points() {
+  std::array<MirroredPoints, 4> points{};
+  for (std::size_t d = 0; d < points.size(); ++d) {
+    for (std::uint32_t i = 0; i < few; ++i)
+      points[d][i] = mirrored_digits(sum_of_directions(directions[d], i));
+  }
+  return points;
+}
+constexpr std::array<MirroredPoints, 4> first_mirrored = mirrored_points();
 
 // The seed of one of the four scrambled dimensions, the last two of which each light has of its
 // own.
@@ -73,25 +86,25 @@ double scrambled(int dimension, std::uint32_t index, std::uint64_t seed) {
 }  // namespace
 
 std::uint32_t sobol_bits(int dimension, std::uint32_t index) {
-  const DirectionNumbers& numbers = directions[static_cast<std::size_t>(dimension)];
-  std::uint32_t bits = 0;
-  for (std::size_t k = 0; index != 0; ++k, index >>= 1) {
-    if (index & 1u) bits ^= numbers[k];
-  }
-  return bits;
+  return sum_of_directions(directions[static_cast<std::size_t>(dimension)], index);
+}
+
+std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index) {
+  return index < few ? first_mirrored[static_cast<std::size_t>(dimension)][index]
+                     : mirrored_digits(sobol_bits(dimension, index));
 }
 
 std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {
   // The hash of Laine and Karras 2011, "Stratified sampling for stochastic transparency", in the
   // form of Vegdahl 2021, "Building a better LK hash", here with a seed of 64 bits. With the digits
   // mirrored, sums and products carry from a digit to later ones only.
-  std::uint32_t x = reversed(bits);
+  std::uint32_t x = mirrored_digits(bits);
   x ^= x * 0x3d20adeau;
   x += static_cast<std::uint32_t>(seed);
   x *= static_cast<std::uint32_t>(seed >> 32) | 1u;
   x ^= x * 0x05526c56u;
   x ^= x * 0x53a22864u;
-  return reversed(x);
+  return mirrored_digits(x);
 }
 
 SobolPixel::SobolPixel(int x, int y, std::uint32_t seed)
@@ -102,8 +115,12 @@ glm::dvec2 SobolPixel::pixel(std::uint32_t index) const {
 }
 
 glm::dvec2 SobolPixel::light(std::uint32_t index, std::uint32_t light) const {
-  return {scrambled(2, index, seed_of(key_, light, 2)),
-          scrambled(3, index, seed_of(key_, light, 3))};
+  const Seeds seeds = light_seeds(light);
+  return {scrambled(2, index, seeds.u), scrambled(3, index, seeds.v)};
+}
+
+SobolPixel::Seeds SobolPixel::light_seeds(std::uint32_t light) const {
+  return {seed_of(key_, light, 2), seed_of(key_, light, 3)};
 }
 
 glm::dvec2 SobolPixel::lobe(std::uint32_t index, std::uint32_t bounce) const {

@@ -17,6 +17,18 @@ namespace asos {
 /// (t,m,s)-nets and (t,s)-sequences"; Burley 2020, "Practical hash-based Owen scrambling").
 [[nodiscard]] std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed);
 
+/// The same digits in the other order, the last one first.
+[[nodiscard]] constexpr std::uint32_t mirrored_digits(std::uint32_t x) {
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  return (x >> 16) | (x << 16);
+}
+
+/// mirrored_digits of sobol_bits: what owen_scramble starts from.
+[[nodiscard]] std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index);
+
 /// The sample points of one pixel: Sobol's first four dimensions, each scrambled by itself. They
 /// are a function of the pixel, the seed of the run and the sample's index and of nothing else.
 ///
@@ -38,6 +50,15 @@ class SobolPixel {
 
   /// Which point of light number `light` sample `index` looks at, in [0, 1) each.
   [[nodiscard]] glm::dvec2 light(std::uint32_t index, std::uint32_t light) const;
+
+  /// What places are scrambled by, for who scrambles many: `pixel` is owen_scramble of
+  /// sobol_bits(0, index) with `u` and of sobol_bits(1, index) with `v`, `light` the same of
+  /// dimensions 2 and 3.
+  struct Seeds {
+    std::uint64_t u, v;
+  };
+  [[nodiscard]] Seeds pixel_seeds() const { return {seed_x_, seed_y_}; }
+  [[nodiscard]] Seeds light_seeds(std::uint32_t light) const;
 
   /// Where in the lobe of its reflection number `bounce` sample `index` looks, in [0, 1) each: the
   /// pixel's first 2^m samples are a net there, too.

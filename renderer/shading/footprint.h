@@ -36,6 +36,9 @@ struct PartShape {
   glm::vec2 down{0.0f, 1.0f};
 };
 
+/// The square itself. Copied from here, it takes no waiting for what was just written.
+inline constexpr PartShape square_part{};
+
 /// A parallelogram on a surface by its edges, in world units. A default one is a point.
 struct Patch {
   glm::vec3 right{0.0f};

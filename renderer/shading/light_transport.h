@@ -2,13 +2,16 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/lights/prepared_light.h"
+#include "renderer/shading/brdf.h"
 #include "renderer/shading/surface.h"
+#include "renderer/shading/viewed_point.h"
 #include "renderer/shading/viewed_ray.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace asos {
 
@@ -26,6 +29,21 @@ struct Illumination {
   return {glm::dvec3(point.position), glm::dvec3(point.shading_normal),
           glm::dvec3(point.geometric_normal)};
 }
+
+/// Whether a light is among those that LightTransport::gather takes: all that cast shadows, and of
+/// the others rectangles, as the lights of an interior's rig are.
+[[nodiscard]] inline bool is_gathered(const PreparedLight& light) {
+  return light.casts_shadows || (light.rectangle && light.rule == LightRule::physical);
+}
+
+/// A point and all lights that may shine on it, before any of them was looked at.
+struct LitPoint {
+  std::span<const PreparedLight> lights;  ///< the same for all points of a picture
+  const ViewedPoint& view;
+  const ViewedMaterial& material;
+  bool mirrors = false;   ///< a reflection shows the lights that mirrors show
+  glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
+};
 
 /// The part of the scene that a surface mirrors: the mean radiance over a square of directions
 /// around the mirrored one.
@@ -50,6 +68,10 @@ struct Reflection {
 class LightTransport {
  public:
   virtual ~LightTransport() = default;
+
+  /// Takes those lights of a point that are gathered, to add later what the viewer sees of them;
+  /// false: `add` gets those that cast shadows, one after the other.
+  virtual bool gather(const LitPoint& /*point*/) { return false; }
 
   /// Adds to `radiance` what the viewer sees of the light by way of the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;

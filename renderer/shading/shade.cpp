@@ -3,7 +3,7 @@
 #include "renderer/rays/surface_kind.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/dfr.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/reflected_light.h"
 #include "renderer/shading/sky.h"
 
 #include <algorithm>
@@ -16,67 +16,6 @@ namespace {
 
 // The share of a layer behind others below which no display shows it, even at +8 stops.
 constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
-
-// A smooth normal may turn away from the viewer near a mesh's outline, where no real surface could.
-// The lobe's denominator needs a positive angle; one this small is within a tenth of a degree.
-constexpr float grazing_cosine = 1.0f / 512.0f;
-
-/// A point as it is seen.
-struct ViewedPoint {
-  const SurfacePoint& point;
-  glm::vec3 to_viewer;
-  float n_dot_v;
-  Patch patch;  ///< of the surface that it stands for; a point where that does not matter
-  float distance = std::numeric_limits<float>::infinity();  ///< of the viewer; parallel rays
-};
-
-/// How far a light is, as its highlight goes.
-float distance_of(const PreparedLight& light, glm::vec3 position) {
-  using LightShape = PreparedLight::Shape;
-  if (light.shape == LightShape::distant || light.shape == LightShape::sun)
-    return std::numeric_limits<float>::infinity();
-  return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
-}
-
-PatchLobe lobe_of(const PreparedLight& light, const ViewedMaterial& seen, const ViewedPoint& view,
-                  glm::vec3 to_light) {
-  const SurfacePoint& point = view.point;
-  const LobeSight sight{view.to_viewer, view.distance, to_light,
-                        distance_of(light, point.position)};
-  return {spread_about_half(point.spread, view.patch, sight), seen.roughness, point.shading_normal};
-}
-
-/// Radiance towards the viewer per irradiance from a light. The lobe's part is that of the light's
-/// representative point, made as broad as the light by the ratio of what its width was to what it
-/// would be (Karis 2013): of the whole light, whatever is visible of it.
-glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
-                          const ViewedPoint& view, const Highlight& highlight) {
-  const glm::vec3 n = view.point.shading_normal;
-  const glm::vec3 l = highlight.direction;
-  // Light from below the horizon is not mirrored.
-  if (!(glm::dot(n, l) > 0.0f)) return brdf(seen, {}, 0.0f);
-  const glm::vec3 half = glm::normalize(l + view.to_viewer);
-  const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
-                          std::max(0.0f, glm::dot(n, half)),
-                          std::max(0.0f, glm::dot(view.to_viewer, half))};
-  const PatchLobe lobe = lobe_of(light, seen, view, l);
-  float value =
-      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
-  if (highlight.half_angle_tangent > 0.0f) {
-    const float roughness = std::max(seen.roughness, roughness_floor);
-    const float width = roughness * roughness;
-    const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
-    value *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
-  }
-  return brdf(seen, angles, value);
-}
-
-/// Whether a reflection shows the light: lines and points are too thin, and suns too bright.
-bool shown_by_mirrors(const PreparedLight& light) {
-  using LightShape = PreparedLight::Shape;
-  return light.shape == LightShape::ball || light.shape == LightShape::polygon ||
-         light.shape == LightShape::disk;
-}
 
 /// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
 float behind(const Ray& ray, const SurfacePoint& point, float t) {
@@ -99,7 +38,8 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
       rays_(rays),
       lighting_(lighting),
       settings_(settings),
-      lights_(lighting.prepared(settings.light_rule)) {}
+      lights_(lighting.prepared(settings.light_rule)),
+      all_gathered_(std::all_of(lights_.begin(), lights_.end(), is_gathered)) {}
 
 std::optional<LightHit> Shader::nearest_light_without_geometry(const Ray& ray) const {
   std::optional<LightHit> nearest;
@@ -173,7 +113,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   if (mirrors) by_sky.specular = glm::vec3(0.0f);
   radiance += layer.share * reflected_sky(settings_.sky, by_sky, n, to_viewer);
 
-  ViewedPoint view{point, to_viewer, n_dot_v, {}};
+  ViewedPoint view{point, to_viewer, n_dot_v};
   const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
   if (settings_.mips && viewed_ray.side > 0.0f && seen.roughness < least_broad_roughness) {
     view.patch = shaped(patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
@@ -181,10 +121,14 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
                         viewed_ray.shape);
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
+  const bool gathered =
+      settings_.shadows && transport.gather({lights_, view, seen, mirrors, layer.share});
+  if (gathered && all_gathered_) return;
   const Receiver receiver = receiver_at(point);
   const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
+    if (gathered && is_gathered(light)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
     // Reflections show the lights that have an area: those are their highlights.
@@ -222,7 +166,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   Ray ray = seen.ray;
   Hit hit = seen.hit;
   std::uint32_t last = Hit::none;
-  const glm::vec3 to_viewer = -glm::normalize(ray.direction);
+  const glm::vec3 to_viewer = -glm::normalize(seen.ray.direction);
   const auto light = seen.bounces > 0 ? nearest_light_without_geometry(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {

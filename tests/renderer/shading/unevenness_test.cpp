@@ -31,7 +31,7 @@ World bent(float turn) {
 
 const Hit middle{0, 1.0f, 0.25f, 0.5f};  // at the origin
 constexpr glm::vec3 up{0, 0, 1};
-const Ray from_above{up, -up};
+const Ray from_above{.origin = up, .direction = -up};
 
 Patch square(float side) {
   return {{side, 0, 0}, {0, side, 0}};

@@ -1,0 +1,221 @@
+// What sampling by angles needs of arc functions, in double precision: solid angles and angles of
+// lights that look small are differences of large ones. Once for each instruction set.
+#if defined(ASOS_KERNELS_ARC_PLACES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASOS_KERNELS_ARC_PLACES_H
+#undef ASOS_KERNELS_ARC_PLACES_H
+#else
+#define ASOS_KERNELS_ARC_PLACES_H
+#endif
+
+#include "renderer/kernels/light_kernel.h"
+#include "renderer/kernels/simd_math.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+
+/// Three numbers a point, by the light's shape.
+struct ArcPlaces {
+  LitBatch::Floats first, second, third;
+};
+
+using DoubleTag = hn::ScalableTag<double>;
+using DoubleLanes = hn::Vec<DoubleTag>;
+
+HWY_INLINE DoubleLanes doubles(const float* from) {
+  const hn::Rebind<float, DoubleTag> df;
+  return hn::PromoteTo(DoubleTag(), hn::LoadU(df, from));
+}
+HWY_INLINE void store_floats(DoubleLanes v, float* to) {
+  const hn::Rebind<float, DoubleTag> df;
+  hn::StoreU(hn::DemoteTo(df, v), df, to);
+}
+/// 0 to 1, exact.
+HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
+  const DoubleTag d;
+  const hn::Rebind<std::int32_t, DoubleTag> di;
+  const auto bits = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(from));
+  const auto centred = hn::Xor(bits, hn::Set(di, std::numeric_limits<std::int32_t>::min()));
+  return hn::Add(hn::Mul(hn::PromoteTo(d, centred), hn::Set(d, 1.0 / 4294967296.0)),
+                 hn::Set(d, 0.5));
+}
+HWY_INLINE Vec3<DoubleLanes> to_middle(const LitBatch& points, std::size_t i, glm::dvec3 middle) {
+  const Vec3<DoubleLanes> position{doubles(&points.position.x[i]), doubles(&points.position.y[i]),
+                                   doubles(&points.position.z[i])};
+  return broadcast(DoubleTag(), middle) - position;
+}
+
+/// The sine of an angle whose cosine is c.
+HWY_INLINE DoubleLanes other_side(DoubleLanes c) {
+  const DoubleTag d;
+  const auto one = hn::Set(d, 1.0);
+  return hn::Sqrt(hn::Max(hn::Zero(d), hn::Mul(hn::Sub(one, c), hn::Add(one, c))));
+}
+
+/// The sum of two angles.
+HWY_INLINE SinCos<DoubleLanes> sum(const SinCos<DoubleLanes>& a, const SinCos<DoubleLanes>& b) {
+  return {hn::Add(hn::Mul(a.sin, b.cos), hn::Mul(a.cos, b.sin)),
+          hn::Sub(hn::Mul(a.cos, b.cos), hn::Mul(a.sin, b.sin))};
+}
+
+/// SphericalRectangle's, whose formulas these are with sums of angles as products of unit complex
+/// numbers. First: its solid angle, 0 where the light is sampled by area. Second: the place along
+/// half_u as 1 / (x / z)^2, with the sign of x.
+inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
+                             const LightPlaceBatch& places, ArcPlaces& found) {
+  const DoubleTag d;
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const auto u_length = hn::Set(d, glm::length(light.half_u));
+  const auto v_length = hn::Set(d, glm::length(light.half_v));
+  const glm::dvec3 u_axis = glm::normalize(light.half_u);
+  const glm::dvec3 v_axis = glm::normalize(light.half_v);
+  const auto x_axis = broadcast(d, u_axis), y_axis = broadcast(d, v_axis);
+  const auto z_axis = broadcast(d, glm::cross(u_axis, v_axis));
+  const auto towards = broadcast(d, light.towards);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const Vec3<DoubleLanes> middle = to_middle(points, i, light.position);
+    const auto height = hn::Neg(dot(middle, towards));
+    const auto seen = light.two_sided ? hn::Ne(height, zero) : hn::Gt(height, zero);
+    const auto x = dot(middle, x_axis), y = dot(middle, y_axis), z = dot(middle, z_axis);
+    const auto x0 = hn::Sub(x, u_length), x1 = hn::Add(x, u_length);
+    const auto y0 = hn::Sub(y, v_length), y1 = hn::Add(y, v_length);
+
+    // The z of the unit normals of the planes through the point and a side, and the angles between
+    // neighbouring planes.
+    const auto z2 = hn::Mul(z, z);
+    const auto n0 = hn::Neg(hn::Div(y0, hn::Sqrt(hn::Add(z2, hn::Mul(y0, y0)))));
+    const auto n1 = hn::Div(x1, hn::Sqrt(hn::Add(z2, hn::Mul(x1, x1))));
+    const auto n2 = hn::Div(y1, hn::Sqrt(hn::Add(z2, hn::Mul(y1, y1))));
+    const auto n3 = hn::Neg(hn::Div(x0, hn::Sqrt(hn::Add(z2, hn::Mul(x0, x0)))));
+    const auto c0 = hn::Neg(hn::Mul(n0, n1)), c1 = hn::Neg(hn::Mul(n1, n2));
+    const auto c2 = hn::Neg(hn::Mul(n2, n3)), c3 = hn::Neg(hn::Mul(n3, n0));
+    const auto first = sum({other_side(c0), c0}, {other_side(c1), c1});
+    const auto second = sum({other_side(c2), c2}, {other_side(c3), c3});
+    const auto all = sum(first, second);  // the solid angle, and a whole turn
+    auto solid_angle = arc_tangent(d, all.sin, all.cos);
+    const auto beyond_half = hn::Lt(solid_angle, hn::Set(d, -1e-12));
+    solid_angle = hn::IfThenElse(
+        beyond_half, hn::Add(solid_angle, hn::Set(d, 2.0 * std::numbers::pi)), solid_angle);
+    // A smaller one has too few digits, and from afar the area does as well.
+    const auto by_angle = hn::And(seen, hn::Gt(solid_angle, hn::Set(d, 1e-5)));
+    solid_angle = hn::IfThenElseZero(by_angle, solid_angle);
+    store_floats(solid_angle, &found.first[i]);
+    if (hn::AllFalse(d, by_angle)) continue;
+
+    const auto u = fractions(&places.u[i]);
+    const auto turn = sin_cos(d, hn::Mul(u, solid_angle));
+    const auto angle = sum(turn, {hn::Neg(second.sin), second.cos});
+    const auto quotient = hn::Div(hn::Sub(hn::Mul(angle.cos, n0), n2), angle.sin);
+    // The end of a rectangle that fills half of all directions would be 0 over 0.
+    const auto at_end = hn::IfThenElse(hn::Lt(u, hn::Set(d, 0.5)), hn::Set(d, -0.0), zero);
+    const auto f = hn::IfThenElse(hn::Eq(angle.sin, zero), at_end, quotient);
+    const auto slope2 = hn::Sub(hn::Mul(f, f), hn::Mul(hn::Sub(one, n0), hn::Add(one, n0)));
+    store_floats(hn::CopySign(hn::Max(slope2, hn::Set(d, 1e-30)), f), &found.second[i]);
+  }
+}
+
+/// One directed side of Lambert's contour sum: contour_side.
+HWY_INLINE DoubleLanes contour_side(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b,
+                                    const Vec3<DoubleLanes>& normal) {
+  const DoubleTag d;
+  const Vec3<DoubleLanes> across = cross(b - a, a);
+  const auto sine2 = dot(across, across);
+  const auto some = hn::Gt(sine2, hn::Zero(d));
+  const auto sine = hn::Sqrt(hn::IfThenElse(some, sine2, hn::Set(d, 1.0)));
+  const auto angle = arc_tangent(d, sine, dot(a, b));
+  const auto side = hn::Mul(hn::Mul(hn::Set(d, 0.5), angle), hn::Div(dot(across, normal), sine));
+  return hn::IfThenElseZero(some, side);
+}
+
+/// First: the projected solid angle, as polygon_form's; less than 0 where a horizon cuts the
+/// rectangle, which is left to be found one by one.
+inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, ArcPlaces& found) {
+  const DoubleTag d;
+  const auto zero = hn::Zero(d);
+  const std::vector<glm::dvec3>& outline = light.outlines.front();
+  const auto towards = broadcast(d, light.towards);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const Vec3<DoubleLanes> normal{doubles(&points.normal.x[i]), doubles(&points.normal.y[i]),
+                                   doubles(&points.normal.z[i])};
+    const Vec3<DoubleLanes> geometric{doubles(&points.geometric.x[i]),
+                                      doubles(&points.geometric.y[i]),
+                                      doubles(&points.geometric.z[i])};
+    auto lowest = hn::Inf(d), highest_normal = hn::Neg(hn::Inf(d));
+    auto highest_geometric = highest_normal;
+    auto form = zero;
+    Vec3<DoubleLanes> last = to_middle(points, i, outline.back());
+    for (const glm::dvec3& corner : outline) {
+      const Vec3<DoubleLanes> to_corner = to_middle(points, i, corner);
+      const auto above_normal = dot(to_corner, normal);
+      const auto above_geometric = dot(to_corner, geometric);
+      lowest = hn::Min(lowest, hn::Min(above_normal, above_geometric));
+      highest_normal = hn::Max(highest_normal, above_normal);
+      highest_geometric = hn::Max(highest_geometric, above_geometric);
+      form = hn::Add(form, contour_side(last, to_corner, normal));
+      last = to_corner;
+    }
+    const auto height = hn::Neg(dot(to_middle(points, i, light.position), towards));
+    const auto dark = hn::Or(hn::Or(hn::Le(highest_normal, zero), hn::Le(highest_geometric, zero)),
+                             light.two_sided ? hn::Eq(height, zero) : hn::Le(height, zero));
+    const auto seen = hn::IfThenElse(hn::Lt(height, zero), hn::Neg(form), form);
+    const auto cut = hn::IfThenElse(hn::Lt(lowest, zero), hn::Set(d, -1.0), hn::Max(zero, seen));
+    store_floats(hn::IfThenElse(dark, zero, cut), &found.first[i]);
+  }
+}
+
+/// By the angle at the point (Kulla and Fajardo 2012, "equi-angular"). First: the place along the
+/// segment from the foot of the point's perpendicular. Second: its measure. Third: the
+/// perpendicular's length.
+inline void segment_places(const LitBatch& points, const PreparedLight& light,
+                           const LightPlaceBatch& places, ArcPlaces& found) {
+  const DoubleTag d;
+  const double half = glm::length(light.half_u);
+  const auto length = hn::Set(d, 2.0 * half);
+  const auto along = broadcast(d, light.half_u / half);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const Vec3<DoubleLanes> middle = to_middle(points, i, light.position);
+    const auto ahead = dot(middle, along);
+    const auto s0 = hn::Sub(ahead, hn::Set(d, half));
+    const auto s1 = hn::Add(s0, length);
+    const Vec3<DoubleLanes> foot = middle - scaled(ahead, along);
+    const auto height2 = dot(foot, foot);
+    const auto height = hn::Sqrt(height2);
+    const auto angle = arc_tangent(d, hn::Mul(height, length), hn::Add(height2, hn::Mul(s0, s1)));
+    const auto u = fractions(&places.u[i]);
+    const auto turn = sin_cos(d, hn::Mul(u, angle));
+    // tan(atan(s0 / height) + u angle) height.
+    const auto up = hn::Add(hn::Mul(s0, turn.cos), hn::Mul(height, turn.sin));
+    const auto over = hn::Sub(hn::Mul(height, turn.cos), hn::Mul(s0, turn.sin));
+    const auto turned = clamped(hn::Mul(height, hn::Div(up, over)), s0, s1);
+    const auto wide = hn::Gt(angle, hn::Set(d, 1e-4));
+    const auto s = hn::IfThenElse(wide, turned, hn::Add(s0, hn::Mul(length, u)));
+    // A point between the ends gets nothing of the line that it lies on.
+    const auto apart = hn::Gt(height, hn::Zero(d));
+    const auto by_angle =
+        hn::IfThenElseZero(apart, hn::Mul(hn::Div(angle, height), hn::Add(height2, hn::Mul(s, s))));
+    store_floats(s, &found.first[i]);
+    store_floats(hn::IfThenElse(wide, by_angle, length), &found.second[i]);
+    store_floats(height, &found.third[i]);
+  }
+}
+
+/// First and second: the place on a polygon that is no rectangle, from its middle.
+inline void polygon_places(const LitBatch& points, const PreparedLight& light,
+                           const LightPlaceBatch& places, ArcPlaces& found) {
+  constexpr double scale = 1.0 / 4294967296.0;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const glm::dvec2 p = light.rows.point(scale * places.u[i], scale * places.v[i]);
+    found.first[i] = static_cast<float>(p.x);
+    found.second[i] = static_cast<float>(p.y);
+  }
+}
+
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,131 @@
+// What stands for a whole light in a highlight, a lane a point, as highlight_of says. Once for each
+// instruction set.
+#if defined(ASOS_KERNELS_HIGHLIGHTS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASOS_KERNELS_HIGHLIGHTS_H
+#undef ASOS_KERNELS_HIGHLIGHTS_H
+#else
+#define ASOS_KERNELS_HIGHLIGHTS_H
+#endif
+
+#include "renderer/kernels/light_samples.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+
+struct HighlightLanes {
+  Vectors direction;
+  Lanes half_angle_tangent;
+};
+
+/// Towards an offset, or along the ray where there is none.
+HWY_INLINE HighlightLanes towards_offset(const Vectors& offset, float radius, const Vectors& ray) {
+  const Offset at = towards_point(offset);
+  HighlightLanes highlight{select(at.apart, at.sample.direction, ray), hn::Zero(FloatTag())};
+  if (radius > 0.0f) {
+    // As at the surface of a ball of that radius for whoever is nearer.
+    const auto r = all_lanes(radius);
+    highlight.half_angle_tangent = hn::Div(r, hn::Max(at.sample.distance, r));
+  }
+  return highlight;
+}
+
+/// From `middle` at most a radius towards the ray.
+HWY_INLINE Vectors nearest_of_ball(const Vectors& middle, Lanes radius, const Vectors& ray) {
+  const auto along = hn::Max(hn::Zero(FloatTag()), dot(middle, ray));
+  const Vectors to_ray = scaled(along, ray) - middle;
+  const auto length = hn::Sqrt(dot(to_ray, to_ray));
+  const auto far = hn::Gt(length, radius);
+  const auto part = hn::IfThenElse(
+      far, hn::Div(radius, hn::IfThenElse(far, length, all_lanes(1.0f))), all_lanes(1.0f));
+  return middle + scaled(part, to_ray);
+}
+
+HWY_INLINE HighlightLanes ball_highlight(const LightConstants& light, const Vectors& middle,
+                                         const Vectors& ray) {
+  const auto radius = all_lanes(light.radius);
+  const auto distance = hn::Sqrt(dot(middle, middle));
+  const auto inside = hn::Le(distance, radius);
+  HighlightLanes highlight =
+      towards_offset(nearest_of_ball(middle, radius, ray), light.radius, ray);
+  const auto one = all_lanes(1.0f);
+  highlight.half_angle_tangent =
+      hn::IfThenElse(inside, one, hn::Div(radius, hn::IfThenElse(inside, one, distance)));
+  highlight.direction = select(inside, ray, highlight.direction);
+  return highlight;
+}
+
+HWY_INLINE HighlightLanes segment_highlight(const LightConstants& light, const Vectors& middle,
+                                            const Vectors& ray) {
+  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+  const Vectors half = all_lanes(light.half_u);
+  const auto ray_middle = dot(ray, middle);
+  const auto ray_half = dot(ray, half);
+  const auto across2 = hn::Sub(dot(half, half), hn::Mul(ray_half, ray_half));
+  const auto wanted = hn::Sub(hn::Mul(ray_middle, ray_half), dot(middle, half));
+  const auto crosses = hn::Gt(across2, zero);
+  const auto t = hn::IfThenElseZero(
+      crosses, clamped(hn::Div(wanted, hn::IfThenElse(crosses, across2, one)), hn::Neg(one), one));
+  return towards_offset(middle + scaled(t, half), light.highlight_radius, ray);
+}
+
+/// The point of the light's plane that the ray hits, relative to `middle`; see highlight_of.
+HWY_INLINE Vectors plane_hit(const LightConstants& light, const Vectors& middle,
+                             const Vectors& ray) {
+  const auto far =
+      hn::Add(hn::Sqrt(dot(middle, middle)), all_lanes(light.u_length + light.v_length));
+  const Vectors towards = all_lanes(light.towards);
+  const auto along = dot(middle, towards);
+  const auto slope = dot(ray, towards);
+  const auto hits = hn::And(hn::Gt(hn::Mul(along, slope), hn::Zero(FloatTag())),
+                            hn::Lt(hn::Abs(along), hn::Mul(far, hn::Abs(slope))));
+  const auto t =
+      hn::IfThenElse(hits, hn::Div(along, hn::IfThenElse(hits, slope, all_lanes(1.0f))), far);
+  return scaled(t, ray) - middle;
+}
+
+HWY_INLINE HighlightLanes flat_highlight(const LightConstants& light, const Vectors& middle,
+                                         const Vectors& ray) {
+  const Vectors hit = plane_hit(light, middle, ray);
+  const auto one = all_lanes(1.0f);
+  const Vectors u_axis = all_lanes(light.u_axis), v_axis = all_lanes(light.v_axis);
+  const auto u = clamped(dot(hit, u_axis), all_lanes(-light.u_length), all_lanes(light.u_length));
+  const auto v = clamped(dot(hit, v_axis), all_lanes(-light.v_length), all_lanes(light.v_length));
+  Vectors nearest = scaled(u, u_axis) + scaled(v, v_axis);
+  if (light.shape == LightConstants::Shape::disk) {
+    const Vectors towards = all_lanes(light.towards);
+    const Vectors flat = hit - scaled(dot(hit, towards), towards);
+    const auto length = hn::Sqrt(dot(flat, flat));
+    const auto radius = all_lanes(light.radius);
+    const auto beyond = hn::Gt(length, radius);
+    nearest = scaled(
+        hn::IfThenElse(beyond, hn::Div(radius, hn::IfThenElse(beyond, length, one)), one), flat);
+  }
+  return towards_offset(middle + nearest, light.highlight_radius, ray);
+}
+
+/// `ray`: the mirrored view.
+template <LightConstants::Shape shape>
+HWY_INLINE HighlightLanes highlight(const LightConstants& light, const Vectors& middle,
+                                    const Vectors& ray) {
+  using Shape = LightConstants::Shape;
+  if constexpr (shape == Shape::point) {
+    return towards_offset(middle, 0.0f, ray);
+  } else if constexpr (shape == Shape::distant) {
+    return {all_lanes(light.towards), hn::Zero(FloatTag())};
+  } else if constexpr (shape == Shape::sun) {
+    const auto radius = all_lanes(light.radius);
+    const Vectors nearest = nearest_of_ball(all_lanes(light.towards), radius, ray);
+    return {towards_offset(nearest, 0.0f, ray).direction, radius};
+  } else if constexpr (shape == Shape::ball) {
+    return ball_highlight(light, middle, ray);
+  } else if constexpr (shape == Shape::segment) {
+    return segment_highlight(light, middle, ray);
+  } else {
+    return flat_highlight(light, middle, ray);
+  }
+}
+
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

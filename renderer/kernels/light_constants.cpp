@@ -1,0 +1,73 @@
+#include "renderer/kernels/light_constants.h"
+
+#include "renderer/lights/light_math.h"
+#include "renderer/shading/reflected_light.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+LightConstants::Shape shape_of(const PreparedLight& light) {
+  using From = PreparedLight::Shape;
+  using To = LightConstants::Shape;
+  switch (light.shape) {
+    case From::point:
+      return To::point;
+    case From::distant:
+      return To::distant;
+    case From::ball:
+      return To::ball;
+    case From::sun:
+      return To::sun;
+    case From::segment:
+      return To::segment;
+    case From::disk:
+      return To::disk;
+    case From::polygon:
+      return light.rectangle ? To::rectangle : To::polygon;
+  }
+  return To::point;
+}
+
+glm::vec3 unit_or_zero(glm::dvec3 v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? glm::vec3(v / length) : glm::vec3(0.0f);
+}
+
+}  // namespace
+
+LightConstants::LightConstants(const PreparedLight& prepared)
+    : shape(shape_of(prepared)),
+      light(&prepared),
+      power(prepared.power),
+      position(prepared.position),
+      position_rest(prepared.position - glm::dvec3(position)),
+      towards(prepared.towards),
+      radius(static_cast<float>(prepared.radius)),
+      half_u(prepared.half_u),
+      half_v(prepared.half_v),
+      u_axis(unit_or_zero(prepared.half_u)),
+      v_axis(unit_or_zero(prepared.half_v)),
+      u_length(static_cast<float>(glm::length(prepared.half_u))),
+      v_length(static_cast<float>(glm::length(prepared.half_v))),
+      area(static_cast<float>(prepared.area)),
+      two_sided(prepared.two_sided),
+      shown_by_mirrors(asos::shown_by_mirrors(prepared)),
+      lambertian(prepared.rule == LightRule::physical),
+      attenuates(prepared.inverse_range != 0.0 || prepared.cone_scale != 0.0),
+      inverse_range(static_cast<float>(prepared.inverse_range)),
+      cone_scale(static_cast<float>(prepared.cone_scale)),
+      cone_offset(static_cast<float>(prepared.cone_offset)) {
+  if (shape == Shape::sun) {
+    const double cosine = 1.0 / std::sqrt(1.0 + prepared.radius * prepared.radius);
+    const double sine = prepared.radius * cosine;
+    one_less_cosine = static_cast<float>(sine * sine / (1.0 + cosine));
+  }
+  highlight_radius = shape == Shape::segment
+                         ? u_length
+                         : static_cast<float>(std::sqrt(prepared.area * std::numbers::inv_pi));
+}
+
+}  // namespace asos

@@ -1,0 +1,263 @@
+#include "renderer/kernels/light_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/kernels/light_kernel.cpp"
+#include <hwy/foreach_target.h>  // this file again, once for each instruction set
+// After it, for what it defines.
+#include "renderer/kernels/lobes.h"
+#include "renderer/lights/form_factor.h"
+#include "renderer/shading/viewed_point.h"
+
+#include <algorithm>
+#include <hwy/highway.h>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+namespace {
+
+/// How far the light is, as its highlight goes.
+template <LightConstants::Shape shape>
+HWY_INLINE Lanes light_nearness(const Vectors& middle) {
+  using Shape = LightConstants::Shape;
+  if constexpr (shape == Shape::distant || shape == Shape::sun) return hn::Zero(FloatTag());
+  return hn::Div(all_lanes(1.0f), hn::Sqrt(dot(middle, middle)));
+}
+
+/// The lobe that the light's highlight is, and Schlick's (1 - v.h)^5.
+struct SpecularLanes {
+  Lanes lobe;
+  Lanes fresnel;
+};
+
+template <LightConstants::Shape shape>
+HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& light,
+                                  const Vectors& normal, const Vectors& middle, std::size_t i) {
+  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+  const Vectors to_viewer = loaded(points.to_viewer, i);
+  const auto along = dot(normal, to_viewer);
+  const Vectors mirrored = scaled(hn::Add(along, along), normal) - to_viewer;
+  const HighlightLanes shown = highlight<shape>(light, middle, mirrored);
+  const auto n_dot_l = dot(normal, shown.direction);
+  auto mirrors = hn::Gt(n_dot_l, zero);
+  // Reflections show the lights that have an area: those are their highlights.
+  if (light.shown_by_mirrors)
+    mirrors = hn::And(mirrors, hn::Eq(loaded(points.shows_lights, i), zero));
+  if (hn::AllFalse(FloatTag(), mirrors)) return {zero, zero};
+
+  SightLanes at;
+  at.normal = normal;
+  at.to_viewer = to_viewer;
+  at.to_light = shown.direction;
+  const Vectors sum = at.to_light + to_viewer;
+  at.per_sum = hn::Div(one, hn::Sqrt(dot(sum, sum)));
+  at.half = scaled(at.per_sum, sum);
+  at.n_dot_l = hn::Max(n_dot_l, all_lanes(grazing_cosine));
+  at.n_dot_v = loaded(points.n_dot_v, i);
+  at.n_dot_h = hn::Max(zero, dot(normal, at.half));
+  at.alpha = loaded(points.alpha, i);
+  at.light_nearness = light_nearness<shape>(middle);
+  auto value = lobe(points, at, i);
+  const auto broader = hn::Add(at.alpha, hn::Mul(all_lanes(0.5f), shown.half_angle_tangent));
+  const auto ratio = hn::Div(at.alpha, broader);
+  value = hn::Mul(value, ratio);
+  if constexpr (shape != LightConstants::Shape::segment) value = hn::Mul(value, ratio);
+
+  const auto v_dot_h = hn::Max(zero, dot(to_viewer, at.half));
+  const auto m = clamped(hn::Sub(one, v_dot_h), zero, one);
+  const auto m2 = hn::Mul(m, m);
+  return {hn::IfThenElseZero(mirrors, value), hn::Mul(hn::Mul(m2, m2), m)};
+}
+
+/// shadow_ray's origin and end.
+struct RayLanes {
+  Vectors origin;
+  Lanes t_far;
+};
+HWY_INLINE RayLanes ray_to(const LitBatch& points, const ReceiverLanes& receiver,
+                           const SampleLanes& sample, std::size_t i) {
+  const auto zero = hn::Zero(FloatTag());
+  const auto clear = loaded(points.clear_height, i);
+  const auto below = hn::Lt(dot(receiver.geometric, sample.direction), zero);
+  const Vectors origin =
+      receiver.position + scaled(hn::IfThenElse(below, hn::Neg(clear), clear), receiver.geometric);
+  const auto infinite = hn::Eq(sample.distance, hn::Inf(FloatTag()));
+  const auto distance = hn::IfThenElse(infinite, all_lanes(1.0f), sample.distance);
+  const Vectors& d = sample.direction;
+  const auto size = hn::Add(hn::Add(hn::Add(hn::Abs(origin.x), hn::Mul(distance, hn::Abs(d.x))),
+                                    hn::Add(hn::Abs(origin.y), hn::Mul(distance, hn::Abs(d.y)))),
+                            hn::Add(hn::Abs(origin.z), hn::Mul(distance, hn::Abs(d.z))));
+  constexpr float eight_ulps = 8.0f * std::numeric_limits<float>::epsilon();
+  const auto error = clamped(hn::Mul(all_lanes(eight_ulps), hn::Div(size, distance)),
+                             all_lanes(1e-5f), all_lanes(0.5f));
+  const auto end = hn::Mul(distance, hn::Sub(all_lanes(1.0f), error));
+  return {origin, hn::IfThenElse(infinite, sample.distance, end)};
+}
+
+/// What reaches points i and on of a light and goes on to the viewer, and of which of them.
+struct CarriedLanes {
+  Vectors carried;
+  LaneMask kept;
+};
+HWY_INLINE void store_compressed(const Lanes& value, const LaneMask& kept,
+                                 ShadowRayBatch::Floats& to, std::size_t at) {
+  hn::CompressStore(value, kept, FloatTag(), &to[at]);
+}
+
+HWY_INLINE void append(const RayLanes& ray, const Vectors& direction, const LaneMask& kept,
+                       ShadowRayBatch& rays) {
+  const std::size_t at = rays.count;
+  store_compressed(ray.origin.x, kept, rays.origin[0], at);
+  store_compressed(ray.origin.y, kept, rays.origin[1], at);
+  store_compressed(ray.origin.z, kept, rays.origin[2], at);
+  store_compressed(direction.x, kept, rays.direction[0], at);
+  store_compressed(direction.y, kept, rays.direction[1], at);
+  store_compressed(direction.z, kept, rays.direction[2], at);
+  store_compressed(ray.t_far, kept, rays.t_far, at);
+}
+
+HWY_INLINE void append(const CarriedLanes& found, std::size_t first, ShadowRayBatch& rays) {
+  const std::size_t at = rays.count;
+  const auto& [carried, kept] = found;
+  store_compressed(carried.x, kept, rays.carried[0], at);
+  store_compressed(carried.y, kept, rays.carried[1], at);
+  store_compressed(carried.z, kept, rays.carried[2], at);
+  const hn::RebindToUnsigned<FloatTag> du;
+  rays.count += hn::CompressStore(hn::Iota(du, static_cast<std::uint32_t>(first)),
+                                  hn::RebindMask(du, kept), du, &rays.point[at]);
+}
+
+/// What a channel of the light carries: at most what a float holds for the irradiance.
+HWY_INLINE Lanes carried_by(Lanes form, float power, const Lanes& diffuse, const Lanes& f0,
+                            const Lanes& f90_less_f0, const SpecularLanes& shine) {
+  const auto most = all_lanes(std::numeric_limits<float>::max());
+  const auto irradiance = hn::Min(hn::Mul(all_lanes(power), hn::Min(form, most)), most);
+  const auto fresnel = hn::Add(f0, hn::Mul(f90_less_f0, shine.fresnel));
+  return hn::Mul(irradiance, hn::Add(diffuse, hn::Mul(fresnel, shine.lobe)));
+}
+
+/// The projected solid angle of a rectangle that a horizon of point i cuts.
+inline float clipped_form(const LitBatch& points, const PreparedLight& light, std::size_t i) {
+  const auto at = [i](const LitBatch::Vectors& v) { return glm::dvec3(v.x[i], v.y[i], v.z[i]); };
+  const Receiver receiver{at(points.position), at(points.normal), at(points.geometric)};
+  const double form = polygon_form(light.outlines.front(), receiver);
+  const double height = glm::dot(receiver.position - light.position, light.towards);
+  return static_cast<float>(std::max(0.0, height < 0.0 ? -form : form));
+}
+
+template <LightConstants::Shape shape>
+HWY_INLINE CarriedLanes carried_from(const LitBatch& points, const LightConstants& light,
+                                     const Vectors& middle, const Lanes& form,
+                                     const LaneMask& reached, std::size_t i, ShadowRayBatch& rays) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  const SpecularLanes shine = specular<shape>(points, light, loaded(points.normal, i), middle, i);
+  const Vectors diffuse = loaded(points.diffuse, i), f0 = loaded(points.f0, i);
+  const Vectors rest = loaded(points.f90_less_f0, i);
+  const Vectors carried{carried_by(form, light.power.x, diffuse.x, f0.x, rest.x, shine),
+                        carried_by(form, light.power.y, diffuse.y, f0.y, rest.y, shine),
+                        carried_by(form, light.power.z, diffuse.z, f0.z, rest.z, shine)};
+  const auto some =
+      hn::Or(hn::Ne(carried.x, zero), hn::Or(hn::Ne(carried.y, zero), hn::Ne(carried.z, zero)));
+  const auto sum = hn::Add(hn::Add(carried.x, carried.y), carried.z);
+  const auto finite = hn::Lt(hn::Abs(sum), hn::Inf(d));
+  const auto counted = hn::And(reached, some);
+  rays.rejected += hn::CountTrue(d, hn::AndNot(finite, counted));
+  return {carried, hn::And(counted, finite)};
+}
+
+template <LightConstants::Shape shape>
+void shade_shape(const LitBatch& points, const LightConstants& light, const ArcPlaces& arc,
+                 const LightPlaceBatch& places, ShadowRayBatch& rays) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
+                                 loaded(points.normal, i)};
+    const Vectors middle =
+        (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
+    const SampleLanes sample = light_sample<shape>(light, receiver, middle, arc, places, i);
+    const auto reached =
+        hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(sample.form, zero)));
+    if (hn::AllFalse(d, reached)) continue;
+
+    const auto [carried, kept] =
+        carried_from<shape>(points, light, middle, sample.form, reached, i, rays);
+    if (hn::AllFalse(d, kept)) continue;
+    append(ray_to(points, receiver, sample, i), sample.direction, kept, rays);
+    append({carried, kept}, i, rays);
+  }
+}
+
+void shade_closed_form(const LitBatch& points, const LightConstants& light, ShadowRayBatch& rays) {
+  const FloatTag d;
+  rays.count = 0;
+  rays.rejected = 0;
+  ArcPlaces forms;
+  rectangle_forms(points, *light.light, forms);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    if (forms.first[i] < 0.0f) forms.first[i] = clipped_form(points, *light.light, i);
+  }
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const Vectors middle =
+        (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);
+    const auto form = loaded(forms.first, i);
+    const auto reached =
+        hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(form, hn::Zero(d))));
+    if (hn::AllFalse(d, reached)) continue;
+    append(carried_from<LightConstants::Shape::rectangle>(points, light, middle, form, reached, i,
+                                                          rays),
+           i, rays);
+  }
+}
+
+void shade(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+           ShadowRayBatch& rays) {
+  using Shape = LightConstants::Shape;
+  rays.count = 0;
+  rays.rejected = 0;
+  ArcPlaces arc;
+  switch (light.shape) {
+    case Shape::point:
+      return shade_shape<Shape::point>(points, light, arc, places, rays);
+    case Shape::distant:
+      return shade_shape<Shape::distant>(points, light, arc, places, rays);
+    case Shape::ball:
+      return shade_shape<Shape::ball>(points, light, arc, places, rays);
+    case Shape::sun:
+      return shade_shape<Shape::sun>(points, light, arc, places, rays);
+    case Shape::disk:
+      return shade_shape<Shape::disk>(points, light, arc, places, rays);
+    case Shape::segment:
+      segment_places(points, *light.light, places, arc);
+      return shade_shape<Shape::segment>(points, light, arc, places, rays);
+    case Shape::rectangle:
+      rectangle_places(points, *light.light, places, arc);
+      return shade_shape<Shape::rectangle>(points, light, arc, places, rays);
+    case Shape::polygon:
+      polygon_places(points, *light.light, places, arc);
+      return shade_shape<Shape::polygon>(points, light, arc, places, rays);
+  }
+}
+
+}  // namespace
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asos {
+
+HWY_EXPORT(shade);
+HWY_EXPORT(shade_closed_form);
+
+void shade_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+                 ShadowRayBatch& rays) {
+  HWY_DYNAMIC_DISPATCH(shade)(points, light, places, rays);
+}
+
+void shade_unshadowed(const LitBatch& points, const LightConstants& light, ShadowRayBatch& rays) {
+  HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, rays);
+}
+
+}  // namespace asos
+#endif

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "renderer/kernels/light_constants.h"
+#include "renderer/kernels/lit_batch.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace asos {
+
+/// Where on a light each point of a batch looks: 32-bit binary fractions of the unit square.
+struct LightPlaceBatch {
+  // A kernel may write a whole vector at the end.
+  static constexpr std::size_t room = LitBatch::size + 16;
+  struct alignas(64) Fractions : std::array<std::uint32_t, room> {};
+  Fractions u{}, v{};
+};
+
+/// Shadow rays of a batch, as arrays, and what each carries into its sum if nothing is in its way.
+struct ShadowRayBatch {
+  // A kernel may write a whole vector at the end.
+  static constexpr std::size_t room = LitBatch::size + 16;
+  struct alignas(64) Floats : std::array<float, room> {};
+
+  std::size_t count = 0;
+  std::size_t rejected = 0;  ///< that would have carried what is not finite: left out
+  std::array<Floats, 3> origin{};
+  std::array<Floats, 3> direction{};  ///< unit
+  Floats t_far{};
+  std::array<Floats, 3> carried{};
+  struct alignas(64) Indices : std::array<std::uint32_t, room> {};
+  Indices point{};  ///< index into the batch, ascending
+};
+
+/// The shadow rays that a light's points send back to it, as sample_light, reflected_share and
+/// shadow_ray make them for one point in double precision. Those that carry nothing are left out.
+/// The bits of a point's ray depend on the point and the light alone, not on its place in the batch
+/// nor on the instructions that the processor has.
+void shade_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+                 ShadowRayBatch& rays);
+
+/// What points get of a rectangle that casts no shadow: unshadowed_irradiance's closed form times
+/// reflected_share. `rays` has no rays then but what they would carry.
+void shade_unshadowed(const LitBatch& points, const LightConstants& light, ShadowRayBatch& rays);
+
+}  // namespace asos

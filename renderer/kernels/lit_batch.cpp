@@ -1,0 +1,39 @@
+#include "renderer/kernels/lit_batch.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace asos {
+
+void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
+  const std::size_t i = count++;
+  const SurfacePoint& point = lit.view.point;
+  const ViewedMaterial& material = lit.material;
+  position.set(i, point.position);
+  geometric.set(i, point.geometric_normal);
+  normal.set(i, point.shading_normal);
+  to_viewer.set(i, lit.view.to_viewer);
+  clear_height[i] = asos::clear_height(point);
+  n_dot_v[i] = lit.view.n_dot_v;
+
+  const glm::vec3 share = weight * lit.share;
+  diffuse.set(i, share * material.diffuse * std::numbers::inv_pi_v<float>);
+  f0.set(i, share * material.f0);
+  f90_less_f0.set(i, share * (material.f90 - material.f0));
+  const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
+  alpha[i] = roughness * roughness;
+  shows_lights[i] = lit.mirrors ? 1.0f : 0.0f;
+
+  const Patch& patch = lit.view.patch;
+  const bool is_point = patch.right == glm::vec3(0.0f) && patch.down == glm::vec3(0.0f);
+  turns[i] = is_point && point.spread.flat() ? 0.0f : 1.0f;
+  if (turns[i] == 0.0f) return;
+  viewer_nearness[i] = 1.0f / lit.view.distance;
+  patch_right.set(i, patch.right);
+  patch_down.set(i, patch.down);
+  spread_right.set(i, point.spread.right);
+  spread_down.set(i, point.spread.down);
+  spread_variance[i] = point.spread.variance;
+}
+
+}  // namespace asos

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "renderer/shading/light_transport.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace asos {
+
+/// Points that a light shines on, as many as kernels take at a time, as arrays: what LitPoint tells
+/// of each. Lanes beyond `count` hold numbers of no meaning.
+struct LitBatch {
+  static constexpr std::size_t size = 256;  ///< a multiple of all lanes that processors have
+
+  struct alignas(64) Floats : std::array<float, size> {};
+  struct Vectors {
+    Floats x{}, y{}, z{};
+    void set(std::size_t i, glm::vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  };
+
+  std::size_t count = 0;
+  Vectors position;
+  Vectors geometric;  ///< normal
+  Vectors normal;     ///< shading normal
+  Vectors to_viewer;
+  Floats clear_height{};
+  Floats n_dot_v{};
+  // The surface's radiance per irradiance is diffuse + (f0 + (f90 - f0) (1 - v.h)^5) lobe; the
+  // three are multiplied by the point's weight in its sum.
+  Vectors diffuse;
+  Vectors f0;
+  Vectors f90_less_f0;
+  Floats alpha{};            ///< squared roughness, floored
+  Floats shows_lights{};     ///< 1: a reflection shows the lights that mirrors show; else 0
+  Floats turns{};            ///< 0 where what follows is 0; else 1
+  Floats viewer_nearness{};  ///< 1 / distance
+  Vectors patch_right, patch_down;
+  Vectors spread_right, spread_down;
+  Floats spread_variance{};
+
+  [[nodiscard]] bool full() const { return count == size; }
+  /// A point that counts by `weight` in its sum. The batch must not be full.
+  void add(const LitPoint& point, glm::vec3 weight);
+};
+
+}  // namespace asos

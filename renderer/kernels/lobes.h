@@ -1,0 +1,131 @@
+// The GGX lobe of a point or of a patch, a lane a point, as reflected_share evaluates it. Once for
+// each instruction set.
+#if defined(ASOS_KERNELS_LOBES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASOS_KERNELS_LOBES_H
+#undef ASOS_KERNELS_LOBES_H
+#else
+#define ASOS_KERNELS_LOBES_H
+#endif
+
+#include "renderer/kernels/highlights.h"
+#include "renderer/shading/lobe.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+
+/// What a lobe is seen by.
+struct SightLanes {
+  Vectors normal, to_viewer, to_light;
+  Vectors half;   ///< unit
+  Lanes per_sum;  ///< 1 / length of to_viewer + to_light
+  Lanes n_dot_l, n_dot_v, n_dot_h;
+  Lanes alpha;  ///< squared roughness
+  Lanes light_nearness;
+};
+
+/// ggx_lobe's.
+HWY_INLINE Lanes point_lobe(const SightLanes& at) {
+  const auto one = all_lanes(1.0f);
+  const auto a2 = hn::Mul(at.alpha, at.alpha);
+  const auto d = hn::Add(hn::Mul(hn::Mul(at.n_dot_h, at.n_dot_h), hn::Sub(a2, one)), one);
+  const auto nl = at.n_dot_l, nv = at.n_dot_v;
+  const auto left = hn::Sub(one, a2);
+  const auto shadowing =
+      hn::Add(hn::Mul(nl, hn::Sqrt(hn::Add(hn::Mul(hn::Mul(nv, nv), left), a2))),
+              hn::Mul(nv, hn::Sqrt(hn::Add(hn::Mul(hn::Mul(nl, nl), left), a2))));
+  return hn::Div(hn::Mul(a2, all_lanes(0.5f * std::numbers::inv_pi_v<float>)),
+                 hn::Mul(hn::Mul(d, d), shadowing));
+}
+
+/// How a direction turns along an edge of a patch, whose end is `nearness` away.
+HWY_INLINE Vectors turned(const Vectors& edge, const Vectors& direction, Lanes nearness) {
+  return scaled(nearness, scaled(dot(direction, edge), direction) - edge);
+}
+
+/// spread_about_half's: how the patch's normals turn about the half vector along an edge.
+HWY_INLINE Vectors turn_about_half(const SightLanes& at, Lanes viewer_nearness,
+                                   const Vectors& spread, const Vectors& edge) {
+  const Vectors d = scaled(at.per_sum, turned(edge, at.to_viewer, viewer_nearness) +
+                                           turned(edge, at.to_light, at.light_nearness));
+  return spread - (d - scaled(dot(at.half, d), at.half));
+}
+
+/// PatchLobe's matrix: alpha^2 by direction of the tangent plane.
+struct SlopeLanes {
+  Vectors tangent, bitangent;
+  Lanes xx, yy, xy;
+
+  [[nodiscard]] HWY_INLINE Lanes quadratic(const Vectors& v) const {
+    const auto x = dot(tangent, v), y = dot(bitangent, v);
+    const auto both = hn::Mul(hn::Mul(hn::Add(xy, xy), x), y);
+    return hn::Add(hn::Add(hn::Mul(hn::Mul(xx, x), x), both), hn::Mul(hn::Mul(yy, y), y));
+  }
+};
+
+HWY_INLINE SlopeLanes slopes_of(const SightLanes& at, const Vectors& right, const Vectors& down,
+                                Lanes added, Lanes variance) {
+  constexpr float box_variance = 1.0f / 12.0f;
+  const auto one = all_lanes(1.0f);
+  const Vectors& n = at.normal;
+  SlopeLanes lobe;
+  // A tangent frame of any direction (Duff et al. 2017).
+  const auto sign = hn::CopySign(one, n.z);
+  const auto a = hn::Neg(hn::Div(one, hn::Add(sign, n.z)));
+  const auto b = hn::Mul(hn::Mul(n.x, n.y), a);
+  lobe.tangent = {hn::Add(one, hn::Mul(hn::Mul(hn::Mul(sign, n.x), n.x), a)), hn::Mul(sign, b),
+                  hn::Neg(hn::Mul(sign, n.x))};
+  lobe.bitangent = {b, hn::Add(sign, hn::Mul(hn::Mul(n.y, n.y), a)), hn::Neg(n.y)};
+
+  const auto part = hn::Min(one, hn::Div(all_lanes(PatchLobe::most_added), added));
+  const auto turn = hn::Mul(part, all_lanes(box_variance));
+  const auto round = hn::Add(hn::Mul(at.alpha, at.alpha), hn::Mul(part, variance));
+  const auto rx = dot(lobe.tangent, right), ry = dot(lobe.bitangent, right);
+  const auto dx = dot(lobe.tangent, down), dy = dot(lobe.bitangent, down);
+  lobe.xx = hn::Add(round, hn::Mul(turn, hn::Add(hn::Mul(rx, rx), hn::Mul(dx, dx))));
+  lobe.yy = hn::Add(round, hn::Mul(turn, hn::Add(hn::Mul(ry, ry), hn::Mul(dy, dy))));
+  lobe.xy = hn::Mul(turn, hn::Add(hn::Mul(rx, ry), hn::Mul(dx, dy)));
+  return lobe;
+}
+
+HWY_INLINE Lanes patch_lobe(const SightLanes& at, const SlopeLanes& lobe) {
+  const auto x = dot(lobe.tangent, at.half), y = dot(lobe.bitangent, at.half);
+  const auto det = hn::Sub(hn::Mul(lobe.xx, lobe.yy), hn::Mul(lobe.xy, lobe.xy));
+  const auto both = hn::Mul(hn::Mul(hn::Add(lobe.xy, lobe.xy), x), y);
+  const auto slopes = hn::Div(
+      hn::Add(hn::Sub(hn::Mul(hn::Mul(lobe.yy, x), x), both), hn::Mul(hn::Mul(lobe.xx, y), y)),
+      det);
+  const auto d = hn::Add(slopes, hn::Mul(at.n_dot_h, at.n_dot_h));
+  const auto nl = at.n_dot_l, nv = at.n_dot_v;
+  const auto shadowing =
+      hn::Add(hn::Mul(nl, hn::Sqrt(hn::Add(hn::Mul(nv, nv), lobe.quadratic(at.to_viewer)))),
+              hn::Mul(nv, hn::Sqrt(hn::Add(hn::Mul(nl, nl), lobe.quadratic(at.to_light)))));
+  return hn::Div(all_lanes(0.5f * std::numbers::inv_pi_v<float>),
+                 hn::Mul(hn::Mul(hn::Sqrt(det), hn::Mul(d, d)), shadowing));
+}
+
+/// The lobe of points i and on: a patch's where its normals differ enough to show.
+HWY_INLINE Lanes lobe(const LitBatch& points, const SightLanes& at, std::size_t i) {
+  const FloatTag d;
+  const Lanes of_point = point_lobe(at);
+  const auto turns = hn::Gt(loaded(points.turns, i), hn::Zero(d));
+  if (hn::AllFalse(d, turns)) return of_point;
+  const auto nearness = loaded(points.viewer_nearness, i);
+  const Vectors right =
+      turn_about_half(at, nearness, loaded(points.spread_right, i), loaded(points.patch_right, i));
+  const Vectors down =
+      turn_about_half(at, nearness, loaded(points.spread_down, i), loaded(points.patch_down, i));
+  const auto variance = loaded(points.spread_variance, i);
+  const auto added =
+      hn::Add(hn::Mul(hn::Add(dot(right, right), dot(down, down)), all_lanes(1.0f / 12.0f)),
+              hn::Add(variance, variance));
+  const auto least = hn::Mul(all_lanes(1e-3f), hn::Mul(at.alpha, at.alpha));
+  const auto wider = hn::And(turns, hn::And(hn::Gt(added, least), hn::Lt(added, hn::Inf(d))));
+  if (hn::AllFalse(d, wider)) return of_point;
+  return hn::IfThenElse(wider, patch_lobe(at, slopes_of(at, right, down, added, variance)),
+                        of_point);
+}
+
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

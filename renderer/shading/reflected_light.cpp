@@ -1,0 +1,57 @@
+#include "renderer/shading/reflected_light.h"
+
+#include "renderer/shading/lobe.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace asos {
+namespace {
+
+/// How far a light is, as its highlight goes.
+float distance_of(const PreparedLight& light, glm::vec3 position) {
+  using LightShape = PreparedLight::Shape;
+  if (light.shape == LightShape::distant || light.shape == LightShape::sun)
+    return std::numeric_limits<float>::infinity();
+  return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
+}
+
+PatchLobe lobe_of(const PreparedLight& light, const ViewedMaterial& seen, const ViewedPoint& view,
+                  glm::vec3 to_light) {
+  const SurfacePoint& point = view.point;
+  const LobeSight sight{view.to_viewer, view.distance, to_light,
+                        distance_of(light, point.position)};
+  return {spread_about_half(point.spread, view.patch, sight), seen.roughness, point.shading_normal};
+}
+
+}  // namespace
+
+glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
+                          const ViewedPoint& view, const Highlight& highlight) {
+  const glm::vec3 n = view.point.shading_normal;
+  const glm::vec3 l = highlight.direction;
+  // Light from below the horizon is not mirrored.
+  if (!(glm::dot(n, l) > 0.0f)) return brdf(seen, {}, 0.0f);
+  const glm::vec3 half = glm::normalize(l + view.to_viewer);
+  const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
+                          std::max(0.0f, glm::dot(n, half)),
+                          std::max(0.0f, glm::dot(view.to_viewer, half))};
+  const PatchLobe lobe = lobe_of(light, seen, view, l);
+  float value =
+      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
+  if (highlight.half_angle_tangent > 0.0f) {
+    const float roughness = std::max(seen.roughness, roughness_floor);
+    const float width = roughness * roughness;
+    const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
+    value *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
+  }
+  return brdf(seen, angles, value);
+}
+
+bool shown_by_mirrors(const PreparedLight& light) {
+  using LightShape = PreparedLight::Shape;
+  return light.shape == LightShape::ball || light.shape == LightShape::polygon ||
+         light.shape == LightShape::disk;
+}
+
+}  // namespace asos

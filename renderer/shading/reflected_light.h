@@ -1,0 +1,20 @@
+#pragma once
+
+#include "renderer/lights/prepared_light.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/viewed_point.h"
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// Radiance towards the viewer per irradiance from a light. The lobe's part is that of the light's
+/// representative point, made as broad as the light by the ratio of what its width was to what it
+/// would be (Karis 2013): of the whole light, whatever is visible of it.
+[[nodiscard]] glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
+                                        const ViewedPoint& view, const Highlight& highlight);
+
+/// Whether a reflection shows the light: lines and points are too thin, and suns too bright.
+[[nodiscard]] bool shown_by_mirrors(const PreparedLight& light);
+
+}  // namespace asos

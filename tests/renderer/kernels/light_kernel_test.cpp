@@ -1,0 +1,354 @@
+#include "renderer/kernels/light_kernel.h"
+
+#include "renderer/shading/reflected_light.h"
+#include "renderer/shading/shadow_ray.h"
+#include "tests/support/every_target.h"
+#include "tests/support/random_space.h"
+#include "tests/support/sample_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+// The kernels against the functions for one point in double precision that they stand for.
+
+namespace asos::test::light_kernel_test {
+namespace {
+
+struct NamedLight {
+  std::string name;
+  PreparedLight prepared;
+};
+
+Light two_sided(Light light) {
+  light.two_sided = true;
+  return light;
+}
+
+/// All shapes, `scale` times as large and as far away, and moved by `offset`.
+std::vector<NamedLight> lights(double scale, glm::dvec3 offset) {
+  std::vector<NamedLight> all;
+  const auto add = [&](const std::string& name, const Light& light,
+                       LightRule rule = LightRule::physical) {
+    Light placed = scaled(light, scale);
+    placed.position += offset;
+    for (auto& outline : placed.outlines) {
+      for (glm::dvec3& corner : outline) corner += offset;
+    }
+    all.push_back({name, prepare_light(placed, rule)});
+  };
+  add("point", point_light());
+  add("spot", spot_light());
+  add("distant", distant_light());
+  add("sun", sun_light());
+  add("small sun", sun_light(0.0093));
+  add("ball", ball_light());
+  add("huge ball", ball_light(2.5));
+  add("segment", linear_light());
+  add("published segment", linear_light(), LightRule::published);
+  add("rectangle", rectangle_light());
+  add("two-sided rectangle", two_sided(rectangle_light()));
+  Light small = rectangle_light();
+  small.half_u *= 1e-3;
+  small.half_v *= 1e-3;
+  add("small rectangle", small);
+  add("disk", disk_light());
+  add("polygon", polygon_light());
+  return all;
+}
+
+/// What a LitPoint refers to.
+struct Subject {
+  std::unique_ptr<SurfacePoint> point = std::make_unique<SurfacePoint>();
+  ViewedMaterial material{};
+  std::unique_ptr<ViewedPoint> view;
+  bool mirrors = false;
+  glm::vec3 share{1.0f};
+
+  [[nodiscard]] LitPoint lit() const { return {{}, *view, material, mirrors, share}; }
+};
+
+Subject subject(RandomSpace& space, int kind, double scale, glm::dvec3 offset) {
+  const glm::dvec3 place(space.between(-2, 2), space.between(-1, 2.5), space.between(-2, 2));
+  const Receiver at = space.receiver(place, {0, 2, 0}, kind);
+  Subject s;
+  s.point->position = glm::vec3(scale * place + offset);
+  s.point->error = 3e-7f * glm::abs(s.point->position);
+  s.point->extent = static_cast<float>(scale);
+  s.point->shading_normal = glm::vec3(at.normal);
+  s.point->geometric_normal = glm::vec3(at.geometric);
+  glm::dvec3 to_viewer = space.direction();
+  if (glm::dot(to_viewer, at.geometric) < 0.0) to_viewer = -to_viewer;
+  const auto n_dot_v =
+      std::max(glm::dot(s.point->shading_normal, glm::vec3(to_viewer)), grazing_cosine);
+  s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, glm::vec3(to_viewer), n_dot_v});
+  const auto unit = [&] { return static_cast<float>(space.between(0, 1)); };
+  // Rougher than a mirror: next to one's reflection the last bits of a direction are all there is.
+  s.material = {{unit(), unit(), unit()}, {}, glm::vec3(unit()), 0.3f + 0.7f * unit(), unit()};
+  s.mirrors = kind % 5 == 0;
+  s.share = {unit(), unit(), unit()};
+  if (kind % 2 == 0) {
+    const auto edge = [&](double length) {
+      return static_cast<float>(length * space.between(0.1, 1)) * glm::vec3(space.direction());
+    };
+    s.view->patch = {edge(0.02 * scale), edge(0.02 * scale)};
+    s.view->distance = static_cast<float>(3.0 * scale);
+    if (kind % 4 == 0) s.point->spread = {edge(0.2), edge(0.2), 0.01f * unit()};
+  }
+  return s;
+}
+
+struct Expected {
+  LightSample sample;
+  Ray ray;
+  glm::vec3 carried;
+  glm::vec3 unshadowed;
+};
+
+Expected expected(const PreparedLight& light, const Subject& s, glm::dvec2 at) {
+  const Receiver receiver = receiver_at(*s.point);
+  Expected e;
+  e.sample = sample_light(light, receiver, at.x, at.y);
+  e.ray = shadow_ray(*s.point, e.sample);
+  const glm::dvec3 mirrored = glm::reflect(-glm::dvec3(s.view->to_viewer), receiver.normal);
+  const glm::vec3 reflected =
+      s.mirrors && shown_by_mirrors(light)
+          ? brdf(s.material, {}, 0.0f)
+          : reflected_share(light, s.material, *s.view,
+                            highlight_of(light, receiver.position, mirrored));
+  e.carried = s.share * reflected * e.sample.irradiance;
+  e.unshadowed = s.share * reflected * unshadowed_irradiance(light, receiver);
+  return e;
+}
+
+/// A batch that is not a multiple of any lanes, and its places.
+struct Batch {
+  std::vector<Subject> subjects;
+  LitBatch points;
+  LightPlaceBatch places;
+
+  Batch(std::uint64_t seed, double scale, glm::dvec3 offset) {
+    RandomSpace space(seed);
+    for (int i = 0; i < 251; ++i) {
+      subjects.push_back(subject(space, i, scale, offset));
+      points.add(subjects.back().lit(), glm::vec3(1.0f));
+      const auto bits = [&] {
+        return static_cast<std::uint32_t>(space.between(0.0, 4294967295.0));
+      };
+      places.u[static_cast<std::size_t>(i)] = i == 7 ? 0u : i == 8 ? 0xffffffffu : bits();
+      places.v[static_cast<std::size_t>(i)] = i == 8 ? 0u : bits();
+    }
+  }
+  [[nodiscard]] glm::dvec2 at(std::size_t i) const {
+    constexpr double per_turn = 1.0 / 4294967296.0;
+    return per_turn * glm::dvec2(places.u[i], places.v[i]);
+  }
+};
+
+float largest(glm::vec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+glm::vec3 at(const std::array<ShadowRayBatch::Floats, 3>& v, std::size_t i) {
+  return {v[0][i], v[1][i], v[2][i]};
+}
+
+/// A scene of about 1, tiny and huge ones, and one far from the origin.
+struct Scale {
+  double scale;
+  glm::dvec3 offset;
+};
+constexpr Scale scales[] = {
+    {1.0, {0, 0, 0}}, {1e-6, {0, 0, 0}}, {1e6, {0, 0, 0}}, {1.0, {300, -200, 500}}};
+
+// Floats have 24 bits: what is left of some dozens of roundings, and where a highlight is narrow,
+// a square of them.
+constexpr double relative = 2e-4;
+constexpr double typical = 1e-5;
+constexpr double direction_error = 2e-5;
+
+TEST(LightKernel, RaysAreTheOnesOfThePointsOneByOne) {
+  for (const auto& [scale, offset] : scales) {
+    const Batch batch(static_cast<std::uint64_t>(std::log10(scale) + 20.0), scale, offset);
+    for (const NamedLight& light : lights(scale, offset)) {
+      SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
+      ShadowRayBatch rays;
+      shade_batch(batch.points, LightConstants(light.prepared), batch.places, rays);
+      EXPECT_EQ(rays.rejected, 0u);
+      std::vector<Expected> oracle;
+      float bright = 0.0f;
+      for (std::size_t i = 0; i < batch.subjects.size(); ++i) {
+        oracle.push_back(expected(light.prepared, batch.subjects[i], batch.at(i)));
+        bright += largest(oracle.back().carried) / static_cast<float>(batch.subjects.size());
+      }
+      ASSERT_GT(bright, 0.0f);
+      std::size_t next = 0;
+      double sum = 0.0;
+      for (std::size_t i = 0; i < batch.subjects.size(); ++i) {
+        SCOPED_TRACE("point " + std::to_string(i));
+        const bool sent = next < rays.count && rays.point[next] == i;
+        const glm::vec3 carried = sent ? at(rays.carried, next) : glm::vec3(0.0f);
+        const Expected& e = oracle[i];
+        const float off = largest(carried - e.carried);
+        const double tolerance = relative * static_cast<double>(largest(e.carried)) +
+                                 typical * static_cast<double>(bright);
+        // Inside of a ball light stops at the horizon at once, on whichever side of it a direction
+        // is rounded to.
+        const glm::dvec3 up(batch.subjects[i].point->geometric_normal);
+        const bool stops =
+            light.name == "huge ball" && std::abs(glm::dot(e.sample.direction, up)) < 1e-3;
+        if (stops) {
+          next += sent;
+          continue;
+        }
+        sum += static_cast<double>(off / bright);
+        EXPECT_LE(off, tolerance) << "carries " << carried.x << ", not " << e.carried.x;
+        if (!sent) continue;
+        if (largest(e.carried) > 0.0f) {
+          EXPECT_LT(largest(at(rays.direction, next) - e.ray.direction), direction_error);
+          const glm::vec3 moved = at(rays.origin, next) - e.ray.origin;
+          EXPECT_LE(largest(moved), 2e-7f * largest(e.ray.origin));
+          if (std::isfinite(e.ray.t_far)) {
+            EXPECT_NEAR(rays.t_far[next] / e.ray.t_far, 1.0, 2e-3);
+          } else {
+            EXPECT_EQ(rays.t_far[next], e.ray.t_far);
+          }
+        }
+        ++next;
+      }
+      EXPECT_EQ(next, rays.count) << "indices have to ascend";
+      // On average errors are those of roundings.
+      EXPECT_LT(sum / static_cast<double>(batch.subjects.size()), 1e-5);
+    }
+  }
+}
+
+TEST(LightKernel, ClosedFormsAreTheOnesOfThePointsOneByOne) {
+  for (const auto& [scale, offset] : scales) {
+    const Batch batch(static_cast<std::uint64_t>(std::log10(scale) + 40.0), scale, offset);
+    for (const NamedLight& light : lights(scale, offset)) {
+      if (!light.prepared.rectangle) continue;
+      SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
+      ShadowRayBatch rays;
+      shade_unshadowed(batch.points, LightConstants(light.prepared), rays);
+      std::size_t next = 0, lit = 0;
+      for (std::size_t i = 0; i < batch.subjects.size(); ++i) {
+        const Expected e = expected(light.prepared, batch.subjects[i], {0.5, 0.5});
+        const bool sent = next < rays.count && rays.point[next] == i;
+        const glm::vec3 carried = sent ? at(rays.carried, next) : glm::vec3(0.0f);
+        EXPECT_LE(largest(carried - e.unshadowed), relative * largest(e.unshadowed))
+            << "point " << i;
+        lit += sent;
+        next += sent;
+      }
+      EXPECT_EQ(next, rays.count);
+      EXPECT_GT(lit, 100u);
+    }
+  }
+}
+
+/// All bits of a result.
+std::vector<std::uint32_t> bits_of(const ShadowRayBatch& rays) {
+  std::vector<std::uint32_t> bits;
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    bits.push_back(rays.point[i]);
+    bits.push_back(std::bit_cast<std::uint32_t>(rays.t_far[i]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits.push_back(std::bit_cast<std::uint32_t>(rays.origin[k][i]));
+      bits.push_back(std::bit_cast<std::uint32_t>(rays.direction[k][i]));
+      bits.push_back(std::bit_cast<std::uint32_t>(rays.carried[k][i]));
+    }
+  }
+  return bits;
+}
+
+TEST(LightKernel, AllInstructionSetsGiveTheSameBits) {
+  std::vector<std::vector<std::uint32_t>> first;
+  int targets = 0;
+  for_every_target([&] {
+    std::vector<std::vector<std::uint32_t>> bits;
+    for (const auto& [scale, offset] : scales) {
+      const Batch batch(99, scale, offset);
+      for (const NamedLight& light : lights(scale, offset)) {
+        ShadowRayBatch rays;
+        shade_batch(batch.points, LightConstants(light.prepared), batch.places, rays);
+        bits.push_back(bits_of(rays));
+        if (!light.prepared.rectangle) continue;
+        ShadowRayBatch unshadowed;
+        shade_unshadowed(batch.points, LightConstants(light.prepared), unshadowed);
+        bits.push_back(bits_of(unshadowed));
+      }
+    }
+    ++targets;
+    if (first.empty()) first = bits;
+    ASSERT_EQ(first.size(), bits.size());
+    for (std::size_t i = 0; i < bits.size(); ++i) EXPECT_EQ(first[i], bits[i]) << "light " << i;
+  });
+  EXPECT_GE(targets, 1);
+}
+
+TEST(LightKernel, APointsRayDoesNotDependOnItsPlaceInTheBatch) {
+  const Batch batch(5, 1.0, {0, 0, 0});
+  for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
+    SCOPED_TRACE(light.name);
+    ShadowRayBatch all, alone;
+    shade_batch(batch.points, LightConstants(light.prepared), batch.places, all);
+    for (std::size_t k = 0; k < all.count; k += 13) {
+      const std::size_t i = all.point[k];
+      LitBatch one;
+      one.add(batch.subjects[i].lit(), glm::vec3(1.0f));
+      LightPlaceBatch places;
+      places.u[0] = batch.places.u[i];
+      places.v[0] = batch.places.v[i];
+      shade_batch(one, LightConstants(light.prepared), places, alone);
+      ASSERT_EQ(alone.count, 1u);
+      EXPECT_EQ(at(alone.carried, 0), at(all.carried, k));
+      EXPECT_EQ(at(alone.direction, 0), at(all.direction, k));
+      EXPECT_EQ(at(alone.origin, 0), at(all.origin, k));
+      EXPECT_EQ(alone.t_far[0], all.t_far[k]);
+    }
+  }
+}
+
+TEST(LightKernel, WhatIsNotFiniteIsCountedAndLeftOut) {
+  const PreparedLight light = prepare_light(point_light());
+  RandomSpace space(1);
+  Subject s = subject(space, 1, 1.0, {0, 0, 0});
+  s.point->position = {0, 0, 0};
+  s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
+  s.share = glm::vec3(std::numeric_limits<float>::infinity());
+  LitBatch points;
+  points.add(s.lit(), glm::vec3(1.0f));
+  ShadowRayBatch rays;
+  shade_batch(points, LightConstants(light), {}, rays);
+  EXPECT_EQ(rays.count, 0u);
+  EXPECT_EQ(rays.rejected, 1u);
+}
+
+TEST(LightKernel, AtTheVeryPlaceOfALightNothingArrives) {
+  RandomSpace space(2);
+  for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
+    SCOPED_TRACE(light.name);
+    if (!light.prepared.extended() || light.prepared.shape == PreparedLight::Shape::sun ||
+        light.prepared.shape == PreparedLight::Shape::ball)
+      continue;
+    LitBatch points;
+    Subject s = subject(space, 1, 1.0, {0, 0, 0});
+    s.point->position = glm::vec3(light.prepared.position);
+    points.add(s.lit(), glm::vec3(1.0f));
+    ShadowRayBatch rays;
+    shade_batch(points, LightConstants(light.prepared), {}, rays);
+    EXPECT_EQ(rays.rejected, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::light_kernel_test

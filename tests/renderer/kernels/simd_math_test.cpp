@@ -1,0 +1,74 @@
+#include "renderer/kernels/simd_math.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+// The functions of kernels against the standard library's, in the baseline's lanes: light_kernel's
+// test sees that all instruction sets have the same bits.
+
+namespace asos::test::simd_math_test {
+namespace {
+
+namespace lanes = asos::HWY_NAMESPACE;
+using DoubleTag = hwy::HWY_NAMESPACE::CappedTag<double, 1>;
+using FloatTag = hwy::HWY_NAMESPACE::CappedTag<float, 1>;
+constexpr int steps = 200'000;
+
+TEST(SimdMath, SineAndCosineOfAnEighthOfATurn) {
+  const FloatTag d;
+  double worst = 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    const auto x = static_cast<float>((2.0 * i / steps - 1.0) * 0.25 * std::numbers::pi);
+    const auto found = lanes::sin_cos_of_eighth(d, hwy::HWY_NAMESPACE::Set(d, x));
+    const double sin = hwy::HWY_NAMESPACE::GetLane(found.sin);
+    const double cos = hwy::HWY_NAMESPACE::GetLane(found.cos);
+    if (x != 0.0f) worst = std::max(worst, std::abs(sin / std::sin(double{x}) - 1.0));
+    worst = std::max(worst, std::abs(cos / std::cos(double{x}) - 1.0));
+  }
+  EXPECT_LT(worst, 1.6e-7);
+  EXPECT_GT(worst, 1e-9) << "floats cannot be that good: this test looks wrong";
+}
+
+TEST(SimdMath, SineAndCosineOfAWholeTurn) {
+  const DoubleTag d;
+  double worst = 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    const double x = 2.0 * std::numbers::pi * i / steps;
+    const auto found = lanes::sin_cos(d, hwy::HWY_NAMESPACE::Set(d, x));
+    worst = std::max(worst, std::abs(hwy::HWY_NAMESPACE::GetLane(found.sin) - std::sin(x)));
+    worst = std::max(worst, std::abs(hwy::HWY_NAMESPACE::GetLane(found.cos) - std::cos(x)));
+  }
+  EXPECT_LT(worst, 5e-16);
+}
+
+TEST(SimdMath, ArcTangentAllAround) {
+  const DoubleTag d;
+  const auto found = [d](double y, double x) {
+    return hwy::HWY_NAMESPACE::GetLane(
+        lanes::arc_tangent(d, hwy::HWY_NAMESPACE::Set(d, y), hwy::HWY_NAMESPACE::Set(d, x)));
+  };
+  double worst = 0.0;
+  for (const double length : {1e-30, 1e-6, 1.0, 1e30}) {
+    for (int i = 1; i < steps; ++i) {
+      const double angle = (2.0 * i / steps - 1.0) * std::numbers::pi;
+      const double y = length * std::sin(angle), x = length * std::cos(angle);
+      const double expected = std::atan2(y, x);
+      if (expected != 0.0) worst = std::max(worst, std::abs(found(y, x) / expected - 1.0));
+    }
+    // Angles so small that nothing but relative accuracy tells them.
+    for (double y = 1.0; y > 1e-20; y *= 0.37)
+      worst = std::max(worst, std::abs(found(length * y, length) / std::atan2(y, 1.0) - 1.0));
+  }
+  EXPECT_LT(worst, 2e-15);
+  EXPECT_EQ(found(0.0, 0.0), 0.0);
+  EXPECT_EQ(found(0.0, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(found(0.0, -1.0), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(found(1.0, 0.0), 0.5 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(found(-1.0, 0.0), -0.5 * std::numbers::pi);
+}
+
+}  // namespace
+}  // namespace asos::test::simd_math_test

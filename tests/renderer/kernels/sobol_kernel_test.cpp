@@ -1,0 +1,60 @@
+#include "renderer/kernels/sobol_kernel.h"
+
+#include "tests/support/every_target.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace asos::test::sobol_kernel_test {
+namespace {
+
+constexpr double scale = 1.0 / 4294967296.0;
+
+TEST(SobolKernel, PlacesOnLightsAreTheOnesOfThePixelsOneByOne) {
+  for_every_target([] {
+    SobolBatch batch;
+    std::vector<std::pair<SobolPixel, std::uint32_t>> samples;
+    // Runs of all lengths, and indices that the table of the first ones does not hold.
+    for (int run = 1; samples.size() + static_cast<std::size_t>(run) <= LitBatch::size; ++run) {
+      const SobolPixel pixel(run, 3 * run, 7);
+      for (int i = 0; i < run; ++i) {
+        const std::uint32_t index = static_cast<std::uint32_t>(i) * (run % 3 == 0 ? 977u : 1u);
+        if (i == 0) {
+          batch.add(pixel, index);
+        } else {
+          batch.add(index);
+        }
+        samples.emplace_back(pixel, index);
+      }
+    }
+    ASSERT_GT(samples.size(), 200u);
+    for (const std::uint32_t light : {0u, 1u, 1000u}) {
+      LightPlaceBatch places;
+      batch.on_light(light, places);
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        const glm::dvec2 expected = samples[i].first.light(samples[i].second, light);
+        ASSERT_EQ(scale * places.u[i], expected.x) << "sample " << i << ", light " << light;
+        ASSERT_EQ(scale * places.v[i], expected.y) << "sample " << i << ", light " << light;
+      }
+    }
+  });
+}
+
+TEST(SobolKernel, PlacesInThePixelAreTheOnesOfThePixelOneByOne) {
+  for_every_target([] {
+    SobolPixelPlaces places;
+    for (int x = 0; x < 3; ++x) {
+      const SobolPixel pixel(x, 5, 1);
+      places.forget();
+      for (const std::uint32_t index : {0u, 1u, 15u, 16u, 3u, 255u, 256u, 70'000u, 2u})
+        ASSERT_EQ(places.at(pixel, index), pixel.pixel(index)) << "pixel " << x << ", " << index;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace asos::test::sobol_kernel_test
