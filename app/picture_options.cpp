@@ -97,13 +97,29 @@ std::string method_words() {
   return words;
 }
 
+// The methods of these rows: "asos, uniform and sobol".
+std::string listed(bool (*wanted)(const MethodRow& row)) {
+  std::vector<std::string> names;
+  for (const MethodRow& row : method_table())
+    if (wanted(row)) names.emplace_back(row.name);
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) words += i + 1 == names.size() ? " and " : ", ";
+    words += names[i];
+  }
+  return words;
+}
+
 void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--method", "NAME", method_words().c_str(), method_table(), settings.method);
   add_parsed_option(app, "--max", "K",
-                    "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel)",
+                    "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel); "
+                    "sobol-adaptive: at most 4^K * 4 samples a pixel",
                     whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
       ->default_str(std::to_string(settings.asos.max_level));
-  add_parsed_option(app, "--eps", "E", "EPS, the tolerance of a pixel's display intensity: 0 to 1",
+  add_parsed_option(app, "--eps", "E",
+                    "EPS, the tolerance of a pixel's display intensity: 0 to 1; sobol-adaptive: "
+                    "the standard error that it samples a pixel to",
                     number(0, 1), [&](double e) { settings.asos.eps = e; })
       ->default_str(fmt::format("{}", settings.asos.eps));
   add_choice(app, "--leaf", "KIND",
@@ -122,8 +138,9 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
       ->default_str(std::to_string(settings.asos.fat));
   add_parsed_option(
       app, "--filter-width", "W",
-      "Side, in pixels, of the square around its middle that a pixel is the mean of: 1 "
-      "to 4; of asos, uniform, stochastic and sobol (CGF'98 section 3)",
+      "Side, in pixels, of the square around its middle that a pixel is the mean of: 1 to 4; of " +
+          listed([](const MethodRow& row) { return row.takes_filter_width; }) +
+          " (CGF'98 section 3)",
       number(1, RenderSettings::max_filter_width), [&](double w) { settings.filter_width = w; })
       ->default_str(fmt::format("{}", settings.filter_width));
   app.add_flag("--jitter", settings.asos.jitter,
@@ -163,7 +180,8 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_curved_mirror_options(app, settings);
   add_parsed_option(
       app, "--seed", "N",
-      "Of the scrambling of sobol, mitchell, whitted and average: other seeds, other noise",
+      "Of the scrambling of sobol, sobol-adaptive, mitchell, whitted and average: other seeds, "
+      "other noise",
       whole(0, std::numeric_limits<int>::max()), [&](int seed) { settings.seed = seed; })
       ->default_str("0");
   add_parsed_option(app, "--threads", "N",

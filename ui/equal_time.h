@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/comparison/method.h"
 #include "renderer/session/render_session.h"
 #include "ui/stoppable_job.h"
 
@@ -12,11 +13,14 @@ namespace asos {
 /// A picture by another method that took about as long as the one in the window.
 struct EqualTimeFrame {
   Film film;
-  std::string summary;  ///< method, samples and times, in a line
+  std::string summary;  ///< method, samples or EPS, and times, in a line
 };
 
-/// Renders the view by a method whose only setting is its number of samples: as many as take
-/// `seconds` of processor time, told by a render with one. Nothing once `stop` says so.
+/// Whether a method's quality has one measure: its number of samples, or EPS.
+[[nodiscard]] bool can_be_timed(const MethodRow& method);
+
+/// Renders the view by such a method, as well as it can in `seconds` of processor time, which
+/// quicker renders before it tell. Nothing once `stop` says so.
 [[nodiscard]] std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method,
                                                            double seconds,
                                                            const std::function<bool()>& stop);

@@ -14,6 +14,7 @@ namespace asos {
 BlockResult render_block_uniform(const BlockJob& job);
 BlockResult render_block_stochastic(const BlockJob& job);
 BlockResult render_block_sobol(const BlockJob& job);
+BlockResult render_block_sobol_adaptive(const BlockJob& job);
 BlockResult render_block_whitted(const BlockJob& job);
 BlockResult render_block_mitchell(const BlockJob& job);
 BlockResult render_block_ray_bound(const BlockJob& job);
@@ -37,8 +38,9 @@ int fat_side(const RenderSettings& settings) {
 }
 
 // For methods whose pixels share samples with their neighbours: each block takes those along its
-// border for itself, the fewer a pixel the larger it is.
-int shared_side(const RenderSettings& /*settings*/) {
+// border for itself, the fewer a pixel the larger it is. For those that ask their neighbours
+// whether to go on: pixels along its border have fewer to ask.
+int large_side(const RenderSettings& /*settings*/) {
   return 32;
 }
 
@@ -90,6 +92,17 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_filter_width = true,
      .samples = SampleCount::any},
+    {.value = Method::sobol_adaptive,
+     .name = "sobol-adaptive",
+     .hint = "each pixel until it and its neighbours are within EPS",
+     .title = "Sobol EPS",
+     .about =
+         "The points of Sobol, 16 in every pixel and then twice as many again and again, up to "
+         "4^MAX times 4, until the standard error of the pixel and its neighbours is EPS at most.",
+     .render = render_block_sobol_adaptive,
+     .block_side = large_side,
+     .samples_by_eps = true,
+     .takes_filter_width = true},
     {.value = Method::whitted,
      .name = "whitted",
      .hint = "adaptive between pixels' corners",
@@ -97,7 +110,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Adaptive supersampling in image space: samples at the corners of pixels, and of "
               "their quarters where the corners differ.",
      .render = render_block_whitted,
-     .block_side = shared_side},
+     .block_side = large_side},
     {.value = Method::mitchell,
      .name = "mitchell",
      .hint = "two densities, by contrast",
@@ -121,7 +134,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .title = "Average",
      .about = "One sample in every pixel, then the mean of 3 x 3 neighbours.",
      .render = render_block_average,
-     .block_side = shared_side},
+     .block_side = large_side},
     {.value = Method::beam,
      .name = "beam",
      .hint = "exact, for small scenes",

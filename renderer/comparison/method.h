@@ -32,6 +32,8 @@ struct MethodRow {
   int (*block_side)(const RenderSettings& settings) = nullptr;
   /// It splits pixels' pyrays: MAX, EPS and TR are for it, and it tells causes.
   bool in_object_space = false;
+  /// Without splitting pyrays it takes samples by MAX and EPS: more until EPS is met.
+  bool samples_by_eps = false;
   bool takes_filter_width = false;
   SampleCount samples = SampleCount::none;
   bool takes_shapes = true;  ///< it renders analytic shapes, too

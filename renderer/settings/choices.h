@@ -13,6 +13,7 @@ enum class Method {
   uniform,
   stochastic,
   sobol,
+  sobol_adaptive,
   whitted,
   mitchell,
   ray_bound,

@@ -21,9 +21,11 @@ inline constexpr int max_level_limit = 8;
 
 /// Adaptive supersampling in object space.
 struct AsosSettings {
-  int max_level = 3;         ///< MAX, 0 to max_level_limit (CGF'98 section 3.1)
-  double eps = 1.0 / 256.0;  ///< EPS, 0 to 1: allowed change of a pixel's display intensity
-  Leaf leaf = Leaf::exact;   ///< exact: cut a cell along its few boundaries (6.2, 6.4)
+  /// MAX, 0 to max_level_limit (CGF'98 section 3.1). sobol_adaptive: 4^MAX * 4 samples at most.
+  int max_level = 3;
+  /// EPS, 0 to 1: allowed change of a pixel's display intensity. sobol_adaptive: standard error.
+  double eps = 1.0 / 256.0;
+  Leaf leaf = Leaf::exact;  ///< exact: cut a cell along its few boundaries (6.2, 6.4)
   StoppingRule rule = StoppingRule::unresolved;
   Detection detect = Detection::square;
   int fat = 8;                 ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)
@@ -93,7 +95,7 @@ struct RenderSettings {
   PixelRect crop;  ///< part of the picture to render; empty: all. Equals that part of the whole
   Method method = Method::asos;
   /// Side, in pixels, of the square around its middle that a pixel is the mean of, 1 to 4 (CGF'98
-  /// section 3); of asos, uniform, stochastic and sobol, for the others pixels are 1 wide.
+  /// section 3); for the methods whose row says so (MethodRow), for the others pixels are 1 wide.
   double filter_width = 1.0;
   AsosSettings asos;
   SamplingSettings sampling;

@@ -80,6 +80,15 @@ Rungs two_level_rungs(const std::string& method, const RenderSettings& base) {
   return rungs;
 }
 
+/// The error asked for halves; MAX is beyond what the first of these need.
+Rungs adaptive_rungs(const std::string& method, const RenderSettings& base) {
+  Rungs rungs;
+  for (const double inverse : {8.0, 16.0, 32.0, 64.0, 128.0, 256.0})
+    rungs.push_back(asos_rung(method, base, 5, 1.0 / inverse));
+  for (Rung& rung : rungs) rung.curve = method;
+  return rungs;
+}
+
 /// A method, how its ladder is made, and whether a study that names no methods has it.
 struct Ladder {
   const char* method;
@@ -94,6 +103,7 @@ constexpr Ladder all_ladders[] = {
     {"uniform", sample_rungs, true},
     {"stochastic", sample_rungs, true},
     {"sobol", sample_rungs, true},
+    {"sobol-adaptive", adaptive_rungs, true},
     {"whitted", whitted_rungs, true},
     {"mitchell", two_level_rungs, true},
     {"ray-bound", sample_rungs, true},

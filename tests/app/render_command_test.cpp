@@ -194,8 +194,8 @@ TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
 }
 
 TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
-  for (const char* method :
-       {"asos", "uniform", "stochastic", "whitted", "mitchell", "ray-bound", "average", "beam"}) {
+  for (const char* method : {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted",
+                             "mitchell", "ray-bound", "average", "beam"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4"};
     render("whole.exr", words);
     // Not aligned to blocks, and reaching the picture's lower right corner.
@@ -213,8 +213,8 @@ TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
 }
 
 TEST_F(RenderCommand, TheNumberOfThreadsDoesNotShow) {
-  for (const char* method :
-       {"asos", "uniform", "stochastic", "whitted", "mitchell", "ray-bound", "average", "beam"}) {
+  for (const char* method : {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted",
+                             "mitchell", "ray-bound", "average", "beam"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4", "--jitter"};
     render("one.exr",
            words + std::vector<std::string>{"--threads", "1", "--stats", path("1.json")});

@@ -3,7 +3,7 @@
 // that makes some scenes quicker may make others slower.
 //
 //   bench_every_scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
-//                     [--only asos|sobol] [--fresh] [SCENE...]
+//                     [--only asos|sobol] [--adaptive] [--fresh] [SCENE...]
 //
 // SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
 // scenes and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1
@@ -12,13 +12,18 @@
 // both axes logarithmic: `e` where that lies beyond the ladder's ends, `*` where the error is below
 // twice the reference's own noise and so is hardly known.
 //
+// --adaptive has a second rival, sobol-adaptive over its ladder of EPS (renderer/study/ladders.h).
+//
 // --cache keeps references and the ladder's times and errors in a folder, so that the next call
 // renders ASOS only; --fresh measures the ladder anew, as on another machine. --only asos never
 // renders the ladder, --only sobol fills the cache.
 
 #include "app/values.h"
+#include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
+#include "renderer/study/ladders.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/measured_ladder.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -28,7 +33,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -49,6 +53,7 @@ struct Settings {
   std::string only = "both";
   bool keep = false;
   bool fresh = false;
+  bool adaptive = false;
   std::vector<std::string> scenes;
 };
 
@@ -57,28 +62,22 @@ struct NamedScene {
   std::string source;
 };
 
-/// One setting of a method, measured.
-struct Rung {
-  RenderSettings settings;
-  Times times;
-  CurvePoint point;
-};
-
 /// A scene's figures.
 struct Row {
   std::string name;
-  std::vector<CurvePoint> ladder;  ///< of Sobol sampling; empty: not measured
-  std::vector<CurvePoint> asos;    ///< in the order of Settings::levels
+  std::vector<std::vector<CurvePoint>> rivals;  ///< of each of rival_names; empty: not measured
+  std::vector<CurvePoint> asos;                 ///< in the order of Settings::levels
 };
 
-/// How much longer Sobol sampling takes to ASOS's error.
+/// How much longer a rival takes to ASOS's error.
 struct Ratio {
   double value = 0.0;
   bool beyond = false;   ///< past the ladder's ends
   bool unknown = false;  ///< the error is within twice the reference's noise
 };
 
-constexpr int ladder_spp[] = {4, 16, 64, 256};
+constexpr int sobol_spp[] = {4, 16, 64, 256};
+constexpr const char* rival_names[] = {"sobol", "sobol-adaptive"};
 
 std::vector<NamedScene> all_scenes() {
   std::vector<NamedScene> scenes;
@@ -140,158 +139,149 @@ Result<Film> reference_of(const Settings& settings, const std::string& name, Sna
   return film;
 }
 
-/// The ladder as a line a step: samples, error, seconds. Nothing if it is not there or damaged.
-std::optional<std::vector<CurvePoint>> read_ladder(const std::string& path) {
-  std::ifstream file(path);
-  std::vector<CurvePoint> ladder;
-  for (const int spp : ladder_spp) {
-    int samples = 0;
-    CurvePoint point;
-    if (!(file >> samples >> point.error >> point.seconds) || samples != spp) return std::nullopt;
-    ladder.push_back(point);
+MeasuredLadder ladder_of_sobol(RenderSettings settings) {
+  MeasuredLadder ladder;
+  settings.method = Method::sobol;
+  for (const int spp : sobol_spp) {
+    settings.sampling.spp = spp;
+    ladder.add(std::to_string(spp), settings);
   }
   return ladder;
 }
 
-Result<void> write_ladder(const std::string& path, const std::vector<CurvePoint>& ladder) {
-  std::string text;
-  for (std::size_t i = 0; i < ladder.size(); ++i)
-    text += fmt::format("{} {} {}\n", ladder_spp[i], ladder[i].error, ladder[i].seconds);
-  return write_file_atomically(path, {text.begin(), text.end()});
+Result<MeasuredLadder> ladder_of_adaptive(const RenderSettings& settings) {
+  return ladder_of(row_of(Method::sobol_adaptive).name, settings)
+      .map([](const std::vector<Rung>& rungs) {
+        MeasuredLadder ladder;
+        for (const Rung& rung : rungs) ladder.add(eps_text(rung.settings.asos.eps), rung.settings);
+        return ladder;
+      });
 }
 
-std::vector<Rung> sobol_rungs(const RenderSettings& base) {
-  std::vector<Rung> rungs;
-  for (const int spp : ladder_spp) {
-    RenderSettings& settings = rungs.emplace_back().settings;
-    settings = base;
-    settings.method = Method::sobol;
-    settings.sampling.spp = spp;
-  }
-  return rungs;
-}
-
-std::vector<Rung> asos_rungs(const RenderSettings& base, const std::vector<int>& levels) {
-  std::vector<Rung> rungs;
+MeasuredLadder ladder_of_asos(RenderSettings settings, const std::vector<int>& levels) {
+  MeasuredLadder ladder;
+  settings.method = Method::asos;
+  settings.asos.eps = 1.0 / 256.0;
   for (const int level : levels) {
-    RenderSettings& settings = rungs.emplace_back().settings;
-    settings = base;
-    settings.method = Method::asos;
     settings.asos.max_level = level;
-    settings.asos.eps = 1.0 / 256.0;
+    ladder.add(std::to_string(level), settings);
   }
-  return rungs;
-}
-
-void render(Snapshot& snapshot, const Film& reference, std::vector<Rung>& rungs) {
-  for (Rung& rung : rungs) {
-    snapshot.settings = rung.settings;
-    rung.point.error = picture_error(rung.times.render(snapshot).film, reference).shown;
-    rung.point.seconds = rung.times.medians().cpu;
-  }
-}
-
-std::vector<CurvePoint> points_of(const std::vector<Rung>& rungs) {
-  std::vector<CurvePoint> points;
-  for (const Rung& rung : rungs) points.push_back(rung.point);
-  return points;
+  return ladder;
 }
 
 Result<Row> measure(const Settings& settings, const NamedScene& named) {
   const auto scene = open_scene(named.source);
   if (!scene) return unexpected(scene.error());
-  Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  const Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
   const auto reference = reference_of(settings, named.name, snapshot);
   if (!reference) return unexpected(reference.error());
 
-  Row row{named.name, {}, {}};
-  const std::string ladder_path = cache_path(settings, named.name) + "-sobol.txt";
-  if (settings.keep && !settings.fresh)
-    row.ladder = read_ladder(ladder_path).value_or(std::vector<CurvePoint>{});
-  std::vector<Rung> sobol;
-  if (row.ladder.empty() && settings.only != "asos") sobol = sobol_rungs(snapshot.settings);
-  std::vector<Rung> asos;
-  if (settings.only != "sobol") asos = asos_rungs(snapshot.settings, settings.levels);
-  for (int run = 0; run < settings.runs; ++run) {
-    render(snapshot, *reference, sobol);
-    render(snapshot, *reference, asos);
+  // Those that are in the cache are not rendered.
+  std::vector<MeasuredLadder> rivals{ladder_of_sobol(snapshot.settings)};
+  if (settings.adaptive) {
+    const auto adaptive = ladder_of_adaptive(snapshot.settings);
+    if (!adaptive) return unexpected(adaptive.error());
+    rivals.push_back(*adaptive);
   }
-  row.asos = points_of(asos);
-  if (sobol.empty()) return row;
-  row.ladder = points_of(sobol);
-  if (settings.keep) {
-    const auto written = write_ladder(ladder_path, row.ladder);
-    if (!written) return unexpected(written.error());
+  MeasuredLadder asos = ladder_of_asos(snapshot.settings, settings.levels);
+  std::vector<MeasuredLadder*> rendered;
+  std::vector<std::pair<std::string, const MeasuredLadder*>> written;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    const std::string path =
+        fmt::format("{}-{}.txt", cache_path(settings, named.name), rival_names[i]);
+    if (settings.keep && !settings.fresh && rivals[i].read(path)) continue;
+    if (settings.only == "asos") continue;
+    rendered.push_back(&rivals[i]);
+    if (settings.keep) written.emplace_back(path, &rivals[i]);
   }
+  if (settings.only != "sobol") rendered.push_back(&asos);
+  for (int run = 0; run < settings.runs; ++run)
+    for (MeasuredLadder* ladder : rendered) ladder->render(snapshot, *reference);
+
+  for (const auto& [path, ladder] : written)
+    if (const auto done = ladder->write(path); !done) return unexpected(done.error());
+  Row row{named.name, {}, asos.points()};
+  for (const MeasuredLadder& rival : rivals) row.rivals.push_back(rival.points());
   return row;
 }
 
 /// The reference's noise: what Sobol sampling's error would be at its number of samples if it went
-/// on falling as over the last two steps of the ladder.
+/// on falling as over the last two steps of the ladder. None: that is not known.
 double reference_noise(const Row& row, int samples) {
-  return between_log_log(samples, ladder_spp[1], ladder_spp[3], row.ladder[1].error,
-                         row.ladder[3].error);
+  const std::vector<CurvePoint>& sobol = row.rivals.front();
+  if (sobol.empty()) return 0.0;
+  return between_log_log(samples, sobol_spp[1], sobol_spp[3], sobol[1].error, sobol[3].error);
 }
 
-std::optional<Ratio> ratio_of(const Row& row, std::size_t level, int reference) {
-  if (row.ladder.empty() || row.asos.empty()) return std::nullopt;
+std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t level, int reference) {
+  if (row.asos.empty()) return std::nullopt;
   const CurvePoint asos = row.asos[level];
-  const auto seconds = seconds_at_error(row.ladder, asos.error);
+  const auto seconds = seconds_at_error(row.rivals[rival], asos.error);
   if (!seconds) return std::nullopt;
   return Ratio{seconds->value / asos.seconds, seconds->beyond,
                asos.error < 2.0 * reference_noise(row, reference)};
 }
 
+std::size_t rival_count(const Settings& settings) {
+  return settings.adaptive ? 2 : 1;
+}
+
 void print_heading(const Settings& settings) {
-  fmt::print("{}x{}, EPS 1/256, reference {} samples; times are processor seconds\n{:<30}",
+  fmt::print("{}x{}, EPS 1/256, reference {} samples; times are processor seconds\n{:<28}",
              settings.size.width, settings.size.height, settings.reference, "");
-  if (settings.only != "sobol")
-    for (const int level : settings.levels)
-      fmt::print("{:>10}{:>9}{:>9}  ", fmt::format("MAX {} RMSE", level), "s", "x");
+  if (settings.only != "sobol") {
+    for (const int level : settings.levels) {
+      fmt::print("{:>11}{:>9}", fmt::format("MAX {} RMSE", level), "s");
+      fmt::print("{:>9}  ", "x");
+      if (settings.adaptive) fmt::print("{:>9}  ", "adaptive");
+    }
+  }
   fmt::print("{:>11}{:>9}\n", "sobol RMSE", "s (256)");
 }
 
 void print_row(const Settings& settings, const Row& row) {
-  fmt::print("{:<30}", row.name);
-  for (std::size_t i = 0; i < row.asos.size(); ++i) {
-    const auto ratio = ratio_of(row, i, settings.reference);
-    fmt::print("{:>10.2e}{:>9.3f}", row.asos[i].error, row.asos[i].seconds);
-    if (ratio)
-      fmt::print("{:>9.2f}{}{}", ratio->value, ratio->beyond ? 'e' : ' ',
-                 ratio->unknown ? '*' : ' ');
-    else
-      fmt::print("{:>9}  ", "-");
+  fmt::print("{:<28}", row.name);
+  for (std::size_t level = 0; level < row.asos.size(); ++level) {
+    fmt::print("{:>11.2e}{:>9.3f}", row.asos[level].error, row.asos[level].seconds);
+    for (std::size_t rival = 0; rival < rival_count(settings); ++rival) {
+      if (const auto ratio = ratio_of(row, rival, level, settings.reference))
+        fmt::print("{:>9.2f}{}{}", ratio->value, ratio->beyond ? 'e' : ' ',
+                   ratio->unknown ? '*' : ' ');
+      else
+        fmt::print("{:>9}  ", "-");
+    }
   }
-  if (row.ladder.empty())
+  const std::vector<CurvePoint>& sobol = row.rivals.front();
+  if (sobol.empty())
     fmt::print("{:>11}{:>9}\n", "-", "-");
   else
-    fmt::print("{:>11.2e}{:>9.3f}\n", row.ladder.back().error, row.ladder.back().seconds);
+    fmt::print("{:>11.2e}{:>9.3f}\n", sobol.back().error, sobol.back().seconds);
   std::fflush(stdout);
 }
 
-/// The median over all scenes, how many lose, and the worst ones by name.
-void print_summary(const Settings& settings, const std::vector<Row>& rows) {
+/// At one depth beside one rival: the median over all scenes, how many lose, and the worst ones.
+void print_summary(const Settings& settings, const std::vector<Row>& rows, std::size_t rival,
+                   std::size_t level) {
   constexpr std::size_t shown = 8;
-  for (std::size_t i = 0; i < settings.levels.size(); ++i) {
-    std::vector<std::pair<double, std::string>> ratios;
-    double seconds = 0.0;
-    for (const Row& row : rows) {
-      if (!row.asos.empty()) seconds += row.asos[i].seconds;
-      if (const auto ratio = ratio_of(row, i, settings.reference))
-        ratios.emplace_back(ratio->value, row.name);
+  std::vector<std::pair<double, std::string>> ratios;
+  std::vector<double> values;
+  double seconds = 0.0;
+  for (const Row& row : rows) {
+    if (!row.asos.empty()) seconds += row.asos[level].seconds;
+    if (const auto ratio = ratio_of(row, rival, level, settings.reference)) {
+      ratios.emplace_back(ratio->value, row.name);
+      values.push_back(ratio->value);
     }
-    if (ratios.empty()) continue;
-    std::sort(ratios.begin(), ratios.end());
-    std::vector<double> values;
-    for (const auto& [value, name] : ratios) values.push_back(value);
-    const auto lost =
-        std::count_if(values.begin(), values.end(), [](double value) { return value < 1.0; });
-    fmt::print("MAX {}: median {:.2f}, {} of {} below 1, {:.2f} s in all; worst:",
-               settings.levels[i], median(values), lost, values.size(), seconds);
-    for (std::size_t k = 0; k < std::min(shown, ratios.size()); ++k)
-      fmt::print("{} {} {:.2f}", k > 0 ? "," : "", ratios[k].second, ratios[k].first);
-    fmt::print("\n");
   }
+  if (ratios.empty()) return;
+  std::sort(ratios.begin(), ratios.end());
+  const auto lost = std::count_if(values.begin(), values.end(), [](double x) { return x < 1.0; });
+  fmt::print("MAX {} beside {}: median {:.2f}, {} of {} below 1, {:.2f} s in all; worst:",
+             settings.levels[level], rival_names[rival], median(values), lost, values.size(),
+             seconds);
+  for (std::size_t k = 0; k < std::min(shown, ratios.size()); ++k)
+    fmt::print("{} {} {:.2f}", k > 0 ? "," : "", ratios[k].second, ratios[k].first);
+  fmt::print("\n");
 }
 
 Result<void> read_levels(const std::string& text, std::vector<int>& levels) {
@@ -324,6 +314,7 @@ int main(int argc, char** argv) {
                  });
   options.choice("--only", settings.only, {"both", "asos", "sobol"});
   options.flag("--fresh", settings.fresh, "measure the ladder anew though it is in the cache");
+  options.flag("--adaptive", settings.adaptive, "beside sobol-adaptive, too");
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
 
@@ -342,6 +333,8 @@ int main(int argc, char** argv) {
     print_row(settings, *row);
     rows.push_back(*row);
   }
-  print_summary(settings, rows);
+  for (std::size_t rival = 0; rival < rival_count(settings); ++rival)
+    for (std::size_t level = 0; level < settings.levels.size(); ++level)
+      print_summary(settings, rows, rival, level);
   return code;
 }

@@ -1,6 +1,11 @@
+#include "ui/equal_time.h"
+
+#include "renderer/comparison/method.h"
 #include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace asos {
 namespace {
@@ -14,6 +19,10 @@ TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
   ASSERT_TRUE(rig.settle());
   const UiState& state = rig.content().state();
   rig.click("section/Equal time");
+  rig.frame();
+  const auto& all = rig.content().controls().all();
+  for (const MethodRow& row : method_table())
+    EXPECT_EQ(all.contains(std::string("Rival/") + row.title), can_be_timed(row)) << row.name;
   rig.click("Rival/Stochastic");
   rig.click("Split screen");
   ASSERT_TRUE(rig.frames_until([&] { return state.frames.stored.size() == 1; }));
@@ -21,8 +30,8 @@ TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
   EXPECT_NE(state.frames.stored[0].summary.find("tochastic"), std::string::npos)
       << state.frames.stored[0].summary;
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Stop rival"));
-  EXPECT_TRUE(rig.content().controls().all().contains("Split screen"));
+  EXPECT_FALSE(all.contains("Stop rival"));
+  EXPECT_TRUE(all.contains("Split screen"));
 }
 
 TEST_F(EqualTimeTest, ARivalCanBeStopped) {

@@ -214,7 +214,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
        {LightKind::point, LightKind::sphere, LightKind::spot, LightKind::directional,
         LightKind::linear, LightKind::rectangle, LightKind::disk, LightKind::polygon})
     use_all("light of kind " + std::to_string(static_cast<int>(kind)), [&] { select_kind(kind); });
-  for (const auto method : {Method::sobol, Method::stochastic, Method::asos_published})
+  for (const auto method :
+       {Method::sobol, Method::sobol_adaptive, Method::stochastic, Method::asos_published})
     use_all("method " + std::to_string(static_cast<int>(method)),
             [&] { settings().method = method; });
   use_all("soft shadows, divided", [&] {

@@ -92,6 +92,23 @@ TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
   EXPECT_EQ(settings().method, Method::asos);
 }
 
+TEST_F(PanelsTest, AMethodThatSamplesToEpsShowsEpsAndMax) {
+  rig.click("Method/Sobol EPS");
+  EXPECT_EQ(settings().method, Method::sobol_adaptive);
+  EXPECT_TRUE(restarted());
+  rig.frame();
+  const auto& all = rig.content().controls().all();
+  EXPECT_FALSE(all.contains("Samples"));
+  EXPECT_FALSE(all.contains("Leaf/Exact"));
+  ASSERT_TRUE(all.contains("Seed"));
+  const double eps = settings().asos.eps;
+  slide("EPS", 0.5f, 0.8f);
+  EXPECT_GT(settings().asos.eps, eps);
+  slide("MAX", 0.4f, 0.9f);
+  EXPECT_GT(settings().asos.max_level, 4);
+  EXPECT_TRUE(restarted());
+}
+
 TEST_F(PanelsTest, DisplayControlsRestartNothing) {
   slide("Exposure", 0.5f, 0.6f);
   EXPECT_GT(display().exposure_ev, 0.5f);

@@ -141,6 +141,10 @@ TEST_F(SplitCheckTest, ARivalGetsTheTimeItIsGiven) {
   EXPECT_EQ(frame->film.width, rig.previewer().render().film().width);
   EXPECT_NE(frame->summary.find("stochastic"), std::string::npos);
   EXPECT_GT(processor_seconds(frame->film), 0.0);
+  const auto adaptive = render_in_time(snapshot(), Method::sobol_adaptive, 0.05, never);
+  ASSERT_TRUE(adaptive.has_value());
+  EXPECT_NE(adaptive->summary.find("sobol-adaptive, EPS "), std::string::npos) << adaptive->summary;
+  EXPECT_FALSE(render_in_time(snapshot(), Method::sobol_adaptive, 0.05, [] { return true; }));
   EXPECT_FALSE(render_in_time(snapshot(), Method::sobol, 0.05, [] { return true; }).has_value());
 }
 

@@ -126,9 +126,34 @@ void sample_controls(Controls& controls, RenderSettings& settings) {
   }
 }
 
+void seed_control(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  controls.slider("Seed",
+                  "Number of the scrambling: another seed gives another picture of the same noise. "
+                  "Ctrl+click to type a value.",
+                  settings.seed, {0, 99, usual.seed},
+                  [](int seed) { return fmt::format("{}", seed); });
+}
+
+// For methods that sample each pixel on until it is good enough.
+void adaptive_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  controls.log_slider("EPS",
+                      "The standard error, of display intensity (0 to 1), at which a pixel takes "
+                      "no more samples. Smaller: less noise, slower. Ctrl+click to type a value.",
+                      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
+  controls.slider("MAX",
+                  "A pixel takes 4^MAX times 4 samples at most, and never fewer than 16. "
+                  "Ctrl+click to type a value.",
+                  settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, [](int max) {
+                    return fmt::format("{}: {} to {} samples", max, 16,
+                                       std::max(16, 4 << (2 * max)));
+                  });
+  seed_control(controls, settings);
+}
+
 // Sobol takes any number of samples; twice as many a step of the slider.
 void sobol_controls(Controls& controls, RenderSettings& settings) {
-  const RenderSettings usual;
   constexpr int most_doublings = 12;
   int doublings =
       static_cast<int>(std::lround(std::log2(static_cast<double>(settings.sampling.spp))));
@@ -137,11 +162,7 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
                       {0, most_doublings, 4}, [](int n) { return fmt::format("{}", 1 << n); })) {
     settings.sampling.spp = 1 << doublings;
   }
-  controls.slider("Seed",
-                  "Number of the scrambling: another seed gives another picture of the same noise. "
-                  "Ctrl+click to type a value.",
-                  settings.seed, {0, 99, usual.seed},
-                  [](int seed) { return fmt::format("{}", seed); });
+  seed_control(controls, settings);
 }
 
 // In hundredths of a pixel, so that what is typed is what is saved.
@@ -202,6 +223,7 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast&
     sample_controls(controls, settings);
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
+  if (row_of(settings.method).samples_by_eps) adaptive_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
   if (!scene || scene->needs.textures) texture_controls(controls, settings);
   if (scene && !scene->needs.culling) return;

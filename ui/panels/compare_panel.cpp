@@ -30,7 +30,7 @@ std::string summary_of(const Previewer& previewer) {
   const RenderSettings& s = previewer.render().settings();
   const Progress progress = previewer.render().progress();
   std::string text = row_of(s.method).name;
-  text += in_object_space(s.method)
+  text += in_object_space(s.method) || row_of(s.method).samples_by_eps
               ? fmt::format(", EPS {:.4g}, MAX {}", s.asos.eps, s.asos.max_level)
               : fmt::format(", {} samples", s.sampling.spp);
   return text + fmt::format(", {} x {}, {:.0f} % in {:.2f} s", s.width, s.height,

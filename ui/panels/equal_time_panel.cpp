@@ -4,26 +4,30 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace asos {
 
 namespace {
 
-struct TimedRival {
-  Method method;
-  Controls::Option option;
-};
-constexpr std::array timed_rivals{
-    TimedRival{Method::sobol, {"Sobol", "Owen-scrambled Sobol points."}},
-    TimedRival{Method::stochastic, {"Stochastic", "n x n jittered samples."}},
-    TimedRival{Method::uniform, {"Uniform", "A regular grid of n x n samples."}},
-    TimedRival{Method::mitchell, {"Mitchell", "Four samples, and more where contrast is high."}},
-    TimedRival{Method::ray_bound,
-               {"Ray bound", "n x n samples where a boundary is, one elsewhere."}},
-};
+// Offers the methods that can be told to take so long.
+void rival_choice(Controls& controls, Method& method) {
+  std::vector<Method> offered;
+  std::vector<Controls::Option> options;
+  for (const MethodRow& row : method_table()) {
+    if (!can_be_timed(row)) continue;
+    offered.push_back(row.value);
+    options.push_back({row.title, row.about});
+  }
+  const auto place_of = [&](Method wanted) {
+    return static_cast<int>(std::find(offered.begin(), offered.end(), wanted) - offered.begin());
+  };
+  int chosen = place_of(method);
+  if (controls.options("Rival", options, chosen, {false, place_of(EqualTimeChoice{}.method)}))
+    method = offered[static_cast<std::size_t>(chosen)];
+}
 
 }  // namespace
 
@@ -42,22 +46,14 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
                       EqualTimeJob& job, const Frames& frames) {
   if (!previewer.scene() || !controls.section("Equal time", false)) return;
   const PreviewRender& render = previewer.render();
-  std::array<Controls::Option, timed_rivals.size()> options;
-  int chosen = 0;
-  for (std::size_t i = 0; i < timed_rivals.size(); ++i) {
-    options[i] = timed_rivals[i].option;
-    if (timed_rivals[i].method == choice.method) chosen = static_cast<int>(i);
-  }
-  if (controls.options("Rival", options, chosen, {false, 0}))
-    choice.method = timed_rivals[static_cast<std::size_t>(chosen)].method;
+  rival_choice(controls, choice.method);
   if (job.busy()) {
     if (controls.button("Stop rival", "End the render of the other method.", -1.0f)) job.stop();
-  } else if (controls.button(
-                 "Split screen",
-                 "Render the view as it is by this method, with as many samples as take "
-                 "the processor time of the finished picture, store it as a frame, and "
-                 "show it at the right of the wipe line.",
-                 -1.0f) &&
+  } else if (controls.button("Split screen",
+                             "Render the view as it is by this method, as well as it can in "
+                             "the processor time of the finished picture, store it as a frame, and "
+                             "show it at the right of the wipe line.",
+                             -1.0f) &&
              render.progress().finished && frames.stored.size() < Frames::most) {
     choice.restarts = render.restarts();
     Snapshot snapshot{previewer.scene().shared(), previewer.viewpoint().camera().camera(),

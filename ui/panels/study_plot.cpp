@@ -22,8 +22,9 @@ struct MethodColour {
 /// After Okabe and Ito (2008), distinct to the colour-blind, lightened for a dark ground.
 constexpr MethodColour method_colours[] = {
     {"asos", 0xff8a3d},       {"asos-published", 0xf0c05a}, {"uniform", 0x9aa0a8},
-    {"stochastic", 0x56b4e9}, {"sobol", 0x2fc49a},          {"whitted", 0xe39ac4},
-    {"mitchell", 0xb7a2f0},   {"ray-bound", 0xe8e46a},      {"average", 0xd8dadd},
+    {"stochastic", 0x56b4e9}, {"sobol", 0x2fc49a},          {"sobol-adaptive", 0x8fd14f},
+    {"whitted", 0xe39ac4},    {"mitchell", 0xb7a2f0},       {"ray-bound", 0xe8e46a},
+    {"average", 0xd8dadd},
 };
 
 /// Where a plot's square is in the window, and what is drawn into it.

@@ -28,6 +28,14 @@ const std::vector<BuiltinScene>& builtin_scenes() {
       {"mixed", "about 50 thousand triangles: sphere, torus knot, boxes and a fence",
        builtin::make_mixed},
       {"dense", "1.2 million triangles in a few smooth closed meshes", builtin::make_dense},
+      {"wheel", "a Ferris wheel: spokes, struts, cabins and railings as thin as a pixel",
+       builtin::make_wheel},
+      {"park", "leafless trees with thousands of twigs, benches and lamps along a way",
+       builtin::make_park},
+      {"neon", "a street at night under about a hundred small lights: letters, bulbs, windows",
+       builtin::make_neon},
+      {"workshop", "brushed and hammered metal with maps of normals: tools, sheets, pipes, bowls",
+       builtin::make_workshop},
   };
   return scenes;
 }

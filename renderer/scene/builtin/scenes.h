@@ -20,5 +20,9 @@ namespace asos::builtin {
 [[nodiscard]] Scene make_boxes();
 [[nodiscard]] Scene make_mixed();
 [[nodiscard]] Scene make_dense();
+[[nodiscard]] Scene make_wheel();
+[[nodiscard]] Scene make_park();
+[[nodiscard]] Scene make_neon();
+[[nodiscard]] Scene make_workshop();
 
 }  // namespace asos::builtin

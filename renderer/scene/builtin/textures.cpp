@@ -56,6 +56,19 @@ Image painted(const std::string& name, Colour colour) {
   return image;
 }
 
+/// The tangent-space normals of heights in metres, on a square whose side is `metres`.
+template <typename Height>
+Image normals_of(const std::string& name, double metres, Height height) {
+  return painted(name, [&](glm::dvec2 uv) {
+    constexpr double step = 0.5 / texels;
+    const glm::dvec2 u(step, 0.0), v(0.0, step);
+    const double rise_u = height(uv + u) - height(uv - u), rise_v = height(uv + v) - height(uv - v);
+    // Green points up the image, which is against v.
+    const glm::dvec3 normal(-rise_u, rise_v, 2.0 * step * metres);
+    return 0.5 + 0.5 * glm::normalize(normal);
+  });
+}
+
 /// Where a place is within rows of boards that are as long as the image is wide.
 struct Board {
   std::uint32_t row = 0;
@@ -108,14 +121,41 @@ Image sand_normals(double metres) {
     const double strength = 0.3 + 0.7 * noise(uv, {6, 6}, 9);
     return 0.007 * strength * ripple + 0.004 * noise(uv, {128, 128}, 13);
   };
-  return painted("sand normals", [&](glm::dvec2 uv) {
-    constexpr double step = 0.5 / texels;
-    const glm::dvec2 u(step, 0.0), v(0.0, step);
-    const double rise_u = height(uv + u) - height(uv - u), rise_v = height(uv + v) - height(uv - v);
-    // Green points up the image, which is against v.
-    const glm::dvec3 normal(-rise_u, rise_v, 2.0 * step * metres);
-    return 0.5 + 0.5 * glm::normalize(normal);
-  });
+  return normals_of("sand normals", metres, height);
+}
+
+Image hammered_normals(double metres) {
+  // Heights in metres: overlapping dents, one in each cell of a lattice, the deepest of which
+  // counts.
+  constexpr int cells = 24;
+  const double depth = 0.06 * metres / cells;
+  const auto height = [depth](glm::dvec2 uv) {
+    const glm::dvec2 p = uv * static_cast<double>(cells);
+    const glm::ivec2 low(glm::floor(p));
+    double deepest = 0.0;
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) {
+        const glm::ivec2 cell = low + glm::ivec2(x, y);
+        const glm::uvec2 at((cell + cells) % cells);
+        const glm::dvec2 offset(lattice_value(at, 31), lattice_value(at, 32));
+        const glm::dvec2 away = p - glm::dvec2(cell) - (0.2 + 0.6 * offset);
+        const double radius = 0.75 + 0.2 * lattice_value(at, 33);
+        deepest = std::max(deepest, 1.0 - glm::dot(away, away) / (radius * radius));
+      }
+    }
+    return -depth * deepest;
+  };
+  return normals_of("hammered normals", metres, height);
+}
+
+Image brushed_normals(double metres) {
+  // Heights in metres: scratches along u of many lengths, as fine as the texels across it.
+  const double depth = 0.00035 * metres;
+  const auto height = [depth](glm::dvec2 uv) {
+    return depth * (noise(uv, {3, 128}, 61) + 0.7 * noise(uv, {7, 256}, 62) +
+                    0.5 * noise(uv, {17, 256}, 63));
+  };
+  return normals_of("brushed normals", metres, height);
 }
 
 }  // namespace asos::builtin

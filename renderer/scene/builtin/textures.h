@@ -17,4 +17,10 @@ namespace asos::builtin {
 /// The tangent-space normals of sand that the wind has rippled, on a square whose side is `metres`.
 [[nodiscard]] Image sand_normals(double metres);
 
+/// The same of metal that a round hammer has beaten.
+[[nodiscard]] Image hammered_normals(double metres);
+
+/// The same of metal that was brushed along u.
+[[nodiscard]] Image brushed_normals(double metres);
+
 }  // namespace asos::builtin

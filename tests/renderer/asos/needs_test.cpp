@@ -34,9 +34,10 @@ RenderSettings settings_of(Method method, int width, int height) {
   return settings;
 }
 
-constexpr std::array methods{Method::asos,       Method::asos_published, Method::uniform,
-                             Method::stochastic, Method::sobol,          Method::whitted,
-                             Method::mitchell,   Method::ray_bound,      Method::average};
+constexpr std::array methods{Method::asos,          Method::asos_published, Method::uniform,
+                             Method::stochastic,    Method::sobol,          Method::whitted,
+                             Method::mitchell,      Method::ray_bound,      Method::average,
+                             Method::sobol_adaptive};
 
 void expect_same_pictures(const RenderScene& needed, const RenderScene& forced, int width,
                           int height) {

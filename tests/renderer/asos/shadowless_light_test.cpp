@@ -40,8 +40,8 @@ Picture picture_of(const std::vector<Light>& lights, const RenderSettings& setti
   return render_picture(*make_render_scene(furnished(), lights), camera, settings);
 }
 
-constexpr Method methods[] = {Method::asos, Method::asos_published, Method::uniform,
-                              Method::stochastic, Method::sobol};
+constexpr Method methods[] = {Method::asos,       Method::asos_published, Method::uniform,
+                              Method::stochastic, Method::sobol,          Method::sobol_adaptive};
 
 TEST(ShadowlessLight, GivesThePictureWithoutShadowsBitForBit) {
   for (const Method method : methods) {

@@ -244,7 +244,8 @@ TEST(SplitCauses, SaturationAndTheDepthLimit) {
 }
 
 TEST(SplitCauses, OtherMethodsTellNone) {
-  for (const Method method : {Method::uniform, Method::stochastic, Method::sobol, Method::beam}) {
+  for (const Method method :
+       {Method::uniform, Method::stochastic, Method::sobol, Method::sobol_adaptive, Method::beam}) {
     RenderSettings settings = settings_of(method);
     settings.sampling.spp = 4;
     const Picture picture = render(still_life(), settings);
@@ -265,8 +266,9 @@ TEST(LightCounts, AddUpToAllShadowRaysForEveryMethod) {
   unshadowed.casts_shadows = false;
   still.lights.push_back(unshadowed);
   const auto scene = make_render_scene(std::move(still));
-  for (const Method method : {Method::asos, Method::asos_published, Method::uniform,
-                              Method::stochastic, Method::sobol, Method::beam}) {
+  for (const Method method :
+       {Method::asos, Method::asos_published, Method::uniform, Method::stochastic, Method::sobol,
+        Method::sobol_adaptive, Method::beam}) {
     RenderSettings settings = settings_of(method);
     settings.sampling.spp = 4;
     const Picture picture = render_picture(*scene, look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), settings);

@@ -205,5 +205,19 @@ TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
     EXPECT_EQ(light->position.z < 0.0, light->color.g < 0.1f);
 }
 
+TEST(Prepare, NeonHasAboutAHundredLights) {
+  const auto neon = prepare(load_scene("builtin:neon").value()).value();
+  int tubes = 0, bulbs = 0, panes = 0;
+  for (const Light& light : neon->lights()) {
+    tubes += light.type == Light::Type::linear;
+    bulbs += light.type == Light::Type::point && light.radius > 0.0;
+    panes += light.type == Light::Type::rectangle;
+  }
+  EXPECT_GE(tubes, 50) << "a stroke of a letter each";
+  EXPECT_EQ(bulbs, 19);
+  EXPECT_EQ(panes, 13);
+  EXPECT_NEAR(static_cast<double>(neon->lights().size()), 100.0, 20.0);
+}
+
 }  // namespace
 }  // namespace asos::prepare_test

@@ -163,5 +163,34 @@ TEST(BuiltinLights, PrimitivesDifferInTheirMainLightOnly) {
   EXPECT_NEAR(illuminance(rectangle, glm::dvec3(0.0), up) / lux, 1.0, 0.02);
 }
 
+TEST(BuiltinLights, NeonShinesByItsMeshesAndTheMoon) {
+  const Scene scene = make("neon");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].type, Light::Type::directional);
+  EXPECT_LT(scene.lights[0].intensity, 0.3f);
+  int shining = 0, shown = 0;
+  for (const Instance& instance : scene.instances) {
+    if (instance.shows_light) ++shown;
+    if (scene.materials.at(scene.meshes.at(instance.mesh).material).emissive_strength > 1.0f &&
+        !instance.shows_light)
+      ++shining;
+  }
+  EXPECT_GE(shining, 5) << "four words and the bulbs";
+  EXPECT_EQ(shown, 1) << "the sky is no light";
+}
+
+TEST(BuiltinWheel, HasItsCabinsOnTheRimAndUpright) {
+  const Scene scene = make("wheel");
+  int cabins = 0;
+  for (const Instance& instance : scene.instances) {
+    if (!instance.name.starts_with("cabin body")) continue;
+    ++cabins;
+    const glm::dvec3 pin(instance.world_from_mesh[3]);
+    EXPECT_NEAR(glm::distance(pin, glm::dvec3(0.0, 9.4, 0.0)), 7.6, 1e-5) << instance.name;
+    EXPECT_EQ(glm::dmat3(instance.world_from_mesh), glm::dmat3(1.0)) << instance.name;
+  }
+  EXPECT_EQ(cabins, 12);
+}
+
 }  // namespace
 }  // namespace asos

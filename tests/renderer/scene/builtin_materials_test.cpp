@@ -54,7 +54,8 @@ double step_at(const Image& image, int x) {
 
 TEST(BuiltinTextures, RepeatWithoutASeam) {
   for (const Image& image :
-       {builtin::wood_planks(), builtin::clapboards(), builtin::sand_normals(4.0)}) {
+       {builtin::wood_planks(), builtin::clapboards(), builtin::sand_normals(4.0),
+        builtin::hammered_normals(1.0), builtin::brushed_normals(1.0)}) {
     ASSERT_EQ(image.width, image.height);
     ASSERT_EQ(image.rgba.size(), 4u * image.width * image.height);
     double largest = 0.0;
@@ -64,19 +65,22 @@ TEST(BuiltinTextures, RepeatWithoutASeam) {
   }
 }
 
-TEST(BuiltinTextures, SandsNormalsAreUnitAndUpright) {
-  const Image sand = builtin::sand_normals(4.0);
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = 0; i < sand.rgba.size(); i += 4) {
-    const glm::dvec3 n(sand.rgba[i] / 127.5 - 1.0, sand.rgba[i + 1] / 127.5 - 1.0,
-                       sand.rgba[i + 2] / 127.5 - 1.0);
-    ASSERT_NEAR(glm::length(n), 1.0, 1.8 / 255.0);  // half a step of each of three bytes
-    ASSERT_GT(n.z, 0.5);
-    sum += n / n.z;
+TEST(BuiltinTextures, NormalsAreUnitAndUpright) {
+  for (const Image& image : {builtin::sand_normals(4.0), builtin::hammered_normals(1.0),
+                             builtin::brushed_normals(1.0)}) {
+    SCOPED_TRACE(image.name);
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      const glm::dvec3 n(image.rgba[i] / 127.5 - 1.0, image.rgba[i + 1] / 127.5 - 1.0,
+                         image.rgba[i + 2] / 127.5 - 1.0);
+      ASSERT_NEAR(glm::length(n), 1.0, 1.8 / 255.0);  // half a step of each of three bytes
+      ASSERT_GT(n.z, 0.5);
+      sum += n / n.z;
+    }
+    // The slopes of heights that repeat are none on average.
+    EXPECT_NEAR(sum.x / sum.z, 0.0, 1e-3);
+    EXPECT_NEAR(sum.y / sum.z, 0.0, 1e-3);
   }
-  // The slopes of heights that repeat are none on average.
-  EXPECT_NEAR(sum.x / sum.z, 0.0, 1e-3);
-  EXPECT_NEAR(sum.y / sum.z, 0.0, 1e-3);
 }
 
 TEST(BuiltinTextures, FlatFacesHaveCoordinatesInMetres) {
@@ -197,6 +201,38 @@ TEST(BuiltinSolids, AreMirrorsOfDifferentTintsOnAPlaneThatReflectsNothing) {
   EXPECT_EQ(tints.size(), 3u);
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_GT(scene.lights[0].radius, 0.0);
+}
+
+TEST(BuiltinWorkshop, IsOfRoughMetalWithMapsOfNormals) {
+  const Scene scene = scene_called("workshop");
+  std::vector<int> maps;
+  for (const Mesh& mesh : scene.meshes) {
+    const Material& m = scene.materials.at(mesh.material);
+    if (!m.normal_texture.used()) continue;
+    SCOPED_TRACE(m.name);
+    maps.push_back(m.normal_texture.texture);
+    EXPECT_EQ(m.metallic, 1.0f);
+    // Rougher than what mirrors unless somebody asks for it: it shows the lamps only.
+    EXPECT_GT(m.roughness, 0.35f);
+    EXPECT_EQ(mesh.texcoords[0].size(), mesh.positions.size());
+  }
+  EXPECT_GE(maps.size(), 8u);
+  EXPECT_GT(std::count(maps.begin(), maps.end(), 0), 2) << "hammered";
+  EXPECT_GT(std::count(maps.begin(), maps.end(), 1), 2) << "brushed";
+}
+
+TEST(BuiltinWorkshop, RoundMetalHasCoordinatesInMetresWithoutASeam) {
+  const Scene scene = scene_called("workshop");
+  const Mesh& pipes = mesh_called(scene, "copper pipes");
+  for (const glm::uvec3& t : pipes.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      const float apart = glm::distance(pipes.positions[a], pipes.positions[b]);
+      // An arc is longer than its chord, here by two thousandths.
+      EXPECT_NEAR(glm::distance(pipes.texcoords[0][a], pipes.texcoords[0][b]), apart,
+                  0.004f * apart + 1e-5f);
+    }
+  }
 }
 
 }  // namespace

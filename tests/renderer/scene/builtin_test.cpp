@@ -103,7 +103,13 @@ bool is_sheet(const std::string& scene, const std::string& mesh) {
       {"fence", {"ground"}},
       {"boxes", {"ground"}},
       {"mixed", {"ground"}},
-      {"dense", {"ground"}}};
+      {"dense", {"ground"}},
+      {"wheel", {"ground"}},
+      {"park", {"lawn"}},
+      {"neon",
+       {"road", "night sky", "dark panes", "lit panes 1", "lit panes 2", "lit panes 3",
+        "shop panes"}},
+      {"workshop", {"floor", "wall"}}};
   return sheets.at(scene).contains(mesh);
 }
 
@@ -139,7 +145,11 @@ TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
       {"fence", {10'000, 80'000}},
       {"boxes", {200, 900}},
       {"mixed", {45'000, 55'000}},
-      {"dense", {1'190'000, 1'210'000}}};
+      {"dense", {1'190'000, 1'210'000}},
+      {"wheel", {25'000, 40'000}},
+      {"park", {250'000, 500'000}},
+      {"neon", {10'000, 16'000}},
+      {"workshop", {20'000, 35'000}}};
   const Scene scene = make(GetParam());
   EXPECT_GE(scene.instanced_triangles(), range.at(GetParam()).first);
   EXPECT_LE(scene.instanced_triangles(), range.at(GetParam()).second);
@@ -228,8 +238,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
                            return name;
                          });
 
-TEST(BuiltinScenes, AreFourteenWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 14u);
+TEST(BuiltinScenes, AreEighteenWithOfficeFirst) {
+  ASSERT_EQ(builtin_scenes().size(), 18u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }

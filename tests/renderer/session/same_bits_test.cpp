@@ -39,6 +39,7 @@ std::vector<Choice> choices() {
   add("uniform", [](RenderSettings& s) { s.method = Method::uniform; });
   add("stochastic", [](RenderSettings& s) { s.method = Method::stochastic; });
   add("sobol", [](RenderSettings& s) { s.method = Method::sobol; });
+  add("sobol_adaptive", [](RenderSettings& s) { s.method = Method::sobol_adaptive; });
   add("forced shadows", [](RenderSettings& s) { s.shadow.quality = ShadowQuality::forced; });
   add("whitted", [](RenderSettings& s) { s.method = Method::whitted; });
   add("whitted with spheres", [](RenderSettings& s) {
