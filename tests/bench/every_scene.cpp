@@ -12,7 +12,8 @@
 // both axes logarithmic: `e` where that lies beyond the ladder's ends, `*` where the error is below
 // twice the reference's own noise and so is hardly known.
 //
-// --adaptive has a second rival, sobol-adaptive over its ladder of EPS (renderer/study/ladders.h).
+// --adaptive has a second rival, sobol-adaptive over its ladder of EPS (renderer/study/ladders.h);
+// where ASOS's error is larger than that of its first step, that step's time counts, marked `e`.
 //
 // --cache keeps references and the ladder's times and errors in a folder, so that the next call
 // renders ASOS only; --fresh measures the ladder anew, as on another machine. --only asos never
@@ -216,8 +217,12 @@ double reference_noise(const Row& row, int samples) {
 std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t level, int reference) {
   if (row.asos.empty()) return std::nullopt;
   const CurvePoint asos = row.asos[level];
-  const auto seconds = seconds_at_error(row.rivals[rival], asos.error);
+  const std::vector<CurvePoint>& ladder = row.rivals[rival];
+  auto seconds = seconds_at_error(ladder, asos.error);
   if (!seconds) return std::nullopt;
+  // The adaptive rival takes no fewer samples than its first step does.
+  if (rival > 0 && asos.error > ladder.front().error)
+    seconds = CurveValue{ladder.front().seconds, true};
   return Ratio{seconds->value / asos.seconds, seconds->beyond,
                asos.error < 2.0 * reference_noise(row, reference)};
 }

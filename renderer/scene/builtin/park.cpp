@@ -200,7 +200,8 @@ void add_globe_lamps(Stage& stage) {
   add_sphere(globe, glm::vec3(0.0f), radius, 8);
   const int iron =
       stage.keep("lamp post", std::move(post), stage.paint("black iron", 0x2a2d31, 0.5f));
-  const int glass = stage.keep("globe", std::move(globe), stage.glow("lamp light", 0xffd9a0, 6.0f));
+  const int glass =
+      stage.keep("globe", std::move(globe), stage.glow("lamp light", 0xffd9a0, 130.0f));
   int number = 0;
   for (const glm::dvec2 at :
        {glm::dvec2(-2.3, -1.2), glm::dvec2(2.4, -9.5), glm::dvec2(-2.4, -19.0)}) {
@@ -208,8 +209,6 @@ void add_globe_lamps(Stage& stage) {
     const glm::dvec3 middle(at.x, 3.42, at.y);
     stage.place(name + " post", iron, turned({at.x, 0.0, at.y}, 0.0));
     stage.place(name + " globe", glass, turned(middle, 0.0));
-    stage.show_light();
-    stage.ball(name, middle, 1.05 * static_cast<double>(radius), 0xffd9a0, 5.0f);
   }
 }
 
