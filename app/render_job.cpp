@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <unistd.h>
 
 namespace asos {
@@ -37,11 +35,6 @@ class Bell {
 
 }  // namespace
 
-int worker_count(const RenderSettings& settings) {
-  if (settings.threads > 0) return settings.threads;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-}
-
 Result<void> check_picture_fits(const RenderSettings& settings) {
   const PixelRect part = settings.visible();
   // Radiance, level, tiles on their way, and the encoder's copy.
@@ -61,7 +54,7 @@ std::optional<RenderedPicture> run_render_job(Snapshot snapshot, ProgressBar& ba
                                               const InterruptGuard& interrupt) {
   const PixelRect part = snapshot.settings.visible();
   RenderedPicture picture;
-  picture.threads = worker_count(snapshot.settings);
+  picture.threads = worker_count(snapshot.settings.threads);
   picture.film = Film(part.width, part.height);
 
   Bell bell;

@@ -24,7 +24,4 @@ struct RenderedPicture {
 /// Refuses pictures that this machine's memory cannot hold, before anything is allocated.
 [[nodiscard]] Result<void> check_picture_fits(const RenderSettings& settings);
 
-/// How many workers render with these settings.
-[[nodiscard]] int worker_count(const RenderSettings& settings);
-
 }  // namespace asos

@@ -18,6 +18,7 @@ struct Snapshot {
   Camera camera;  ///< relative to scene->world().origin
   RenderSettings settings;
   bool progressive = true;  ///< coarse passes first (window); false: final pixels only (headless)
+  bool beside_window = false;  ///< a window shares the machine: see worker_count
 };
 
 struct Progress {
@@ -29,8 +30,11 @@ struct Progress {
   double seconds_left = -1.0;  ///< estimate; negative: not known yet
 };
 
-/// The workers that RenderSettings::threads asks for.
-[[nodiscard]] int worker_count(int threads);
+/// The workers that RenderSettings::threads asks for: where it is 0, one for each core. Beside a
+/// window one core stays free, but not where there are only two: half of the machine would idle.
+[[nodiscard]] int worker_count(int threads, bool beside_window = false);
+/// The same on a machine with so many cores.
+[[nodiscard]] int worker_count_on(int cores, int threads, bool beside_window);
 
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
 /// sample for each 8x8 block, then one for each pixel, then the method's own pixels. The result
