@@ -77,6 +77,7 @@ void RenderSession::resume() {
 
 void RenderSession::cancel() {
   state_->stop();
+  if (state_->run) state_->run->publish_unfinished();
 }
 
 void RenderSession::wait() {
@@ -99,6 +100,10 @@ Progress RenderSession::progress() const {
   progress.finished = state_->nothing_to_do;
   progress.fraction = state_->nothing_to_do ? 1.0 : 0.0;
   return progress;
+}
+
+Reached RenderSession::reached() const {
+  return state_->run ? state_->run->reached() : Reached{};
 }
 
 RenderStatistics RenderSession::statistics() const {
