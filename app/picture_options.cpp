@@ -184,9 +184,8 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
       "other noise",
       whole(0, std::numeric_limits<int>::max()), [&](int seed) { settings.seed = seed; })
       ->default_str("0");
-  add_parsed_option(app, "--threads", "N",
-                    "Worker threads, 1 to 1024; 0: one for each core but one", whole(0, 1024),
-                    [&](int n) { settings.threads = n; })
+  add_parsed_option(app, "--threads", "N", "Worker threads, 1 to 1024; 0: one for each core",
+                    whole(0, 1024), [&](int n) { settings.threads = n; })
       ->default_str("0");
 }
 

@@ -16,7 +16,8 @@ struct RenderArguments {
   std::optional<FrameRange> frames;  ///< of a turn around the scene, one file each
   std::string split_map;             ///< empty: not asked for
   SplitMapColours split_map_by = SplitMapColours::level;
-  std::string stats_file;  ///< empty: not asked for
+  std::string stats_file;                    ///< empty: not asked for
+  std::optional<double> time_limit_seconds;  ///< of rendering
   bool quiet = false;
 };
 

@@ -34,9 +34,12 @@ constexpr const char* render_footer =
     "  asos render builtin:fence -o fence.png --crop 320,180,64,48 --split-map levels.png\n"
     "  asos render builtin:boxes -o rival.png --method stochastic --spp 64\n"
     "  asos render --from office.png -o larger.png --size 3840x2160\n"
+    "  asos render builtin:office -o soon.png --time-limit 10\n"
     "  asos render builtin:boxes -o turn.png --frames 0-29/120   # a quarter of a turn\n"
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
+
+constexpr double most_time_limit_seconds = 1e6;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -128,12 +131,14 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   if (!camera) return tl::unexpected(camera.error());
   report.description =
       describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f});
-  const std::optional<RenderedPicture> rendered =
-      run_render_job({*prepared, *camera, wanted.settings, false}, bar, interrupt);
+  const std::optional<RenderedPicture> rendered = run_render_job(
+      {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
   if (!rendered) return interrupted_error();
   report.threads = rendered->threads;
   report.statistics = rendered->statistics;
   report.render_seconds = rendered->seconds;
+  report.time_limit_seconds = arguments.time_limit_seconds;
+  report.stopped_at = rendered->stopped_at;
   report.memory_mb = peak_memory_mb();
 
   const Result<void> written = write_outputs(outputs, rendered->film, report);
@@ -168,9 +173,12 @@ int run_picture(const RenderArguments& arguments, const Streams& streams) {
                 << " shows the split map over the picture, which is rendered without it\n";
   if (!arguments.quiet)
     streams.out << fmt::format(
-        "Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s.\n",
+        "Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
         arguments.output, report->triangles, report->load_seconds, report->build_seconds,
-        report->render_seconds);
+        report->render_seconds,
+        report->stopped_at
+            ? fmt::format(", stopped by --time-limit: {}", reached_text(*report->stopped_at))
+            : "");
   return exit_ok;
 }
 
@@ -222,6 +230,13 @@ Command add_render_command(CLI::App& program) {
       ->needs(split_map);
   parser->add_option("--stats", arguments->stats_file, "Also write the statistics as JSON")
       ->type_name("FILE.json");
+  add_parsed_option(
+      *parser, "--time-limit", "SECONDS",
+      "Of rendering, without loading: the picture comes in passes, each better than the last, and "
+      "is "
+      "written as good as it is by then, each pixel at its best [none: as long as it takes]",
+      [](const std::string& text) { return parse_number(text, 0.0, most_time_limit_seconds); },
+      [arguments](double seconds) { arguments->time_limit_seconds = seconds; });
   parser->add_flag("--quiet", arguments->quiet, "No progress bar and no closing line");
   parser->footer(render_footer);
   parser->callback([arguments] { check(*arguments); });

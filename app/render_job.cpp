@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <unistd.h>
 
 namespace asos {
@@ -23,9 +21,9 @@ class Bell {
     rung_ = true;
     condition_.notify_one();
   }
-  void wait() {
+  void wait(std::chrono::milliseconds at_most) {
     std::unique_lock lock(mutex_);
-    condition_.wait_for(lock, patience, [this] { return rung_; });
+    condition_.wait_for(lock, at_most, [this] { return rung_; });
     rung_ = false;
   }
 
@@ -36,11 +34,6 @@ class Bell {
 };
 
 }  // namespace
-
-int worker_count(const RenderSettings& settings) {
-  if (settings.threads > 0) return settings.threads;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-}
 
 Result<void> check_picture_fits(const RenderSettings& settings) {
   const PixelRect part = settings.visible();
@@ -58,19 +51,27 @@ Result<void> check_picture_fits(const RenderSettings& settings) {
 }
 
 std::optional<RenderedPicture> run_render_job(Snapshot snapshot, ProgressBar& bar,
-                                              const InterruptGuard& interrupt) {
+                                              const InterruptGuard& interrupt,
+                                              std::optional<double> time_limit_seconds) {
   const PixelRect part = snapshot.settings.visible();
   RenderedPicture picture;
-  picture.threads = worker_count(snapshot.settings);
+  picture.threads = worker_count(snapshot.settings.threads);
   picture.film = Film(part.width, part.height);
 
   Bell bell;
   RenderSession session([&bell] { bell.ring(); });
-  snapshot.progressive = false;
+  snapshot.progressive = time_limit_seconds.has_value();
   session.restart(std::move(snapshot));
+  const auto collect = [&] {
+    for (const FinishedTile& tile : session.take_finished()) picture.film.put(tile);
+  };
+  const auto past_limit = [&](const Progress& progress) {
+    return time_limit_seconds && progress.seconds >= *time_limit_seconds &&
+           session.reached().pass != Reached::Pass::nothing;
+  };
   auto drawn = std::chrono::steady_clock::now();
   for (bool finished = false; !finished;) {
-    bell.wait();
+    bell.wait(time_limit_seconds ? patience / 5 : patience);
     if (interrupt.interrupted()) {
       session.cancel();
       return std::nullopt;
@@ -78,7 +79,14 @@ std::optional<RenderedPicture> run_render_job(Snapshot snapshot, ProgressBar& ba
     // Asked before the tiles are taken: what was published up to the end is then among them.
     const Progress progress = session.progress();
     finished = progress.finished;
-    for (const FinishedTile& tile : session.take_finished()) picture.film.put(tile);
+    collect();
+    if (!finished && past_limit(progress)) {
+      session.cancel();
+      collect();
+      // The workers may have come to the end by then.
+      if (!session.progress().finished) picture.stopped_at = session.reached();
+      break;
+    }
     if (const auto now = std::chrono::steady_clock::now(); now - drawn >= patience) {
       bar.show(progress);
       drawn = now;

@@ -5,6 +5,7 @@
 #include "renderer/picture/settings_json.h"
 #include "renderer/settings/names.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
@@ -43,11 +44,37 @@ nlohmann::ordered_json measured_json(const RenderReport& report) {
       {"lights", light_counts_json(report)},
       {"left_out", left_out_json(report.needs)},
   };
+  if (report.time_limit_seconds) {
+    measured["time_limit"] = {{"seconds", *report.time_limit_seconds},
+                              {"finished", !report.stopped_at}};
+    if (report.stopped_at) measured["time_limit"]["reached"] = reached_text(*report.stopped_at);
+  }
   measured.update(counts_json(report.statistics));
   return measured;
 }
 
 }  // namespace
+
+std::string reached_text(const Reached& reached) {
+  const auto pass = [&]() -> std::string {
+    switch (reached.pass) {
+      case Reached::Pass::nothing:
+        return "not all of it";
+      case Reached::Pass::blocks:
+        return "one sample for 8x8 pixels";
+      case Reached::Pass::centres:
+        return "one sample a pixel";
+      case Reached::Pass::level:
+        return fmt::format("MAX {}", reached.level);
+      case Reached::Pass::final_pixels:
+        break;
+    }
+    return "final";
+  };
+  // Rounded down: 100 % is all.
+  return fmt::format("{} everywhere, {} % final", pass(),
+                     static_cast<int>(100.0 * reached.final_share));
+}
 
 nlohmann::ordered_json statistics_json(const RenderReport& report) {
   const PictureDescription& picture = report.description;

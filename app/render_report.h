@@ -5,11 +5,13 @@
 #include "renderer/film/statistics.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/scene/scene.h"
+#include "renderer/session/render_session.h"
 #include "renderer/world/needs.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +35,10 @@ struct RenderReport {
   double load_seconds = 0.0;   ///< reading the file or making the built-in scene
   double build_seconds = 0.0;  ///< flattening, and the hierarchies of rays and boundaries
   double render_seconds = 0.0;
-  double memory_mb = 0.0;  ///< the process's peak, in 10^6 bytes
-  SceneNeeds needs;        ///< of the scene, and those that were forced
+  std::optional<double> time_limit_seconds;  ///< that was asked for
+  std::optional<Reached> stopped_at;         ///< where the limit ended the render
+  double memory_mb = 0.0;                    ///< the process's peak, in 10^6 bytes
+  SceneNeeds needs;                          ///< of the scene, and those that were forced
 };
 
 /// The statistics as the --stats file has them.
@@ -46,6 +50,9 @@ struct RenderReport {
 /// The text chunks of a PNG and the attributes of an EXR: how the picture can be made again, and
 /// the statistics.
 [[nodiscard]] ImageText picture_metadata(const RenderReport& report);
+
+/// How far a picture came whose time was limited, in words: "MAX 1 everywhere, 37 % final".
+[[nodiscard]] std::string reached_text(const Reached& reached);
 
 /// The most memory that this process has held, in 10^6 bytes.
 [[nodiscard]] double peak_memory_mb();

@@ -41,7 +41,7 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
   // The old scene may go only when no worker uses it any more, which restart sees to.
-  session_.restart({subject.scene, subject.camera, subject.settings, true});
+  session_.restart({subject.scene, subject.camera, subject.settings, true, true});
   rendered_ = subject;
   ++restarts_;
   restarted_seconds_ = now_seconds;

@@ -60,7 +60,7 @@ class PreviewRender {
   [[nodiscard]] const RenderSettings& settings() const { return rendered_.settings; }
   /// The inputs of the picture that is shown. Only with one.
   [[nodiscard]] Snapshot snapshot() const {
-    return {rendered_.scene, rendered_.camera, rendered_.settings, false};
+    return {rendered_.scene, rendered_.camera, rendered_.settings, false, true};
   }
   /// The description of the picture that is shown, whether it is finished or not. Only with one.
   [[nodiscard]] PictureDescription description(const PictureDisplay& display) const;

@@ -255,7 +255,7 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
       [&](int n) { plan.repetitions = n; })
       ->default_str(std::to_string(plan.repetitions));
   add_parsed_option(
-      app, "--threads", "N", "Worker threads, 1 to 1024; 0: one for each core but one",
+      app, "--threads", "N", "Worker threads, 1 to 1024; 0: one for each core",
       [](const std::string& text) { return parse_whole(text, 0, 1024); },
       [&](int n) { plan.threads = n; })
       ->default_str("0");

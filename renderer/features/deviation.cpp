@@ -1,7 +1,8 @@
 #include "renderer/features/deviation.h"
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <tbb/parallel_for.h>
 #include <unordered_map>
 
 namespace asos {
@@ -43,6 +44,14 @@ struct Plane {
   }
 };
 
+// The largest of all, whichever thread comes first.
+void raise(float& most, float to) {
+  std::atomic_ref shared(most);
+  float there = shared.load(std::memory_order_relaxed);
+  while (there < to && !shared.compare_exchange_weak(there, to, std::memory_order_relaxed)) {
+  }
+}
+
 }  // namespace
 
 std::vector<float> deviations(const World& world, DisjointSets& facets,
@@ -55,14 +64,15 @@ std::vector<float> deviations(const World& world, DisjointSets& facets,
     const double d = box == boxes.end() ? plane.distance(glm::dvec3(world.positions[third]))
                                         : plane.distance(box->second);
     // From where a flat facet's surface goes on, it goes on from all of the facet.
-    float& most = deviation[facets.find(from)];
-    most = std::max(most, static_cast<float>(d));
+    raise(deviation[facets.find(from)], static_cast<float>(d));
   };
-  for (const FeatureEdge& edge : edges) {
-    if (edge.kind != FeatureKind::silhouette) continue;
+  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    const FeatureEdge& edge = edges[i];
+    if (edge.kind != FeatureKind::silhouette) return;
     depart(edge.left_sheet, edge.right_sheet, edge.right);
     depart(edge.right_sheet, edge.left_sheet, edge.left);
-  }
+  });
+  // Each facet's is with its lowest triangle, which is before all others.
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
     deviation[t] = deviation[facets.find(t)];
   return deviation;

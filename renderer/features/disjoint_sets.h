@@ -1,30 +1,46 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace asos {
 
-/// Sets of the numbers below n, each by itself at first (union-find).
+/// Sets of the numbers below n, each by itself at first (union-find without locks, after Anderson
+/// and Woll 1991). Any number of threads.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
+  /// The lowest member, once all threads have joined what they have.
   std::uint32_t find(std::uint32_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
+    for (;;) {
+      const std::uint32_t up = parent(x).load(std::memory_order_relaxed);
+      if (up == x) return x;
+      const std::uint32_t above = parent(up).load(std::memory_order_relaxed);
+      // Only a root's parent decides what belongs together, and x is none any more.
+      if (above != up) parent(x).store(above, std::memory_order_relaxed);
+      x = above;
+    }
   }
-  // The lower index stays the representative, so that the result does not depend on the order.
+  // A root goes below a lower one only, so that the result does not depend on the order.
   void join(std::uint32_t x, std::uint32_t y) {
-    x = find(x), y = find(y);
-    if (x < y) parent_[y] = x;
-    if (y < x) parent_[x] = y;
+    for (;;) {
+      x = find(x), y = find(y);
+      if (x == y) return;
+      if (x < y) std::swap(x, y);
+      std::uint32_t root = x;
+      if (parent(x).compare_exchange_strong(root, y, std::memory_order_relaxed)) return;
+    }
   }
 
  private:
+  std::atomic_ref<std::uint32_t> parent(std::uint32_t x) { return std::atomic_ref(parent_[x]); }
+
   std::vector<std::uint32_t> parent_;
 };
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <numeric>
 #include <span>
+#include <tbb/parallel_for.h>
 #include <tuple>
 
 namespace asos {
@@ -34,24 +36,61 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 33);
 }
 
-// For each vertex the first vertex at the same place. Open addressing, keyed by the coordinates'
-// bits; adding zero makes -0 equal 0.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
-  const std::size_t n = positions.size();
-  std::vector<std::uint32_t> first(n);
-  const std::size_t slots = std::bit_ceil(2 * n + 1);
-  std::vector<std::uint32_t> table(slots, FeatureEdge::none);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const glm::vec3 p = positions[i] + 0.0f;
+template <typename Visit>
+void in_parallel(std::size_t count, const Visit& visit) {
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&](std::size_t i) { visit(static_cast<std::uint32_t>(i)); });
+}
+
+/// Places and the first vertex at each. Open addressing, keyed by the coordinates' bits; adding
+/// zero makes -0 equal 0. Any number of threads may add at once: which slot a place gets depends on
+/// them, the vertex in it does not.
+class PlaceTable {
+ public:
+  explicit PlaceTable(const std::vector<glm::vec3>& positions)
+      : positions_(positions), slots_(std::bit_ceil(2 * positions.size() + 1), FeatureEdge::none) {}
+
+  void add(std::uint32_t vertex) {
+    std::size_t at = first_slot(vertex);
+    for (;; at = (at + 1) & (slots_.size() - 1)) {
+      std::atomic_ref slot(slots_[at]);
+      std::uint32_t there = slot.load(std::memory_order_relaxed);
+      if (there == FeatureEdge::none &&
+          slot.compare_exchange_strong(there, vertex, std::memory_order_relaxed))
+        return;
+      if (positions_[there] != positions_[vertex]) continue;
+      while (vertex < there &&
+             !slot.compare_exchange_weak(there, vertex, std::memory_order_relaxed)) {
+      }
+      return;
+    }
+  }
+  /// Once all are there.
+  [[nodiscard]] std::uint32_t first_at_place_of(std::uint32_t vertex) const {
+    std::size_t at = first_slot(vertex);
+    while (positions_[slots_[at]] != positions_[vertex]) at = (at + 1) & (slots_.size() - 1);
+    return slots_[at];
+  }
+
+ private:
+  [[nodiscard]] std::size_t first_slot(std::uint32_t vertex) const {
+    const glm::vec3 p = positions_[vertex] + 0.0f;
     const std::uint64_t xy = std::bit_cast<std::uint32_t>(p.x) |
                              (std::uint64_t{std::bit_cast<std::uint32_t>(p.y)} << 32);
-    std::size_t slot =
-        mix(xy ^ mix(std::bit_cast<std::uint32_t>(p.z) + 0x9e3779b97f4a7c15ULL)) & (slots - 1);
-    while (table[slot] != FeatureEdge::none && positions[table[slot]] != positions[i])
-      slot = (slot + 1) & (slots - 1);
-    if (table[slot] == FeatureEdge::none) table[slot] = i;
-    first[i] = table[slot];
+    return mix(xy ^ mix(std::bit_cast<std::uint32_t>(p.z) + 0x9e3779b97f4a7c15ULL)) &
+           (slots_.size() - 1);
   }
+
+  const std::vector<glm::vec3>& positions_;
+  std::vector<std::uint32_t> slots_;
+};
+
+// For each vertex the first vertex at the same place.
+std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
+  PlaceTable table(positions);
+  in_parallel(positions.size(), [&](std::uint32_t i) { table.add(i); });
+  std::vector<std::uint32_t> first(positions.size());
+  in_parallel(positions.size(), [&](std::uint32_t i) { first[i] = table.first_at_place_of(i); });
   return first;
 }
 
@@ -64,31 +103,47 @@ class Extractor {
         sheets_(world.triangles.size()),
         facets_(world.triangles.size()),
         two_sided_(world.triangles.size()) {
-    for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
-      two_sided_[t] = world.material_of(t).double_sided;
+    in_parallel(world.triangles.size(),
+                [&](std::uint32_t t) { two_sided_[t] = world.material_of(t).double_sided; });
   }
 
   ExtractedFeatures run() {
     bucket_half_edges();
-    for (std::uint32_t low = 0; low < world_.positions.size(); ++low) {
-      const auto begin = half_edges_.begin() + bucket_[low];
-      const auto end = half_edges_.begin() + bucket_[low + 1];
-      std::sort(begin, end, [](const HalfEdge& x, const HalfEdge& y) {
-        return std::tie(x.high, x.third, x.triangle) < std::tie(y.high, y.third, y.triangle);
-      });
-      for (auto run = begin; run != end;) {
-        auto next = run;
-        while (next != end && next->high == run->high) ++next;
-        classify(low, without_repeats(low, {run, next}));
-        run = next;
-      }
-    }
-    return finish();
+    // A few vertices at a time; what is found comes in their order, whoever found it.
+    const std::size_t count = (world_.positions.size() + vertices_at_once - 1) / vertices_at_once;
+    std::vector<Found> found(count);
+    in_parallel(count, [&](std::uint32_t i) {
+      const std::size_t first = i * vertices_at_once;
+      const std::size_t last = std::min(first + vertices_at_once, world_.positions.size());
+      for (std::size_t low = first; low < last; ++low)
+        classify_edges_of(static_cast<std::uint32_t>(low), found[i]);
+    });
+    half_edges_ = {};
+    return finish(found);
   }
 
  private:
   using Run = std::span<HalfEdge>;
   using Ends = std::array<SharedCorner, 2>;
+  struct Found {
+    std::vector<FeatureEdge> edges;
+    FeatureCounts counts;
+  };
+  static constexpr std::size_t vertices_at_once = 4096;
+
+  void classify_edges_of(std::uint32_t low, Found& found) {
+    const auto begin = half_edges_.begin() + bucket_[low];
+    const auto end = half_edges_.begin() + bucket_[low + 1];
+    std::sort(begin, end, [](const HalfEdge& x, const HalfEdge& y) {
+      return std::tie(x.high, x.third, x.triangle) < std::tie(y.high, y.third, y.triangle);
+    });
+    for (auto run = begin; run != end;) {
+      auto next = run;
+      while (next != end && next->high == run->high) ++next;
+      classify(low, without_repeats(low, {run, next}), found);
+      run = next;
+    }
+  }
 
   [[nodiscard]] bool degenerate(glm::uvec3 t) const {
     const glm::uvec3 w(welded_[t.x], welded_[t.y], welded_[t.z]);
@@ -99,26 +154,33 @@ class Extractor {
     return glm::length(glm::cross(e1, e2)) <= 0.0;
   }
 
-  // Counting sort of all half-edges by their lower welded vertex.
+  // Counting sort of all half-edges by their lower welded vertex. The order of those of a vertex
+  // depends on the threads; they are sorted later on.
   void bucket_half_edges() {
     const std::size_t n = world_.positions.size();
-    bucket_.assign(n + 1, 0);
-    const auto each = [&](auto&& visit) {
-      for (std::uint32_t t = 0; t < world_.triangles.size(); ++t) {
-        if (degenerate(world_.triangles[t])) continue;
+    std::vector<std::uint8_t> bounds_nothing(world_.triangles.size());
+    in_parallel(world_.triangles.size(),
+                [&](std::uint32_t t) { bounds_nothing[t] = degenerate(world_.triangles[t]); });
+    const auto each = [&](const auto& visit) {
+      in_parallel(world_.triangles.size(), [&](std::uint32_t t) {
+        if (bounds_nothing[t]) return;
         for (int k = 0; k < 3; ++k) {
           const std::uint32_t a = welded_[world_.triangles[t][k]];
           const std::uint32_t b = welded_[world_.triangles[t][(k + 1) % 3]];
           const std::uint32_t c = welded_[world_.triangles[t][(k + 2) % 3]];
           visit(std::min(a, b), HalfEdge{std::max(a, b), c, t, a < b});
         }
-      }
+      });
     };
-    each([&](std::uint32_t low, const HalfEdge&) { ++bucket_[low + 1]; });
+    const auto next = [](std::uint32_t& counter) {
+      return std::atomic_ref(counter).fetch_add(1, std::memory_order_relaxed);
+    };
+    bucket_.assign(n + 1, 0);
+    each([&](std::uint32_t low, const HalfEdge&) { next(bucket_[low + 1]); });
     std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
     half_edges_.resize(bucket_[n]);
     std::vector<std::uint32_t> cursor(bucket_.begin(), bucket_.end() - 1);
-    each([&](std::uint32_t low, const HalfEdge& h) { half_edges_[cursor[low]++] = h; });
+    each([&](std::uint32_t low, const HalfEdge& h) { half_edges_[next(cursor[low])] = h; });
   }
 
   // The faces at an edge but for those that repeat another one's three corners and its look, as
@@ -145,19 +207,24 @@ class Extractor {
     sheets_.join(original.triangle, copy.triangle);
     facets_.join(original.triangle, copy.triangle);
     // Two single-sided ones, back to back.
-    if (original.ascends != copy.ascends || two_sided_[copy.triangle])
-      two_sided_[original.triangle] = true;
+    // All edges of the original meet the copy, and each finds out before it asks.
+    if (original.ascends != copy.ascends || two_sided(copy.triangle))
+      std::atomic_ref(two_sided_[original.triangle]).store(1, std::memory_order_relaxed);
+  }
+
+  [[nodiscard]] bool two_sided(std::uint32_t triangle) {
+    return std::atomic_ref(two_sided_[triangle]).load(std::memory_order_relaxed) != 0;
   }
 
   // Whether the edge's two faces show from the same sides, as long as it is no silhouette. The only
   // thing that winding decides, because culling goes by it.
-  [[nodiscard]] bool same_sides(const HalfEdge& x, const HalfEdge& y) const {
-    const bool both = two_sided_[x.triangle];
-    return both == two_sided_[y.triangle] && (both || x.ascends != y.ascends);
+  [[nodiscard]] bool same_sides(const HalfEdge& x, const HalfEdge& y) {
+    const bool both = two_sided(x.triangle);
+    return both == two_sided(y.triangle) && (both || x.ascends != y.ascends);
   }
 
   // All the faces at one edge of the welded mesh.
-  void classify(std::uint32_t low, Run faces) {
+  void classify(std::uint32_t low, Run faces, Found& found) {
     FeatureEdge edge;
     edge.a = low;
     edge.b = faces[0].high;
@@ -167,8 +234,8 @@ class Extractor {
     if (faces.size() > 1) edge.right_sheet = faces[1].triangle;
     if (faces.size() != 2) {
       edge.kind = FeatureKind::open;
-      ++counts_.open;
-      edges_.push_back(edge);
+      ++found.counts.open;
+      found.edges.push_back(edge);
       return;
     }
     edge.right = faces[1].third;
@@ -177,10 +244,10 @@ class Extractor {
     const Ends ends{shared(faces[0], faces[1], edge.a), shared(faces[0], faces[1], edge.b)};
     if (!same_sides(faces[0], faces[1]) || look_.seam(x, y, ends)) {
       edge.kind = FeatureKind::seam;
-      ++counts_.seam;
+      ++found.counts.seam;
     } else if (look_.crease(x, y, ends)) {
       edge.kind = FeatureKind::crease;
-      ++counts_.crease;
+      ++found.counts.crease;
     } else {
       sheets_.join(x, y);
       if (!edge.folds) {
@@ -188,9 +255,9 @@ class Extractor {
         return;
       }
       edge.kind = FeatureKind::silhouette;
-      ++counts_.silhouette_candidates;
+      ++found.counts.silhouette_candidates;
     }
-    edges_.push_back(edge);
+    found.edges.push_back(edge);
   }
 
   // Both faces in one plane, on different sides of the edge (a face folded back onto the other is
@@ -214,18 +281,24 @@ class Extractor {
     return {corner(x.triangle, v), corner(y.triangle, v)};
   }
 
-  ExtractedFeatures finish() {
+  ExtractedFeatures finish(std::vector<Found>& found) {
     ExtractedFeatures out;
-    out.deviation_of_triangle = deviations(world_, facets_, edges_);
-    out.sheet_of_triangle.resize(world_.triangles.size());
-    for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
-      out.sheet_of_triangle[t] = sheets_.find(t);
-    for (FeatureEdge& edge : edges_) {
-      for (std::uint32_t* sheet : {&edge.left_sheet, &edge.right_sheet})
-        if (*sheet != FeatureEdge::none) *sheet = out.sheet_of_triangle[*sheet];
+    std::size_t count = 0;
+    for (const Found& part : found) count += part.edges.size();
+    out.edges.reserve(count);
+    for (Found& part : found) {
+      out.edges.insert(out.edges.end(), part.edges.begin(), part.edges.end());
+      out.counts += part.counts;
+      part = {};
     }
-    out.edges = std::move(edges_);
-    out.counts = counts_;
+    out.deviation_of_triangle = deviations(world_, facets_, out.edges);
+    out.sheet_of_triangle.resize(world_.triangles.size());
+    in_parallel(world_.triangles.size(),
+                [&](std::uint32_t t) { out.sheet_of_triangle[t] = sheets_.find(t); });
+    in_parallel(out.edges.size(), [&](std::uint32_t i) {
+      for (std::uint32_t* sheet : {&out.edges[i].left_sheet, &out.edges[i].right_sheet})
+        if (*sheet != FeatureEdge::none) *sheet = out.sheet_of_triangle[*sheet];
+    });
     return out;
   }
 
@@ -233,15 +306,22 @@ class Extractor {
   SurfaceLook look_;
   std::vector<std::uint32_t> welded_;
   DisjointSets sheets_;
-  DisjointSets facets_;                // triangles in one plane, joined smoothly
-  std::vector<bool> two_sided_;        // triangles that show from behind, too
-  std::vector<std::uint32_t> bucket_;  // first half-edge of each vertex
+  DisjointSets facets_;                  // triangles in one plane, joined smoothly
+  std::vector<std::uint8_t> two_sided_;  // 1: triangles that show from behind, too
+  std::vector<std::uint32_t> bucket_;    // first half-edge of each vertex
   std::vector<HalfEdge> half_edges_;
-  std::vector<FeatureEdge> edges_;
-  FeatureCounts counts_;
 };
 
 }  // namespace
+
+FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& other) {
+  open += other.open;
+  silhouette_candidates += other.silhouette_candidates;
+  crease += other.crease;
+  seam += other.seam;
+  intersection += other.intersection;
+  return *this;
+}
 
 ExtractedFeatures extract_features(const World& world, TextureAt texture_at) {
   return Extractor(world, texture_at).run();

@@ -47,6 +47,8 @@ struct FeatureCounts {
   std::uint64_t crease = 0;
   std::uint64_t seam = 0;
   std::uint64_t intersection = 0;
+
+  FeatureCounts& operator+=(const FeatureCounts& other);
 };
 
 struct ExtractedFeatures {

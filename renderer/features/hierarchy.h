@@ -46,9 +46,12 @@ struct FeatureHierarchy {
   /// Top-down, split by the binned sum of the boxes' extents (a thin pyramid meets a box in
   /// proportion to its width). Edges that bound from everywhere and mere candidates have subtrees
   /// of their own, so that cones can reject whole meshes. Deterministic.
+  /// Children of nodes with `fewest_in_parallel` edges below or more are built in parallel, and
+  /// copied together then; what is built is the same.
   static FeatureHierarchy build(std::span<const glm::vec3> positions,
                                 std::vector<FeatureEdge>& edges,
-                                std::span<const FeatureCurve> curves = {});
+                                std::span<const FeatureCurve> curves = {},
+                                std::size_t fewest_in_parallel = std::size_t{1} << 18);
 };
 
 }  // namespace asos

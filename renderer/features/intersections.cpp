@@ -1,40 +1,25 @@
 #include "renderer/features/intersections.h"
 
+#include "renderer/features/box_pairs.h"
 #include "renderer/features/triangle_line.h"
-
-#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <utility>
 
 namespace asos {
 namespace {
-
-using Device = std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)>;
-using Scene = std::unique_ptr<RTCSceneTy, void (*)(RTCScene)>;
-
-struct Extent {
-  glm::vec3 lo, hi;
-
-  [[nodiscard]] bool meets(const Extent& other) const {
-    return glm::all(glm::lessThanEqual(lo, other.hi)) && glm::all(glm::lessThanEqual(other.lo, hi));
-  }
-};
 
 using Corners = glm::mat3;
 
 Corners corners_of(const World& world, std::uint32_t triangle) {
   const glm::uvec3 t = world.triangles[triangle];
   return {world.positions[t.x], world.positions[t.y], world.positions[t.z]};
-}
-
-Extent extent_of(const Corners& c) {
-  return {glm::min(c[0], glm::min(c[1], c[2])), glm::max(c[0], glm::max(c[1], c[2]))};
 }
 
 TriangleCorners in_double(const Corners& c) {
@@ -71,50 +56,23 @@ bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
   return (x > least && y > least) || (x < -least && y < -least);
 }
 
-// Some of a world's triangles, or all, as Embree wants them.
-struct Selection {
-  const World& world;
-  std::vector<std::uint32_t> chosen;  // empty: all
-
-  [[nodiscard]] std::size_t size() const {
-    return chosen.empty() ? world.triangles.size() : chosen.size();
-  }
-
-  static void bounds(const RTCBoundsFunctionArguments* args) {
-    const auto& self = *static_cast<const Selection*>(args->geometryUserPtr);
-    const std::uint32_t t = self.chosen.empty() ? args->primID : self.chosen[args->primID];
-    const auto [lo, hi] = extent_of(corners_of(self.world, t));
-    *args->bounds_o = {lo.x, lo.y, lo.z, 0.0f, hi.x, hi.y, hi.z, 0.0f};
-  }
-
-  // Refers to the selection as long as it lives.
-  [[nodiscard]] Scene build(const Device& device) {
-    Scene scene(rtcNewScene(device.get()), rtcReleaseScene);
-    RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(size()));
-    rtcSetGeometryUserData(geometry, this);
-    rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene.get(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
-    rtcCommitScene(scene.get());
-    return scene;
-  }
-};
-
 class Collider {
  public:
   Collider(const World& world, const IntersectionBudget& budget)
-      : world_(world), budget_(budget), device_(rtcNewDevice(nullptr), rtcReleaseDevice) {}
+      : world_(world), budget_(budget), boxes_(world) {}
 
   Intersections run() {
-    if (!device_) return {{}, false};
-    Selection all{world_, {}};
-    const Scene scene = all.build(device_);
-    if (hopeless(scene)) return {{}, false};
-    rtcCollide(scene.get(), scene.get(), collide, this);
-    return gather(rtcGetDeviceError(device_.get()) == RTC_ERROR_NONE);
+    if (hopeless()) return {{}, false};
+    tbb::parallel_for(std::size_t{0}, boxes_.leaf_count(), [this](std::size_t leaf) {
+      if (over_budget_.load(std::memory_order_relaxed)) return;
+      Local& local = found_.local();
+      boxes_.visit_pairs(leaf, [&](std::uint32_t s, std::uint32_t t) {
+        test(s, t, local);
+        return ++local.pairs < batch || spend(local);
+      });
+      if (local.pairs >= batch) (void)spend(local);
+    });
+    return gather();
   }
 
  private:
@@ -122,73 +80,34 @@ class Collider {
     std::vector<IntersectionLine> lines;
     std::size_t pairs = 0;  // not yet in pairs_
   };
-  using Partners = std::vector<std::size_t>;
-  struct Survey {
-    const Selection& few;
-    tbb::enumerable_thread_specific<Partners> counts;
-  };
 
-  // Embree cannot be stopped once it collides, and needs nanoseconds a pair even where nobody looks
-  // at the pairs. So count those of a few triangles first, chosen by a fixed rule.
-  [[nodiscard]] bool hopeless(const Scene& scene) {
+  // A look at a pair costs far more than counting it. So count those of a few leaves first, chosen
+  // by a fixed rule.
+  [[nodiscard]] bool hopeless() const {
     const std::size_t n = world_.triangles.size();
+    const std::size_t leaves = boxes_.leaf_count();
     if (n * (n - 1) / 2 <= survey_slack * budget_.pairs) return false;
-    Selection few{world_, {}};
-    few.chosen.resize(std::clamp<std::size_t>((std::size_t{1} << 26) / n, 32, 256));
-    std::uint64_t step = 0;
-    for (std::uint32_t& t : few.chosen) {
-      step += 0x9e3779b97f4a7c15ULL;
-      t = static_cast<std::uint32_t>((step >> 32) % n);
-    }
-    const Scene chosen = few.build(device_);
-    Survey found{few, tbb::enumerable_thread_specific<Partners>(few.size())};
-    rtcCollide(chosen.get(), scene.get(), survey, &found);
-
-    Partners partners(few.size());
-    for (const Partners& local : found.counts)
-      std::transform(local.begin(), local.end(), partners.begin(), partners.begin(), std::plus{});
+    std::vector<std::size_t> pairs(std::clamp<std::size_t>((std::size_t{1} << 26) / n, 32, 256));
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+      const std::uint64_t step = (i + 1) * 0x9e3779b97f4a7c15ULL;
+      boxes_.visit_pairs((step >> 32) % leaves, [&](std::uint32_t, std::uint32_t) {
+        ++pairs[i];
+        return true;
+      });
+    });
     // A large floor may meet everything, but floors are few.
-    std::sort(partners.begin(), partners.end());
-    partners.resize(partners.size() - partners.size() / 32);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.resize(pairs.size() - pairs.size() / 32);
     const double mean =
-        static_cast<double>(std::accumulate(partners.begin(), partners.end(), std::size_t{0})) /
-        static_cast<double>(partners.size());
-    return mean / 2.0 * static_cast<double>(n) > static_cast<double>(survey_slack * budget_.pairs);
+        static_cast<double>(std::accumulate(pairs.begin(), pairs.end(), std::size_t{0})) /
+        static_cast<double>(pairs.size());
+    return mean * static_cast<double>(leaves) > static_cast<double>(survey_slack * budget_.pairs);
   }
 
-  static void survey(void* found, RTCCollision* collisions, unsigned count) {
-    auto& [few, counts] = *static_cast<Survey*>(found);
-    Partners& partners = counts.local();
-    for (unsigned i = 0; i < count; ++i) {
-      const std::uint32_t t = few.chosen[collisions[i].primID0];
-      partners[collisions[i].primID0] +=
-          extent_of(corners_of(few.world, t))
-              .meets(extent_of(corners_of(few.world, collisions[i].primID1)));
-    }
-  }
-
-  static void collide(void* self, RTCCollision* collisions, unsigned count) {
-    auto& collider = *static_cast<Collider*>(self);
-    if (collider.over_budget_.load(std::memory_order_relaxed)) return;
-    Local& local = collider.found_.local();
-    for (unsigned i = 0; i < count; ++i) {
-      // Each pair comes twice.
-      if (collisions[i].primID0 < collisions[i].primID1)
-        collider.test(collisions[i].primID0, collisions[i].primID1, local);
-    }
-    collider.spend(local);
-  }
-
-  void test(std::uint32_t s, std::uint32_t t, Local& local) {
+  void test(std::uint32_t s, std::uint32_t t, Local& local) const {
     // Neighbours along an edge meet there and nowhere else, unless they lie in one plane.
-    if (meeting(world_.triangles[s], world_.triangles[t]).count > 1) {
-      ++local.pairs;
-      return;
-    }
+    if (meeting(world_.triangles[s], world_.triangles[t]).count > 1) return;
     const Corners a = corners_of(world_, s), b = corners_of(world_, t);
-    // Embree reports pairs of leaves.
-    if (!extent_of(a).meets(extent_of(b))) return;
-    ++local.pairs;
     const Meeting m = meeting(a, b);
     if (m.count > 1) return;
     if (m.count == 1 && (beside(a, b, m.a, m.b) || beside(b, a, m.b, m.a))) return;
@@ -197,23 +116,20 @@ class Collider {
   }
 
   // Over the budget or not is the same whatever the threads do: every pair is counted once, and
-  // counting stops early only where it is over.
-  void spend(Local& local) {
-    constexpr std::size_t batch = 1024;
-    if (local.pairs >= batch) {
-      pairs_ += local.pairs;
-      local.pairs = 0;
-    }
+  // counting stops early only where it is over. True: go on.
+  [[nodiscard]] bool spend(Local& local) {
+    pairs_ += std::exchange(local.pairs, 0);
     if (local.lines.size() > budget_.lines || pairs_ > budget_.pairs) over_budget_ = true;
+    return !over_budget_;
   }
 
-  Intersections gather(bool no_error) {
+  Intersections gather() {
     Intersections out;
     for (const Local& local : found_) {
       pairs_ += local.pairs;
       out.lines.insert(out.lines.end(), local.lines.begin(), local.lines.end());
     }
-    if (!no_error || over_budget_ || out.lines.size() > budget_.lines || pairs_ > budget_.pairs)
+    if (over_budget_ || out.lines.size() > budget_.lines || pairs_ > budget_.pairs)
       return {{}, false};
     std::sort(out.lines.begin(), out.lines.end(),
               [](const IntersectionLine& x, const IntersectionLine& y) {
@@ -225,10 +141,11 @@ class Collider {
 
   // The survey may err by its chance; it must not refuse what fits.
   static constexpr std::size_t survey_slack = 2;
+  static constexpr std::size_t batch = 1024;
 
   const World& world_;
   IntersectionBudget budget_;
-  Device device_;
+  BoxTree boxes_;
   tbb::enumerable_thread_specific<Local> found_;
   std::atomic<std::size_t> pairs_{0};
   std::atomic<bool> over_budget_{false};

@@ -38,7 +38,7 @@ struct Intersections {
 
 /// Finds where surfaces of a world pass through each other (design section 3): no mesh edge marks
 /// these lines. Triangles that only touch or overlap in one plane have none, and neighbours along
-/// an edge are passed over. Pairs are found by Embree's collision of bounding hierarchies. The
+/// an edge are passed over. Pairs are found in a tree of boxes (BoxTree). The
 /// result does not depend on threads. A scene that is nothing but overlaps is given up after a
 /// look at a few of its triangles.
 [[nodiscard]] Intersections find_intersections(const World& world,

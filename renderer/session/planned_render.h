@@ -4,7 +4,9 @@
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace asos {
 
@@ -14,11 +16,16 @@ struct PlannedRender {
       : snapshot(std::move(of)),
         view(snapshot.camera, snapshot.settings.width, snapshot.settings.height,
              radius_around_origin(snapshot.scene->world().bounds)),
-        plan(snapshot.settings) {}
+        plan(snapshot.settings),
+        group_order(plan.spread_groups()),
+        // Whole groups where somebody looks on and waits for their tiles.
+        order(snapshot.progressive ? plan.blocks_of(group_order) : plan.spread_blocks()) {}
 
   Snapshot snapshot;
   View view;
   WorkPlan plan;
+  std::vector<std::size_t> group_order;  ///< of passes at a low MAX
+  std::vector<std::size_t> order;        ///< of the final pass: indices of blocks
 };
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/session/coarse_passes.h"
+#include "renderer/session/level_passes.h"
 #include "renderer/session/planned_render.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/run_clock.h"
@@ -27,6 +28,9 @@ class RenderRun {
   [[nodiscard]] PixelRect visible() const { return render_.plan.visible; }
   [[nodiscard]] std::vector<FinishedTile> take_finished() { return tiles_.take_finished(); }
   [[nodiscard]] Progress progress() const { return clock_.progress(); }
+  [[nodiscard]] Reached reached() const { return tiles_.reached(); }
+  /// See TileCollector.
+  void publish_unfinished() { tiles_.publish_unfinished(); }
   [[nodiscard]] RenderStatistics statistics() const { return tiles_.statistics(); }
   /// Lets the final pass rest, after the blocks that are being worked on, and go on.
   void pause() { clock_.pause(); }
@@ -41,6 +45,7 @@ class RenderRun {
   TileCollector tiles_;
   RunClock clock_;
   CoarsePasses coarse_;
+  LevelPasses levels_;
   std::atomic<std::size_t> next_final_{0};  // blocks
 };
 

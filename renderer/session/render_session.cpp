@@ -12,10 +12,14 @@
 
 namespace asos {
 
-int worker_count(int threads) {
+int worker_count(int threads, bool beside_window) {
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  return worker_count_on(cores, threads, beside_window);
+}
+
+int worker_count_on(int cores, int threads, bool beside_window) {
   if (threads > 0) return threads;
-  // One core stays free for the window.
-  return static_cast<int>(std::max(2u, std::thread::hardware_concurrency())) - 1;
+  return std::max(1, beside_window && cores > 2 ? cores - 1 : cores);
 }
 
 /// All of it belongs to the controlling thread, but for what the run locks itself.
@@ -50,7 +54,7 @@ void RenderSession::restart(Snapshot snapshot) {
   state_->nothing_to_do = !snapshot.scene || !validated(snapshot.settings) ||
                           !check_method(*snapshot.scene, snapshot.settings);
   if (state_->nothing_to_do) return;
-  const int workers = worker_count(snapshot.settings.threads);
+  const int workers = worker_count(snapshot.settings.threads, snapshot.beside_window);
   RenderRun& run = state_->run.emplace(std::move(snapshot), state_->on_tiles);
   if (state_->paused) run.pause();
   for (int i = 0; i < workers; ++i) {
@@ -73,6 +77,7 @@ void RenderSession::resume() {
 
 void RenderSession::cancel() {
   state_->stop();
+  if (state_->run) state_->run->publish_unfinished();
 }
 
 void RenderSession::wait() {
@@ -95,6 +100,10 @@ Progress RenderSession::progress() const {
   progress.finished = state_->nothing_to_do;
   progress.fraction = state_->nothing_to_do ? 1.0 : 0.0;
   return progress;
+}
+
+Reached RenderSession::reached() const {
+  return state_->run ? state_->run->reached() : Reached{};
 }
 
 RenderStatistics RenderSession::statistics() const {

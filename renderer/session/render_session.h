@@ -18,22 +18,35 @@ struct Snapshot {
   Camera camera;  ///< relative to scene->world().origin
   RenderSettings settings;
   bool progressive = true;  ///< coarse passes first (window); false: final pixels only (headless)
+  bool beside_window = false;  ///< a window shares the machine: see worker_count
 };
 
 struct Progress {
   bool running = false;  ///< and not paused
   bool paused = false;
   bool finished = false;       ///< every pixel is final
-  double fraction = 0.0;       ///< of the final pass, 0 to 1
+  double fraction = 0.0;       ///< of the work, 0 to 1, as it is forecast
   double seconds = 0.0;        ///< since restart, without pauses
   double seconds_left = -1.0;  ///< estimate; negative: not known yet
 };
 
-/// The workers that RenderSettings::threads asks for.
-[[nodiscard]] int worker_count(int threads);
+/// How far all pixels of a picture have come at least.
+struct Reached {
+  enum class Pass { nothing, blocks, centres, level, final_pixels };
+  Pass pass = Pass::nothing;  ///< blocks: a sample for each block; centres: one for each pixel
+  int level = 0;              ///< of Pass::level: the MAX of the pass
+  double final_share = 0.0;   ///< of the pixels
+};
+
+/// The workers that RenderSettings::threads asks for: where it is 0, one for each core. Beside a
+/// window one core stays free, but not where there are only two: half of the machine would idle.
+[[nodiscard]] int worker_count(int threads, bool beside_window = false);
+/// The same on a machine with so many cores.
+[[nodiscard]] int worker_count_on(int cores, int threads, bool beside_window);
 
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
-/// sample for each 8x8 block, then one for each pixel, then the method's own pixels. The result
+/// sample for each 8x8 block, then one for each pixel, passes at a low MAX where they are worth it
+/// (LevelPasses), then the method's own pixels. The result
 /// does not depend on the number of workers nor on the order of tiles. All members may be called
 /// from one controlling thread; the callback comes from workers and must not call back in.
 ///
@@ -54,7 +67,7 @@ class RenderSession {
   /// as well.
   void pause();
   void resume();
-  /// Stops and waits. Published tiles stay.
+  /// Stops and waits. Published tiles stay, and what is final of others is published.
   void cancel();
   /// Waits for the end of the render.
   void wait();
@@ -65,6 +78,8 @@ class RenderSession {
   /// Tiles finished since the last call, oldest first. Never tiles of an older snapshot.
   [[nodiscard]] std::vector<FinishedTile> take_finished();
   [[nodiscard]] Progress progress() const;
+  /// Of the tiles published so far.
+  [[nodiscard]] Reached reached() const;
   /// The statistics of the final pass so far; complete and reproducible once finished.
   [[nodiscard]] RenderStatistics statistics() const;
 

@@ -6,7 +6,7 @@ namespace asos {
 namespace {
 
 constexpr std::chrono::milliseconds pace_step{100};
-constexpr std::chrono::seconds pace_window{3};
+constexpr std::chrono::seconds pace_window{10};
 constexpr std::chrono::milliseconds pace_enough{250};
 
 double seconds(std::chrono::steady_clock::duration d) {
@@ -15,18 +15,23 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
-void RunClock::begin_final_pass() {
+void RunClock::set_levels(std::span<const int> levels) {
   const std::lock_guard lock(mutex_);
-  if (pace_.empty()) pace_.push_back({Clock::now(), 0});
+  forecast_.set_levels(levels);
 }
 
-void RunClock::count_block() {
+void RunClock::begin_forecast() {
   const std::lock_guard lock(mutex_);
-  ++finished_blocks_;
-  // Keep the pace of the last seconds.
+  if (pace_.empty()) pace_.push_back({Clock::now(), 0.0});
+}
+
+void RunClock::count_block(std::size_t pass, std::size_t block, double seconds) {
+  const std::lock_guard lock(mutex_);
+  forecast_.add(pass, block, seconds);
+  // Keep the pace of the last seconds: how many processors there are to have.
   const Clock::time_point now = Clock::now();
   if (now - pace_.back().time < pace_step) return;
-  pace_.push_back({now, finished_blocks_});
+  pace_.push_back({now, forecast_.seconds_done()});
   while (pace_.size() > 2 && now - pace_[1].time > pace_window) pace_.pop_front();
 }
 
@@ -74,10 +79,11 @@ bool RunClock::wait_while_paused(const std::stop_token& stop) {
 double RunClock::seconds_left(Clock::time_point now) const {
   if (complete_) return 0.0;
   if (pace_.empty() || closed_) return -1.0;
+  const std::optional<double> left = forecast_.seconds_left();
   const double passed = seconds(now - pace_.front().time);
-  const auto done = static_cast<double>(finished_blocks_ - pace_.front().blocks);
-  if (passed < seconds(pace_enough) || done <= 0.0) return -1.0;
-  return static_cast<double>(blocks_ - finished_blocks_) * passed / done;
+  const double done = forecast_.seconds_done() - pace_.front().seconds;
+  if (!left || passed < seconds(pace_enough) || done <= 0.0) return -1.0;
+  return *left * passed / done;
 }
 
 Progress RunClock::progress() const {
@@ -89,9 +95,8 @@ Progress RunClock::progress() const {
   progress.finished = complete_;
   progress.paused = paused_ && !complete_ && !closed_;
   progress.running = !complete_ && !closed_ && !paused_;
-  progress.fraction = complete_ ? 1.0
-                                : static_cast<double>(finished_blocks_) /
-                                      static_cast<double>(std::max<std::size_t>(blocks_, 1));
+  fraction_ = complete_ ? 1.0 : std::max(fraction_, forecast_.share_done());
+  progress.fraction = fraction_;
   progress.seconds = std::max(0.0, seconds(now - start_ - rested_));
   progress.seconds_left = seconds_left(now);
   return progress;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/session/cost_forecast.h"
 #include "renderer/session/render_session.h"
 
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <deque>
 #include <mutex>
+#include <span>
 #include <stop_token>
 
 namespace asos {
@@ -16,13 +18,15 @@ namespace asos {
 /// and when all will be there. Any thread.
 class RunClock {
  public:
-  /// Starts, for that many blocks of the final pass.
-  explicit RunClock(std::size_t blocks) : blocks_(blocks) {}
+  /// Starts, for a picture of so many blocks.
+  explicit RunClock(std::size_t blocks) : forecast_(blocks) {}
 
-  /// The final pass begins; only the first call counts.
-  void begin_final_pass();
-  /// A block of the final pass is finished.
-  void count_block();
+  /// See CostForecast.
+  void set_levels(std::span<const int> levels);
+  /// The first pass that is forecast begins; only the first call counts.
+  void begin_forecast();
+  /// A block of a pass is finished, which took a worker's processor so long.
+  void count_block(std::size_t pass, std::size_t block, double seconds);
   /// All pixels are final. Time stands still from here, as after `close`.
   void complete();
   /// The workers have ended.
@@ -39,12 +43,11 @@ class RunClock {
   using Clock = std::chrono::steady_clock;
   struct Pace {
     Clock::time_point time;
-    std::size_t blocks;
+    double seconds;  // of processors
   };
 
   [[nodiscard]] double seconds_left(Clock::time_point now) const;
 
-  const std::size_t blocks_;
   const Clock::time_point start_ = Clock::now();
 
   mutable std::mutex mutex_;
@@ -52,8 +55,9 @@ class RunClock {
   std::atomic<bool> paused_ = false;  // changed under the mutex
   Clock::time_point paused_since_;
   Clock::duration rested_{0};  // before
-  std::size_t finished_blocks_ = 0;
-  std::deque<Pace> pace_;  // of the last seconds
+  CostForecast forecast_;
+  mutable double fraction_ = 0.0;  // that was told: it never goes back
+  std::deque<Pace> pace_;          // of the last seconds
   bool complete_ = false;
   bool closed_ = false;
   Clock::time_point end_;

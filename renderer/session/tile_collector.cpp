@@ -1,5 +1,6 @@
 #include "renderer/session/tile_collector.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace asos {
@@ -20,7 +21,35 @@ FinishedTile TileCollector::blank_tile(const BlockGroup& group) const {
 }
 
 void TileCollector::publish_coarse(std::size_t group, Pass pass, FinishedTile&& tile) {
+  {
+    const std::lock_guard lock(mutex_);
+    for (const BlockResult& block : groups_[group].blocks) {
+      if (block.tile.radiance.empty()) continue;
+      copy_pixels(block.tile, tile);
+    }
+  }
   (void)publish(group, pass, std::move(tile));
+}
+
+void TileCollector::publish_unfinished() {
+  const std::lock_guard lock(mutex_);
+  for (GroupState& group : groups_) {
+    for (BlockResult& block : group.blocks) {
+      if (block.tile.radiance.empty()) continue;
+      FinishedTile& tile = finished_.emplace_back();
+      tile.rect = intersection(block.tile.rect, plan_->visible);
+      const auto pixels = static_cast<std::size_t>(tile.rect.width * tile.rect.height);
+      tile.radiance.resize(pixels);
+      tile.split_level.resize(pixels);
+      tile.cause.resize(pixels);
+      tile.rays.resize(pixels);
+      tile.seconds.resize(pixels);
+      copy_pixels(block.tile, tile);
+      tile.rect.x -= plan_->visible.x;
+      tile.rect.y -= plan_->visible.y;
+    }
+    group.blocks.clear();
+  }
 }
 
 bool TileCollector::finish_block(std::size_t block, BlockResult&& result) {
@@ -45,6 +74,8 @@ std::vector<BlockResult> TileCollector::add_block(std::size_t block, BlockResult
   counts.unresolved_area = 0.0;
   totals_ += counts;
   GroupState& state = groups_[index];
+  const PixelRect seen = intersection(result.tile.rect, plan_->visible);
+  state.final_pixels += static_cast<std::int64_t>(seen.width) * seen.height;
   state.blocks.resize(group.block_count);
   state.blocks[block - group.first_block] = std::move(result);
   if (++state.finished_blocks < group.block_count) return {};
@@ -69,6 +100,36 @@ bool TileCollector::publish(std::size_t group, Pass pass, FinishedTile&& tile) {
   }
   if (first) notify();
   return last;
+}
+
+Reached TileCollector::reached() const {
+  const std::lock_guard lock(mutex_);
+  Pass least = Pass::final_pixels;
+  std::int64_t final_pixels = 0;
+  for (const GroupState& group : groups_) {
+    least = std::min(least, group.published);
+    final_pixels += group.final_pixels;
+  }
+  Reached reached;
+  const auto pixels = static_cast<std::int64_t>(plan_->visible.width) * plan_->visible.height;
+  reached.final_share = static_cast<double>(final_pixels) / static_cast<double>(pixels);
+  switch (least) {
+    case Pass::nothing:
+      break;
+    case Pass::coarse:
+      reached.pass = Reached::Pass::blocks;
+      break;
+    case Pass::centres:
+      reached.pass = Reached::Pass::centres;
+      break;
+    case Pass::final_pixels:
+      reached.pass = Reached::Pass::final_pixels;
+      break;
+    default:
+      reached.pass = Reached::Pass::level;
+      reached.level = static_cast<int>(least) - static_cast<int>(Pass::first_level);
+  }
+  return reached;
 }
 
 void TileCollector::notify() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/block_result.h"
+#include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
 
 #include <cstddef>
@@ -10,8 +11,18 @@
 
 namespace asos {
 
-/// Over all of the picture, each better than the one before.
-enum class Pass { nothing, coarse, centres, final_pixels };
+/// Over all of the picture, each better than the one before. Between `centres` and `final_pixels`
+/// there is one for each MAX.
+enum class Pass : int {
+  nothing,
+  coarse,
+  centres,
+  first_level,
+  final_pixels = first_level + max_level_limit + 1
+};
+[[nodiscard]] constexpr Pass pass_of_level(int level) {
+  return static_cast<Pass>(static_cast<int>(Pass::first_level) + level);
+}
 
 /// Collects what is rendered of a plan: puts the blocks of the final pass together to tiles, a
 /// group's each, and publishes them and those of coarse passes. Any thread.
@@ -22,13 +33,19 @@ class TileCollector {
 
   /// A black coarse tile of what is visible of a group.
   [[nodiscard]] FinishedTile blank_tile(const BlockGroup& group) const;
-  /// Publishes a group's tile of a coarse pass, or drops it where a better one was quicker.
+  /// Publishes a group's tile of a pass before the final one, with what is final of it, or drops it
+  /// where a better one was quicker.
   void publish_coarse(std::size_t group, Pass pass, FinishedTile&& tile);
   /// Takes a block of the final pass, and publishes its group's tile if it was the last of them.
   /// True if that was the picture's last tile.
   [[nodiscard]] bool finish_block(std::size_t block, BlockResult&& result);
   /// Calls `on_tiles`.
   void notify() const;
+
+  /// Publishes the final blocks of the groups that are not finished, each as a tile. Once the
+  /// workers have ended.
+  void publish_unfinished();
+  [[nodiscard]] Reached reached() const;
 
   /// The tiles that wait, oldest first; none waits then.
   [[nodiscard]] std::vector<FinishedTile> take_finished();
@@ -40,6 +57,7 @@ class TileCollector {
   struct GroupState {
     Pass published = Pass::nothing;
     std::size_t finished_blocks = 0;
+    std::int64_t final_pixels = 0;
     double unresolved_area = 0.0;
     std::vector<BlockResult> blocks;  // of the final pass, until all are there
   };

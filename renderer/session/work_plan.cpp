@@ -3,7 +3,10 @@
 #include "renderer/comparison/method.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace asos {
 
@@ -22,7 +25,56 @@ std::vector<PixelRect> squares(PixelRect area, int side, PixelRect picture) {
   return rects;
 }
 
+// How far along a Hilbert curve through a square of `side` x `side`, a power of two, a place is.
+std::uint64_t along_hilbert_curve(std::uint64_t side, std::uint64_t x, std::uint64_t y) {
+  std::uint64_t along = 0;
+  for (std::uint64_t half = side / 2; half > 0; half /= 2) {
+    const bool right = x & half, lower = y & half;
+    along += half * half * (right ? (lower ? 2u : 3u) : (lower ? 1u : 0u));
+    if (lower) continue;
+    if (right) x = side - 1 - x, y = side - 1 - y;
+    std::swap(x, y);
+  }
+  return along;
+}
+
+// Places that are close on a Hilbert curve are close in the picture, unlike those on a ring.
+template <typename Pieces>
+std::vector<std::size_t> spread_over(const Pieces& pieces, int side) {
+  constexpr std::uint64_t squares = 1u << 13;  // of 8 pixels, in the largest picture and more
+  std::vector<std::pair<std::uint64_t, std::size_t>> curve;
+  curve.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const PixelRect& rect = pieces[i].rect;
+    curve.emplace_back(along_hilbert_curve(squares, static_cast<std::uint64_t>(rect.x / side),
+                                           static_cast<std::uint64_t>(rect.y / side)),
+                       i);
+  }
+  std::sort(curve.begin(), curve.end());
+  std::vector<std::size_t> order = spread_order(pieces.size());
+  for (std::size_t& piece : order) piece = curve[piece].second;
+  return order;
+}
+
 }  // namespace
+
+std::vector<std::size_t> spread_order(std::size_t count) {
+  constexpr double golden_section = 0.61803398874989485;
+  std::vector<double> at(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turns = golden_section * static_cast<double>(i);
+    at[i] = turns - std::floor(turns);
+  }
+  // Who comes when lies where: its rank among all multiples.
+  std::vector<std::size_t> by_place(count);
+  std::iota(by_place.begin(), by_place.end(), std::size_t{0});
+  std::sort(by_place.begin(), by_place.end(), [&](std::size_t x, std::size_t y) {
+    return std::tuple(at[x], x) < std::tuple(at[y], y);
+  });
+  std::vector<std::size_t> order(count);
+  for (std::size_t rank = 0; rank < count; ++rank) order[by_place[rank]] = rank;
+  return order;
+}
 
 WorkPlan::WorkPlan(const RenderSettings& settings) : visible(settings.visible()) {
   const PixelRect picture{0, 0, settings.width, settings.height};
@@ -47,6 +99,24 @@ WorkPlan::WorkPlan(const RenderSettings& settings) : visible(settings.visible())
     group.block_count = blocks.size() - group.first_block;
     groups.push_back(group);
   }
+}
+
+std::vector<std::size_t> WorkPlan::spread_blocks() const {
+  return spread_over(blocks, block_size);
+}
+
+std::vector<std::size_t> WorkPlan::spread_groups() const {
+  return spread_over(groups, group_size);
+}
+
+std::vector<std::size_t> WorkPlan::blocks_of(const std::vector<std::size_t>& order) const {
+  std::vector<std::size_t> of_groups;
+  of_groups.reserve(blocks.size());
+  for (const std::size_t at : order) {
+    for (std::size_t k = 0; k < groups[at].block_count; ++k)
+      of_groups.push_back(groups[at].first_block + k);
+  }
+  return of_groups;
 }
 
 }  // namespace asos

@@ -35,6 +35,17 @@ struct WorkPlan {
 
   WorkPlan() = default;
   explicit WorkPlan(const RenderSettings& settings);
+
+  /// All blocks, or groups, by index, in an order that is spread evenly over the picture from the
+  /// first to the last, so that what is done tells what is left (CostForecast).
+  [[nodiscard]] std::vector<std::size_t> spread_blocks() const;
+  [[nodiscard]] std::vector<std::size_t> spread_groups() const;
+  /// The blocks of groups in that order.
+  [[nodiscard]] std::vector<std::size_t> blocks_of(const std::vector<std::size_t>& order) const;
 };
+
+/// The numbers below `count` in an order of which any first few are spread evenly over all: by the
+/// multiples of the golden section.
+[[nodiscard]] std::vector<std::size_t> spread_order(std::size_t count);
 
 }  // namespace asos

@@ -105,7 +105,7 @@ struct RenderSettings {
   std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
   int seed = 0;      ///< of the scrambling of Sobol samples, from 0; another one: other noise
-  int threads = 0;   ///< workers; 0: all cores but one
+  int threads = 0;   ///< workers; 0: as many as the machine has cores for
 
   bool operator==(const RenderSettings&) const = default;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace asos {
@@ -86,10 +87,12 @@ MipLevel halved(int width, int height, TexelKind kind, const TexelAt& texel) {
   MipLevel level;
   level.width = std::max(1, width / 2);
   level.height = std::max(1, height / 2);
-  level.rgba.reserve(4 * static_cast<std::size_t>(level.width) *
-                     static_cast<std::size_t>(level.height));
-  for (int y = 0; y < level.height; ++y) {
+  level.rgba.resize(4 * static_cast<std::size_t>(level.width) *
+                    static_cast<std::size_t>(level.height));
+  tbb::parallel_for(0, level.height, [&](int y) {
     const Box rows(y, height, level.height);
+    std::uint16_t* out =
+        level.rgba.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width);
     for (int x = 0; x < level.width; ++x) {
       const Box columns(x, width, level.width);
       Mean mean(kind);
@@ -97,10 +100,9 @@ MipLevel halved(int width, int height, TexelKind kind, const TexelAt& texel) {
         for (int u = columns.first; u <= columns.last; ++u)
           mean.add(texel(u, v), rows.share(v) * columns.share(u));
       const glm::vec4 value = glm::clamp(mean.value(), 0.0f, 1.0f);
-      for (int k = 0; k < 4; ++k)
-        level.rgba.push_back(static_cast<std::uint16_t>(value[k] * 65535.0f + 0.5f));
+      for (int k = 0; k < 4; ++k) *out++ = static_cast<std::uint16_t>(value[k] * 65535.0f + 0.5f);
     }
-  }
+  });
   return level;
 }
 

@@ -64,7 +64,7 @@ struct StudyPlan {
   /// The time that one picture of a setting may take. One that takes longer is given up, and with
   /// it the dearer settings of its curve.
   double longest_seconds = 600.0;
-  int threads = 0;     ///< of each render; 0: all cores but one
+  int threads = 0;     ///< of each render; 0: one for each core
   bool paper = false;  ///< also the cases of CGF'98 table 2
   NeedsChoice needs = NeedsChoice::scene;
 

@@ -39,7 +39,7 @@ TEST(CommandLine, RenderHelpNamesEveryOption) {
         "--spp",      "--leaf",     "--jitter",   "--camera",         "--look-at",      "--fov",
         "--threads",  "--crop",     "--exposure", "--split-map",      "--split-map-by", "--stats",
         "--contrast", "--depth",    "--spheres",  "--contrast-scale", "--quiet",        "Examples:",
-        "--sky",      "--sky-turn", "--tr",       "--filter-width"})
+        "--sky",      "--sky-turn", "--tr",       "--filter-width",   "--time-limit"})
     EXPECT_TRUE(contains(help.out, option));
 }
 

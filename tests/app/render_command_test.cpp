@@ -311,5 +311,44 @@ TEST_F(RenderCommand, PathsMayHoldSpacesAndAnyLetters) {
   EXPECT_EQ(stats("die Zahlen ü.json")["scene"], "builtin:boxes");
 }
 
+TEST_F(RenderCommand, ALimitOfTimeThatIsNotReachedChangesNothing) {
+  render("direct.exr", {"--stats", path("direct.json")});
+  render("limited.exr", {"--stats", path("limited.json"), "--time-limit", "1000"});
+  EXPECT_TRUE(same_bits(film("direct.exr"), film("limited.exr")));
+  const json direct = stats("direct.json"), limited = stats("limited.json");
+  EXPECT_FALSE(direct.contains("time_limit"));
+  EXPECT_EQ(limited["time_limit"], (json{{"seconds", 1000.0}, {"finished", true}}));
+  EXPECT_EQ(direct["rays"], limited["rays"]);
+  EXPECT_EQ(direct["pyrays_by_level"], limited["pyrays_by_level"]);
+}
+
+TEST_F(RenderCommand, ALimitOfTimeGivesAWholePictureAndSaysHowGood) {
+  for (const std::string limit : {"0", "0.3"}) {
+    const AsosRun outcome =
+        run_asos({"render", "builtin:boxes", "-o", path("soon.exr"), "--size", "640x360", "--max",
+                  "8", "--threads", "1", "--stats", path("soon.json"), "--time-limit", limit});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(", stopped by --time-limit: "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(" everywhere, "), std::string::npos) << outcome.out;
+    const json told = stats("soon.json")["time_limit"];
+    EXPECT_FALSE(told["finished"]);
+    EXPECT_NE(outcome.out.find(told["reached"].get<std::string>()), std::string::npos);
+    // The boxes stand before a bright sky: no pixel of a picture that covers all is black.
+    const Film picture = film("soon.exr");
+    ASSERT_EQ(picture.radiance.size(), 640u * 360u);
+    const auto black = std::count(picture.radiance.begin(), picture.radiance.end(), glm::vec3(0));
+    EXPECT_EQ(black, 0) << limit;
+  }
+}
+
+TEST_F(RenderCommand, RefusesLimitsOfTimeThatAreNone) {
+  for (const std::string wrong : {"-1", "soon", "nan", "1e9"}) {
+    const AsosRun outcome =
+        run_asos({"render", "builtin:boxes", "-o", path("x.png"), "--time-limit", wrong});
+    EXPECT_EQ(outcome.exit_code, 2) << wrong;
+    EXPECT_NE(outcome.err.find("--time-limit"), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace asos

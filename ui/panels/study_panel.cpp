@@ -169,7 +169,7 @@ StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
   plan.height = std::max(1, shown.height / choice.reduction);
   plan.repetitions = choice.repetitions;
   plan.budget_seconds = choice.budget_seconds;
-  plan.threads = shown.threads;
+  plan.threads = worker_count(shown.threads, true);
   return plan;
 }
 

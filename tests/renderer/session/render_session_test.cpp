@@ -40,6 +40,17 @@ std::shared_ptr<const RenderScene> flat_scene(float grey) {
   return test::make_render_scene(std::move(world));
 }
 
+TEST(WorkerCount, UsesAllCoresAndLeavesOneToAWindowWhereThereAreMoreThanTwo) {
+  for (const int cores : {1, 2, 3, 16}) EXPECT_EQ(worker_count_on(cores, 0, false), cores);
+  EXPECT_EQ(worker_count_on(1, 0, true), 1);
+  EXPECT_EQ(worker_count_on(2, 0, true), 2);
+  EXPECT_EQ(worker_count_on(3, 0, true), 2);
+  EXPECT_EQ(worker_count_on(16, 0, true), 15);
+  EXPECT_EQ(worker_count_on(16, 5, true), 5);
+  // Where the machine does not tell.
+  EXPECT_EQ(worker_count_on(0, 0, false), 1);
+}
+
 RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {
   RenderSettings settings;
   settings.width = width;
@@ -113,7 +124,7 @@ TEST(RenderSession, PassesFollowEachOtherAndEndAsHeadless) {
     }
   }
   EXPECT_GE(middle, 1);
-  EXPECT_LE(middle, 3);
+  EXPECT_LE(middle, 3 + 2) << "and passes at MAX 1 and 2 at most";
   EXPECT_GE(calls, 2);
   EXPECT_TRUE(session.progress().finished);
   EXPECT_TRUE(session.take_finished().empty());

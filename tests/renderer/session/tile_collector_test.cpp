@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -95,6 +96,38 @@ TEST(TileCollector, DropsPassesThatCameTooLate) {
     EXPECT_FALSE(collector.finish_block(i, block_at(plan.blocks[i].rect)));
   EXPECT_EQ(collector.take_finished().size(), 1u);
   EXPECT_EQ(publish(Pass::centres), 0u);
+}
+
+// A block that is final stays so in the passes that follow, and when the render is stopped.
+TEST(TileCollector, KeepsWhatIsFinalOfAGroup) {
+  const WorkPlan plan(two_groups());
+  TileCollector collector(plan, {});
+  EXPECT_FALSE(collector.finish_block(5, block_at(plan.blocks[5].rect)));
+  for (const std::size_t group : {0, 1})
+    collector.publish_coarse(group, pass_of_level(1), collector.blank_tile(plan.groups[group]));
+  const PixelRect block = intersection(plan.blocks[5].rect, plan.visible);
+  const std::vector<FinishedTile> tiles = collector.take_finished();
+  ASSERT_EQ(tiles.size(), 2u);
+  const FinishedTile& tile = tiles[0];
+  EXPECT_TRUE(tile.coarse);
+  const auto at = [&](int x, int y) {
+    return tile.radiance[static_cast<std::size_t>((y - 1 - tile.rect.y) * tile.rect.width + x - 1 -
+                                                  tile.rect.x)];
+  };
+  EXPECT_EQ(at(block.x, block.y), glm::vec3(block.x, block.y, 0));
+  EXPECT_EQ(std::count(tile.radiance.begin(), tile.radiance.end(), glm::vec3(0.0f)),
+            static_cast<std::ptrdiff_t>(tile.radiance.size()) - block.width * block.height);
+  EXPECT_EQ(collector.reached().pass, Reached::Pass::level);
+  EXPECT_EQ(collector.reached().level, 1);
+  EXPECT_EQ(collector.reached().final_share, block.width * block.height / (63.0 * 31.0));
+
+  collector.publish_unfinished();
+  const std::vector<FinishedTile> rest = collector.take_finished();
+  ASSERT_EQ(rest.size(), 1u);
+  EXPECT_FALSE(rest[0].coarse);
+  EXPECT_EQ(rest[0].rect, (PixelRect{block.x - 1, block.y - 1, block.width, block.height}));
+  EXPECT_EQ(rest[0].radiance[0], glm::vec3(block.x, block.y, 0));
+  EXPECT_EQ(rest[0].rays.size(), rest[0].radiance.size());
 }
 
 }  // namespace

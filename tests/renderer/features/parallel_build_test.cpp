@@ -1,0 +1,133 @@
+#include "renderer/features/box_pairs.h"
+#include "renderer/features/feature_set.h"
+#include "renderer/scene/load.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <set>
+#include <tbb/global_control.h>
+#include <utility>
+
+namespace asos::test {
+namespace {
+
+using Pairs = std::multiset<std::pair<std::uint32_t, std::uint32_t>>;
+
+// Small triangles all over, a few that are as large as the world, and some flat ones that touch.
+World scattered(std::size_t triangles, float scale) {
+  World world;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> at(-1.0f, 1.0f);
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const float size = i % 50 == 0 ? 1.0f : 0.1f;
+    const glm::vec3 middle(at(random), at(random), i % 7 == 0 ? 0.0f : at(random));
+    const auto first = static_cast<std::uint32_t>(world.positions.size());
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3 off(at(random), at(random), i % 7 == 0 ? 0.0f : at(random));
+      world.positions.push_back(scale * (middle + size * off));
+      world.bounds.grow(world.positions.back());
+    }
+    world.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  return world;
+}
+
+Pairs all_pairs(const World& world) {
+  std::vector<Box> boxes(world.triangles.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+    for (int k = 0; k < 3; ++k) boxes[t].grow(world.positions[world.triangles[t][k]]);
+  Pairs pairs;
+  for (std::uint32_t s = 0; s < boxes.size(); ++s) {
+    for (std::uint32_t t = s + 1; t < boxes.size(); ++t) {
+      if (glm::all(glm::lessThanEqual(boxes[s].lo, boxes[t].hi)) &&
+          glm::all(glm::lessThanEqual(boxes[t].lo, boxes[s].hi)))
+        pairs.emplace(s, t);
+    }
+  }
+  return pairs;
+}
+
+TEST(BoxTree, VisitsEachPairOfOverlappingBoxesOnce) {
+  for (const std::size_t triangles : {1, 2, 8, 9, 65, 700}) {
+    for (const float scale : {1.0f, 1e-18f, 1e17f}) {
+      const World world = scattered(triangles, scale);
+      const BoxTree tree(world);
+      Pairs found;
+      for (std::size_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
+        tree.visit_pairs(leaf, [&](std::uint32_t s, std::uint32_t t) {
+          found.emplace(s, t);
+          return true;
+        });
+      }
+      EXPECT_EQ(found, all_pairs(world)) << triangles << " triangles at " << scale;
+    }
+  }
+}
+
+TEST(BoxTree, StopsWhereTheVisitorHasSeenEnough) {
+  const World world = scattered(700, 1.0f);
+  const BoxTree tree(world);
+  int visits = 0;
+  tree.visit_pairs(0, [&](std::uint32_t, std::uint32_t) { return ++visits < 3; });
+  EXPECT_EQ(visits, 3);
+}
+
+World built_in_world() {
+  return flatten(*load_scene("builtin:mixed"))->world;
+}
+
+template <typename T>
+bool same_bytes(std::span<const T> x, std::span<const T> y) {
+  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size_bytes()) == 0;
+}
+
+bool same_edges(std::span<const FeatureEdge> x, std::span<const FeatureEdge> y) {
+  return std::equal(
+      x.begin(), x.end(), y.begin(), y.end(), [](const FeatureEdge& a, const FeatureEdge& b) {
+        return std::tie(a.a, a.b, a.left, a.right, a.left_sheet, a.right_sheet, a.kind, a.folds,
+                        a.curve) == std::tie(b.a, b.b, b.left, b.right, b.left_sheet, b.right_sheet,
+                                             b.kind, b.folds, b.curve);
+      });
+}
+
+TEST(FeatureSet, IsTheSameWhateverTheThreads) {
+  const World world = built_in_world();
+  const auto build = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return FeatureSet(world);
+  };
+  const FeatureSet one = build(1);
+  EXPECT_GT(one.counts().intersection, 0u);
+  for (const std::size_t threads : {2, 5}) {
+    const FeatureSet many = build(threads);
+    EXPECT_TRUE(same_edges(one.edges(), many.edges()));
+    EXPECT_TRUE(same_bytes(one.nodes(), many.nodes()));
+    EXPECT_TRUE(same_bytes(one.positions(), many.positions()));
+    for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+      ASSERT_EQ(one.sheet(t), many.sheet(t));
+      ASSERT_EQ(one.deviation(t), many.deviation(t));
+    }
+  }
+}
+
+TEST(FeatureHierarchy, IsTheSameBuiltInParallel) {
+  const World world = built_in_world();
+  const std::vector<FeatureEdge> edges = extract_features(world).edges;
+  std::vector<FeatureEdge> in_turn = edges;
+  const FeatureHierarchy expected = FeatureHierarchy::build(
+      world.positions, in_turn, {}, std::numeric_limits<std::size_t>::max());
+  ASSERT_GT(expected.nodes.size(), 1000u);
+  for (const std::size_t fewest : {1, 300, 20'000}) {
+    std::vector<FeatureEdge> ordered = edges;
+    const FeatureHierarchy built = FeatureHierarchy::build(world.positions, ordered, {}, fewest);
+    EXPECT_TRUE(same_bytes<FeatureNode>(built.nodes, expected.nodes)) << fewest;
+    EXPECT_TRUE(same_edges(ordered, in_turn)) << fewest;
+  }
+}
+
+}  // namespace
+}  // namespace asos::test

@@ -1,0 +1,153 @@
+#include "renderer/scene/load.h"
+#include "renderer/session/level_choice.h"
+#include "renderer/session/render_session.h"
+#include "tests/support/expect_same.h"
+#include "tests/support/render_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <thread>
+#include <tuple>
+
+namespace asos::test {
+namespace {
+
+Snapshot fence(int width, int height, int threads) {
+  static const auto scene = *prepare(*load_scene("builtin:fence"));
+  Snapshot snapshot;
+  snapshot.scene = scene;
+  snapshot.camera = first_camera(scene->world(), static_cast<double>(width) / height);
+  snapshot.settings.width = width;
+  snapshot.settings.height = height;
+  snapshot.settings.threads = threads;
+  snapshot.settings.shadow.cast = false;  // a third of the time
+  return snapshot;
+}
+
+std::vector<FinishedTile> all_tiles(const Snapshot& snapshot) {
+  RenderSession session;
+  session.restart(snapshot);
+  session.wait();
+  return session.take_finished();
+}
+
+TEST(ChooseLevels, TakesThemFromTheLowestOnAsFarAsThereIsRoom) {
+  const std::vector<int> possible{0, 1, 2, 3};
+  EXPECT_EQ(choose_levels(possible, {5, 9, 16, 40}, 2, 100), (std::vector{1, 2}));
+  EXPECT_EQ(choose_levels(possible, {5, 9, 26, 40}, 2, 100), (std::vector{1}));
+  EXPECT_EQ(choose_levels(possible, {12, 29, 60, 80}, 2, 100), (std::vector{0}));
+  EXPECT_EQ(choose_levels(possible, {29, 40, 60, 80}, 2, 100), (std::vector<int>{}));
+  EXPECT_EQ(choose_levels(possible, {0, 0, 0, 0}, 0, 0), (std::vector<int>{})) << "nothing to do";
+  EXPECT_EQ(choose_levels({}, {}, 1, 100), (std::vector<int>{}));
+}
+
+TEST(ChooseLevels, DeepLevelsAreTakenToGoOnGrowing) {
+  WorkByLevel work{5, 10, 20, 40};
+  EXPECT_DOUBLE_EQ(extrapolate_work(work, 5), 90.0) << "by a half a level where it doubled";
+  EXPECT_DOUBLE_EQ(work[4], 60.0);
+  EXPECT_DOUBLE_EQ(extrapolate_work(work, 2), 20.0) << "nothing to extrapolate";
+  WorkByLevel even{5, 5, 5, 5};
+  EXPECT_DOUBLE_EQ(extrapolate_work(even, 8), 5.0);
+  WorkByLevel nothing{};
+  EXPECT_DOUBLE_EQ(extrapolate_work(nothing, 8), 0.0);
+}
+
+TEST(ChooseLevels, OnlyMethodsThatSplitHaveThem) {
+  RenderSettings settings;
+  EXPECT_EQ(possible_levels(settings), (std::vector{0, 1, 2}));
+  settings.asos.max_level = 0;
+  EXPECT_TRUE(possible_levels(settings).empty());
+  settings.asos.max_level = 3;
+  settings.method = Method::sobol;
+  EXPECT_TRUE(possible_levels(settings).empty());
+}
+
+TEST(LevelPasses, EndAsADirectRenderDoes) {
+  for (const int threads : {1, 3}) {
+    const Snapshot snapshot = fence(160, 90, threads);
+    RenderSession session;
+    session.restart(snapshot);
+    session.wait();
+    Film film(160, 90);
+    for (const FinishedTile& tile : session.take_finished()) film.put(tile);
+    const RenderResult direct = render_to_end(snapshot);
+    EXPECT_EQ(film.radiance, direct.film.radiance);
+    EXPECT_EQ(film.split_level, direct.film.split_level);
+    EXPECT_EQ(film.rays, direct.film.rays);
+    expect_same(session.statistics(), direct.statistics);
+    EXPECT_EQ(session.reached().pass, Reached::Pass::final_pixels);
+    EXPECT_EQ(session.reached().final_share, 1.0);
+  }
+}
+
+// The tiles of a pass at MAX 1 are those of a render at MAX 1, but where the sample is final.
+TEST(LevelPasses, ShowTheWholePictureAtALowMax) {
+  Snapshot snapshot = fence(160, 90, 1);
+  Snapshot low = snapshot;
+  low.settings.asos.max_level = 1;
+  const Film at_max_1 = render_to_end(low).film;
+  const Film at_max_3 = render_to_end(snapshot).film;
+  Film shown(160, 90);
+  std::size_t coarse_pixels = 0, equal = 0;
+  for (const FinishedTile& tile : all_tiles(snapshot)) {
+    if (!tile.coarse) break;  // from here on it is the final pass
+    shown.put(tile);
+    coarse_pixels += tile.radiance.size();
+  }
+  EXPECT_EQ(coarse_pixels, 3u * 160u * 90u) << "blocks, centres and MAX 1";
+  for (std::size_t i = 0; i < shown.radiance.size(); ++i) {
+    EXPECT_TRUE(shown.radiance[i] == at_max_1.radiance[i] ||
+                shown.radiance[i] == at_max_3.radiance[i])
+        << i;
+    equal += shown.radiance[i] == at_max_1.radiance[i];
+  }
+  EXPECT_GT(equal, shown.radiance.size() * 9 / 10);
+  EXPECT_NE(at_max_1.radiance, at_max_3.radiance);
+}
+
+TEST(LevelPasses, ShowTheSameWhateverTheThreads) {
+  // By place and pass: a group's n-th coarse tile. One that a better one overtook is dropped.
+  using Key = std::tuple<int, int, int>;
+  const auto shown = [](int threads) {
+    std::map<Key, std::vector<glm::vec3>> tiles;
+    std::map<std::pair<int, int>, int> seen;
+    for (FinishedTile& tile : all_tiles(fence(160, 90, threads))) {
+      const int n = seen[{tile.rect.x, tile.rect.y}]++;
+      tiles[{tile.rect.x, tile.rect.y, n}] = std::move(tile.radiance);
+    }
+    return tiles;
+  };
+  const auto one = shown(1);
+  const auto many = shown(4);
+  int different = 0;
+  for (const auto& [key, radiance] : one) {
+    const auto found = many.find(key);
+    different += found == many.end() || found->second != radiance;
+  }
+  EXPECT_LE(different, 4 * 3) << "tiles that were overtaken, at the ends of passes";
+  EXPECT_EQ(one.size(), 4u * 5u * 3u);
+}
+
+TEST(LevelPasses, AStoppedRenderKeepsWhatIsFinal) {
+  Snapshot snapshot = fence(320, 180, 2);
+  RenderSession session;
+  session.restart(snapshot);
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (session.reached().final_share == 0.0 && std::chrono::steady_clock::now() < patience)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  session.cancel();
+  const Reached reached = session.reached();
+  EXPECT_GE(reached.pass, Reached::Pass::blocks) << "nobody waits between the passes";
+  EXPECT_GT(reached.final_share, 0.0);
+  EXPECT_LT(reached.final_share, 1.0);
+  std::size_t final_pixels = 0;
+  for (const FinishedTile& tile : session.take_finished())
+    final_pixels += tile.coarse ? 0 : tile.radiance.size();
+  EXPECT_EQ(static_cast<double>(final_pixels) / (320.0 * 180.0), reached.final_share);
+}
+
+}  // namespace
+}  // namespace asos::test
