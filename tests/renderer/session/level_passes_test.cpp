@@ -3,6 +3,7 @@
 #include "renderer/session/render_session.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/render_picture.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +68,7 @@ TEST(ChooseLevels, OnlyMethodsThatSplitHaveThem) {
 
 TEST(LevelPasses, EndAsADirectRenderDoes) {
   for (const int threads : {1, 3}) {
+    if (sanitized && threads == 1) continue;  // minutes, and nothing to watch
     const Snapshot snapshot = fence(160, 90, threads);
     RenderSession session;
     session.restart(snapshot);
