@@ -15,6 +15,8 @@ namespace {
 struct LevelPatch {
   std::size_t level = 0;
   TexelPatch patch;
+
+  [[nodiscard]] bool point() const { return patch.right == glm::vec2(0.0f); }
 };
 
 // Less than this is not seen, and keeps areas above 0.
@@ -55,6 +57,8 @@ TexelPatch bounded(TexelPatch patch, float most) {
 /// holds too many.
 LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch,
                     TexelBudget budget) {
+  const float longest = patch.longest();
+  if (!(longest > least_footprint) || !std::isfinite(longest * longest)) return {};
   if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
     patch = principal_axes(patch);
   LevelPatch found{0, patch};
@@ -125,8 +129,7 @@ glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlac
   return {use.uv_transform * glm::vec3(uv, 1.0f)};
 }
 
-/// In the finest level's texels; 0 where the footprint is a point, or there is no chain.
-TexelPatch patch_for(const World& world, const MipChain& chain, const TextureUse& use,
+LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse& use,
                      const TexturePlace& place) {
   if (place.footprint.point() || use.texcoord < 0 || use.texcoord > 1 || chain.empty()) return {};
   const Image* image = image_of(world, use.texture);
@@ -136,62 +139,8 @@ TexelPatch patch_for(const World& world, const MipChain& chain, const TextureUse
   const Steps<glm::vec2> steps(place.footprint, at.at_0, at.at_1, at.at_2);
   const glm::mat2 turn(use.uv_transform);
   const glm::vec2 size(image->width, image->height);
-  const TexelPatch patch{size * (turn * steps.right), size * (turn * steps.down)};
-  const float longest = patch.longest();
-  return longest > least_footprint && std::isfinite(longest * longest) ? patch : TexelPatch{};
-}
-
-// The side, in pixels, of the square of a sample up to which a window of texels is more than it is
-// worth: the errors of the others in its pixel are independent of its own.
-constexpr float least_window = 0.25f;
-
-/// Lookups between levels and between texels along a patch's longer axis, instead of a window: as
-/// wide as the patch, by their variance, in whatever direction.
-struct Probes {
-  std::size_t level = 0;
-  float next = 0.0f;     ///< share of the level after it
-  int count = 1;         ///< along the longer axis
-  glm::vec2 axis{0.0f};  ///< all of it, in texels of the finest level
-
-  Probes(const MipChain& chain, TexelPatch patch) {
-    if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
-      patch = principal_axes(patch);
-    const float right = glm::length(patch.right), down = glm::length(patch.down);
-    axis = right >= down ? patch.right : patch.down;
-    const float longer = std::max(right, down);
-    const float shorter = std::max(std::min(right, down), 1.0f / 16.0f);
-    constexpr int most = 8;
-    // Each probe stands for a part of the patch that is about as long as it is wide.
-    count = std::clamp(static_cast<int>(std::min(longer / shorter, 1e6f) + 0.5f), 1, most);
-    const float part = longer / static_cast<float>(count);
-    const float width = count == most ? part : std::sqrt(shorter * part);
-    // A tent of texels that are boxes has the variance of 1/4 texel; the patch's is that of the
-    // finest level's own tent, 1/6, and of a box.
-    const float texel2 = 1.0f + width * width * (1.0f / 3.0f);
-    float at2 = 1.0f;
-    while (level < chain.size() && texel2 >= 4.0f * at2) ++level, at2 *= 4.0f;
-    if (level < chain.size()) next = (texel2 - at2) / (3.0f * at2);
-  }
-
-  /// The mean of what `look` finds at a level and a place.
-  template <typename Look>
-  [[nodiscard]] glm::vec4 mean(glm::vec2 uv, glm::vec2 size, const Look& look) const {
-    // Less than this of the other level is not seen.
-    constexpr float least = 1.0f / 64.0f;
-    const glm::vec2 step = axis / (static_cast<float>(count) * size);
-    glm::vec2 at = uv - 0.5f * static_cast<float>(count - 1) * step;
-    glm::vec4 sum(0.0f);
-    for (int i = 0; i < count; ++i, at += step) {
-      const glm::vec4 here = look(level, at);
-      sum += next > least ? glm::mix(here, look(level + 1, at), next) : here;
-    }
-    return sum / static_cast<float>(count);
-  }
-};
-
-/// Whether a footprint is looked at by probes.
-bool by_probes(const TexturePlace& place, const Texture& texture) {
-  return place.footprint.side <= least_window && texture.filter == Filter::linear;
+  return patch_in(chain, *image, {size * (turn * steps.right), size * (turn * steps.down)},
+                  TexelBudget::of(place.footprint.side));
 }
 
 /// A level of normals as moments: the mean and, last, the mean square, so that they may be mixed.
@@ -234,48 +183,28 @@ glm::vec4 filtered_texture(const World& world, const MipChains& mips, const Text
   const Encoding encoding = kind == TexelKind::data ? Encoding::linear : Encoding::srgb;
   const glm::vec2 uv = lookup_uv(world, use, place);
   const MipChain& chain = chain_of(world, mips, use, kind);
-  const TexelPatch patch = patch_for(world, chain, use, place);
-  if (patch.longest() == 0.0f) return sample_texture(world, use.texture, uv, encoding);
+  const LevelPatch found = patch_for(world, chain, use, place);
+  if (found.point()) return sample_texture(world, use.texture, uv, encoding);
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
-  const Image& image = *image_of(world, use.texture);
-  if (by_probes(place, texture)) {
-    return Probes(chain, patch)
-        .mean(uv, {image.width, image.height}, [&](std::size_t level, glm::vec2 at) {
-          return level > 0 ? bilinear(chain[level - 1], at, texture.wrap_u, texture.wrap_v)
-                           : bilinear(Texels(image, encoding), at, texture.wrap_u, texture.wrap_v);
-        });
-  }
-  const LevelPatch found = patch_in(chain, image, patch, TexelBudget::of(place.footprint.side));
   const TexelShape shape = shape_of(texture, found.level);
   if (found.level > 0) return mean_of(chain[found.level - 1], uv, found.patch, shape, texture);
-  return mean_of(Texels(image, encoding), uv, found.patch, shape, texture);
+  return mean_of(Texels(*image_of(world, use.texture), encoding), uv, found.patch, shape, texture);
 }
 
 MeanNormal filtered_normal(const World& world, const MipChains& mips, const TextureUse& use,
                            const TexturePlace& place) {
   const glm::vec2 uv = lookup_uv(world, use, place);
   const MipChain& chain = chain_of(world, mips, use, TexelKind::normal);
-  const TexelPatch patch = patch_for(world, chain, use, place);
-  if (patch.longest() == 0.0f)
+  const LevelPatch found = patch_for(world, chain, use, place);
+  if (found.point())
     return {glm::vec3(sample_texture(world, use.texture, uv, Encoding::linear)), 0.0f};
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
-  const Image& image = *image_of(world, use.texture);
-  const UnitNormals finest{Texels(image, Encoding::linear)};
-  glm::vec4 moments;
-  if (by_probes(place, texture)) {
-    moments = Probes(chain, patch)
-                  .mean(uv, {image.width, image.height}, [&](std::size_t level, glm::vec2 at) {
-                    return level > 0 ? bilinear(Moments{chain[level - 1]}, at, texture.wrap_u,
-                                                texture.wrap_v)
-                                     : bilinear(finest, at, texture.wrap_u, texture.wrap_v);
-                  });
-  } else {
-    const LevelPatch found = patch_in(chain, image, patch, TexelBudget::of(place.footprint.side));
-    const TexelShape shape = shape_of(texture, found.level);
-    moments = found.level > 0
-                  ? mean_of(Moments{chain[found.level - 1]}, uv, found.patch, shape, texture)
-                  : mean_of(finest, uv, found.patch, shape, texture);
-  }
+  const TexelShape shape = shape_of(texture, found.level);
+  const glm::vec4 moments =
+      found.level > 0
+          ? mean_of(Moments{chain[found.level - 1]}, uv, found.patch, shape, texture)
+          : mean_of(UnitNormals{Texels(*image_of(world, use.texture), Encoding::linear)}, uv,
+                    found.patch, shape, texture);
   const glm::vec3 mean(moments);
   return {0.5f + 0.5f * mean, std::max(0.0f, moments.a - glm::dot(mean, mean))};
 }

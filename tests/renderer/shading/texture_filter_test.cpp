@@ -11,7 +11,6 @@
 #include <cstring>
 #include <limits>
 #include <random>
-#include <vector>
 
 namespace asos {
 namespace {
@@ -214,56 +213,6 @@ TEST(TextureFilter, NormalsThatAreAveragedAwayAreVariance) {
 
   const Textured flat(make_image(64, 64, [](int, int) { return Texel{128, 128, 255, 255}; }));
   EXPECT_NEAR(filtered_normal(flat.world, flat.mips, flat.use, place).variance, 0.0f, 1e-6f);
-}
-
-// Samples of a quarter of a pixel's side and less are looked up by probes.
-constexpr float small_side = 0.25f;
-
-TEST(TextureFilter, ProbesKeepConstantsAndRamps) {
-  const Textured even(make_image(32, 32, [](int, int) { return grey(0.5); }));
-  const Textured ramp(make_image(64, 64, [](int x, int) { return grey(x / 64.0); }));
-  for (const float width : {0.5f, 1.5f, 3.0f, 6.0f}) {
-    for (const float longer : {1.0f, 4.0f}) {
-      const auto look = [&](const Textured& t, float size) {
-        const Footprint footprint{
-            {width / size, 0.0f}, {0.0f, longer * width / size}, {}, small_side};
-        return filtered_texture(t.world, t.mips, t.use, TexelKind::data,
-                                {0, 0.5f, 0.45f, footprint})
-            .r;
-      };
-      EXPECT_NEAR(look(even, 32.0f), 128.0 / 255.0, 1e-4);
-      // Half a texel before the middle's.
-      EXPECT_NEAR(look(ramp, 64.0f), (0.5 - 0.5 / 64.0), 3e-3) << width << " x " << longer;
-    }
-  }
-}
-
-TEST(TextureFilter, ProbesAreAsWideAsTheirFootprint) {
-  // The second moment, along u, of what one white column gives all around it, on average over the
-  // columns' places among coarser texels: the box's and that of the finest level's own tent.
-  constexpr int size = 128, columns = 16;
-  std::vector<Textured> white;
-  for (int c = 0; c < columns; ++c)
-    white.emplace_back(make_image(size, size, [=](int x, int) { return grey(x == 56 + c); }));
-  for (const float width : {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f}) {
-    for (const float height : {1.0f, 3.0f}) {
-      double sum = 0.0, moment = 0.0;
-      for (int c = 0; c < columns; ++c) {
-        const Textured& t = white[static_cast<std::size_t>(c)];
-        const Footprint footprint{
-            {width / size, 0.0f}, {0.0f, height * width / size}, {}, small_side};
-        for (double off = -24.0; off <= 24.0; off += 0.125) {
-          const auto u = static_cast<float>((56.5 + c + off) / size);
-          const double value = static_cast<double>(
-              filtered_texture(t.world, t.mips, t.use, TexelKind::data, {0, u, 0.3f, footprint}).r);
-          sum += value;
-          moment += value * off * off;
-        }
-      }
-      const double expected = static_cast<double>(width * width) / 12.0 + 1.0 / 6.0;
-      EXPECT_NEAR(moment / sum / expected, 1.0, 0.05) << width << " x " << height;
-    }
-  }
 }
 
 }  // namespace
