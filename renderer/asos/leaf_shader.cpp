@@ -208,7 +208,9 @@ void LeafShader::note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::
 
 // Leaves that turn out to differ are sampled after all.
 void LeafShader::sample_uneven() {
-  const auto tolerance = static_cast<double>(eye_->budget.tolerance);
+  // What shading does evenly between the leaves differs, too, and their samples allow for it.
+  constexpr double evenly = 4.0;
+  const auto tolerance = evenly * static_cast<double>(eye_->budget.tolerance);
   for (const ShadedLeaf& shaded : variation_.take_uneven(tolerance)) {
     const PyrayLeaf& leaf = shaded.leaf;
     sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);

@@ -13,8 +13,8 @@ namespace asos {
 /// What exact answers cost, in shadow rays: measured over scenes of all kinds at equal error
 /// (tests/bench/every_scene.cpp). A part that deserves fewer rays takes rays.
 struct Prices {
-  static constexpr double light_window = 40.0;   ///< a light cut along what stands before it
-  static constexpr double penumbra_test = 40.0;  ///< a search for a shadow's edges on a patch
+  static constexpr double light_window = 20.0;   ///< a light cut along what stands before it
+  static constexpr double penumbra_test = 20.0;  ///< a search for a shadow's edges on a patch
   static constexpr double patch = 10.0;          ///< a patch cut along the edges of a hard shadow
 };
 
@@ -39,9 +39,10 @@ struct Budget {
   /// EPS, or a quarter of a finest cell where that is more, so that MAX alone refines shading as it
   /// refines outlines; but no less than an eighth of a step of an 8-bit picture, which nobody sees.
   [[nodiscard]] static float tolerance_of(int max_level, double eps) {
-    constexpr double invisible = 1.0 / 2048.0;
     return static_cast<float>(std::max({eps, std::ldexp(1.0, -2 * (max_level + 1)), invisible}));
   }
+
+  static constexpr double invisible = 1.0 / 2048.0;
 
   /// Whether leaves that are shaded unevenly are split as well.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
@@ -52,11 +53,13 @@ struct Budget {
     return 0.5 * static_cast<double>(tolerance) / (intensity * std::sqrt(weight));
   }
 
-  /// Rays that a part's view of a light takes until its mean is known that well, all over the part
-  /// and the light: the error of such points falls with the power 3/4 of their number.
+  /// Rays, all over a part and a light, until the part's visibility is known to within half of EPS,
+  /// and more by the root of the part's weight: the error of such points falls with the power 3/4
+  /// of their number.
   [[nodiscard]] double rays(double weight, double intensity) const {
     constexpr double error_of_one = 0.35;
-    return std::pow(error_of_one / standard_error(weight, intensity), 4.0 / 3.0);
+    const double error = 0.5 * std::max(eps, invisible) / (intensity * std::sqrt(weight));
+    return std::pow(error_of_one / error, 4.0 / 3.0);
   }
 
   /// Whether that many rays cost less than an exact answer of that price.
