@@ -25,6 +25,7 @@ void SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
                            const SampleShare& share) {
   if (lights_.empty()) {
     for (const PreparedLight& light : point.lights) lights_.emplace_back(light);
+    shadows_ = point.shadows;
   }
   const std::size_t batch = points_ / LitBatch::size;
   if (batch == batches_.size()) batches_.push_back(std::make_unique<Gathered>());
@@ -62,9 +63,9 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   ShadowRayBatch& rays = shadow_rays_;
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     const PreparedLight& prepared = *lights_[light].light;
-    if (!is_gathered(prepared)) continue;
+    if (!is_gathered(prepared, shadows_)) continue;
     shares_.assign(LitBatch::size, 1.0f);
-    if (prepared.casts_shadows) {
+    if (shadows_ && prepared.casts_shadows) {
       if (prepared.extended()) places_->on_light(light, on_light_);
       shade_batch(batch.points, lights_[light], on_light_, rays);
       const std::size_t sent = rays.count + rays.rejected;

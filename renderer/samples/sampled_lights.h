@@ -96,6 +96,7 @@ class SampledLights {
   const RayScene* rays_;
   LightPlaces* places_;
   std::vector<LightConstants> lights_;  // of all points gathered
+  bool shadows_ = true;                 // the same of all points
   std::size_t points_ = 0;
   std::vector<std::unique_ptr<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;

@@ -30,10 +30,10 @@ struct Illumination {
           glm::dvec3(point.geometric_normal)};
 }
 
-/// Whether a light is among those that LightTransport::gather takes: all that cast shadows, and of
-/// the others rectangles, as the lights of an interior's rig are.
-[[nodiscard]] inline bool is_gathered(const PreparedLight& light) {
-  return light.casts_shadows || (light.rectangle && light.rule == LightRule::physical);
+/// Whether a light is among those that LightTransport::gather takes: all that cast shadows where
+/// there are `shadows`, and of the others rectangles, as the lights of an interior's rig are.
+[[nodiscard]] inline bool is_gathered(const PreparedLight& light, bool shadows) {
+  return (shadows && light.casts_shadows) || (light.rectangle && light.rule == LightRule::physical);
 }
 
 /// A point and all lights that may shine on it, before any of them was looked at.
@@ -43,6 +43,7 @@ struct LitPoint {
   const ViewedMaterial& material;
   bool mirrors = false;   ///< a reflection shows the lights that mirrors show
   glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
+  bool shadows = true;    ///< the same for all points of a picture: whether lights cast any
 };
 
 /// The part of the scene that a surface mirrors: the mean radiance over a square of directions

@@ -39,7 +39,9 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
       lighting_(lighting),
       settings_(settings),
       lights_(lighting.prepared(settings.light_rule)),
-      all_gathered_(std::all_of(lights_.begin(), lights_.end(), is_gathered)) {}
+      all_gathered_(std::all_of(lights_.begin(), lights_.end(), [&](const PreparedLight& light) {
+        return is_gathered(light, settings.shadows);
+      })) {}
 
 std::optional<LightHit> Shader::nearest_light_without_geometry(const Ray& ray) const {
   std::optional<LightHit> nearest;
@@ -122,13 +124,13 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
   const bool gathered =
-      settings_.shadows && transport.gather({lights_, view, seen, mirrors, layer.share});
+      transport.gather({lights_, view, seen, mirrors, layer.share, settings_.shadows});
   if (gathered && all_gathered_) return;
   const Receiver receiver = receiver_at(point);
   const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
-    if (gathered && is_gathered(light)) continue;
+    if (gathered && is_gathered(light, settings_.shadows)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
     // Reflections show the lights that have an area: those are their highlights.
