@@ -68,21 +68,23 @@ void publish(const FatPyray& fat, int max_level, std::span<const Trace> traces,
     for (int x = 0; x < fat.columns; ++x) {
       const std::uint32_t i = fat.index(x, y);
       // Count the pixel's cells and events.
-      const SubdivisionOutcome& outcome = traces[i].outcome;
+      SubdivisionOutcome outcome = traces[i].outcome;
       const auto& cells = outcome.pyrays_by_level;
       for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
+      // What samples tell apart is as good as split to the end.
+      const RootSum& sum = caster.sum(i);
+      if (sum.cut_out) outcome.deepest = std::max(outcome.deepest, max_level);
       statistics.split_pixels += outcome.deepest > 0;
       statistics.missed_splits += traces[i].missed;
       statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
       statistics.saturated_pixels += outcome.saturated;
       statistics.unresolved_area += outcome.unresolved_area;
-      statistics.pyrays_by_level[static_cast<std::size_t>(max_level)] += caster.sum(i).samples;
+      statistics.pyrays_by_level[static_cast<std::size_t>(max_level)] += sum.samples;
       // Publish its radiance, level, cause and rays.
       result.tile.radiance.push_back(caster.colour(i));
       result.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
-      const RootSum& sum = caster.sum(i);
       const SplitCause cause =
-          cause_of({outcome, traces[i].by_samples, sum.shadow_cut, sum.mirror_cut});
+          cause_of({outcome, traces[i].by_samples || sum.cut_out, sum.shadow_cut, sum.mirror_cut});
       result.tile.cause.push_back(cause);
       if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
       rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));

@@ -189,6 +189,7 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
     sum.weight += held * leaf.weight;
   }
   sum.samples += found.samples;
+  sum.cut_out |= found.standard_error > 0.0 && refinement_->cut_out(leaf.sample, leaf.region);
   note_result(leaf, glm::vec3(found.mean));
   return true;
 }

@@ -172,8 +172,11 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
         continue;
       }
       // Else it is one leaf.
-      if (root.traced)
-        root.traced->cells.emplace_back().samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
+      if (root.traced) {
+        TracedCell& cell = root.traced->cells.emplace_back();
+        if (caster.samples_leaf(i)) cell.fate = CellFate::by_samples;
+        cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
+      }
       const PyrayLeaf leaf{i, i, 1.0, whole, verdict.note};
       caster.take(std::span(&leaf, 1));
       traces_[i].outcome.pyrays_by_level[0] = 1;

@@ -53,9 +53,10 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
       Waiting& waiting = waiting_[i];
       if (waiting.done) continue;
       found_[i] = estimate(waiting);
-      waiting.done = 2 * waiting.taken > waiting.goal.most ||
-                     (found_[i].samples > 0 &&
-                      standard_error(waiting, found_[i].mean) <= waiting.goal.standard_error);
+      found_[i].standard_error = standard_error(waiting, found_[i].mean);
+      waiting.done =
+          2 * waiting.taken > waiting.goal.most ||
+          (found_[i].samples > 0 && found_[i].standard_error <= waiting.goal.standard_error);
       left -= waiting.done;
     }
   }

@@ -31,9 +31,10 @@ class RegionSampler {
     std::uint32_t least = 16;     ///< the same, at most `most`: so few tell nothing of themselves
   };
   struct Estimate {
-    glm::dvec3 mean{0.0};       ///< linear radiance
-    std::uint32_t samples = 0;  ///< that count; 0: there is no mean
-    double masked_share = 0.0;  ///< share of the samples in the region that the mask left out
+    glm::dvec3 mean{0.0};         ///< linear radiance
+    std::uint32_t samples = 0;    ///< that count; 0: there is no mean
+    double standard_error = 0.0;  ///< in display intensity; 0: all samples agree
+    double masked_share = 0.0;    ///< share of the samples in the region that the mask left out
   };
 
   /// Puts a region off until `run`; its number among those that wait, from 0.

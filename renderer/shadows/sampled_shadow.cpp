@@ -15,6 +15,8 @@ namespace {
 // Rays of the first round, for each further one of which their number doubles, and at most.
 constexpr double first_rays_a_root = 16.0;
 constexpr std::uint32_t least_rays = 8;
+// Rays of a part that deserves few of them.
+constexpr std::uint32_t fewest_rays = 4;
 constexpr double rays_a_finest_cell = 4.0;
 
 // The cosines of both ends over the squared distance, as far as they change across the window.
@@ -126,10 +128,16 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
   const LeafContext& leaf = query.leaf;
   const std::uint32_t light = query.lit.index;
   // Find how many rays the leaf is worth, and the error to reach.
+  const double intensity = query.intensity();
+  const bool few = budget.rays_suffice(leaf.weight, intensity, Prices::light_window);
+  const double first_rays =
+      few ? budget.rays(leaf.weight, intensity) : first_rays_a_root * leaf.weight;
   const std::uint32_t first_round = std::bit_ceil(
-      std::max(least_rays, static_cast<std::uint32_t>(first_rays_a_root * leaf.weight)));
-  const std::uint32_t most = budget.samples(leaf.weight, rays_a_finest_cell, first_round);
-  const double error = budget.standard_error(leaf.weight, query.intensity());
+      std::max(few ? fewest_rays : least_rays, static_cast<std::uint32_t>(first_rays)));
+  // So few all count: to end once they agree would favour what most of them see.
+  const std::uint32_t most =
+      few ? first_round : budget.samples(leaf.weight, rays_a_finest_cell, first_round);
+  const double error = budget.standard_error(leaf.weight, intensity);
   const SobolPixel points{static_cast<int>(leaf.seed >> 32), static_cast<int>(leaf.seed), light};
   work.weights.clear();
   work.transmittances.clear();

@@ -114,7 +114,7 @@ wait_until 'the render does not end' at_rest window_start.png "$whole"
 echo "window $WIDTH x $HEIGHT"
 
 # Drag EPS from one end of its slider towards the other: its number follows.
-eps_y=199
+eps_y=228
 eps="220x20+$((right - 240))+$((Y + eps_y - 10))"
 xdotool mousemove $((right - 60)) $((Y + eps_y)) mousedown 1
 for x in 90 120 150 180; do
@@ -256,8 +256,8 @@ for _ in 1 2 3 4 5 6; do
   sleep 0.1
 done
 wait_until 'the panel does not rest' at_rest window_curve.png "${WIDTH}x$HEIGHT+$X+$Y"
-xdotool mousemove $((X + WIDTH - 283)) $((Y + 703)) mousedown 1
-for y in 690 670 640 600; do
+xdotool mousemove $((X + WIDTH - 283)) $((Y + 732)) mousedown 1
+for y in 719 699 669 629; do
   xdotool mousemove $((X + WIDTH - 283)) $((Y + y))
   sleep 0.05
 done

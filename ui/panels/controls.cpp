@@ -100,6 +100,21 @@ float room_beside(std::span<const Controls::Option> options) {
   return ImGui::GetContentRegionAvail().x - taken;
 }
 
+// The options in a row, for as few rows as keep their names from touching.
+std::size_t longest_row(std::span<const Controls::Option> options) {
+  const std::size_t all = options.size();
+  for (std::size_t rows = 1; rows < all; ++rows) {
+    const std::size_t longest = (all + rows - 1) / rows;
+    bool fits = true;
+    for (std::size_t first = 0; first < all && fits; first += longest) {
+      const auto row = options.subspan(first, std::min(longest, all - first));
+      fits = room_beside(row) >= 0.5f * ImGui::GetFontSize() * static_cast<float>(row.size());
+    }
+    if (fits) return longest;
+  }
+  return 1;
+}
+
 }  // namespace
 
 void Controls::begin_frame(double now_seconds) {
@@ -306,14 +321,10 @@ bool Controls::options(const char* name, std::span<const Option> options, int& c
                        const OptionsStyle& style) {
   const int before = chosen;
   if (style.labelled) label(name, options[static_cast<std::size_t>(std::max(0, chosen))].tooltip);
-  // In two rows where their names would touch.
-  const float touching = 0.5f * ImGui::GetFontSize() * static_cast<float>(options.size());
-  if (room_beside(options) >= touching) {
-    option_row(name, options, 0, chosen);
-  } else {
-    const std::size_t half = (options.size() + 1) / 2;
-    option_row(name, options.first(half), 0, chosen);
-    option_row(name, options.subspan(half), static_cast<int>(half), chosen);
+  const std::size_t longest = longest_row(options);
+  for (std::size_t first = 0; first < options.size(); first += longest) {
+    const auto row = options.subspan(first, std::min(longest, options.size() - first));
+    option_row(name, row, static_cast<int>(first), chosen);
   }
   reset(name, chosen, style.reset);
   return chosen != before;

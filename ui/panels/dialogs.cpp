@@ -107,7 +107,14 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
 
   ImGui::Spacing();
   ImGui::TextDisabled("or a built-in scene");
-  for (const BuiltinScene& scene : builtin_scenes()) {
+  // What lies above and below stays within the window.
+  const auto& builtins = builtin_scenes();
+  constexpr float others = 9.0f, fewest = 5.0f;
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const float room = window.y / line - others - static_cast<float>(state.recent.size());
+  const float shown = std::clamp(room, fewest, static_cast<float>(builtins.size()));
+  ImGui::BeginChild("built-in", {0.0f, shown * line});
+  for (const BuiltinScene& scene : builtins) {
     if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) {
       chosen = "builtin:" + scene.name;
     }
@@ -115,6 +122,7 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
     ImGui::SameLine(11.0f * em);
     ImGui::TextDisabled("%s", scene.summary.c_str());
   }
+  ImGui::EndChild();
 
   ImGui::Spacing();
   if ((controls.button("Open", "Open the path that was typed. Key: Enter.", 6.0f * em) ||

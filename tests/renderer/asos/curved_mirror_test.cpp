@@ -1,4 +1,5 @@
 #include "renderer/comparison/method.h"
+#include "renderer/pyray/budget.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -73,13 +74,13 @@ class EveryCurvedMirror : public testing::TestWithParam<CurvedMirror> {};
 
 TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
   const auto scene = ball(mirror(0.0f));
-  const auto reference = picture(*scene, sobol(1024));
+  const auto reference = picture(*scene, sobol(4096));
   RenderSettings settings;
   settings.asos.eps = 0.0;
   settings.mirror.curved = GetParam();
   settings.mirror.widest_angle_deg = 4.0;
   // The reference's noise: it is off by about as much as another one differs.
-  const double noise = rmse(picture(*scene, sobol(1024, 1)), reference);
+  const double noise = rmse(picture(*scene, sobol(4096, 1)), reference);
   std::vector<double> errors;
   for (const int level : {1, 2, 4}) {
     settings.asos.max_level = level;
@@ -91,7 +92,10 @@ TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
     EXPECT_LT(rmse(picture(*scene, settings), reference), errors[2]);
   } else {
     EXPECT_LT(errors[1], errors[0]);
-    EXPECT_LT(errors[2], std::max(0.5 * errors[0], noise));
+    // Leaves that disagree are sampled, so that MAX 1 may be as good as any; nothing is refined
+    // below what nobody sees.
+    EXPECT_LT(errors[2], std::max(0.5 * errors[0], 0.5 * Budget::invisible))
+        << errors[0] << ' ' << errors[1];
     EXPECT_LT(noise, 2e-4);
   }
 }

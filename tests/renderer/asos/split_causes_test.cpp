@@ -187,7 +187,7 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
   add_quad(world, {0.13f, -9, 0.4f}, {9, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.8f)));
   Light light;
   light.radius = 0.05;
-  light.intensity = 30.0f;
+  light.intensity = 120.0f;  // bright enough for more than a few rays
   light.position = {-6, 0, 3};
   const Picture hidden = render({world, {light}});
   EXPECT_GT(pixels_with(hidden, SplitCause::outline), 0u);

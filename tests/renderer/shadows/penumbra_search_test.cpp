@@ -33,6 +33,7 @@ class PenumbraSearch : public testing::Test {
     const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
     ShadowContext block;
     block.scene = &scene;
+    block.rules.budget.eps = 1.0 / 256.0;
     block.rules.budget.tolerance = 1.0f / 256.0f;
     block.frame = &eye;
     block.view = &view;
@@ -79,7 +80,7 @@ TEST_F(PenumbraSearch, LeavesAPatchAloneThatNoShadowReaches) {
 TEST_F(PenumbraSearch, IsNotMadeForPartsThatDeserveFewRays) {
   const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
   EXPECT_GT(look(pole(0.002, 8.0), patch, 1.0).error, 0.1f);
-  EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0 / 256.0).error, 0.0f);
+  EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0 / 1024.0).error, 0.0f);
   intensity = 0.05f;
   EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0).error, 0.0f);
 }
