@@ -204,14 +204,15 @@ void LeafShader::note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::
   const bool glossy =
       material.metallic_roughness_texture.used() || material.roughness < least_broad_roughness;
   if (material.unlit || !glossy) return;
-  variation_.add({leaf, samples_->surface(leaf.sample), radiance, shading});
+  variation_.add(
+      {leaf, samples_->surface(leaf.sample), samples_->at(leaf.sample), radiance, shading});
 }
 
 // Leaves that turn out to differ are sampled after all.
 void LeafShader::sample_uneven() {
-  // What shading does evenly between the leaves differs, too, and their samples allow for it.
-  constexpr double evenly = 4.0;
-  const auto tolerance = evenly * static_cast<double>(eye_->budget.tolerance);
+  // Highlights bend between leaves, too, which their samples allow for.
+  constexpr double allowed = 4.0;
+  const auto tolerance = allowed * static_cast<double>(eye_->budget.tolerance);
   for (const ShadedLeaf& shaded : variation_.take_uneven(tolerance)) {
     const PyrayLeaf& leaf = shaded.leaf;
     sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);

@@ -43,24 +43,52 @@ std::vector<ShadedLeaf> LeafVariation::take_uneven(double tolerance) {
   return taken;
 }
 
-// The samples of leaves of the weights w, whose values scatter by s, are off by s sqrt(sum w^2)
-// together.
+// The samples of leaves of the weights w, whose values scatter by s about a plane through them, are
+// off by s sqrt(sum w^2) together.
 bool LeafVariation::uneven(std::span<const std::uint32_t> group, double tolerance) const {
-  if (group.size() < 2) return false;
-  glm::dvec3 sum(0.0), squares(0.0);
+  constexpr std::size_t of_plane = 3;  // values that a plane meets whatever they are
+  if (group.size() <= of_plane) return false;
+  // Find the middle.
+  const auto shown = [&](std::uint32_t i) {
+    return glm::clamp(glm::dvec3(leaves_[i].shading), 0.0, 1.0);
+  };
   double weight = 0.0, weight2 = 0.0;
+  glm::dvec2 middle(0.0);
+  glm::dvec3 mean(0.0);
   for (const std::uint32_t i : group) {
     const double w = leaves_[i].leaf.weight;
-    const glm::dvec3 shown = glm::clamp(glm::dvec3(leaves_[i].shading), 0.0, 1.0);
-    sum += w * shown;
-    squares += w * shown * shown;
     weight += w;
     weight2 += w * w;
+    middle += w * glm::dvec2(leaves_[i].at);
+    mean += w * shown(i);
   }
-  const glm::dvec3 variance =
-      glm::max(glm::dvec3(0.0), squares / weight - (sum / weight) * (sum / weight));
-  const double most = std::max({variance.x, variance.y, variance.z});
-  return std::sqrt(most * weight2) > tolerance;
+  middle /= weight;
+  mean /= weight;
+  // Fit the plane by least squares.
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  glm::dvec3 along_x(0.0), along_y(0.0), variance(0.0);
+  for (const std::uint32_t i : group) {
+    const double w = leaves_[i].leaf.weight / weight;
+    const glm::dvec2 d = glm::dvec2(leaves_[i].at) - middle;
+    const glm::dvec3 off = shown(i) - mean;
+    xx += w * d.x * d.x;
+    xy += w * d.x * d.y;
+    yy += w * d.y * d.y;
+    along_x += w * d.x * off;
+    along_y += w * d.y * off;
+    variance += w * off * off;
+  }
+  const double det = xx * yy - xy * xy;
+  if (det > 1e-6 * xx * yy) {
+    const glm::dvec3 slope_x = (yy * along_x - xy * along_y) / det;
+    const glm::dvec3 slope_y = (xx * along_y - xy * along_x) / det;
+    variance -= slope_x * along_x + slope_y * along_y;
+  }
+  // What is left is of so many values fewer.
+  const auto count = static_cast<double>(group.size());
+  const double left = std::max({0.0, variance.x, variance.y, variance.z}) * count /
+                      (count - static_cast<double>(of_plane));
+  return std::sqrt(left * weight2) > tolerance;
 }
 
 }  // namespace asos

@@ -15,6 +15,7 @@ namespace asos {
 struct ShadedLeaf {
   PyrayLeaf leaf;             ///< without its border
   std::uint32_t surface = 0;  ///< that its sample met
+  glm::vec2 at{0.0f};         ///< its sample, in the frame
   glm::vec3 radiance{0.0f};   ///< that its root got
   glm::vec3 shading{0.0f};    ///< the same but for what is exact: shadows and flat mirrors
 };
@@ -26,8 +27,9 @@ class LeafVariation {
   void add(const ShadedLeaf& leaf);
 
   /// The leaves of those surfaces, root by root, whose samples are expected to be off by more than
-  /// `tolerance` in display intensity all together; none is kept then. Regions are valid until the
-  /// next `add`.
+  /// `tolerance` in display intensity all together; none is kept then. What varies evenly across a
+  /// root is no error: it is what the samples differ from a plane through them that counts, so that
+  /// fewer than four tell nothing. Regions are valid until the next `add`.
   [[nodiscard]] std::vector<ShadedLeaf> take_uneven(double tolerance);
 
  private:
