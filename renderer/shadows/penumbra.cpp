@@ -163,7 +163,8 @@ struct PatchPyray {
   Frame light_frame;  ///< the light as the patch's middle sees it
   PatchInWindow size;
   Frame frame;
-  HalfSpace between[2];  ///< the surface, and where boundaries move by too little to matter
+  HalfSpace between[2];    ///< the surface, and where boundaries move by too little to matter
+  double deviation = 0.0;  ///< how far the surface itself may rise above its plane
 };
 
 std::optional<PatchPyray> pyray_around(const ShadowContext& block, const PenumbraQuery& query,
@@ -197,7 +198,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
       {{up, glm::dot(up, receiver.position)}, {-m, glm::dot(-m, receiver.position + highest * m)}}};
   const auto half =
       static_cast<double>(0.5f * (glm::length(query.patch.right) + glm::length(query.patch.down)));
-  pyray.between[0].offset +=
+  pyray.deviation =
       block.scene->features.deviation(query.point.triangle, glm::dvec3(query.point.position), half);
   return pyray;
 }
@@ -242,6 +243,20 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
       block.work->tracer.boundaries(block.scene->features, pyray, finest_side, most);
   // Linear lights have no samples to fall back on.
   if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
+
+  // What lies no higher than a bent surface may rise itself: whether it shades the patch is for
+  // rays to say.
+  const HalfSpace& plane = around_patch->between[0];
+  const auto low = [&](const Segment& s) {
+    const auto height = [&](float u, float v, float nearness) {
+      return plane.height(pyray.frame.world({u, v, nearness}));
+    };
+    return std::min(height(s.u0, s.v0, s.nearness0), height(s.u1, s.v1, s.nearness1)) <
+           around_patch->deviation;
+  };
+  if (around_patch->deviation > 0.0 && !line &&
+      std::any_of(boundaries->begin(), boundaries->end(), low))
+    return {0.0f, true};
 
   // Sum up how each bends the visibility.
   VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,

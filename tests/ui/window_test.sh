@@ -249,6 +249,7 @@ wait_until 'no window with a mirror' found_window
 wait_for_picture window_mirror.png
 geometry
 picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
+xdotool mousemove $((X + 300)) $((Y + 300))  # where no tooltip comes up
 # With the status bar: a pass may find out for a while what the next one costs.
 whole="${WIDTH}x$HEIGHT+$X+$Y"
 wait_until 'the mirror does not rest' at_rest window_mirror.png "$whole"
