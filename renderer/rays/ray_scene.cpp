@@ -39,6 +39,20 @@ struct RayScene::Impl {
     });
   }
 
+  /// `rays`: one after the other, or as arrays.
+  template <typename Rays>
+  void transmittance(const Rays& rays, std::size_t count, std::span<float> shares,
+                     std::int32_t ignored_part) const {
+    Lanes left;
+    Context occluding = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
+    occluding.lanes = &left;
+    tracing::with_width(width, count, [&](auto lanes) {
+      tracing::occlude_packets<lanes()>(embree.scene(), occluding, rays,
+                                        [&](std::size_t i, std::size_t lane, bool blocked) {
+                                          shares[i] = blocked ? 0.0f : left.transmittance[lane];
+                                        });
+    });
+  }
   void pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const;
 };
 
@@ -114,15 +128,7 @@ void RayScene::transmittance(std::span<const Ray> rays, std::span<float> shares,
     std::fill(shares.begin(), shares.end(), 1.0f);
     return;
   }
-  Lanes left;
-  Context context = impl_->context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
-  context.lanes = &left;
-  tracing::with_width(impl_->width, rays.size(), [&](auto lanes) {
-    tracing::occlude_packets<lanes()>(impl_->embree.scene(), context, rays,
-                                      [&](std::size_t i, std::size_t lane, bool blocked) {
-                                        shares[i] = blocked ? 0.0f : left.transmittance[lane];
-                                      });
-  });
+  impl_->transmittance(rays, rays.size(), shares, ignored_part);
 }
 
 void RayScene::transmittance(const RayArrays& rays, std::span<float> shares,
@@ -131,15 +137,7 @@ void RayScene::transmittance(const RayArrays& rays, std::span<float> shares,
     std::fill(shares.begin(), shares.end(), 1.0f);
     return;
   }
-  Lanes left;
-  Context context = impl_->context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
-  context.lanes = &left;
-  tracing::with_width(impl_->width, rays.count, [&](auto lanes) {
-    tracing::occlude_packets<lanes()>(impl_->embree.scene(), context, rays,
-                                      [&](std::size_t i, std::size_t lane, bool blocked) {
-                                        shares[i] = blocked ? 0.0f : left.transmittance[lane];
-                                      });
-  });
+  impl_->transmittance(rays, rays.count, shares, ignored_part);
 }
 
 float RayScene::transmittance(const Ray& ray, std::int32_t ignored_part) const {

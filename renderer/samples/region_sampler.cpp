@@ -7,8 +7,8 @@ namespace asos {
 namespace {
 
 // The side of a sample's footprint, in that of the square that it stands for. Samples that are many
-// need no smoothing, and what smoothes highlights (PatchLobe) is off at grazing angles: an eighth
-// as bright as it should be, or twice, in squares as large as that.
+// need no smoothing, and what smoothes highlights (PatchLobe) is up to twice too bright at grazing
+// angles in squares as large as that.
 constexpr float footprint_share = 0.25f;
 
 }  // namespace

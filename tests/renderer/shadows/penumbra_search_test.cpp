@@ -24,6 +24,7 @@ class PenumbraSearch : public testing::Test {
     light.half_u = {1, 0, 0};
     light.half_v = {0, 0, 0.75};
     light.intensity = intensity;
+    light.two_sided = true;
     const ShadowFixture fixture(std::move(world), light);
     const ShadowScene scene{fixture.world(), fixture.features(), fixture.rays()};
     ShadowGroups groups(scene);
@@ -34,20 +35,39 @@ class PenumbraSearch : public testing::Test {
     ShadowContext block;
     block.scene = &scene;
     block.rules.budget.eps = 1.0 / 256.0;
-    block.rules.budget.tolerance = 1.0f / 256.0f;
+    block.rules.budget.tolerance = tolerance;
     block.frame = &eye;
     block.view = &view;
     block.groups = &groups;
     block.work = &work;
     SurfacePoint point;
     point.triangle = 0;  // flat
+    point.position = position;
     point.shading_normal = point.geometric_normal = {0, 1, 0};
     RenderStatistics counts;
     return find_penumbra(block, {fixture.light(), 0, point, patch, 1.0f, 0, weight}, counts);
   }
 
   float intensity = 1000.0f;
+  float tolerance = 1.0f / 256.0f;
+  glm::vec3 position{0.0f};  ///< of the patch's middle
 };
+
+// Below a wall that hangs from a light, the share is 1 - |x| / 2 beside the wall: over a patch of
+// width w it is w / 8 less than in the middle.
+TEST_F(PenumbraSearch, SplitsAPatchBelowAHangingWall) {
+  tolerance = 1e-4f;
+  for (const float width : {0.02f, 0.1f}) {
+    const auto error_at = [&](float x) {
+      World world;
+      add_occluder(world, {0, 1, -4}, {0, 2, 0}, {0, 0, 8});
+      position = {x, 0, 0};
+      return look(std::move(world), {{width, 0, 0}, {0, 0, width}}).error;
+    };
+    EXPECT_NEAR(error_at(0.0f), width / 8.0f, 0.3f * width / 8.0f);
+    EXPECT_EQ(error_at(0.4f), 0.0f);
+  }
+}
 
 /// A pole of the width 0.02 close above the plane, along z: it hides the light from the patch's
 /// middle, and from a fifth of it.

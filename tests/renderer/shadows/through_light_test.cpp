@@ -1,4 +1,3 @@
-#include "renderer/shadows/penumbra.h"
 #include "tests/support/random_space.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/shadow_fixture.h"
@@ -123,44 +122,6 @@ TEST_P(ThroughLight, AWallThatEndsInItsPlaneCountsAsWell) {
     EXPECT_LT(worst_error(fixture, walls, random, partly), 1e-4) << w;
   }
   EXPECT_GT(partly, 100);
-}
-
-// Below a wall that hangs from a light, the share is 1 - |x| / 2 beside the wall: over a patch of
-// width w it is w / 8 less than in the middle.
-TEST(ThroughLightPenumbra, APatchBelowAHangingWallIsToBeSplit) {
-  for (const double width : {0.02, 0.1}) {
-    World world;
-    add_occluder(world, {0, 1, -4}, {0, 2, 0}, {0, 0, 8});
-    Light light = level_light(Light::Type::rectangle);
-    light.intensity = 1000.0f;
-    const ShadowFixture fixture(std::move(world), light);
-    const ShadowScene scene{fixture.world(), fixture.features(), fixture.rays()};
-    ShadowGroups groups(scene);
-    groups.reset(1);
-    ShadowWorkspace work;
-    NoView view;
-    const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
-    ShadowContext block;
-    block.scene = &scene;
-    block.rules.budget.tolerance = 1e-4f;
-    block.frame = &eye;
-    block.view = &view;
-    block.groups = &groups;
-    block.work = &work;
-    SurfacePoint point;
-    point.triangle = 0;  // flat
-    point.shading_normal = point.geometric_normal = {0, 1, 0};
-    RenderStatistics counts;
-    const auto error_at = [&](float x) {
-      point.position = {x, 0, 0};
-      const auto w = static_cast<float>(width);
-      const Patch patch{{w, 0, 0}, {0, 0, w}};
-      return static_cast<double>(
-          find_penumbra(block, {fixture.light(), 0, point, patch, 1.0f, 0}, counts).error);
-    };
-    EXPECT_NEAR(error_at(0.0f), width / 8.0, 0.3 * width / 8.0);
-    EXPECT_EQ(error_at(0.4f), 0.0);
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Lights, ThroughLight,
