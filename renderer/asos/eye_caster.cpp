@@ -28,9 +28,10 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       shadow_scene_{eye.scene->world(), eye.scene->features(), eye.scene->rays()},
       groups_(shadow_scene_),
       shadows_(shadows_of(eye_, shadow_scene_, samples_, groups_)),
-      refinement_(eye_, samples_, shadows_),
+      weak_lights_(eye_, samples_),
+      refinement_(eye_, samples_, weak_lights_, shadows_),
       sums_(roots),
-      leaf_shader_(eye_, samples_, refinement_, shadows_, sums_, blurred_) {}
+      leaf_shader_(eye_, samples_, refinement_, weak_lights_, shadows_, sums_, blurred_) {}
 
 void EyeCaster::middles_known(int side) {
   const auto lights = eye_.viewer.shader.lights();
@@ -46,6 +47,7 @@ void EyeCaster::middles_known(int side) {
     }
   }
   refinement_.learn_normals(side);
+  weak_lights_.find(side);
 }
 
 SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight) {

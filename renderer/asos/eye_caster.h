@@ -6,6 +6,7 @@
 #include "renderer/asos/leaf_shader.h"
 #include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
+#include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
 
 #include <glm/glm.hpp>
@@ -62,6 +63,7 @@ class EyeCaster final : public Caster {
   ShadowScene shadow_scene_;
   ShadowGroups groups_;
   ShadowContext shadows_;
+  WeakLights weak_lights_;
   Refinement refinement_;
   std::vector<RootSum> sums_;
   BlurredSum blurred_;

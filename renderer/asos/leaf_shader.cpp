@@ -22,10 +22,12 @@ bool finite(glm::vec3 v) {
 }  // namespace
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& refinement,
-                       const ShadowContext& shadows, std::span<RootSum> sums, BlurredSum& blurred)
+                       WeakLights& weak_lights, const ShadowContext& shadows,
+                       std::span<RootSum> sums, BlurredSum& blurred)
     : eye_(&eye),
       samples_(&samples),
       refinement_(&refinement),
+      weak_lights_(&weak_lights),
       shadows_(&shadows),
       sums_(sums),
       blurred_(&blurred) {}
@@ -66,7 +68,8 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   const Ray& ray = samples_->ray(leaf.sample);
   RootSum& sum = sums_[leaf.root];
   const LeafContext context = context_of(leaf, even);
-  LeafTransport transport(*eye_, *shadows_, context);
+  const std::uint32_t share = weak_lights_->start(leaf.root, leaf.sample, leaf.weight);
+  LeafTransport transport(*eye_, *shadows_, context, *weak_lights_, share);
   const glm::vec3 radiance = viewer.shader.radiance(
       viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at)),
       transport, *eye_->counts);
@@ -74,6 +77,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   sum.mirror_cut |= transport.met_mirror_edge();
   if (!finite(radiance)) {
     ++eye_->counts->rejected_samples;
+    weak_lights_->drop(share);
     return radiance;
   }
   if (eye_->mask && eye_->mask->blur) {
@@ -83,7 +87,8 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     return radiance;
   }
   sum.add(glm::dvec3(radiance), leaf.weight);
-  note_variation(leaf, radiance, radiance + transport.inexact());
+  note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
+                  radiance + transport.inexact(), share});
   return radiance;
 }
 
@@ -195,7 +200,8 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
 }
 
 // A highlight, or what a bent or bumpy surface mirrors, is one sample's for a whole leaf.
-void LeafShader::note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::vec3 shading) {
+void LeafShader::note_variation(const ShadedLeaf& shaded) {
+  const PyrayLeaf& leaf = shaded.leaf;
   const Hit& hit = samples_->hit(leaf.sample);
   if (eye_->mask || !eye_->budget.refines() || leaf.region.marginal || leaf.weight == 1.0 ||
       !hit.valid())
@@ -204,8 +210,7 @@ void LeafShader::note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::
   const bool glossy =
       material.metallic_roughness_texture.used() || material.roughness < least_broad_roughness;
   if (material.unlit || !glossy) return;
-  variation_.add(
-      {leaf, samples_->surface(leaf.sample), samples_->at(leaf.sample), radiance, shading});
+  variation_.add(shaded);
 }
 
 // Leaves that turn out to differ are sampled after all.
@@ -216,12 +221,30 @@ void LeafShader::sample_uneven() {
   for (const ShadedLeaf& shaded : variation_.take_uneven(tolerance)) {
     const PyrayLeaf& leaf = shaded.leaf;
     sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);
+    weak_lights_->drop(shaded.weak_lights);
     add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, few_samples);
+  }
+}
+
+// Adds what leaves get of the weak lights.
+void LeafShader::add_weak_lights() {
+  if (weak_lights_->lights().empty()) return;
+  const std::uint64_t before = eye_->counts->rays();
+  const std::span<const WeakLights::Share> shares = weak_lights_->run();
+  const auto rays = static_cast<double>(eye_->counts->rays() - before);
+  for (const WeakLights::Share& share : shares) {
+    if (share.sample == no_sample) continue;
+    RootSum& sum = sums_[share.root];
+    sum.radiance += share.radiance;
+    sum.rays += static_cast<std::uint64_t>(rays / static_cast<double>(shares.size()));
+    if (const auto found = results_.find(share.sample); found != results_.end())
+      found->second += glm::vec3(share.radiance / share.weight);
   }
 }
 
 void LeafShader::finish() {
   sample_uneven();
+  add_weak_lights();
   if (put_off_.empty() || eye_->stop.stop_requested()) return;
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->run(*eye_->counts);

@@ -5,6 +5,7 @@
 #include "renderer/asos/leaf_variation.h"
 #include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
+#include "renderer/asos/weak_lights.h"
 #include "renderer/samples/region_sampler.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -23,7 +24,8 @@ class LeafShader {
  public:
   /// All have to outlive this.
   LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& refinement,
-             const ShadowContext& shadows, std::span<RootSum> sums, BlurredSum& blurred);
+             WeakLights& weak_lights, const ShadowContext& shadows, std::span<RootSum> sums,
+             BlurredSum& blurred);
 
   void shade(std::span<const PyrayLeaf> leaves);
 
@@ -44,7 +46,8 @@ class LeafShader {
  private:
   void shade_one(const PyrayLeaf& leaf);
   void sample_uneven();
-  void note_variation(const PyrayLeaf& leaf, glm::vec3 radiance, glm::vec3 shading);
+  void add_weak_lights();
+  void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
   [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest) const;
@@ -55,6 +58,7 @@ class LeafShader {
   const EyeContext* eye_;
   EyeSamples* samples_;
   Refinement* refinement_;
+  WeakLights* weak_lights_;
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;
   BlurredSum* blurred_;

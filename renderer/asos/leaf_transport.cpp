@@ -6,6 +6,12 @@
 
 namespace asos {
 
+TakenLights LeafTransport::gather(const LitPoint& point) {
+  if (weak_->lights().empty()) return {};
+  weak_->add(share_, point, *leaf_);
+  return {weak_->lights()};
+}
+
 void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {
   const glm::vec3 without = radiance;
   const glm::vec3 all = lit.reflected * lit.unshadowed;

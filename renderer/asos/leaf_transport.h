@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/asos/eye_context.h"
+#include "renderer/asos/weak_lights.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -9,9 +10,12 @@ namespace asos {
 /// The lights and reflections of one leaf: what the shader asks while it shades the leaf's point.
 class LeafTransport final : public LightTransport {
  public:
-  LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf)
-      : eye_(&eye), shadows_(&shadows), leaf_(&leaf) {}
+  /// `share`: the leaf's, of the weak lights.
+  LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf,
+                WeakLights& weak, std::uint32_t share)
+      : eye_(&eye), shadows_(&shadows), leaf_(&leaf), weak_(&weak), share_(share) {}
 
+  TakenLights gather(const LitPoint& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
@@ -29,6 +33,8 @@ class LeafTransport final : public LightTransport {
   const EyeContext* eye_;
   const ShadowContext* shadows_;
   const LeafContext* leaf_;
+  WeakLights* weak_;
+  std::uint32_t share_;
   glm::vec3 hidden_{0.0f};    // light that does not reach it
   glm::vec3 mirrored_{0.0f};  // by flat mirrors
   bool met_shadow_edge_ = false;

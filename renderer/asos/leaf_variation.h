@@ -13,11 +13,12 @@ namespace asos {
 
 /// A leaf as it was shaded by its one sample.
 struct ShadedLeaf {
-  PyrayLeaf leaf;             ///< without its border
-  std::uint32_t surface = 0;  ///< that its sample met
-  glm::vec2 at{0.0f};         ///< its sample, in the frame
-  glm::vec3 radiance{0.0f};   ///< that its root got
-  glm::vec3 shading{0.0f};    ///< the same but for what is exact: shadows and flat mirrors
+  PyrayLeaf leaf;                 ///< without its border
+  std::uint32_t surface = 0;      ///< that its sample met
+  glm::vec2 at{0.0f};             ///< its sample, in the frame
+  glm::vec3 radiance{0.0f};       ///< that its root got
+  glm::vec3 shading{0.0f};        ///< the same but for what is exact: shadows and flat mirrors
+  std::uint32_t weak_lights = 0;  ///< number of its share of the weak lights
 };
 
 /// What the leaves of a root tell about each other: where those of one surface differ, their one

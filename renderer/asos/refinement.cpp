@@ -22,8 +22,8 @@ float brightest(const Material& material) {
 }  // namespace
 
 Refinement::Refinement(const EyeContext& eye, const EyeSamples& samples,
-                       const ShadowContext& shadows)
-    : eye_(&eye), samples_(&samples), shadows_(&shadows) {
+                       const WeakLights& weak_lights, const ShadowContext& shadows)
+    : eye_(&eye), samples_(&samples), weak_lights_(&weak_lights), shadows_(&shadows) {
   for (const PreparedLight& light : eye.viewer.shader.lights()) {
     extended_lights_ |= eye.settings->shadow.cast && light.casts_shadows && light.extended();
     spots_ |= light.cone_scale > 0.0;
@@ -82,7 +82,7 @@ Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double shar
   float error = 0.0f;
   std::vector<std::uint32_t> saturated;
   for (std::uint32_t i = 0; i < lights.size() && !(error > eye_->budget.tolerance); ++i) {
-    if (!lights[i].casts_shadows || !lights[i].extended()) continue;
+    if (!lights[i].casts_shadows || !lights[i].extended() || weak_lights_->holds(i)) continue;
     const CountForLight count(*eye_->counts, i);
     const Penumbra penumbra = find_penumbra(
         *shadows_, {lights[i], i, point, patch, reflected, level, share}, *eye_->counts);
@@ -124,9 +124,12 @@ float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
   const Patch patch = patch_around(sample, region);
   const Receiver receiver = receiver_at(samples_->point(sample));
   float error = 0.0f;
-  for (const PreparedLight& light : eye_->viewer.shader.lights()) {
-    if (extended_lights_ && light.extended()) error += falloff_error(light, receiver, patch);
-    error += cone_error(light, receiver, patch);
+  const auto lights = eye_->viewer.shader.lights();
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (weak_lights_->holds(i)) continue;
+    if (extended_lights_ && lights[i].extended())
+      error += falloff_error(lights[i], receiver, patch);
+    error += cone_error(lights[i], receiver, patch);
   }
   return error;
 }

@@ -3,6 +3,7 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/normal_variation.h"
+#include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/shadow_context.h"
@@ -19,7 +20,8 @@ namespace asos {
 class Refinement {
  public:
   /// All have to outlive this.
-  Refinement(const EyeContext& eye, const EyeSamples& samples, const ShadowContext& shadows);
+  Refinement(const EyeContext& eye, const EyeSamples& samples, const WeakLights& weak_lights,
+             const ShadowContext& shadows);
 
   /// Learns from the first samples, the middles of side x side roots in rows, how much normals vary
   /// from one to the next.
@@ -63,6 +65,7 @@ class Refinement {
 
   const EyeContext* eye_;
   const EyeSamples* samples_;
+  const WeakLights* weak_lights_;
   const ShadowContext* shadows_;
   bool extended_lights_ = false;  // some light of a size casts shadows
   bool spots_ = false;

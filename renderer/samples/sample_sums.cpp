@@ -19,9 +19,8 @@ class OneSample final : public LightTransport {
         sample_(sample),
         weight_(weight) {}
 
-  bool gather(const LitPoint& point) override {
-    lights_.gather(point, {sample_.x, sample_.y, sample_.index}, {sample_.target, weight_});
-    return true;
+  TakenLights gather(const LitPoint& point) override {
+    return lights_.gather(point, {sample_.x, sample_.y, sample_.index}, {sample_.target, weight_});
   }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, {sample_.target, weight_}, counts);

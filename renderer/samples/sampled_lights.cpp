@@ -6,6 +6,16 @@
 #include <cmath>
 
 namespace asos {
+namespace {
+
+// Which of a pixel's lobes tells which lights its samples pick: none that reflections use.
+constexpr int lobe_of_picks = 0x1000;
+
+std::uint32_t binary_fraction(double at) {
+  return static_cast<std::uint32_t>(0x1p32 * std::clamp(at, 0.0, 1.0 - 0x1p-32));
+}
+
+}  // namespace
 
 void SampledLights::add(const Illumination& lit, const SampleShare& share,
                         RenderStatistics& counts) {
@@ -21,12 +31,24 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
-void SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
-                           const SampleShare& share) {
-  if (lights_.empty()) {
-    for (const PreparedLight& light : point.lights) lights_.emplace_back(light);
-    shadows_ = point.shadows;
+void SampledLights::learn_lights(const LitPoint& point) {
+  shadows_ = point.shadows;
+  for (const PreparedLight& light : point.lights) {
+    const std::size_t i = lights_.size();
+    lights_.emplace_back(light);
+    const bool allowed = allowed_.empty() || allowed_[i] != 0;
+    const bool closed_form = light.rectangle && light.rule == LightRule::physical;
+    const bool rays = shadows_ && light.casts_shadows;
+    const bool taken = allowed && (rays || closed_form);
+    taken_.push_back(taken ? 1 : 0);
+    all_taken_ &= taken;
+    lights_with_rays_ += taken && rays;
   }
+}
+
+TakenLights SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
+                                  const SampleShare& share) {
+  if (lights_.empty()) learn_lights(point);
   const std::size_t batch = points_ / LitBatch::size;
   if (batch == batches_.size()) batches_.push_back(std::make_unique<Gathered>());
   Gathered& gathered = *batches_[batch];
@@ -35,6 +57,8 @@ void SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
   gathered.points.add(point, share.weight);
   gathered.samples[i] = sample;
   gathered.targets[i] = share.target;
+  if (picked()) gathered.picks[i] = binary_fraction(places_->in_lobe(lobe_of_picks).x);
+  return {taken_, all_taken_};
 }
 
 void SampledLights::forget_since(const Waiting& then) {
@@ -60,30 +84,51 @@ void SampledLights::trace(std::vector<glm::dvec3>& sums) {
 void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
                           RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
-  ShadowRayBatch& rays = shadow_rays_;
+  const bool many = picked();
+  picks_.start(many ? lights_.size() : 1);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
-    const PreparedLight& prepared = *lights_[light].light;
-    if (!is_gathered(prepared, shadows_)) continue;
-    shares_.assign(LitBatch::size, 1.0f);
-    if (shadows_ && prepared.casts_shadows) {
-      if (prepared.extended()) places_->on_light(light, on_light_);
-      shade_batch(batch.points, lights_[light], on_light_, rays);
-      const std::size_t sent = rays.count + rays.rejected;
-      if (sent > 0) counts.count_shadow_ray(light, sent);
-      trace_shadows(prepared.own_part);
-    } else {
-      shade_unshadowed(batch.points, lights_[light], rays);
-    }
+    ShadowRayBatch& rays = picks_.rays(many ? light : 0);
+    shade(batch, light, rays);
     counts.rejected_samples += rays.rejected;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      const glm::vec3 carried(rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]);
-      sums[batch.targets[rays.point[i]]] += glm::dvec3(shares_[i] * carried);
-    }
+    if (many && sends_rays(light)) continue;
+    trace(batch, light, rays, sums, counts);
+    rays.count = rays.rejected = 0;
+  }
+  if (!many) return;
+  picks_.pick(batch.points.count, batch.picks, rays_a_point_);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light)
+    trace(batch, light, picks_.rays(light), sums, counts);
+}
+
+// What the light carries by way of each point.
+void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays) {
+  const PreparedLight& prepared = *lights_[light].light;
+  if (taken_[light] == 0) {
+    rays.count = rays.rejected = 0;
+  } else if (sends_rays(light)) {
+    if (prepared.extended()) places_->on_light(light, on_light_);
+    shade_batch(batch.points, lights_[light], on_light_, rays);
+  } else {
+    shade_unshadowed(batch.points, lights_[light], rays);
   }
 }
 
-void SampledLights::trace_shadows(std::int32_t own_part) {
-  const ShadowRayBatch& rays = shadow_rays_;
+// Adds what of it arrives.
+void SampledLights::trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
+                          std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
+  if (rays.count + rays.rejected == 0) return;
+  shares_.assign(LitBatch::size, 1.0f);
+  if (sends_rays(light)) {
+    counts.count_shadow_ray(light, rays.count + rays.rejected);
+    trace_shadows(rays, lights_[light].light->own_part);
+  }
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    const glm::vec3 carried(rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]);
+    sums[batch.targets[rays.point[i]]] += glm::dvec3(shares_[i] * carried);
+  }
+}
+
+void SampledLights::trace_shadows(const ShadowRayBatch& rays, std::int32_t own_part) {
   if (rays.count == 0) return;
   const auto arrays = [](const auto& of) {
     return std::array<const float*, 3>{of[0].data(), of[1].data(), of[2].data()};

@@ -2,6 +2,7 @@
 
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
+#include "renderer/samples/light_picks.h"
 #include "renderer/shading/light_transport.h"
 
 #include <glm/glm.hpp>
@@ -52,14 +53,22 @@ struct SampleShare {
 };
 
 /// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
-/// sample. Points are gathered, and shaded light by light in batches; rays go in packets.
+/// sample, or to some of them where there are many (LightPicks). Points are gathered, and shaded
+/// light by light in batches; rays go in packets.
 class SampledLights {
  public:
   /// Both have to outlive this.
   SampledLights(const RayScene& rays, LightPlaces& places) : rays_(&rays), places_(&places) {}
 
-  /// All lights of a point, for a sample of that share.
-  void gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
+  /// Of all lights, these alone are gathered: one a light, 0 for those that are not; and where they
+  /// are many, a point sends so many rays on the average. Called before the first point is.
+  void restrict_to(std::span<const std::uint8_t> lights, float rays_a_point) {
+    allowed_ = lights;
+    rays_a_point_ = rays_a_point;
+  }
+  /// The lights of a point, for a sample of that share: all that cast shadows where there are any,
+  /// and of the others rectangles, as the lights of an interior's rig are.
+  TakenLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
   /// One light, by a shadow ray of a sample of that share, which the places are at.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
@@ -87,20 +96,34 @@ class SampledLights {
     LitBatch points;
     std::array<SampleIndex, LitBatch::size> samples;
     std::array<std::size_t, LitBatch::size> targets;
+    LightPlaceBatch::Fractions picks;  // the number that picks lights, where they are picked
   };
 
   void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
-  void trace_shadows(std::int32_t own_part);
+  [[nodiscard]] bool picked() const { return lights_with_rays_ > LightPicks::few_lights; }
+  void learn_lights(const LitPoint& point);
+  [[nodiscard]] bool sends_rays(std::uint32_t light) const {
+    return shadows_ && lights_[light].light->casts_shadows;
+  }
+  void shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays);
+  void trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
+             std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace_shadows(const ShadowRayBatch& rays, std::int32_t own_part);
   void trace_pending(std::vector<glm::dvec3>& sums);
 
   const RayScene* rays_;
   LightPlaces* places_;
-  std::vector<LightConstants> lights_;  // of all points gathered
-  bool shadows_ = true;                 // the same of all points
+  std::span<const std::uint8_t> allowed_;  // empty: all
+  std::vector<LightConstants> lights_;     // of all points gathered
+  float rays_a_point_ = LightPicks::rays_a_point;
+  std::vector<std::uint8_t> taken_;
+  bool all_taken_ = true;
+  bool shadows_ = true;  // the same of all points
+  std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
   std::vector<std::unique_ptr<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;
-  ShadowRayBatch shadow_rays_;
+  LightPicks picks_;
   std::vector<Pending> pending_;
   std::vector<Ray> batch_;
   std::vector<float> shares_;

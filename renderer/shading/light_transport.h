@@ -30,12 +30,6 @@ struct Illumination {
           glm::dvec3(point.geometric_normal)};
 }
 
-/// Whether a light is among those that LightTransport::gather takes: all that cast shadows where
-/// there are `shadows`, and of the others rectangles, as the lights of an interior's rig are.
-[[nodiscard]] inline bool is_gathered(const PreparedLight& light, bool shadows) {
-  return (shadows && light.casts_shadows) || (light.rectangle && light.rule == LightRule::physical);
-}
-
 /// A point and all lights that may shine on it, before any of them was looked at.
 struct LitPoint {
   std::span<const PreparedLight> lights;  ///< the same for all points of a picture
@@ -44,6 +38,14 @@ struct LitPoint {
   bool mirrors = false;   ///< a reflection shows the lights that mirrors show
   glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
   bool shadows = true;    ///< the same for all points of a picture: whether lights cast any
+};
+
+/// Lights that were gathered.
+struct TakenLights {
+  std::span<const std::uint8_t> taken{};  ///< one a light, by index, 0: not taken; empty: none is
+  bool all = false;                       ///< none is left
+
+  [[nodiscard]] bool holds(std::size_t light) const { return !taken.empty() && taken[light] != 0; }
 };
 
 /// The part of the scene that a surface mirrors: the mean radiance over a square of directions
@@ -70,9 +72,9 @@ class LightTransport {
  public:
   virtual ~LightTransport() = default;
 
-  /// Takes those lights of a point that are gathered, to add later what the viewer sees of them;
-  /// false: `add` gets those that cast shadows, one after the other.
-  virtual bool gather(const LitPoint& /*point*/) { return false; }
+  /// Takes lights of a point, to add later what the viewer sees of them; `add` gets those others
+  /// that cast shadows, one after the other.
+  virtual TakenLights gather(const LitPoint& /*point*/) { return {}; }
 
   /// Adds to `radiance` what the viewer sees of the light by way of the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;

@@ -38,10 +38,7 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
       rays_(rays),
       lighting_(lighting),
       settings_(settings),
-      lights_(lighting.prepared(settings.light_rule)),
-      all_gathered_(std::all_of(lights_.begin(), lights_.end(), [&](const PreparedLight& light) {
-        return is_gathered(light, settings.shadows);
-      })) {}
+      lights_(lighting.prepared(settings.light_rule)) {}
 
 std::optional<LightHit> Shader::nearest_light_without_geometry(const Ray& ray) const {
   std::optional<LightHit> nearest;
@@ -123,14 +120,14 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
                         viewed_ray.shape);
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
-  const bool gathered =
+  const TakenLights gathered =
       transport.gather({lights_, view, seen, mirrors, layer.share, settings_.shadows});
-  if (gathered && all_gathered_) return;
+  if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
   const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
-    if (gathered && is_gathered(light, settings_.shadows)) continue;
+    if (gathered.holds(i)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
     // Reflections show the lights that have an area: those are their highlights.

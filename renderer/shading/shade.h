@@ -108,7 +108,6 @@ class Shader {
   const Lighting& lighting_;
   ShadingSettings settings_;
   std::span<const PreparedLight> lights_;
-  bool all_gathered_;
 };
 
 }  // namespace asos

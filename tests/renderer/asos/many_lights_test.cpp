@@ -138,5 +138,66 @@ TEST(ManyLights, ThatGiveNothingCostNothing) {
   EXPECT_GT(few.statistics.shadow_rays, 0u);
 }
 
+/// Root of the mean squared difference, and the mean one, over pixels and channels.
+struct Difference {
+  double rms = 0.0;
+  double mean = 0.0;
+};
+Difference difference(const Film& a, const Film& b) {
+  Difference found;
+  for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+    const glm::dvec3 d = glm::dvec3(a.radiance[i]) - glm::dvec3(b.radiance[i]);
+    found.rms += glm::dot(d, d);
+    found.mean += d.x + d.y + d.z;
+  }
+  const double n = 3.0 * static_cast<double>(a.radiance.size());
+  return {std::sqrt(found.rms / n), found.mean / n};
+}
+
+double brightest_of(const Film& film) {
+  double most = 0.0;
+  for (const glm::vec3& pixel : film.radiance)
+    most = std::max<double>(most, std::max({pixel.x, pixel.y, pixel.z}));
+  return most;
+}
+
+/// Each so dim that all together leave a picture below white.
+std::vector<Light> hundred_dim_lights() {
+  std::vector<Light> lights = hundred_of(area_lights(), 24);
+  const double brightest = brightest_of(picture_of(lights, exact_settings()).film);
+  for (Light& light : lights) light.intensity *= static_cast<float>(0.9 / brightest);
+  return lights;
+}
+
+// Lights that are too dim to be asked one by one are sampled together, to within EPS.
+TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
+  const std::vector<Light> lights = hundred_dim_lights();
+  const Picture exact = picture_of(lights, exact_settings());
+  RenderSettings settings = exact_settings();
+  settings.asos.eps = 1.0 / 256.0;
+  settings.asos.refine_shading = true;
+  const Picture sampled = picture_of(lights, settings);
+  const Difference off = difference(sampled.film, exact.film);
+  EXPECT_LT(off.rms, settings.asos.eps);
+  EXPECT_LT(std::abs(off.mean), settings.asos.eps / 16.0);
+  EXPECT_NE(sampled.film.radiance, exact.film.radiance);
+  EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
+}
+
+// A sample sends few rays to many lights, and the mean is theirs.
+TEST(ManyLights, AreSampledByFewRays) {
+  const std::vector<Light> lights = hundred_dim_lights();
+  const Picture exact = picture_of(lights, exact_settings());
+  RenderSettings settings = exact_settings();
+  settings.method = Method::sobol;
+  settings.sampling.spp = 256;
+  const Picture sampled = picture_of(lights, settings);
+  const Difference off = difference(sampled.film, exact.film);
+  EXPECT_LT(off.rms, 1.0 / 128.0);
+  EXPECT_LT(std::abs(off.mean), 1.0 / 2048.0);
+  EXPECT_LE(static_cast<double>(sampled.statistics.shadow_rays),
+            9.0 * static_cast<double>(sampled.statistics.eye_rays));
+}
+
 }  // namespace
 }  // namespace asos::test::many_lights_test

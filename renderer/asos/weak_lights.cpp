@@ -1,0 +1,183 @@
+#include "renderer/asos/weak_lights.h"
+
+#include "renderer/shadows/patch_view.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace asos {
+namespace {
+
+// Shadow rays of a point: shading it by a hundred lights takes as long.
+constexpr float rays_a_point = 16.0f;
+constexpr std::uint32_t most_points = 64;
+
+/// Gathers what lights shine on, and asks none.
+class LitPoints final : public LightTransport {
+ public:
+  explicit LitPoints(LitBatch& points) : points_(&points) {}
+
+  TakenLights gather(const LitPoint& point) override {
+    if (!points_->full()) points_->add(point, glm::vec3(1.0f));
+    return {{}, true};
+  }
+  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
+           RenderStatistics& /*counts*/) override {}
+  bool reflect(const Reflection& /*reflection*/, glm::vec3& /*radiance*/,
+               RenderStatistics& /*counts*/) override {
+    return true;
+  }
+
+ private:
+  LitBatch* points_;
+};
+
+// What each light carries at most by way of a point, if nothing shades it: in display units, as its
+// middle tells it.
+std::vector<double> most_carried(std::span<const PreparedLight> lights, const LitBatch& points) {
+  const auto places = std::make_unique<LightPlaceBatch>();
+  places->u.fill(0x80000000u);
+  places->v.fill(0x80000000u);
+  const auto rays = std::make_unique<ShadowRayBatch>();
+  std::vector<double> most(lights.size(), 0.0);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    shade_batch(points, LightConstants(lights[i]), *places, *rays);
+    for (std::size_t k = 0; k < rays->count; ++k) {
+      for (const auto& channel : rays->carried)
+        most[i] = std::max(most[i], std::min(1.0, static_cast<double>(channel[k])));
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
+    : eye_(&eye), samples_(&samples), places_(eye.seed), lights_(eye.scene->rays(), places_) {}
+
+void WeakLights::find(int side) {
+  const std::span<const PreparedLight> lights = eye_->viewer.shader.lights();
+  if (lights.size() <= LightPicks::few_lights || eye_->mask || !eye_->budget.refines() ||
+      !eye_->settings->shadow.cast || eye_->settings->shadow.quality != ShadowQuality::refined)
+    return;
+  // Look at what the lights shine on.
+  const auto points = std::make_unique<LitBatch>();
+  LitPoints transport(*points);
+  RenderStatistics uncounted;
+  for (SampleId i = 0; i < static_cast<SampleId>(side * side); ++i) {
+    if (!samples_->hit(i).valid()) continue;
+    (void)eye_->viewer.shader.radiance(
+        eye_->viewer.viewed(samples_->ray(i), samples_->hit(i), eye_->side_of(1.0)), transport,
+        uncounted);
+  }
+  const std::vector<double> carried = most_carried(lights, *points);
+  // Those that cast shadows, brightest first.
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < lights.size(); ++i)
+    if (lights[i].casts_shadows) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return carried[a] > carried[b]; });
+  // Ask as many of these one by one as pays.
+  double rest = 0.0;
+  for (const std::uint32_t i : order) rest += carried[i];
+  double asked = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t strong = 0;
+  for (std::size_t k = 0; k <= order.size(); ++k) {
+    const double cost = asked + eye_->budget.rays(1.0, std::max(rest, 0.0));
+    if (cost < least) {
+      least = cost;
+      strong = k;
+      intensity_ = std::clamp(rest, 0.0, 1.0);
+    }
+    if (k == order.size()) break;
+    asked += lights[order[k]].extended() ? Prices::light_window : Prices::patch;
+    rest -= carried[order[k]];
+  }
+  if (strong == order.size()) return;
+  weak_.assign(lights.size(), 0);
+  for (std::size_t k = strong; k < order.size(); ++k) weak_[order[k]] = 1;
+  lights_.restrict_to(weak_, rays_a_point);
+}
+
+std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weight) {
+  if (shares_.empty()) sums_.clear();
+  shares_.push_back({root, sample, weight});
+  sums_.emplace_back(0.0);
+  return static_cast<std::uint32_t>(shares_.size() - 1);
+}
+
+// So many that their rays tell what the leaf deserves to know.
+std::uint32_t WeakLights::points_of(double weight) const {
+  const double rays = eye_->budget.rays(weight, intensity_);
+  return std::bit_ceil(static_cast<std::uint32_t>(std::clamp(
+      std::ceil(rays / static_cast<double>(rays_a_point)), 1.0, static_cast<double>(most_points))));
+}
+
+// Finds the places of the leaf's points and what is there.
+void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_t count) {
+  const SurfacePoint& point = lit.view.point;
+  at_.clear();
+  number_.clear();
+  seen_.clear();
+  if (count > 1) {
+    const Bounds2 box = bounds_of(leaf.region);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      places_.start_sample(static_cast<int>(i));
+      const PixelPoint p = places_.in_pixel();
+      const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(p.x, p.y));
+      if (!leaf.region.holds(at)) continue;
+      at_.push_back(at);
+      number_.push_back(i);
+    }
+    // On the plane that the leaf shows, or wherever its surface bends to.
+    const FeatureSet& features = eye_->scene->features();
+    if (features.deviation(point.triangle) <= 0.0f) {
+      const glm::dvec3 normal(point.geometric_normal);
+      const HalfSpace plane{normal, glm::dot(normal, glm::dvec3(point.position))};
+      for (const glm::vec2 at : at_) {
+        seen_.push_back(point);
+        if (const auto there = eye_->frame->on_plane(glm::dvec2(at), plane))
+          seen_.back().position = glm::vec3(*there);
+      }
+    } else {
+      samples_->look(at_, seen_, *eye_->counts);
+      for (SurfacePoint& there : seen_) {
+        if (there.triangle == Hit::none ||
+            features.sheet(there.triangle) != features.sheet(point.triangle))
+          there = point;
+      }
+    }
+  }
+  if (seen_.empty()) {
+    seen_.push_back(point);
+    number_.assign(1, 0);
+  }
+}
+
+void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext& leaf) {
+  const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
+  places_.start_pixel(x, y);
+  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight));
+  const glm::vec3 weight(static_cast<float>(leaf.weight) / static_cast<float>(seen_.size()));
+  for (std::size_t k = 0; k < seen_.size(); ++k) {
+    ViewedPoint view{seen_[k], lit.view.to_viewer, lit.view.n_dot_v, lit.view.patch,
+                     lit.view.distance};
+    places_.start_sample(static_cast<int>(number_[k]));
+    (void)lights_.gather({lit.lights, view, lit.material, lit.mirrors, lit.share, lit.shadows},
+                         {x, y, static_cast<int>(number_[k])}, {share, weight});
+  }
+}
+
+std::span<const WeakLights::Share> WeakLights::run() {
+  lights_.trace(sums_, *eye_->counts);
+  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].radiance = sums_[i];
+  done_.swap(shares_);
+  shares_.clear();
+  return done_;
+}
+
+}  // namespace asos

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
+#include "renderer/samples/sampled_lights.h"
+#include "renderer/samples/sobol_places.h"
+#include "renderer/shadows/leaf_context.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The lights of a scene with many of them that are too dim in a block to be asked one by one: what
+/// leaves get of all of these together is the mean of points that are well distributed over each
+/// leaf, whose few shadow rays go to lights that are picked by what they carry (LightPicks). Points
+/// of all leaves of a block are shaded in batches.
+class WeakLights {
+ public:
+  /// Both have to outlive this.
+  WeakLights(const EyeContext& eye, EyeSamples& samples);
+  WeakLights(const WeakLights&) = delete;
+  WeakLights& operator=(const WeakLights&) = delete;
+
+  /// Learns from the first samples, the middles of side x side roots, which lights are weak: so
+  /// that asking the others one by one, and for the weak ones as many rays as they are worth
+  /// together, costs least.
+  void find(int side);
+
+  /// One a light: whether it is weak. Empty: none is.
+  [[nodiscard]] std::span<const std::uint8_t> lights() const { return weak_; }
+  [[nodiscard]] bool holds(std::size_t light) const { return !weak_.empty() && weak_[light] != 0; }
+
+  /// What a leaf of a root gets of them.
+  struct Share {
+    std::uint32_t root = 0;
+    SampleId sample = no_sample;  ///< the leaf's; none: dropped
+    double weight = 1.0;          ///< the leaf's
+    glm::dvec3 radiance{0.0};     ///< times its weight
+  };
+  /// Begins the share of a leaf; its number.
+  std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
+  /// Adds a surface of the leaf to its share, to be shaded later.
+  void add(std::uint32_t share, const LitPoint& point, const LeafContext& leaf);
+  /// Leaves a share out.
+  void drop(std::uint32_t share) { shares_[share].sample = no_sample; }
+
+  /// Shades all that was added. Valid until the next leaf; none waits then.
+  std::span<const Share> run();
+
+ private:
+  [[nodiscard]] std::uint32_t points_of(double weight) const;
+  void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
+
+  const EyeContext* eye_;
+  EyeSamples* samples_;
+  std::vector<std::uint8_t> weak_;
+  double intensity_ = 0.0;  // of all weak ones together, where they are brightest
+  SobolPlaces places_;
+  SampledLights lights_;
+  std::vector<Share> shares_;
+  std::vector<Share> done_;
+  std::vector<glm::dvec3> sums_;
+  // Scratch: places in the frame with their numbers, and the surface there.
+  std::vector<glm::vec2> at_;
+  std::vector<std::uint32_t> number_;
+  std::vector<SurfacePoint> seen_;
+};
+
+}  // namespace asos

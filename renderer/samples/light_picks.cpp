@@ -1,0 +1,62 @@
+#include "renderer/samples/light_picks.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+float most_carried(const ShadowRayBatch& rays, std::size_t i) {
+  return std::max({rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]});
+}
+
+// Moves ray i to place `to`, before it or its own, and what it carries times `weight`.
+void move_ray(ShadowRayBatch& rays, std::size_t i, std::size_t to, float weight) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    rays.origin[k][to] = rays.origin[k][i];
+    rays.direction[k][to] = rays.direction[k][i];
+    rays.carried[k][to] = weight * rays.carried[k][i];
+  }
+  rays.t_far[to] = rays.t_far[i];
+  rays.point[to] = rays.point[i];
+}
+
+}  // namespace
+
+void LightPicks::start(std::size_t lights) {
+  lights_ = lights;
+  if (rays_.size() < lights) rays_.resize(lights);
+}
+
+void LightPicks::pick(std::size_t points, const LightPlaceBatch::Fractions& at, float a_point) {
+  // Each point's light, all together.
+  share_.assign(points, 0.0f);
+  for (std::size_t light = 0; light < lights_; ++light) {
+    const ShadowRayBatch& rays = rays_[light];
+    for (std::size_t i = 0; i < rays.count; ++i) share_[rays.point[i]] += most_carried(rays, i);
+  }
+  walked_.resize(points);
+  for (std::size_t p = 0; p < points; ++p) {
+    share_[p] /= a_point;
+    walked_[p] = static_cast<float>(at[p] >> 8) * 0x1p-24f;
+  }
+  // Walk along the lights, a share a step.
+  for (std::size_t light = 0; light < lights_; ++light) {
+    ShadowRayBatch& rays = rays_[light];
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      const std::uint32_t p = rays.point[i];
+      const float carried = most_carried(rays, i);
+      if (carried >= share_[p]) {
+        move_ray(rays, i, kept++, 1.0f);
+        continue;
+      }
+      walked_[p] += carried / share_[p];
+      if (walked_[p] < 1.0f) continue;
+      walked_[p] -= 1.0f;
+      move_ray(rays, i, kept++, share_[p] / carried);
+    }
+    rays.count = kept;
+  }
+}
+
+}  // namespace asos
