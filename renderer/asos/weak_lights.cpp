@@ -1,5 +1,6 @@
 #include "renderer/asos/weak_lights.h"
 
+#include "renderer/pyray/prices.h"
 #include "renderer/shadows/patch_view.h"
 
 #include <algorithm>

@@ -10,14 +10,6 @@
 
 namespace asos {
 
-/// What exact answers cost, in shadow rays: measured over scenes of all kinds at equal error
-/// (tests/bench/every_scene.cpp). A part that deserves fewer rays takes rays.
-struct Prices {
-  static constexpr double light_window = 20.0;   ///< a light cut along what stands before it
-  static constexpr double penumbra_test = 20.0;  ///< a search for a shadow's edges on a patch
-  static constexpr double patch = 10.0;          ///< a patch cut along the edges of a hard shadow
-};
-
 /// How well a pyray has to be known, and what may be spent on it: the one place that says how MAX
 /// and EPS of a pixel become those of its parts and of the pyrays that these send on (CGF'98
 /// section 4.1; design sections 5 and 13). Weights are shares of the root's area, intensities are

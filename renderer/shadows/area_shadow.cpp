@@ -1,5 +1,6 @@
 #include "renderer/shadows/area_shadow.h"
 
+#include "renderer/pyray/prices.h"
 #include "renderer/shadows/extended_shadow.h"
 #include "renderer/shadows/penumbra.h"
 #include "renderer/shadows/sampled_shadow.h"

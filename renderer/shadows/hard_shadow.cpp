@@ -1,5 +1,6 @@
 #include "renderer/shadows/hard_shadow.h"
 
+#include "renderer/pyray/prices.h"
 #include "renderer/shadows/sampled_shadow.h"
 #include "renderer/shadows/shadow.h"
 

@@ -1,5 +1,6 @@
 #include "renderer/shadows/penumbra.h"
 
+#include "renderer/pyray/prices.h"
 #include "renderer/shadows/linear_shadow.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "renderer/shadows/sampled_shadow.h"
 
+#include "renderer/pyray/prices.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shadows/shadow.h"
 
