@@ -7,8 +7,8 @@
 #define ASOS_KERNELS_ARC_PLACES_H
 #endif
 
+#include "renderer/kernels/lanes.h"
 #include "renderer/kernels/light_kernel.h"
-#include "renderer/kernels/simd_math.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -24,17 +24,6 @@ struct ArcPlaces {
   LitBatch::Floats first, second, third;
 };
 
-using DoubleTag = hn::ScalableTag<double>;
-using DoubleLanes = hn::Vec<DoubleTag>;
-
-HWY_INLINE DoubleLanes doubles(const float* from) {
-  const hn::Rebind<float, DoubleTag> df;
-  return hn::PromoteTo(DoubleTag(), hn::LoadU(df, from));
-}
-HWY_INLINE void store_floats(DoubleLanes v, float* to) {
-  const hn::Rebind<float, DoubleTag> df;
-  hn::StoreU(hn::DemoteTo(df, v), df, to);
-}
 /// 0 to 1, exact.
 HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
   const DoubleTag d;
@@ -45,9 +34,7 @@ HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
                  hn::Set(d, 0.5));
 }
 HWY_INLINE Vec3<DoubleLanes> to_middle(const LitBatch& points, std::size_t i, glm::dvec3 middle) {
-  const Vec3<DoubleLanes> position{doubles(&points.position.x[i]), doubles(&points.position.y[i]),
-                                   doubles(&points.position.z[i])};
-  return broadcast(DoubleTag(), middle) - position;
+  return broadcast(DoubleTag(), middle) - doubles(points.position, i);
 }
 
 /// The sine of an angle whose cosine is c.
@@ -140,11 +127,8 @@ inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, 
   const std::vector<glm::dvec3>& outline = light.outlines.front();
   const auto towards = broadcast(d, light.towards);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const Vec3<DoubleLanes> normal{doubles(&points.normal.x[i]), doubles(&points.normal.y[i]),
-                                   doubles(&points.normal.z[i])};
-    const Vec3<DoubleLanes> geometric{doubles(&points.geometric.x[i]),
-                                      doubles(&points.geometric.y[i]),
-                                      doubles(&points.geometric.z[i])};
+    const Vec3<DoubleLanes> normal = doubles(points.normal, i);
+    const Vec3<DoubleLanes> geometric = doubles(points.geometric, i);
     auto lowest = hn::Inf(d), highest_normal = hn::Neg(hn::Inf(d));
     auto highest_geometric = highest_normal;
     auto form = zero;

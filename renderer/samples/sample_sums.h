@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/viewer.h"
+#include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sampled_reflections.h"
@@ -61,6 +62,8 @@ class SampleSums {
  private:
   static constexpr std::size_t batch = 256;
 
+  void shade_batch();
+  [[nodiscard]] bool shade_plain();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
   void follow_reflections();
 
@@ -70,6 +73,7 @@ class SampleSums {
   SamplePlaces* places_;
   SampledLights lights_;
   SampledReflections reflections_;
+  PlainSamples plain_;
   Culling faces_;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;
@@ -79,6 +83,7 @@ class SampleSums {
   std::array<glm::dvec2, batch> points_{};
   std::array<Ray, batch> rays_;
   std::array<Hit, batch> hits_;
+  std::array<std::size_t, batch> alone_;  // the samples that are shaded one by one
   std::size_t used_ = 0;
 };
 

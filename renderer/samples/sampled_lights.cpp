@@ -21,14 +21,28 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
+SampledLights::Gathered& SampledLights::first_points() {
+  if (batches_.empty()) batches_.push_back(Recycler<Gathered>::make());
+  return *batches_.front();
+}
+
+void SampledLights::gathered(std::size_t points, std::span<const PreparedLight> lights,
+                             bool shadows) {
+  prepare(lights, shadows);
+  points_ = points;
+}
+
+void SampledLights::prepare(std::span<const PreparedLight> lights, bool shadows) {
+  if (!lights_.empty()) return;
+  for (const PreparedLight& light : lights) lights_.emplace_back(light);
+  shadows_ = shadows;
+}
+
 void SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
                            const SampleShare& share) {
-  if (lights_.empty()) {
-    for (const PreparedLight& light : point.lights) lights_.emplace_back(light);
-    shadows_ = point.shadows;
-  }
+  prepare(point.lights, point.shadows);
   const std::size_t batch = points_ / LitBatch::size;
-  if (batch == batches_.size()) batches_.push_back(std::make_unique<Gathered>());
+  if (batch == batches_.size()) batches_.push_back(Recycler<Gathered>::make());
   Gathered& gathered = *batches_[batch];
   const std::size_t i = points_++ % LitBatch::size;
   gathered.points.count = i;

@@ -2,6 +2,7 @@
 
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
+#include "renderer/samples/recycled.h"
 #include "renderer/shading/light_transport.h"
 
 #include <glm/glm.hpp>
@@ -58,6 +59,17 @@ class SampledLights {
   /// Both have to outlive this.
   SampledLights(const RayScene& rays, LightPlaces& places) : rays_(&rays), places_(&places) {}
 
+  /// Points and the samples whose lights they gather.
+  struct Gathered {
+    LitBatch points;
+    std::array<SampleIndex, LitBatch::size> samples;
+    std::array<std::size_t, LitBatch::size> targets;
+  };
+  /// Room for the first points of all, to be written as arrays; no point waits. They wait from
+  /// `gathered` on, with the lights of the picture.
+  [[nodiscard]] Gathered& first_points();
+  void gathered(std::size_t points, std::span<const PreparedLight> lights, bool shadows);
+
   /// All lights of a point, for a sample of that share.
   void gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
   /// One light, by a shadow ray of a sample of that share, which the places are at.
@@ -83,12 +95,8 @@ class SampledLights {
     std::size_t target = 0;
     std::int32_t ignored_part = -1;
   };
-  struct Gathered {
-    LitBatch points;
-    std::array<SampleIndex, LitBatch::size> samples;
-    std::array<std::size_t, LitBatch::size> targets;
-  };
 
+  void prepare(std::span<const PreparedLight> lights, bool shadows);
   void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   void trace_shadows(std::int32_t own_part);
   void trace_pending(std::vector<glm::dvec3>& sums);
@@ -98,7 +106,7 @@ class SampledLights {
   std::vector<LightConstants> lights_;  // of all points gathered
   bool shadows_ = true;                 // the same of all points
   std::size_t points_ = 0;
-  std::vector<std::unique_ptr<Gathered>> batches_;  // all full but the last of `points_`
+  std::vector<Recycled<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;
   ShadowRayBatch shadow_rays_;
   std::vector<Pending> pending_;
