@@ -106,52 +106,6 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
   }
 }
 
-/// One directed side of Lambert's contour sum: contour_side.
-HWY_INLINE DoubleLanes contour_side(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b,
-                                    const Vec3<DoubleLanes>& normal) {
-  const DoubleTag d;
-  const Vec3<DoubleLanes> across = cross(b - a, a);
-  const auto sine2 = dot(across, across);
-  const auto some = hn::Gt(sine2, hn::Zero(d));
-  const auto sine = hn::Sqrt(hn::IfThenElse(some, sine2, hn::Set(d, 1.0)));
-  const auto angle = arc_tangent(d, sine, dot(a, b));
-  const auto side = hn::Mul(hn::Mul(hn::Set(d, 0.5), angle), hn::Div(dot(across, normal), sine));
-  return hn::IfThenElseZero(some, side);
-}
-
-/// First: the projected solid angle, as polygon_form's; less than 0 where a horizon cuts the
-/// rectangle, which is left to be found one by one.
-inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, ArcPlaces& found) {
-  const DoubleTag d;
-  const auto zero = hn::Zero(d);
-  const std::vector<glm::dvec3>& outline = light.outlines.front();
-  const auto towards = broadcast(d, light.towards);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const Vec3<DoubleLanes> normal = doubles(points.normal, i);
-    const Vec3<DoubleLanes> geometric = doubles(points.geometric, i);
-    auto lowest = hn::Inf(d), highest_normal = hn::Neg(hn::Inf(d));
-    auto highest_geometric = highest_normal;
-    auto form = zero;
-    Vec3<DoubleLanes> last = to_middle(points, i, outline.back());
-    for (const glm::dvec3& corner : outline) {
-      const Vec3<DoubleLanes> to_corner = to_middle(points, i, corner);
-      const auto above_normal = dot(to_corner, normal);
-      const auto above_geometric = dot(to_corner, geometric);
-      lowest = hn::Min(lowest, hn::Min(above_normal, above_geometric));
-      highest_normal = hn::Max(highest_normal, above_normal);
-      highest_geometric = hn::Max(highest_geometric, above_geometric);
-      form = hn::Add(form, contour_side(last, to_corner, normal));
-      last = to_corner;
-    }
-    const auto height = hn::Neg(dot(to_middle(points, i, light.position), towards));
-    const auto dark = hn::Or(hn::Or(hn::Le(highest_normal, zero), hn::Le(highest_geometric, zero)),
-                             light.two_sided ? hn::Eq(height, zero) : hn::Le(height, zero));
-    const auto seen = hn::IfThenElse(hn::Lt(height, zero), hn::Neg(form), form);
-    const auto cut = hn::IfThenElse(hn::Lt(lowest, zero), hn::Set(d, -1.0), hn::Max(zero, seen));
-    store_floats(hn::IfThenElse(dark, zero, cut), &found.first[i]);
-  }
-}
-
 /// By the angle at the point (Kulla and Fajardo 2012, "equi-angular"). First: the place along the
 /// segment from the foot of the point's perpendicular. Second: its measure. Third: the
 /// perpendicular's length.
