@@ -69,14 +69,6 @@ void SampleSums::resize(std::size_t count) {
   hit_.resize(count);
 }
 
-bool SampleSums::add(const PointSample& sample) {
-  points_[used_] = sample.at;
-  samples_[used_++] = sample;
-  if (used_ < batch) return false;
-  trace();
-  return true;
-}
-
 void SampleSums::trace() {
   const std::span rays = std::span(rays_).first(used_);
   const std::span hits = std::span(hits_).first(used_);

@@ -46,7 +46,20 @@ class SampleSums {
   [[nodiscard]] std::size_t size() const { return radiance_.size(); }
 
   /// True once a batch was full and was traced, which moved the places to other samples.
-  bool add(const PointSample& sample);
+  bool add(const PointSample& sample) {
+    // Member by member: a copy as a whole would wait for what was just written in parts.
+    PointSample& place = samples_[used_];
+    points_[used_].x = place.at.x = sample.at.x;
+    points_[used_].y = place.at.y = sample.at.y;
+    place.side = sample.side;
+    place.x = sample.x;
+    place.y = sample.y;
+    place.index = sample.index;
+    place.target = sample.target;
+    if (++used_ < batch) return false;
+    trace();
+    return true;
+  }
   /// Traces the waiting samples. Sums are up to date only after it.
   void trace();
 
