@@ -11,6 +11,7 @@ namespace asos {
 
 PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
     : world_(scene.world()),
+      triangles_(static_cast<std::uint32_t>(world_.triangles.size())),
       needs_(scene.needs),
       table_(*scene.plain),
       viewer_(viewer),
@@ -29,12 +30,12 @@ PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
 }
 
 bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
-  if (!usable_ || hit.triangle >= world_.triangles.size()) return false;
+  if (!usable_ || hit.triangle >= triangles_) return false;
   const PlainMaterial& material = table_.of(world_, hit.triangle);
   if (!material.plain) return false;
   if (!arrays_) {
     arrays_ = Recycler<Arrays>::make();
-    arrays_->hits.count = 0;
+    clear();
   }
   TriangleBatch& hits = arrays_->hits;
   const std::size_t i = hits.count++;
@@ -51,27 +52,29 @@ bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float 
   arrays_->material[i] = &material;
   arrays_->hit[i] = hit;
   arrays_->index[i] = index;
+  if (material.looked_up) {
+    arrays_->looked_up[arrays_->looked_up_count++] = i;
+  } else {
+    arrays_->materials.set(i, material.surface);
+    arrays_->emission[i] = material.surface.emission;
+  }
   return true;
 }
 
 bool PlainSamples::shade(LitBatch& points) {
   place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
-  for (std::size_t i = 0; i < count(); ++i) find_material(i, points);
-  bool finite = view_materials(arrays_->materials, points);
-  for (std::size_t i = 0; i < count() && finite; ++i) {
+  bool finite = true;
+  for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
+    const std::size_t i = arrays_->looked_up[k];
+    look_up_material(i, points);
     const glm::vec3 emission = arrays_->emission[i];
-    finite = std::isfinite(emission.x + emission.y + emission.z);
+    finite = finite && std::isfinite(emission.x + emission.y + emission.z);
   }
-  return finite;
+  return view_materials(arrays_->materials, points) && finite;
 }
 
-void PlainSamples::find_material(std::size_t i, LitBatch& points) {
+void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
   const PlainMaterial& plain = *arrays_->material[i];
-  if (!plain.looked_up) {
-    arrays_->materials.set(i, plain.surface);
-    arrays_->emission[i] = plain.surface.emission;
-    return;
-  }
   const Hit& hit = arrays_->hit[i];
   const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
   if (plain.normal_map) {

@@ -29,7 +29,7 @@ class PlainSamples {
   /// The number of the ray of point i.
   [[nodiscard]] std::size_t index(std::size_t i) const { return arrays_->index[i]; }
   void clear() {
-    if (arrays_) arrays_->hits.count = 0;
+    if (arrays_) arrays_->hits.count = arrays_->looked_up_count = 0;
   }
 
   /// What rays see that meet nothing, where that is the same for all.
@@ -61,10 +61,13 @@ class PlainSamples {
     std::array<const PlainMaterial*, LitBatch::size> material;
     std::array<Hit, LitBatch::size> hit;
     std::array<std::size_t, LitBatch::size> index;
+    std::array<std::size_t, LitBatch::size> looked_up;  // the points whose materials are
+    std::size_t looked_up_count = 0;
   };
-  void find_material(std::size_t i, LitBatch& points);
+  void look_up_material(std::size_t i, LitBatch& points);
 
   const World& world_;
+  std::uint32_t triangles_;
   const SceneNeeds& needs_;
   const PlainMaterials& table_;
   const Viewer& viewer_;
