@@ -1,6 +1,8 @@
 #include "renderer/geometry/view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asos {
 
@@ -68,7 +70,33 @@ Ray View::ray(double x, double y) const {
 }
 
 void View::rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const {
-  for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
+  if (!perspective_ || beyond_) {
+    for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
+    return;
+  }
+  // The same bits as one by one, in loops that compilers make vectors of.
+  constexpr std::size_t some = 16;
+  double x[some], y[some], z[some], nearness[some];
+  for (std::size_t first = 0; first < points.size(); first += some) {
+    const std::size_t count = std::min(some, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec2 p = points[first + i];
+      x[i] = corner_.x + p.x * pixel_right_.x + p.y * pixel_down_.x;
+      y[i] = corner_.y + p.x * pixel_right_.y + p.y * pixel_down_.y;
+      z[i] = corner_.z + p.x * pixel_right_.z + p.y * pixel_down_.z;
+    }
+    for (std::size_t i = count; i < some; ++i) x[i] = y[i] = z[i] = 1.0;
+    for (std::size_t i = 0; i < some; ++i)
+      nearness[i] = 1.0 / std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec3 direction = glm::dvec3(x[i], y[i], z[i]) * nearness[i];
+      Ray& ray = rays[first + i];
+      ray.origin = glm::vec3(eye_ + start_ * direction);
+      ray.t_near = 0.0f;
+      ray.direction = glm::vec3(direction);
+      ray.t_far = std::numeric_limits<float>::infinity();
+    }
+  }
 }
 
 Frame View::frame(double x, double y, double width, double height) const {

@@ -7,8 +7,8 @@
 #define ASOS_KERNELS_ARC_PLACES_H
 #endif
 
+#include "renderer/kernels/lanes.h"
 #include "renderer/kernels/light_kernel.h"
-#include "renderer/kernels/simd_math.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -24,17 +24,6 @@ struct ArcPlaces {
   LitBatch::Floats first, second, third;
 };
 
-using DoubleTag = hn::ScalableTag<double>;
-using DoubleLanes = hn::Vec<DoubleTag>;
-
-HWY_INLINE DoubleLanes doubles(const float* from) {
-  const hn::Rebind<float, DoubleTag> df;
-  return hn::PromoteTo(DoubleTag(), hn::LoadU(df, from));
-}
-HWY_INLINE void store_floats(DoubleLanes v, float* to) {
-  const hn::Rebind<float, DoubleTag> df;
-  hn::StoreU(hn::DemoteTo(df, v), df, to);
-}
 /// 0 to 1, exact.
 HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
   const DoubleTag d;
@@ -45,9 +34,7 @@ HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
                  hn::Set(d, 0.5));
 }
 HWY_INLINE Vec3<DoubleLanes> to_middle(const LitBatch& points, std::size_t i, glm::dvec3 middle) {
-  const Vec3<DoubleLanes> position{doubles(&points.position.x[i]), doubles(&points.position.y[i]),
-                                   doubles(&points.position.z[i])};
-  return broadcast(DoubleTag(), middle) - position;
+  return broadcast(DoubleTag(), middle) - doubles(points.position, i);
 }
 
 /// The sine of an angle whose cosine is c.
@@ -116,55 +103,6 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
     const auto f = hn::IfThenElse(hn::Eq(angle.sin, zero), at_end, quotient);
     const auto slope2 = hn::Sub(hn::Mul(f, f), hn::Mul(hn::Sub(one, n0), hn::Add(one, n0)));
     store_floats(hn::CopySign(hn::Max(slope2, hn::Set(d, 1e-30)), f), &found.second[i]);
-  }
-}
-
-/// One directed side of Lambert's contour sum: contour_side.
-HWY_INLINE DoubleLanes contour_side(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b,
-                                    const Vec3<DoubleLanes>& normal) {
-  const DoubleTag d;
-  const Vec3<DoubleLanes> across = cross(b - a, a);
-  const auto sine2 = dot(across, across);
-  const auto some = hn::Gt(sine2, hn::Zero(d));
-  const auto sine = hn::Sqrt(hn::IfThenElse(some, sine2, hn::Set(d, 1.0)));
-  const auto angle = arc_tangent(d, sine, dot(a, b));
-  const auto side = hn::Mul(hn::Mul(hn::Set(d, 0.5), angle), hn::Div(dot(across, normal), sine));
-  return hn::IfThenElseZero(some, side);
-}
-
-/// First: the projected solid angle, as polygon_form's; less than 0 where a horizon cuts the
-/// rectangle, which is left to be found one by one.
-inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, ArcPlaces& found) {
-  const DoubleTag d;
-  const auto zero = hn::Zero(d);
-  const std::vector<glm::dvec3>& outline = light.outlines.front();
-  const auto towards = broadcast(d, light.towards);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const Vec3<DoubleLanes> normal{doubles(&points.normal.x[i]), doubles(&points.normal.y[i]),
-                                   doubles(&points.normal.z[i])};
-    const Vec3<DoubleLanes> geometric{doubles(&points.geometric.x[i]),
-                                      doubles(&points.geometric.y[i]),
-                                      doubles(&points.geometric.z[i])};
-    auto lowest = hn::Inf(d), highest_normal = hn::Neg(hn::Inf(d));
-    auto highest_geometric = highest_normal;
-    auto form = zero;
-    Vec3<DoubleLanes> last = to_middle(points, i, outline.back());
-    for (const glm::dvec3& corner : outline) {
-      const Vec3<DoubleLanes> to_corner = to_middle(points, i, corner);
-      const auto above_normal = dot(to_corner, normal);
-      const auto above_geometric = dot(to_corner, geometric);
-      lowest = hn::Min(lowest, hn::Min(above_normal, above_geometric));
-      highest_normal = hn::Max(highest_normal, above_normal);
-      highest_geometric = hn::Max(highest_geometric, above_geometric);
-      form = hn::Add(form, contour_side(last, to_corner, normal));
-      last = to_corner;
-    }
-    const auto height = hn::Neg(dot(to_middle(points, i, light.position), towards));
-    const auto dark = hn::Or(hn::Or(hn::Le(highest_normal, zero), hn::Le(highest_geometric, zero)),
-                             light.two_sided ? hn::Eq(height, zero) : hn::Le(height, zero));
-    const auto seen = hn::IfThenElse(hn::Lt(height, zero), hn::Neg(form), form);
-    const auto cut = hn::IfThenElse(hn::Lt(lowest, zero), hn::Set(d, -1.0), hn::Max(zero, seen));
-    store_floats(hn::IfThenElse(dark, zero, cut), &found.first[i]);
   }
 }
 

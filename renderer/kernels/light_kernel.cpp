@@ -4,11 +4,10 @@
 #define HWY_TARGET_INCLUDE "renderer/kernels/light_kernel.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
 // After it, for what it defines.
+#include "renderer/kernels/contour_forms.h"
 #include "renderer/kernels/lobes.h"
-#include "renderer/lights/form_factor.h"
 #include "renderer/shading/viewed_point.h"
 
-#include <algorithm>
 #include <hwy/highway.h>
 #include <limits>
 
@@ -136,15 +135,6 @@ HWY_INLINE Lanes carried_by(Lanes form, float power, const Lanes& diffuse, const
   return hn::Mul(irradiance, hn::Add(diffuse, hn::Mul(fresnel, shine.lobe)));
 }
 
-/// The projected solid angle of a rectangle that a horizon of point i cuts.
-inline float clipped_form(const LitBatch& points, const PreparedLight& light, std::size_t i) {
-  const auto at = [i](const LitBatch::Vectors& v) { return glm::dvec3(v.x[i], v.y[i], v.z[i]); };
-  const Receiver receiver{at(points.position), at(points.normal), at(points.geometric)};
-  const double form = polygon_form(light.outlines.front(), receiver);
-  const double height = glm::dot(receiver.position - light.position, light.towards);
-  return static_cast<float>(std::max(0.0, height < 0.0 ? -form : form));
-}
-
 template <LightConstants::Shape shape>
 HWY_INLINE CarriedLanes carried_from(const LitBatch& points, const LightConstants& light,
                                      const Vectors& middle, const Lanes& form,
@@ -195,9 +185,6 @@ void shade_closed_form(const LitBatch& points, const LightConstants& light, Shad
   rays.rejected = 0;
   ArcPlaces forms;
   rectangle_forms(points, *light.light, forms);
-  for (std::size_t i = 0; i < points.count; ++i) {
-    if (forms.first[i] < 0.0f) forms.first[i] = clipped_form(points, *light.light, i);
-  }
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
     const Vectors middle =
         (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);

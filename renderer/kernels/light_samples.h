@@ -11,24 +11,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-using FloatTag = hn::ScalableTag<float>;
-using Lanes = hn::Vec<FloatTag>;
-using LaneMask = hn::Mask<FloatTag>;
-using Vectors = Vec3<Lanes>;
-
-HWY_INLINE Lanes all_lanes(float value) {
-  return hn::Set(FloatTag(), value);
-}
-HWY_INLINE Vectors all_lanes(glm::vec3 value) {
-  return broadcast(FloatTag(), value);
-}
-HWY_INLINE Lanes loaded(const LitBatch::Floats& from, std::size_t i) {
-  return hn::Load(FloatTag(), &from[i]);
-}
-HWY_INLINE Vectors loaded(const LitBatch::Vectors& from, std::size_t i) {
-  return {loaded(from.x, i), loaded(from.y, i), loaded(from.z, i)};
-}
-
 struct ReceiverLanes {
   Vectors position, geometric, normal;
 };

@@ -19,6 +19,7 @@ struct LitBatch {
   struct Vectors {
     Floats x{}, y{}, z{};
     void set(std::size_t i, glm::vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+    [[nodiscard]] glm::vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
   };
 
   std::size_t count = 0;

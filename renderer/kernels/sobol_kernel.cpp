@@ -58,20 +58,16 @@ void scramble_mirrored(std::span<const std::uint32_t> mirrored, std::uint64_t se
   HWY_DYNAMIC_DISPATCH(scramble)(mirrored, seed, scrambled);
 }
 
-glm::dvec2 SobolPixelPlaces::at(const SobolPixel& pixel, std::uint32_t index) {
-  if (index / per_turn != turn_) {
-    turn_ = index / per_turn;
-    std::array<std::uint32_t, per_turn> u, v;
-    for (std::uint32_t i = 0; i < per_turn; ++i) {
-      u[i] = mirrored_sobol_bits(0, turn_ * per_turn + i);
-      v[i] = mirrored_sobol_bits(1, turn_ * per_turn + i);
-    }
-    const SobolPixel::Seeds seeds = pixel.pixel_seeds();
-    scramble_mirrored(u, seeds.u, u_.data());
-    scramble_mirrored(v, seeds.v, v_.data());
+void SobolPixelPlaces::take_turn(const SobolPixel& pixel, std::uint32_t turn) {
+  turn_ = turn;
+  std::array<std::uint32_t, per_turn> u, v;
+  for (std::uint32_t i = 0; i < per_turn; ++i) {
+    u[i] = mirrored_sobol_bits(0, turn * per_turn + i);
+    v[i] = mirrored_sobol_bits(1, turn * per_turn + i);
   }
-  constexpr double scale = 1.0 / 4294967296.0;
-  return {scale * u_[index % per_turn], scale * v_[index % per_turn]};
+  const SobolPixel::Seeds seeds = pixel.pixel_seeds();
+  scramble_mirrored(u, seeds.u, u_.data());
+  scramble_mirrored(v, seeds.v, v_.data());
 }
 
 void SobolBatch::clear() {
@@ -82,12 +78,6 @@ void SobolBatch::clear() {
 void SobolBatch::add(const SobolPixel& pixel, std::uint32_t index) {
   runs_.push_back({pixel, count_});
   add(index);
-}
-
-void SobolBatch::add(std::uint32_t index) {
-  u_[count_] = mirrored_sobol_bits(2, index);
-  v_[count_] = mirrored_sobol_bits(3, index);
-  ++count_;
 }
 
 void SobolBatch::on_light(std::uint32_t light, LightPlaceBatch& places) const {

@@ -20,7 +20,11 @@ class SobolBatch {
   /// follow each other share its seeds.
   void add(const SobolPixel& pixel, std::uint32_t index);
   /// The next sample, of the pixel of the last one.
-  void add(std::uint32_t index);
+  void add(std::uint32_t index) {
+    u_[count_] = mirrored_sobol_bits(2, index);
+    v_[count_] = mirrored_sobol_bits(3, index);
+    ++count_;
+  }
 
   void on_light(std::uint32_t light, LightPlaceBatch& places) const;
 
@@ -39,9 +43,15 @@ class SobolPixelPlaces {
  public:
   /// Before another pixel is asked for.
   void forget() { turn_ = none; }
-  [[nodiscard]] glm::dvec2 at(const SobolPixel& pixel, std::uint32_t index);
+  [[nodiscard]] glm::dvec2 at(const SobolPixel& pixel, std::uint32_t index) {
+    if (index / per_turn != turn_) take_turn(pixel, index / per_turn);
+    constexpr double scale = 1.0 / 4294967296.0;
+    return {scale * u_[index % per_turn], scale * v_[index % per_turn]};
+  }
 
  private:
+  void take_turn(const SobolPixel& pixel, std::uint32_t turn);
+
   static constexpr std::uint32_t per_turn = 16;
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t turn_ = none;

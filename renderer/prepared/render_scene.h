@@ -4,6 +4,7 @@
 #include "renderer/prepared/geometry.h"
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
+#include "renderer/shading/plain_materials.h"
 #include "renderer/shading/shade.h"
 #include "renderer/world/needs.h"
 #include "renderer/world/world.h"
@@ -17,12 +18,13 @@ namespace asos {
 
 /// A scene made ready to render, of three parts that are immutable, shared, and replaced one at a
 /// time: editing a light or a material costs what that part costs. A small value; `assembled` keeps
-/// its needs those of its parts.
+/// its needs and its table of plain materials those of its parts.
 struct RenderScene {
   std::shared_ptr<const Geometry> geometry;
   std::shared_ptr<const MaterialDfrs> materials;  ///< their defocusing ratios, which can be edited
   std::shared_ptr<const Lighting> lighting;
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
+  std::shared_ptr<const PlainMaterials> plain;   ///< the materials by what batches of points need
   SceneNeeds forced;                             ///< see prepare
   SceneNeeds needs;                              ///< those of all parts, and what was forced
 

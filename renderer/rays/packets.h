@@ -82,8 +82,10 @@ void load(Rays& rays, std::size_t lane, const Ray& ray, float scale) {
   lane_of(rays.dir_y, lane) = ray.direction.y;
   lane_of(rays.dir_z, lane) = ray.direction.z;
   lane_of(rays.tfar, lane) = ray.t_far * scale;
+  lane_of(rays.time, lane) = 0.0f;
   lane_of(rays.mask, lane) = ~0u;
   lane_of(rays.id, lane) = static_cast<unsigned>(lane);
+  lane_of(rays.flags, lane) = 0u;
 }
 
 /// The nearest hits: `store(i, lane, hit)` for each ray i, after its packet is done and before the
@@ -94,7 +96,8 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
   for (std::size_t first = 0; first < rays.size(); first += lanes) {
     const std::size_t count = std::min(lanes, rays.size() - first);
     alignas(64) std::array<int, lanes> valid{};
-    alignas(64) typename Packet<width>::RayHits query{};
+    alignas(64) typename Packet<width>::RayHits query;
+    if (count < lanes) query = {};
     for (std::size_t i = 0; i < count; ++i) {
       valid[i] = traceable(rays[first + i]) ? -1 : 0;
       load(query.ray, i, rays[first + i], context.scale);
@@ -126,7 +129,8 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
   for (std::size_t first = 0; first < rays.size(); first += lanes) {
     const std::size_t count = std::min(lanes, rays.size() - first);
     alignas(64) std::array<int, lanes> valid{};
-    alignas(64) typename Packet<width>::Rays query{};
+    alignas(64) typename Packet<width>::Rays query;
+    if (count < lanes) query = {};
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
       valid[i] = traceable(ray) && ray.t_far != far_end_of_blocked ? -1 : 0;
@@ -140,29 +144,39 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
   }
 }
 
+/// So many numbers in a row, all at once.
+template <std::size_t lanes>
+void copy_scaled(const float* __restrict from, float scale, float* __restrict to) {
+  for (std::size_t i = 0; i < lanes; ++i) to[i] = from[i] * scale;
+}
+
 /// Lanes `first` and on of the arrays; those beyond the last ray hold numbers of no meaning and are
 /// not valid.
 template <std::size_t lanes, typename Rays>
 void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std::size_t first,
           float scale) {
   const std::size_t count = std::min(lanes, rays.count - first);
+  copy_scaled<lanes>(rays.origin[0] + first, scale, &lane_of(query.org_x, 0));
+  copy_scaled<lanes>(rays.origin[1] + first, scale, &lane_of(query.org_y, 0));
+  copy_scaled<lanes>(rays.origin[2] + first, scale, &lane_of(query.org_z, 0));
+  copy_scaled<lanes>(rays.direction[0] + first, 1.0f, &lane_of(query.dir_x, 0));
+  copy_scaled<lanes>(rays.direction[1] + first, 1.0f, &lane_of(query.dir_y, 0));
+  copy_scaled<lanes>(rays.direction[2] + first, 1.0f, &lane_of(query.dir_z, 0));
+  copy_scaled<lanes>(rays.t_far + first, scale, &lane_of(query.tfar, 0));
   for (std::size_t i = 0; i < lanes; ++i) {
-    lane_of(query.org_x, i) = rays.origin[0][first + i] * scale;
-    lane_of(query.org_y, i) = rays.origin[1][first + i] * scale;
-    lane_of(query.org_z, i) = rays.origin[2][first + i] * scale;
     lane_of(query.tnear, i) = 0.0f;
-    lane_of(query.dir_x, i) = rays.direction[0][first + i];
-    lane_of(query.dir_y, i) = rays.direction[1][first + i];
-    lane_of(query.dir_z, i) = rays.direction[2][first + i];
-    lane_of(query.tfar, i) = rays.t_far[first + i] * scale;
+    lane_of(query.time, i) = 0.0f;
     lane_of(query.mask, i) = ~0u;
     lane_of(query.id, i) = static_cast<unsigned>(i);
+    lane_of(query.flags, i) = 0u;
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
     // As traceable: a direction of length 1 is not 0.
     const float sum = lane_of(query.org_x, i) + lane_of(query.org_y, i) + lane_of(query.org_z, i) +
                       lane_of(query.dir_x, i) + lane_of(query.dir_y, i) + lane_of(query.dir_z, i);
-    const bool sound = std::abs(sum) <= std::numeric_limits<float>::max() &&
-                       lane_of(query.tfar, i) >= 0.0f && i < count;
-    valid[i] = sound ? -1 : 0;
+    const int sound = int{std::abs(sum) <= std::numeric_limits<float>::max()} &
+                      int{lane_of(query.tfar, i) >= 0.0f} & int{i < count};
+    valid[i] = -sound;
   }
 }
 
@@ -174,7 +188,7 @@ void occlude_packets(RTCScene scene, Context& context, const RayArrays& rays, St
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = std::min(lanes, rays.count - first);
     alignas(64) std::array<int, lanes> valid;
-    alignas(64) typename Packet<width>::Rays query{};
+    alignas(64) typename Packet<width>::Rays query;
     load(query, valid, rays, first, context.scale);
     if (context.lanes) context.lanes->reset();
     if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);

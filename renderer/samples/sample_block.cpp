@@ -2,6 +2,8 @@
 
 #include "renderer/samples/sample_sums.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -19,6 +21,13 @@ void SamplePlaces::on_light(std::uint32_t light, LightPlaceBatch& places) {
   }
 }
 
+void SamplePlaces::in_pixel(int first, std::span<PixelPoint> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    start_sample(first + static_cast<int>(i));
+    points[i] = in_pixel();
+  }
+}
+
 int grid_side(int spp) {
   int n = 1;
   while (n * n < spp) ++n;
@@ -31,15 +40,21 @@ BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples)
   sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
   const double width = job.settings.filter_width;
   const auto side = static_cast<float>(width / std::sqrt(samples));
+  std::array<PixelPoint, points_at_a_time> points;
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x, ++pixel) {
       places.start_pixel(x, y);
-      for (int index = 0; index < samples; ++index) {
-        places.start_sample(index);
-        const PixelPoint p = places.in_pixel();
-        const glm::dvec2 at(x + 0.5 + width * (p.x - 0.5), y + 0.5 + width * (p.y - 0.5));
-        if (!sums.add({at, side, x, y, index, pixel})) continue;
+      for (int first = 0; first < samples; first += points_at_a_time) {
+        const auto some = static_cast<std::size_t>(std::min(points_at_a_time, samples - first));
+        places.in_pixel(first, std::span(points).first(some));
+        bool traced = false;
+        for (std::size_t i = 0; i < some; ++i) {
+          const glm::dvec2 at(x + 0.5 + width * (points[i].x - 0.5),
+                              y + 0.5 + width * (points[i].y - 0.5));
+          traced |= sums.add({at, side, x, y, first + static_cast<int>(i), pixel});
+        }
+        if (!traced) continue;
         if (job.stop.stop_requested()) return sums.block(block);
         places.start_pixel(x, y);
       }

@@ -22,6 +22,8 @@ class SamplePlaces : public LightPlaces {
   /// Goes to sample `index` of the pixel.
   virtual void start_sample(int index) = 0;
   [[nodiscard]] virtual PixelPoint in_pixel() const = 0;
+  /// Of samples `first` and on of the pixel; the one under way is the last of them.
+  virtual void in_pixel(int first, std::span<PixelPoint> points);
 
   using LightPlaces::on_light;
   /// One sample after the other.
@@ -31,6 +33,9 @@ class SamplePlaces : public LightPlaces {
  private:
   std::span<const SampleIndex> batch_;
 };
+
+/// The points of a pixel's samples that methods ask for at a time.
+inline constexpr int points_at_a_time = 16;
 
 /// The side of the first square of at least `spp` samples.
 [[nodiscard]] int grid_side(int spp);
@@ -48,6 +53,7 @@ class GridPlaces final : public SamplePlaces {
   void start_pixel(int x, int y) override { x_ = x, y_ = y; }
   void start_sample(int index) override { index_ = index; }
   [[nodiscard]] PixelPoint in_pixel() const override;
+  using SamplePlaces::in_pixel;
   using SamplePlaces::on_light;
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
 

@@ -49,6 +49,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       places_(&places),
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
+      plain_(scene, viewer_),
       faces_(culling_of(settings)) {}
 
 SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
@@ -58,20 +59,13 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       places_(&places),
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
+      plain_(scene, viewer_),
       faces_(culling_of(settings)) {}
 
 void SampleSums::resize(std::size_t count) {
   radiance_.resize(count, glm::dvec3(0.0));
   count_.resize(count, 0);
   hit_.resize(count);
-}
-
-bool SampleSums::add(const PointSample& sample) {
-  points_[used_] = sample.at;
-  samples_[used_++] = sample;
-  if (used_ < batch) return false;
-  trace();
-  return true;
 }
 
 void SampleSums::trace() {
@@ -82,17 +76,66 @@ void SampleSums::trace() {
   if (viewer_.mirror)
     pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
-  for (std::size_t i = 0; i < used_; ++i) {
-    const PointSample& sample = samples_[i];
-    if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
-      places_->start_pixel(sample.x, sample.y);
-    hit_[sample.target] = hits_[i];
-    if (shade(sample, glm::vec3(1.0f), viewer_.viewed(rays_[i], hits_[i], sample.side)))
-      ++count_[sample.target];
-  }
+  shade_batch();
   follow_reflections();
   lights_.trace(radiance_, statistics_);
   used_ = 0;
+}
+
+// The samples that wait, of what their rays met.
+void SampleSums::shade_batch() {
+  plain_.clear();
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < used_; ++i) {
+    hit_[samples_[i].target] = hits_[i];
+    if (plain_.add(i, rays_[i], hits_[i], samples_[i].side)) continue;
+    if (!hits_[i].valid() && plain_.background()) {
+      radiance_[samples_[i].target] += glm::dvec3(*plain_.background());
+      ++count_[samples_[i].target];
+    } else {
+      alone_[alone++] = i;
+    }
+  }
+  if (plain_.count() > 0 && !shade_plain()) {
+    for (std::size_t i = 0; i < plain_.count(); ++i) alone_[alone++] = plain_.index(i);
+  }
+  for (std::size_t k = 0; k < alone; ++k) {
+    const PointSample& sample = samples_[alone_[k]];
+    if (k == 0 || sample.x != samples_[alone_[k - 1]].x || sample.y != samples_[alone_[k - 1]].y)
+      places_->start_pixel(sample.x, sample.y);
+    if (shade(sample, glm::vec3(1.0f),
+              viewer_.viewed(rays_[alone_[k]], hits_[alone_[k]], sample.side)))
+      ++count_[sample.target];
+  }
+}
+
+// False, and nothing is added, where anything is not finite.
+bool SampleSums::shade_plain() {
+  SampledLights::Gathered& gathered = lights_.first_points();
+  if (!plain_.shade(gathered.points)) return false;
+  const Shader& shader = viewer_.shader;
+  lights_.prepare(shader.lights(), shader.settings().shadows);
+  lights_.gathered(plain_.count());
+  for (std::size_t i = 0; i < plain_.count(); ++i) {
+    const std::size_t index = plain_.index(i);
+    const PointSample& sample = samples_[index];
+    gathered.samples[i] = {sample.x, sample.y, sample.index};
+    gathered.targets[i] = sample.target;
+    bool mirrors = false;
+    if (lights_.picks_lights() || plain_.may_mirror(i)) {
+      places_->start_pixel(sample.x, sample.y);
+      places_->start_sample(sample.index);
+    }
+    if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
+    if (plain_.may_mirror(i)) {
+      OneSample transport(lights_, reflections_, shader, sample, glm::vec3(1.0f));
+      mirrors = plain_.reflect(i, viewer_.viewed(rays_[index], hits_[index], sample.side),
+                               gathered.points, transport, statistics_);
+    }
+    radiance_[sample.target] += glm::dvec3(plain_.unlit_radiance(i, gathered.points, mirrors));
+    ++count_[sample.target];
+  }
+  return true;
 }
 
 // Adds what a ray of the sample sees, whose pixel the places are at. False, and nothing of the

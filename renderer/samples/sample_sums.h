@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/viewer.h"
+#include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sampled_reflections.h"
@@ -45,7 +46,20 @@ class SampleSums {
   [[nodiscard]] std::size_t size() const { return radiance_.size(); }
 
   /// True once a batch was full and was traced, which moved the places to other samples.
-  bool add(const PointSample& sample);
+  bool add(const PointSample& sample) {
+    // Member by member: a copy as a whole would wait for what was just written in parts.
+    PointSample& place = samples_[used_];
+    points_[used_].x = place.at.x = sample.at.x;
+    points_[used_].y = place.at.y = sample.at.y;
+    place.side = sample.side;
+    place.x = sample.x;
+    place.y = sample.y;
+    place.index = sample.index;
+    place.target = sample.target;
+    if (++used_ < batch) return false;
+    trace();
+    return true;
+  }
   /// Traces the waiting samples. Sums are up to date only after it.
   void trace();
 
@@ -61,6 +75,8 @@ class SampleSums {
  private:
   static constexpr std::size_t batch = 256;
 
+  void shade_batch();
+  [[nodiscard]] bool shade_plain();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
   void follow_reflections();
 
@@ -70,6 +86,7 @@ class SampleSums {
   SamplePlaces* places_;
   SampledLights lights_;
   SampledReflections reflections_;
+  PlainSamples plain_;
   Culling faces_;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;
@@ -79,6 +96,7 @@ class SampleSums {
   std::array<glm::dvec2, batch> points_{};
   std::array<Ray, batch> rays_;
   std::array<Hit, batch> hits_;
+  std::array<std::size_t, batch> alone_;  // the samples that are shaded one by one
   std::size_t used_ = 0;
 };
 

@@ -15,7 +15,16 @@ std::uint32_t binary_fraction(double at) {
   return static_cast<std::uint32_t>(0x1p32 * std::clamp(at, 0.0, 1.0 - 0x1p-32));
 }
 
+bool taken(const PreparedLight& light, bool shadows) {
+  return (shadows && light.casts_shadows) || (light.rectangle && light.rule == LightRule::physical);
+}
+
 }  // namespace
+
+bool SampledLights::takes_all(std::span<const PreparedLight> lights, bool shadows) {
+  return std::all_of(lights.begin(), lights.end(),
+                     [shadows](const PreparedLight& light) { return taken(light, shadows); });
+}
 
 void SampledLights::add(const Illumination& lit, const SampleShare& share,
                         RenderStatistics& counts) {
@@ -31,33 +40,44 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
-void SampledLights::learn_lights(const LitPoint& point) {
-  shadows_ = point.shadows;
-  for (const PreparedLight& light : point.lights) {
+SampledLights::Gathered& SampledLights::first_points() {
+  if (batches_.empty()) batches_.push_back(Recycler<Gathered>::make());
+  return *batches_.front();
+}
+
+void SampledLights::gathered(std::size_t points) {
+  points_ = points;
+}
+
+void SampledLights::prepare(std::span<const PreparedLight> lights, bool shadows) {
+  if (!lights_.empty()) return;
+  shadows_ = shadows;
+  for (const PreparedLight& light : lights) {
     const std::size_t i = lights_.size();
     lights_.emplace_back(light);
-    const bool allowed = allowed_.empty() || allowed_[i] != 0;
-    const bool closed_form = light.rectangle && light.rule == LightRule::physical;
-    const bool rays = shadows_ && light.casts_shadows;
-    const bool taken = allowed && (rays || closed_form);
-    taken_.push_back(taken ? 1 : 0);
-    all_taken_ &= taken;
-    lights_with_rays_ += taken && rays;
+    const bool takes = (allowed_.empty() || allowed_[i] != 0) && taken(light, shadows_);
+    taken_.push_back(takes ? 1 : 0);
+    all_taken_ &= takes;
+    lights_with_rays_ += takes && shadows_ && light.casts_shadows;
   }
+}
+
+std::uint32_t SampledLights::pick_place() const {
+  return binary_fraction(places_->in_lobe(lobe_of_picks).x);
 }
 
 TakenLights SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
                                   const SampleShare& share) {
-  if (lights_.empty()) learn_lights(point);
+  prepare(point.lights, point.shadows);
   const std::size_t batch = points_ / LitBatch::size;
-  if (batch == batches_.size()) batches_.push_back(std::make_unique<Gathered>());
+  if (batch == batches_.size()) batches_.push_back(Recycler<Gathered>::make());
   Gathered& gathered = *batches_[batch];
   const std::size_t i = points_++ % LitBatch::size;
   gathered.points.count = i;
   gathered.points.add(point, share.weight);
   gathered.samples[i] = sample;
   gathered.targets[i] = share.target;
-  if (picked()) gathered.picks[i] = binary_fraction(places_->in_lobe(lobe_of_picks).x);
+  if (picks_lights()) gathered.picks[i] = pick_place();
   return {taken_, all_taken_};
 }
 
@@ -84,7 +104,7 @@ void SampledLights::trace(std::vector<glm::dvec3>& sums) {
 void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
                           RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
-  const bool many = picked();
+  const bool many = picks_lights();
   picks_.start(many ? lights_.size() : 1);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     ShadowRayBatch& rays = picks_.rays(many ? light : 0);

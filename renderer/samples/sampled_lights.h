@@ -3,6 +3,7 @@
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/samples/light_picks.h"
+#include "renderer/samples/recycled.h"
 #include "renderer/shading/light_transport.h"
 
 #include <glm/glm.hpp>
@@ -66,6 +67,28 @@ class SampledLights {
     allowed_ = lights;
     rays_a_point_ = rays_a_point;
   }
+
+  /// Points and the samples whose lights they gather.
+  struct Gathered {
+    LitBatch points;
+    std::array<SampleIndex, LitBatch::size> samples;
+    std::array<std::size_t, LitBatch::size> targets;
+    LightPlaceBatch::Fractions picks;  ///< each one's pick_place, where lights are picked
+  };
+  /// What there is to know of the lights, the same for all points of a picture: known already once
+  /// a point was gathered.
+  void prepare(std::span<const PreparedLight> lights, bool shadows);
+  /// Room for the first points of all, to be written as arrays; no point waits. They wait from
+  /// `gathered` on.
+  [[nodiscard]] Gathered& first_points();
+  void gathered(std::size_t points);
+  /// Whether there are so many lights that points send rays to some of them only.
+  [[nodiscard]] bool picks_lights() const { return lights_with_rays_ > LightPicks::few_lights; }
+  /// The number by which the sample under way picks its lights, of 2^32.
+  [[nodiscard]] std::uint32_t pick_place() const;
+
+  /// Whether `gather` takes all of these lights.
+  [[nodiscard]] static bool takes_all(std::span<const PreparedLight> lights, bool shadows);
   /// The lights of a point, for a sample of that share: all that cast shadows where there are any,
   /// and of the others rectangles, as the lights of an interior's rig are.
   TakenLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
@@ -92,16 +115,8 @@ class SampledLights {
     std::size_t target = 0;
     std::int32_t ignored_part = -1;
   };
-  struct Gathered {
-    LitBatch points;
-    std::array<SampleIndex, LitBatch::size> samples;
-    std::array<std::size_t, LitBatch::size> targets;
-    LightPlaceBatch::Fractions picks;  // the number that picks lights, where they are picked
-  };
 
   void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
-  [[nodiscard]] bool picked() const { return lights_with_rays_ > LightPicks::few_lights; }
-  void learn_lights(const LitPoint& point);
   [[nodiscard]] bool sends_rays(std::uint32_t light) const {
     return shadows_ && lights_[light].light->casts_shadows;
   }
@@ -121,7 +136,7 @@ class SampledLights {
   bool shadows_ = true;  // the same of all points
   std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
-  std::vector<std::unique_ptr<Gathered>> batches_;  // all full but the last of `points_`
+  std::vector<Recycled<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;
   LightPicks picks_;
   std::vector<Pending> pending_;

@@ -25,6 +25,13 @@ class SobolPlaces final : public SamplePlaces {
     const glm::dvec2 p = in_pixel_.at(*points_, index_);
     return {p.x, p.y};
   }
+  void in_pixel(int first, std::span<PixelPoint> points) override {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      index_ = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
+      const glm::dvec2 p = in_pixel_.at(*points_, index_);
+      points[i] = {p.x, p.y};
+    }
+  }
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override {
     return points_->light(index_, light);
   }

@@ -59,18 +59,14 @@ constexpr std::uint32_t sum_of_directions(const DirectionNumbers& numbers, std::
   return bits;
 }
 
-// The points that most pixels take, once for all.
-constexpr std::uint32_t few = 256;
-using MirroredPoints = std::array<std::uint32_t, few>;
-constexpr std::array<MirroredPoints, 4> mirrored_points() {
-  std::array<MirroredPoints, 4> points{};
+constexpr FewSobolPoints mirrored_points() {
+  FewSobolPoints points{};
   for (std::size_t d = 0; d < points.size(); ++d) {
-    for (std::uint32_t i = 0; i < few; ++i)
+    for (std::uint32_t i = 0; i < few_sobol_points; ++i)
       points[d][i] = mirrored_digits(sum_of_directions(directions[d], i));
   }
   return points;
 }
-constexpr std::array<MirroredPoints, 4> first_mirrored = mirrored_points();
 
 // The seed of one of the four scrambled dimensions, the last two of which each light has of its
 // own.
@@ -85,13 +81,10 @@ double scrambled(int dimension, std::uint32_t index, std::uint64_t seed) {
 
 }  // namespace
 
+constexpr FewSobolPoints first_mirrored_sobol_bits = mirrored_points();
+
 std::uint32_t sobol_bits(int dimension, std::uint32_t index) {
   return sum_of_directions(directions[static_cast<std::size_t>(dimension)], index);
-}
-
-std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index) {
-  return index < few ? first_mirrored[static_cast<std::size_t>(dimension)][index]
-                     : mirrored_digits(sobol_bits(dimension, index));
 }
 
 std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {

@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace asos {
@@ -26,8 +28,17 @@ namespace asos {
   return (x >> 16) | (x << 16);
 }
 
+/// The points that most pixels take, mirrored_digits of sobol_bits by dimension.
+inline constexpr std::uint32_t few_sobol_points = 256;
+using FewSobolPoints = std::array<std::array<std::uint32_t, few_sobol_points>, 4>;
+extern const FewSobolPoints first_mirrored_sobol_bits;
+
 /// mirrored_digits of sobol_bits: what owen_scramble starts from.
-[[nodiscard]] std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index);
+[[nodiscard]] inline std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index) {
+  return index < few_sobol_points
+             ? first_mirrored_sobol_bits[static_cast<std::size_t>(dimension)][index]
+             : mirrored_digits(sobol_bits(dimension, index));
+}
 
 /// The sample points of one pixel: Sobol's first four dimensions, each scrambled by itself. They
 /// are a function of the pixel, the seed of the run and the sample's index and of nothing else.

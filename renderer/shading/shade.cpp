@@ -165,7 +165,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   Ray ray = seen.ray;
   Hit hit = seen.hit;
   std::uint32_t last = Hit::none;
-  const glm::vec3 to_viewer = -glm::normalize(seen.ray.direction);
+  const glm::vec3 to_viewer = -seen.ray.direction;
   const auto light = seen.bounces > 0 ? nearest_light_without_geometry(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {

@@ -70,6 +70,7 @@ class Shader {
   /// A pixel's steps in the picture.
   [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
   [[nodiscard]] int reflections() const { return settings_.reflections; }
+  [[nodiscard]] const ShadingSettings& settings() const { return settings_; }
   /// Lights that reflections show although no surface of the scene does, by index into lights().
   [[nodiscard]] std::span<const std::uint32_t> lights_without_geometry() const {
     return lighting_.lights_without_geometry;
@@ -82,6 +83,16 @@ class Shader {
                                                       const SurfacePoint& point,
                                                       const SurfaceMaterial& material,
                                                       glm::vec3 reflected) const;
+
+  /// Hands what the nearest surface on a ray mirrors to `transport`, where it is followed;
+  /// `specular` is ViewedMaterial's.
+  [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point,
+                             const SurfaceMaterial& material, glm::vec3 specular,
+                             LightTransport& transport, glm::vec3& radiance,
+                             RenderStatistics& counts) const {
+    return add_mirrored(seen, point, material, {glm::vec3(1.0f), 0, seen.hit}, specular, transport,
+                        radiance, counts);
+  }
 
   /// The scene's, by the rule of the settings.
   [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }

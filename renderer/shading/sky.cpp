@@ -94,14 +94,14 @@ glm::dvec3 Sky::in_map(glm::dvec3 d) const {
 }
 
 glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) const {
-  if (!map_ && zenith_ == horizon_) return zenith_;
+  if (constant()) return zenith_;
   const glm::dvec3 middle(direction), r(right), s(down);
   const Parts n = parts_of(across(middle, r).length, across(middle, s).length);
   return mean_of_parts({middle, r, s}, n.right, n.down);
 }
 
 glm::vec3 Sky::around(glm::vec3 direction, float width) const {
-  if (!map_ && zenith_ == horizon_) return zenith_;
+  if (constant()) return zenith_;
   constexpr int parts = 3;
   const glm::dvec3 middle(direction);
   const glm::dvec3 right = any_perpendicular(middle);

@@ -43,6 +43,8 @@ class Sky {
   /// picture stays as it is.
   [[nodiscard]] Sky turned(double turn_deg) const;
 
+  /// Whether it is the same all over.
+  [[nodiscard]] bool constant() const { return !map_ && zenith_ == horizon_; }
   [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
 
   /// As on the command line, "R,G,B:R,G,B" or the file, and by how much it is turned.

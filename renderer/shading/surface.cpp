@@ -143,15 +143,11 @@ void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, c
   const glm::vec3 smooth = normalized_or(mixed, point.geometric_normal);
   const float side = glm::dot(smooth, point.geometric_normal) < 0.0f ? -1.0f : 1.0f;
   point.shading_normal = side * smooth;
-  if (!point.footprint.point())
-    point.spread = interpolated_spread(normals, point.footprint, smooth, glm::length(mixed));
-  const Material& material = world.material_of(hit.triangle);
-  if (!needs.normal_maps || !material.normal_texture.used()) return;
-  const MappedNormal mapped = mapped_normal(world, hit, t, material, smooth, point.footprint, mips);
-  point.spread.variance = mapped.variance;
-  // A map that tilts the normal below the surface is not followed that far.
-  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
-    point.shading_normal = side * mapped.normal;
+  const float length = glm::length(mixed);
+  if (!point.footprint.point() && length > 0.0f)
+    point.spread = interpolated_spread(normals, point.footprint, smooth, length);
+  if (needs.normal_maps && world.material_of(hit.triangle).normal_texture.used())
+    map_normal(world, hit, mips, side, point);
 }
 
 /// Place and geometric normal on a triangle.
@@ -186,57 +182,10 @@ void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
                 static_cast<float>(rounding_in_double * face.size);
 }
 
-}  // namespace
-
-SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
-                           glm::vec3 to_viewer, const SampleExtent& extent) {
-  const Triangle t(world, hit);
-  SurfacePoint point;
-  point.triangle = hit.triangle;
-  if (t.face) {
-    place_on_face(world, hit, point);
-  } else {
-    place_on_triangle(world, t, point);
-  }
-  if (glm::dot(point.geometric_normal, to_viewer) < 0.0f) {
-    point.geometric_normal = -point.geometric_normal;
-  }
-
-  if (!extent.point() && shows_footprint(world, needs, hit.triangle, t)) {
-    point.footprint = shaped(footprint_on(world, hit,
-                                          patch_on_plane(*extent.spacing, -to_viewer, hit.t,
-                                                         point.geometric_normal, extent.side)),
-                             extent.shape);
-    point.footprint.side = extent.side;
-  }
-  shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
-  return point;
-}
-
-SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit,
-                                 const Footprint& footprint, const MipChains* mips) {
-  const Material& material = world.material_of(hit.triangle);
-  const auto sample = [&](const TextureUse& use, TexelKind kind) {
-    if (mips)
-      return filtered_texture(world, *mips, use, kind, {hit.triangle, hit.b1, hit.b2, footprint});
-    return sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
-                          kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
-  };
-
-  glm::vec4 base = material.base_color;
-  if (needs.textures && material.base_color_texture.used()) {
-    glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
-    // A cut-off is a point's, as that of rays is.
-    if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
-      texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
-                               Encoding::srgb)
-                    .a;
-    }
-    base *= texel;
-  }
-  if (needs.vertex_colors && !world.colors.empty())
-    base *= vertex_color(world, hit.triangle, hit.b1, hit.b2);
-
+/// A material whose base colour is found, and whose other textures `sample(use, kind)` looks up.
+template <typename Sample>
+SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs, glm::vec4 base,
+                              const Sample& sample) {
   SurfaceMaterial surface;
   surface.base_color = glm::vec3(base);
   surface.unlit = material.unlit;
@@ -280,6 +229,76 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
     }
   }
   return surface;
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
+                           glm::vec3 to_viewer, const SampleExtent& extent) {
+  const Triangle t(world, hit);
+  SurfacePoint point;
+  point.triangle = hit.triangle;
+  if (t.face) {
+    place_on_face(world, hit, point);
+  } else {
+    place_on_triangle(world, t, point);
+  }
+  if (glm::dot(point.geometric_normal, to_viewer) < 0.0f) {
+    point.geometric_normal = -point.geometric_normal;
+  }
+
+  if (!extent.point() && shows_footprint(world, needs, hit.triangle, t)) {
+    point.footprint = shaped(footprint_on(world, hit,
+                                          patch_on_plane(*extent.spacing, -to_viewer, hit.t,
+                                                         point.geometric_normal, extent.side)),
+                             extent.shape);
+    point.footprint.side = extent.side;
+  }
+  shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
+  return point;
+}
+
+void map_normal(const World& world, const Hit& hit, const MipChains* mips, float side,
+                SurfacePoint& point) {
+  const MappedNormal mapped =
+      mapped_normal(world, hit, Triangle(world, hit), world.material_of(hit.triangle),
+                    side * point.shading_normal, point.footprint, mips);
+  point.spread.variance = mapped.variance;
+  // A map that tilts the normal below the surface is not followed that far.
+  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
+    point.shading_normal = side * mapped.normal;
+}
+
+SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit,
+                                 const Footprint& footprint, const MipChains* mips) {
+  const Material& material = world.material_of(hit.triangle);
+  const auto sample = [&](const TextureUse& use, TexelKind kind) {
+    if (mips)
+      return filtered_texture(world, *mips, use, kind, {hit.triangle, hit.b1, hit.b2, footprint});
+    return sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
+                          kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
+  };
+
+  glm::vec4 base = material.base_color;
+  if (needs.textures && material.base_color_texture.used()) {
+    glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
+    // A cut-off is a point's, as that of rays is.
+    if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
+      texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
+                               Encoding::srgb)
+                    .a;
+    }
+    base *= texel;
+  }
+  if (needs.vertex_colors && !world.colors.empty())
+    base *= vertex_color(world, hit.triangle, hit.b1, hit.b2);
+
+  return material_with(material, needs, base, sample);
+}
+
+SurfaceMaterial untextured_material(const Material& material, const SceneNeeds& needs) {
+  return material_with(material, needs, material.base_color,
+                       [](const TextureUse&, TexelKind) { return glm::vec4(1.0f); });
 }
 
 std::array<glm::vec3, 3> corner_normals(const World& world, const Hit& hit) {

@@ -58,6 +58,16 @@ struct SampleExtent {
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
 
+/// The same of a material without textures or vertex colours.
+[[nodiscard]] SurfaceMaterial untextured_material(const Material& material,
+                                                  const SceneNeeds& needs);
+
+/// Turns the shading normal by the material's map of normals, which it has: the mean over the
+/// point's footprint where there are `mips`. `side`: -1 where the shading normal is the
+/// interpolated one turned round, to be on the geometric normal's side; else 1.
+void map_normal(const World& world, const Hit& hit, const MipChains* mips, float side,
+                SurfacePoint& point);
+
 /// The interpolated normal's values at the corners of what a hit is on; of a face of an analytic
 /// shape those of the vector that is its normal, and turns as it does, at the hit. The triangle of
 /// a world without normals has its own.

@@ -1,0 +1,62 @@
+// Lanes of numbers and of vectors, and how they come from and go to arrays. Once for each
+// instruction set.
+#if defined(ASOS_KERNELS_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASOS_KERNELS_LANES_H
+#undef ASOS_KERNELS_LANES_H
+#else
+#define ASOS_KERNELS_LANES_H
+#endif
+
+#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/simd_math.h"
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+
+using FloatTag = hn::ScalableTag<float>;
+using Lanes = hn::Vec<FloatTag>;
+using LaneMask = hn::Mask<FloatTag>;
+using Vectors = Vec3<Lanes>;
+
+HWY_INLINE Lanes all_lanes(float value) {
+  return hn::Set(FloatTag(), value);
+}
+HWY_INLINE Vectors all_lanes(glm::vec3 value) {
+  return broadcast(FloatTag(), value);
+}
+HWY_INLINE Lanes loaded(const LitBatch::Floats& from, std::size_t i) {
+  return hn::Load(FloatTag(), &from[i]);
+}
+HWY_INLINE Vectors loaded(const LitBatch::Vectors& from, std::size_t i) {
+  return {loaded(from.x, i), loaded(from.y, i), loaded(from.z, i)};
+}
+HWY_INLINE void store(const Lanes& value, LitBatch::Floats& to, std::size_t i) {
+  hn::Store(value, FloatTag(), &to[i]);
+}
+HWY_INLINE void store(const Vectors& value, LitBatch::Vectors& to, std::size_t i) {
+  store(value.x, to.x, i);
+  store(value.y, to.y, i);
+  store(value.z, to.z, i);
+}
+
+using DoubleTag = hn::ScalableTag<double>;
+using DoubleLanes = hn::Vec<DoubleTag>;
+
+HWY_INLINE DoubleLanes doubles(const float* from) {
+  const hn::Rebind<float, DoubleTag> df;
+  return hn::PromoteTo(DoubleTag(), hn::LoadU(df, from));
+}
+HWY_INLINE Vec3<DoubleLanes> doubles(const LitBatch::Vectors& from, std::size_t i) {
+  return {doubles(&from.x[i]), doubles(&from.y[i]), doubles(&from.z[i])};
+}
+HWY_INLINE void store_floats(DoubleLanes v, float* to) {
+  const hn::Rebind<float, DoubleTag> df;
+  hn::StoreU(hn::DemoteTo(df, v), df, to);
+}
+
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "renderer/kernels/lit_batch.h"
+#include "renderer/shading/surface.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+
+namespace asos {
+
+/// What the rays of a batch met on triangles, as arrays. Lanes beyond `count` hold numbers of no
+/// meaning.
+struct TriangleBatch {
+  using Floats = LitBatch::Floats;
+  using Vectors = LitBatch::Vectors;
+
+  std::size_t count = 0;
+  Vectors corner_0, corner_1, corner_2;
+  Vectors normal_0, normal_1, normal_2;  ///< the interpolated ones
+  Floats b1{}, b2{};                     ///< of Hit
+  Floats distance{};
+  Vectors direction;  ///< of the ray; unit
+  Floats side{};      ///< of the square that it stands for, in pixels
+  Floats textured{};  ///< 1 where the patch matters whatever the normals; else 0
+  Floats shiny{};     ///< 1 where it does if they turn; else 0
+
+  void set_hit(std::size_t i, const Hit& hit, const Ray& ray, float of_side) {
+    b1[i] = hit.b1, b2[i] = hit.b2;
+    distance[i] = hit.t;
+    direction.set(i, ray.direction);
+    side[i] = of_side;
+  }
+};
+
+/// What is known of a SurfacePoint beside what its LitBatch holds.
+struct SurfaceRest {
+  LitBatch::Vectors error;
+  LitBatch::Floats extent{};
+  LitBatch::Floats normal_side{};  ///< -1 where the interpolated normal was turned round; else 1
+  LitBatch::Floats right_b1{}, right_b2{}, down_b1{}, down_b2{};  ///< of the Footprint
+};
+
+/// SurfaceMaterial's, of opaque surfaces that light shines on.
+struct MaterialBatch {
+  LitBatch::Vectors base_color;
+  LitBatch::Vectors f0;
+  LitBatch::Floats f90{}, roughness{}, metallic{};
+  LitBatch::Vectors specular;  ///< ViewedMaterial's, which is found
+
+  void set(std::size_t i, const SurfaceMaterial& material) {
+    base_color.set(i, material.base_color);
+    f0.set(i, material.f0);
+    f90[i] = material.f90;
+    roughness[i] = material.roughness;
+    metallic[i] = material.metallic;
+  }
+};
+
+/// Lane i as what it stands for.
+[[nodiscard]] inline Footprint footprint_at(const TriangleBatch& hits, const SurfaceRest& rest,
+                                            std::size_t i) {
+  Footprint footprint;
+  footprint.right = {rest.right_b1[i], rest.right_b2[i]};
+  footprint.down = {rest.down_b1[i], rest.down_b2[i]};
+  footprint.side = hits.side[i];
+  return footprint;
+}
+[[nodiscard]] SurfacePoint surface_at(const TriangleBatch& hits, const SurfaceRest& rest,
+                                      const LitBatch& points, std::uint32_t triangle,
+                                      std::size_t i);
+
+}  // namespace asos

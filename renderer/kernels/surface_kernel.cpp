@@ -1,0 +1,369 @@
+#include "renderer/kernels/surface_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/kernels/surface_kernel.cpp"
+#include <hwy/foreach_target.h>  // this file again, once for each instruction set
+// After it, for what it defines.
+#include "renderer/kernels/lanes.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/viewed_point.h"
+
+#include <hwy/highway.h>
+#include <limits>
+#include <numbers>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+namespace {
+
+/// Bound of the relative error of n float operations in a row (Higham's gamma).
+constexpr float gamma_bound(int n) {
+  constexpr float half_ulp = 0.5f * std::numeric_limits<float>::epsilon();
+  return static_cast<float>(n) * half_ulp / (1.0f - static_cast<float>(n) * half_ulp);
+}
+
+HWY_INLINE Vectors absolute(const Vectors& v) {
+  return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)};
+}
+HWY_INLINE Vectors divided(const Vectors& v, Lanes by) {
+  return {hn::Div(v.x, by), hn::Div(v.y, by), hn::Div(v.z, by)};
+}
+/// Turned round where `mask` is.
+HWY_INLINE Vectors turned_if(const LaneMask& mask, const Vectors& v) {
+  return select(mask, {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}, v);
+}
+HWY_INLINE LaneMask differ(const Vectors& a, const Vectors& b) {
+  return hn::Or(hn::Ne(a.x, b.x), hn::Or(hn::Ne(a.y, b.y), hn::Ne(a.z, b.z)));
+}
+HWY_INLINE LaneMask finite(Lanes value) {
+  return hn::Lt(hn::Abs(value), hn::Inf(FloatTag()));
+}
+
+/// The geometric normals, not yet turned to the viewer. In double precision: slivers cancel badly,
+/// and shadows hang on them.
+void find_geometric_normals(const TriangleBatch& hits, LitBatch& points) {
+  const DoubleTag d;
+  for (std::size_t i = 0; i < hits.count; i += hn::Lanes(d)) {
+    const auto p0 = doubles(hits.corner_0, i);
+    const auto across = cross(doubles(hits.corner_1, i) - p0, doubles(hits.corner_2, i) - p0);
+    const auto length = hn::Sqrt(dot(across, across));
+    const auto some = hn::Gt(length, hn::Zero(d));
+    const auto divisor = hn::IfThenElse(some, length, hn::Set(d, 1.0));
+    store_floats(hn::IfThenElseZero(some, hn::Div(across.x, divisor)), &points.geometric.x[i]);
+    store_floats(hn::IfThenElseZero(some, hn::Div(across.y, divisor)), &points.geometric.y[i]);
+    store_floats(hn::IfThenElseZero(some, hn::Div(across.z, divisor)), &points.geometric.z[i]);
+  }
+}
+
+/// Weights of a triangle's corners.
+struct Weights {
+  Lanes b0, b1, b2;
+
+  [[nodiscard]] HWY_INLINE Vectors mix(const Vectors& at_0, const Vectors& at_1,
+                                       const Vectors& at_2) const {
+    return (scaled(b0, at_0) + scaled(b1, at_1)) + scaled(b2, at_2);
+  }
+};
+
+struct PatchLanes {
+  Vectors right, down;
+};
+
+/// patch_on_plane's.
+HWY_INLINE PatchLanes patch_on_plane(const TriangleBatch& hits, const PixelSpacing& spacing,
+                                     const Vectors& direction, const Vectors& normal,
+                                     std::size_t i) {
+  auto scale = loaded(hits.side, i);
+  if (spacing.perspective) {
+    const auto ahead = hn::Add(all_lanes(spacing.start), loaded(hits.distance, i));
+    scale = hn::Mul(scale, hn::Mul(ahead, dot(direction, all_lanes(spacing.forward))));
+  }
+  const auto cosine = dot(normal, direction);
+  const auto least = hn::Max(hn::Abs(cosine), all_lanes(steepest_patch));
+  const auto per_cosine = hn::Div(all_lanes(1.0f), hn::CopySign(least, cosine));
+  const auto moved = [&](glm::vec3 of_pixel) HWY_ATTR {
+    const Vectors step = all_lanes(of_pixel);
+    return scaled(scale, step - scaled(hn::Mul(dot(normal, step), per_cosine), direction));
+  };
+  return {moved(spacing.right), moved(spacing.down)};
+}
+
+/// In the triangle's own coordinates.
+struct FootprintLanes {
+  Lanes right_b1, right_b2, down_b1, down_b2;
+};
+
+/// footprint_between's.
+HWY_INLINE FootprintLanes footprint_between(const Vectors& e1, const Vectors& e2,
+                                            const PatchLanes& patch) {
+  const auto g11 = dot(e1, e1), g12 = dot(e1, e2), g22 = dot(e2, e2);
+  const auto det = hn::Sub(hn::Mul(g11, g22), hn::Mul(g12, g12));
+  const auto spans = hn::Gt(det, hn::Zero(FloatTag()));
+  const auto one = all_lanes(1.0f);
+  const auto per_det = hn::Div(one, hn::IfThenElse(spans, det, one));
+  const auto first = [&](Lanes p1, Lanes p2) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Mul(g22, p1), hn::Mul(g12, p2)), per_det);
+  };
+  const auto second = [&](Lanes p1, Lanes p2) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Mul(g11, p2), hn::Mul(g12, p1)), per_det);
+  };
+  const auto right_1 = dot(e1, patch.right), right_2 = dot(e2, patch.right);
+  const auto down_1 = dot(e1, patch.down), down_2 = dot(e2, patch.down);
+  const FootprintLanes f{first(right_1, right_2), second(right_1, right_2), first(down_1, down_2),
+                         second(down_1, down_2)};
+  const auto sum = hn::Add(hn::Add(hn::Add(f.right_b1, f.right_b2), f.down_b1), f.down_b2);
+  const auto sound = hn::And(spans, finite(sum));
+  return {hn::IfThenElseZero(sound, f.right_b1), hn::IfThenElseZero(sound, f.right_b2),
+          hn::IfThenElseZero(sound, f.down_b1), hn::IfThenElseZero(sound, f.down_b2)};
+}
+
+/// How an interpolated normal of this length, before it became the unit `normal`, turns along a
+/// footprint's edge.
+HWY_INLINE Vectors turn_along(const Lanes& b1, const Lanes& b2, const Vectors& by_1,
+                              const Vectors& by_2, const Vectors& normal, Lanes length) {
+  const Vectors step = scaled(b1, by_1) + scaled(b2, by_2);
+  return divided(step - scaled(dot(step, normal), normal), length);
+}
+
+/// Points i and on: position, its error, and the height above the surface that clears it.
+HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
+                             SurfaceRest& rest, LitBatch& points, std::size_t i) {
+  const Vectors p0 = loaded(hits.corner_0, i), p1 = loaded(hits.corner_1, i),
+                p2 = loaded(hits.corner_2, i);
+  const Vectors w0 = scaled(w.b0, p0), w1 = scaled(w.b1, p1), w2 = scaled(w.b2, p2);
+  store((w0 + w1) + w2, points.position, i);
+  const Vectors error =
+      scaled(all_lanes(gamma_bound(7)), (absolute(w0) + absolute(w1)) + absolute(w2));
+  store(error, rest.error, i);
+  const auto size = [&](Lanes a, Lanes b, Lanes c) HWY_ATTR {
+    return hn::Sub(hn::Max(a, hn::Max(b, c)), hn::Min(a, hn::Min(b, c)));
+  };
+  const auto extent =
+      hn::Max(size(p0.x, p1.x, p2.x), hn::Max(size(p0.y, p1.y, p2.y), size(p0.z, p1.z, p2.z)));
+  store(extent, rest.extent, i);
+  const auto along_normal = dot(absolute(geometric), error);
+  const auto by_test = hn::Mul(all_lanes(gamma_bound(12)), extent);
+  store(hn::Mul(all_lanes(2.0f), hn::Add(along_normal, by_test)), points.clear_height, i);
+}
+
+/// The interpolated normal of points i and on.
+struct SmoothLanes {
+  Vectors normal;  ///< unit; the geometric one where there is none
+  Lanes length;    ///< before it became unit
+};
+HWY_INLINE SmoothLanes smooth_normal(const TriangleBatch& hits, const Weights& w,
+                                     const Vectors& geometric, std::size_t i) {
+  const Vectors mixed =
+      w.mix(loaded(hits.normal_0, i), loaded(hits.normal_1, i), loaded(hits.normal_2, i));
+  const auto length2 = dot(mixed, mixed);
+  const auto sound = hn::And(hn::Gt(length2, hn::Zero(FloatTag())), finite(length2));
+  const auto length = hn::Sqrt(length2);
+  const auto divisor = hn::IfThenElse(sound, length, all_lanes(1.0f));
+  return {select(sound, divided(mixed, divisor), geometric), length};
+}
+
+/// The patches of points i and on, where they matter.
+HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spacing,
+                              const Vectors& geometric, const SmoothLanes& smooth,
+                              SurfaceRest& rest, LitBatch& points, std::size_t i) {
+  const auto zero = hn::Zero(FloatTag());
+  const Vectors none{zero, zero, zero};
+  PatchLanes patch{none, none}, spread{none, none};
+  FootprintLanes footprint{zero, zero, zero, zero};
+  auto nearness = zero;
+  const auto textured = hn::Gt(loaded(hits.textured, i), zero);
+  const auto shiny = hn::Gt(loaded(hits.shiny, i), zero);
+  const auto wide = hn::And(hn::Gt(loaded(hits.side, i), zero), hn::Or(textured, shiny));
+  if (spacing && !hn::AllFalse(FloatTag(), wide)) {
+    patch = patch_on_plane(hits, *spacing, loaded(hits.direction, i), geometric, i);
+    patch = {select(wide, patch.right, none), select(wide, patch.down, none)};
+    if (spacing->perspective) {
+      const auto distance = hn::Add(all_lanes(spacing->start), loaded(hits.distance, i));
+      nearness = hn::IfThenElseZero(wide, hn::Div(all_lanes(1.0f), distance));
+    }
+    const Vectors n0 = loaded(hits.normal_0, i), n1 = loaded(hits.normal_1, i),
+                  n2 = loaded(hits.normal_2, i);
+    const auto turns = hn::Or(differ(n0, n1), differ(n0, n2));
+    const auto shows = hn::And(wide, hn::Or(textured, hn::And(shiny, turns)));
+    if (!hn::AllFalse(FloatTag(), shows)) {
+      const Vectors p0 = loaded(hits.corner_0, i);
+      footprint =
+          footprint_between(loaded(hits.corner_1, i) - p0, loaded(hits.corner_2, i) - p0, patch);
+      footprint = {hn::IfThenElseZero(shows, footprint.right_b1),
+                   hn::IfThenElseZero(shows, footprint.right_b2),
+                   hn::IfThenElseZero(shows, footprint.down_b1),
+                   hn::IfThenElseZero(shows, footprint.down_b2)};
+      // Opposite normals may leave nothing that turns.
+      const auto some = hn::Gt(smooth.length, zero);
+      const auto length = hn::IfThenElse(some, smooth.length, hn::Inf(FloatTag()));
+      const Vectors by_1 = n1 - n0, by_2 = n2 - n0;
+      spread = {
+          turn_along(footprint.right_b1, footprint.right_b2, by_1, by_2, smooth.normal, length),
+          turn_along(footprint.down_b1, footprint.down_b2, by_1, by_2, smooth.normal, length)};
+    }
+  }
+  store(patch.right, points.patch_right, i);
+  store(patch.down, points.patch_down, i);
+  store(nearness, points.viewer_nearness, i);
+  store(spread.right, points.spread_right, i);
+  store(spread.down, points.spread_down, i);
+  store(zero, points.spread_variance, i);
+  store(footprint.right_b1, rest.right_b1, i);
+  store(footprint.right_b2, rest.right_b2, i);
+  store(footprint.down_b1, rest.down_b1, i);
+  store(footprint.down_b2, rest.down_b2, i);
+}
+
+void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
+           LitBatch& points) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
+  points.count = hits.count;
+  find_geometric_normals(hits, points);
+  for (std::size_t i = 0; i < hits.count; i += hn::Lanes(d)) {
+    const auto b1 = loaded(hits.b1, i), b2 = loaded(hits.b2, i);
+    const Weights w{hn::Sub(hn::Sub(one, b1), b2), b1, b2};
+    const Vectors direction = loaded(hits.direction, i);
+    const Vectors to_viewer{hn::Neg(direction.x), hn::Neg(direction.y), hn::Neg(direction.z)};
+    store(to_viewer, points.to_viewer, i);
+    Vectors geometric = loaded(points.geometric, i);
+    geometric = turned_if(hn::Lt(dot(geometric, to_viewer), zero), geometric);
+    store(geometric, points.geometric, i);
+    place_points(hits, w, geometric, rest, points, i);
+
+    const SmoothLanes smooth = smooth_normal(hits, w, geometric, i);
+    const auto below = hn::Lt(dot(smooth.normal, geometric), zero);
+    store(turned_if(below, smooth.normal), points.normal, i);
+    store(hn::IfThenElse(below, hn::Neg(one), one), rest.normal_side, i);
+    place_patches(hits, spacing, geometric, smooth, rest, points, i);
+  }
+}
+
+/// 2^x for -126 <= x <= 0, by Taylor's series of its fraction to the seventh power: the error is
+/// below 2e-7 of the result.
+HWY_INLINE Lanes exp2_of(Lanes x) {
+  static constexpr float terms[] = {
+      1.0f,           0.693147180f,   0.240226507f,    0.0555041087f,
+      0.00961812911f, 0.00133335581f, 0.000154035304f, 1.52527338e-5f};
+  const FloatTag d;
+  const hn::RebindToSigned<FloatTag> di;
+  const auto whole = hn::Floor(hn::Add(x, all_lanes(0.5f)));
+  const auto power = polynomial(d, hn::Sub(x, whole), terms);
+  const auto exponent = hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127));
+  return hn::Mul(power, hn::BitCast(d, hn::ShiftLeft<23>(exponent)));
+}
+
+/// environment_specular's two weights, of f0 and of f90, for a roughness of at least the floor.
+struct SpecularWeights {
+  Lanes of_f0, of_f90;
+};
+HWY_INLINE SpecularWeights environment_weights(Lanes roughness, Lanes n_dot_v) {
+  const auto along = [&](float slope, float offset) HWY_ATTR {
+    return hn::Add(hn::Mul(roughness, all_lanes(slope)), all_lanes(offset));
+  };
+  const auto x = along(-1.0f, 1.0f), y = along(-0.0275f, 0.0425f);
+  const auto z = along(-0.572f, 1.04f), w = along(0.022f, -0.04f);
+  const auto steep = exp2_of(hn::Mul(all_lanes(-9.28f), n_dot_v));
+  const auto a004 = hn::Add(hn::Mul(hn::Min(hn::Mul(x, x), steep), x), y);
+  const auto part = hn::Mul(all_lanes(1.04f), a004);
+  return {hn::Add(hn::Neg(part), z), hn::Add(part, w)};
+}
+
+/// What environment_specular mixes by.
+struct EnvironmentLanes {
+  SpecularWeights rough;
+  Lanes fresnel;  ///< Schlick's (1 - n.v)^5
+  Lanes rougher;  ///< 1 at the floor of roughness and above it, 0 for a mirror
+};
+
+HWY_INLINE Lanes environment_specular(const EnvironmentLanes& by, Lanes f0, Lanes f90) {
+  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+  const auto rough =
+      clamped(hn::Add(hn::Mul(f0, by.rough.of_f0), hn::Mul(f90, by.rough.of_f90)), zero, one);
+  const auto mirror = clamped(hn::Add(f0, hn::Mul(hn::Sub(f90, f0), by.fresnel)), zero, one);
+  const auto mixed = hn::Add(hn::Mul(mirror, hn::Sub(one, by.rougher)), hn::Mul(rough, by.rougher));
+  return hn::IfThenElse(hn::Lt(by.rougher, one), mixed, rough);
+}
+
+/// What LitBatch knows of materials but the diffuse part.
+HWY_INLINE void store_lobe(const Vectors& f0, Lanes f90, Lanes roughness, LitBatch& points,
+                           std::size_t i) {
+  const auto zero = hn::Zero(FloatTag());
+  store(f0, points.f0, i);
+  store(Vectors{hn::Sub(f90, f0.x), hn::Sub(f90, f0.y), hn::Sub(f90, f0.z)}, points.f90_less_f0, i);
+  const auto floored = clamped(roughness, all_lanes(roughness_floor), all_lanes(1.0f));
+  store(hn::Mul(floored, floored), points.alpha, i);
+  store(zero, points.shows_lights, i);
+  // Broad highlights need no patch.
+  const auto narrow = hn::Lt(roughness, all_lanes(least_broad_roughness));
+  const Vectors none{zero, zero, zero};
+  const Vectors right = select(narrow, loaded(points.patch_right, i), none);
+  const Vectors down = select(narrow, loaded(points.patch_down, i), none);
+  store(right, points.patch_right, i);
+  store(down, points.patch_down, i);
+  store(hn::IfThenElseZero(narrow, loaded(points.viewer_nearness, i)), points.viewer_nearness, i);
+  const auto turns = hn::Or(hn::Or(differ(right, none), differ(down, none)),
+                            hn::Or(hn::Ne(loaded(points.spread_variance, i), zero),
+                                   hn::Or(differ(loaded(points.spread_right, i), none),
+                                          differ(loaded(points.spread_down, i), none))));
+  store(hn::IfThenElseZero(turns, all_lanes(1.0f)), points.turns, i);
+}
+
+HWY_INLINE Lanes sum_of(const Vectors& v) {
+  return hn::Add(hn::Add(v.x, v.y), v.z);
+}
+
+bool view(MaterialBatch& materials, LitBatch& points) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
+  auto all_finite = true;
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const auto n_dot_v = hn::Max(dot(loaded(points.normal, i), loaded(points.to_viewer, i)),
+                                 all_lanes(grazing_cosine));
+    store(n_dot_v, points.n_dot_v, i);
+    const auto roughness = loaded(materials.roughness, i), f90 = loaded(materials.f90, i);
+    const Vectors f0 = loaded(materials.f0, i);
+    EnvironmentLanes by;
+    by.rough = environment_weights(clamped(roughness, all_lanes(roughness_floor), one), n_dot_v);
+    const auto m = clamped(hn::Sub(one, n_dot_v), zero, one);
+    const auto m2 = hn::Mul(m, m);
+    by.fresnel = hn::Mul(hn::Mul(m2, m2), m);
+    by.rougher = clamped(hn::Div(roughness, all_lanes(roughness_floor)), zero, one);
+    const Vectors shine{environment_specular(by, f0.x, f90), environment_specular(by, f0.y, f90),
+                        environment_specular(by, f0.z, f90)};
+    store(shine, materials.specular, i);
+    const auto largest = hn::Max(shine.x, hn::Max(shine.y, shine.z));
+    const auto left = hn::Mul(hn::Sub(one, largest), hn::Sub(one, loaded(materials.metallic, i)));
+    const Vectors diffuse = scaled(all_lanes(std::numbers::inv_pi_v<float>),
+                                   scaled(left, loaded(materials.base_color, i)));
+    store(diffuse, points.diffuse, i);
+    store_lobe(f0, f90, roughness, points, i);
+    const auto sum =
+        hn::Add(hn::Add(sum_of(diffuse), sum_of(shine)), sum_of(loaded(points.position, i)));
+    const auto lost = hn::AndNot(finite(sum), hn::FirstN(d, points.count - i));
+    all_finite = all_finite && hn::AllFalse(d, lost);
+  }
+  return all_finite;
+}
+
+}  // namespace
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asos {
+
+HWY_EXPORT(place);
+HWY_EXPORT(view);
+
+void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
+                    LitBatch& points) {
+  HWY_DYNAMIC_DISPATCH(place)(hits, spacing, rest, points);
+}
+
+bool view_materials(MaterialBatch& materials, LitBatch& points) {
+  return HWY_DYNAMIC_DISPATCH(view)(materials, points);
+}
+
+}  // namespace asos
+#endif

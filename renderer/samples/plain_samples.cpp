@@ -1,0 +1,120 @@
+#include "renderer/samples/plain_samples.h"
+
+#include "renderer/kernels/surface_kernel.h"
+#include "renderer/samples/sampled_lights.h"
+#include "renderer/shading/environment.h"
+#include "renderer/shading/sky.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+
+PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
+    : world_(scene.world()),
+      triangles_(static_cast<std::uint32_t>(world_.triangles.size())),
+      needs_(scene.needs),
+      table_(*scene.plain),
+      viewer_(viewer),
+      mips_(viewer.shader.settings().mips),
+      sky_(viewer.shader.settings().sky),
+      usable_(SampledLights::takes_all(viewer.shader.lights(), viewer.shader.settings().shadows) &&
+              !world_.normals.empty() &&
+              (viewer.bounces == 0 || viewer.shader.lights_without_geometry().empty())),
+      reflections_(viewer.bounces < viewer.shader.reflections()),
+      roughest_mirror_(viewer.shader.settings().roughest_mirror),
+      same_sky_(!sky_ || sky_->constant()) {
+  if (!same_sky_) return;
+  constexpr glm::vec3 any(0.0f, 1.0f, 0.0f);
+  ambient_ = sky_ ? sky_->ambient(any) : glm::vec3(ambient_radiance);
+  if (viewer.bounces == 0 || viewer.shader.lights_without_geometry().empty())
+    background_ = asos::background(sky_, any, nullptr, 0.0f);
+}
+
+bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
+  if (!usable_ || hit.triangle >= triangles_) return false;
+  const PlainMaterial& material = table_.of(world_, hit.triangle);
+  if (!material.plain) return false;
+  if (!arrays_) {
+    arrays_ = Recycler<Arrays>::make();
+    clear();
+  }
+  TriangleBatch& hits = arrays_->hits;
+  const std::size_t i = hits.count++;
+  const glm::uvec3 v = world_.triangles[hit.triangle];
+  hits.corner_0.set(i, world_.positions[v.x]);
+  hits.corner_1.set(i, world_.positions[v.y]);
+  hits.corner_2.set(i, world_.positions[v.z]);
+  hits.normal_0.set(i, world_.normals[v.x]);
+  hits.normal_1.set(i, world_.normals[v.y]);
+  hits.normal_2.set(i, world_.normals[v.z]);
+  hits.set_hit(i, hit, ray, side);
+  hits.textured[i] = material.textured ? 1.0f : 0.0f;
+  hits.shiny[i] = material.shiny ? 1.0f : 0.0f;
+  arrays_->material[i] = &material;
+  arrays_->hit[i] = hit;
+  arrays_->index[i] = index;
+  if (material.looked_up) {
+    arrays_->looked_up[arrays_->looked_up_count++] = i;
+  } else {
+    arrays_->materials.set(i, material.surface);
+    arrays_->emission[i] = material.surface.emission;
+  }
+  return true;
+}
+
+bool PlainSamples::shade(LitBatch& points) {
+  place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
+  bool finite = true;
+  for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
+    const std::size_t i = arrays_->looked_up[k];
+    look_up_material(i, points);
+    const glm::vec3 emission = arrays_->emission[i];
+    finite = finite && std::isfinite(emission.x + emission.y + emission.z);
+  }
+  return view_materials(arrays_->materials, points) && finite;
+}
+
+void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
+  const PlainMaterial& plain = *arrays_->material[i];
+  const Hit& hit = arrays_->hit[i];
+  const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
+  if (plain.normal_map) {
+    SurfacePoint point = surface_at(arrays_->hits, arrays_->rest, points, hit.triangle, i);
+    map_normal(world_, hit, mips, arrays_->rest.normal_side[i], point);
+    points.normal.set(i, point.shading_normal);
+    points.spread_variance[i] = point.spread.variance;
+  }
+  const SurfaceMaterial found =
+      surface_material(world_, needs_, hit, footprint_at(arrays_->hits, arrays_->rest, i), mips);
+  arrays_->materials.set(i, found);
+  arrays_->emission[i] = found.emission;
+}
+
+bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& points,
+                           LightTransport& transport, RenderStatistics& counts) const {
+  SurfaceMaterial material;
+  material.roughness = arrays_->materials.roughness[i];
+  const SurfacePoint point =
+      surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
+  glm::vec3 later(0.0f);
+  if (!viewer_.shader.reflect(seen, point, material, arrays_->materials.specular.at(i), transport,
+                              later, counts))
+    return false;
+  points.shows_lights[i] = 1.0f;
+  return true;
+}
+
+glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const {
+  const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
+  const glm::vec3 diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
+  if (same_sky_) return arrays_->emission[i] + ambient_ * (diffuse + specular);
+  ViewedMaterial seen{};
+  seen.diffuse = diffuse;
+  seen.specular = specular;
+  seen.roughness = arrays_->materials.roughness[i];
+  return arrays_->emission[i] +
+         reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
+}
+
+}  // namespace asos

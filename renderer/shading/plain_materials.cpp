@@ -1,0 +1,44 @@
+#include "renderer/shading/plain_materials.h"
+
+#include "renderer/rays/surface_kind.h"
+#include "renderer/shading/brdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace asos {
+namespace {
+
+bool finite(const SurfaceMaterial& m) {
+  const glm::vec3 sum = m.base_color + m.f0 + m.emission;
+  return std::isfinite(sum.x + sum.y + sum.z + m.f90 + m.metallic + m.roughness);
+}
+
+PlainMaterial plain_material(const World& world, const SceneNeeds& needs, const Material& m) {
+  PlainMaterial plain;
+  plain.surface = untextured_material(m, needs);
+  const auto uses = texture_uses(m);
+  const bool used =
+      std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); });
+  plain.textured = needs.textures && used;
+  plain.looked_up = used || (needs.vertex_colors && !world.colors.empty());
+  plain.normal_map = needs.normal_maps && m.normal_texture.used();
+  plain.shiny = m.roughness <= least_broad_roughness && needs.lights();
+  plain.plain = !m.unlit && surface_kind(m) != SurfaceKind::blended && finite(plain.surface);
+  return plain;
+}
+
+}  // namespace
+
+PlainMaterials::PlainMaterials(const World& world, const SceneNeeds& needs,
+                               const MaterialDfrs& dfrs) {
+  for (std::size_t i = 0; i < world.materials.size(); ++i) {
+    PlainMaterial& plain =
+        materials_.emplace_back(plain_material(world, needs, world.materials[i]));
+    plain.own_dfr = i < dfrs.size() && dfrs[i].has_value();
+  }
+  for (const Part& part : world.parts) part_material_.push_back(part.material);
+}
+
+}  // namespace asos

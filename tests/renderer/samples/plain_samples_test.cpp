@@ -1,0 +1,166 @@
+#include "renderer/samples/plain_samples.h"
+
+#include "renderer/kernels/surface_kernel.h"
+#include "renderer/scene/load.h"
+#include "renderer/shading/sky.h"
+#include "tests/support/render_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+// Points of scenes in arrays, beside the same ones by Shader.
+
+namespace asos::test::plain_samples_test {
+namespace {
+
+/// Keeps what Shader makes of one ray.
+class OnePoint final : public LightTransport {
+ public:
+  bool gather(const LitPoint& point) override {
+    mirrors = point.mirrors;
+    lit->add(point, glm::vec3(1.0f));
+    return true;
+  }
+  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
+           RenderStatistics& /*counts*/) override {
+    ADD_FAILURE() << "all lights are gathered";
+  }
+  bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
+               RenderStatistics& /*counts*/) override {
+    width = reflection.width;
+    return true;
+  }
+
+  std::unique_ptr<LitBatch> lit = std::make_unique<LitBatch>();
+  glm::vec3 width{-1.0f};
+  bool mirrors = false;
+};
+
+constexpr float tolerance = 1e-5f;
+
+float off(glm::vec3 a, glm::vec3 b) {
+  const glm::vec3 d = glm::abs(a - b);
+  return std::max({d.x, d.y, d.z});
+}
+
+/// What was compared.
+struct Compared {
+  int points = 0, mirrored = 0, textured = 0, alone = 0;
+};
+
+class Comparison {
+ public:
+  Comparison(const std::string& source, std::shared_ptr<const Sky> sky) {
+    scene_ = prepare(load_scene(source).value()).value();
+    settings_.width = settings_.height = side;
+    settings_.sky = std::move(sky);
+    view_.emplace(first_camera(scene_->world(), 1.0), side, side);
+    shader_.emplace(shader_of(*scene_, settings_, *view_));
+    viewer_.emplace(Viewer::camera(*view_, *shader_));
+  }
+
+  [[nodiscard]] Compared compare() const {
+    Compared all;
+    PlainSamples plain(*scene_, *viewer_);
+    std::vector<Ray> rays;
+    std::vector<Hit> hits(static_cast<std::size_t>(side));
+    for (int y = 0; y < side; ++y) {
+      rays.clear();
+      plain.clear();
+      for (int x = 0; x < side; ++x) rays.push_back(view_->ray(x + 0.5, y + 0.5));
+      scene_->rays().closest(rays, hits, culling_of(settings_));
+      for (std::size_t i = 0; i < hits.size(); ++i)
+        all.alone += hits[i].valid() && !plain.add(i, rays[i], hits[i], 0.25f);
+      if (plain.count() == 0) continue;
+      const auto points = std::make_unique<LitBatch>();
+      EXPECT_TRUE(plain.shade(*points));
+      for (std::size_t i = 0; i < plain.count(); ++i) {
+        SCOPED_TRACE("pixel " + std::to_string(plain.index(i)) + ", " + std::to_string(y));
+        compare(plain, *points, i,
+                viewer_->viewed(rays[plain.index(i)], hits[plain.index(i)], 0.25f), all);
+      }
+    }
+    return all;
+  }
+
+ private:
+  static constexpr int side = 48;
+
+  void compare(const PlainSamples& plain, LitBatch& points, std::size_t i, const ViewedRay& seen,
+               Compared& all) const {
+    RenderStatistics counts;
+    OnePoint expected, found;
+    const glm::vec3 radiance = shader_->radiance(seen, expected, counts);
+    const bool mirrors = plain.may_mirror(i) && plain.reflect(i, seen, points, found, counts);
+    EXPECT_EQ(mirrors, expected.mirrors);
+    EXPECT_LT(off(found.width, expected.width), tolerance);
+    EXPECT_LT(off(plain.unlit_radiance(i, points, mirrors), radiance), tolerance);
+    ASSERT_EQ(expected.lit->count, 1u);
+    const LitBatch& one = *expected.lit;
+    EXPECT_EQ(points.position.at(i), one.position.at(0));
+    EXPECT_EQ(points.geometric.at(i), one.geometric.at(0));
+    EXPECT_LT(off(points.normal.at(i), one.normal.at(0)), tolerance);
+    EXPECT_EQ(points.clear_height[i], one.clear_height[0]);
+    EXPECT_LT(off(points.diffuse.at(i), one.diffuse.at(0)), tolerance);
+    EXPECT_LT(off(points.f0.at(i), one.f0.at(0)), tolerance);
+    EXPECT_LT(off(points.f90_less_f0.at(i), one.f90_less_f0.at(0)), tolerance);
+    EXPECT_NEAR(points.alpha[i], one.alpha[0], tolerance);
+    EXPECT_EQ(points.shows_lights[i], one.shows_lights[0]);
+    EXPECT_EQ(points.turns[i], one.turns[0]);
+    if (one.turns[0] > 0.0f) {
+      const float patch = glm::length(one.patch_right.at(0)) + glm::length(one.patch_down.at(0));
+      EXPECT_LE(off(points.patch_right.at(i), one.patch_right.at(0)), tolerance * patch);
+      EXPECT_LE(off(points.patch_down.at(i), one.patch_down.at(0)), tolerance * patch);
+      EXPECT_LT(off(points.spread_right.at(i), one.spread_right.at(0)), tolerance);
+      EXPECT_LT(off(points.spread_down.at(i), one.spread_down.at(0)), tolerance);
+      EXPECT_NEAR(points.spread_variance[i], one.spread_variance[0], tolerance);
+      EXPECT_NEAR(points.viewer_nearness[i], one.viewer_nearness[0], tolerance);
+    }
+    ++all.points;
+    all.mirrored += mirrors;
+    all.textured += scene_->plain->of(scene_->world(), seen.hit.triangle).textured;
+  }
+
+  std::shared_ptr<const RenderScene> scene_;
+  RenderSettings settings_;
+  std::optional<View> view_;
+  std::optional<Shader> shader_;
+  std::optional<Viewer> viewer_;
+};
+
+TEST(PlainSamples, AreTheOnesShadedOneByOne) {
+  const Compared found = Comparison("builtin:boxes", nullptr).compare();
+  EXPECT_GT(found.points, 500);
+  EXPECT_EQ(found.alone, 0);
+}
+
+TEST(PlainSamples, MirrorWhatShaderMirrors) {
+  const Compared found = Comparison("builtin:office-metal", nullptr).compare();
+  EXPECT_GT(found.points, 500);
+  EXPECT_GT(found.mirrored, 50);
+}
+
+TEST(PlainSamples, HaveTheirTexturesAndMapsOfNormals) {
+  for (const char* source : {"builtin:house-textured", "builtin:workshop"}) {
+    SCOPED_TRACE(source);
+    const Compared found = Comparison(source, nullptr).compare();
+    EXPECT_GT(found.textured, 200);
+  }
+}
+
+TEST(PlainSamples, ReflectSkiesOfAllKinds) {
+  for (const auto& sky :
+       {std::make_shared<const Sky>(glm::vec3(0.4f, 0.6f, 1.0f)),
+        std::make_shared<const Sky>(glm::vec3(0.2f, 0.5f, 1.0f), glm::vec3(0.9f, 0.9f, 0.7f))}) {
+    SCOPED_TRACE(sky->name());
+    EXPECT_GT(Comparison("builtin:boxes", sky).compare().points, 500);
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::plain_samples_test
