@@ -2,6 +2,7 @@
 
 #include "renderer/features/deviation.h"
 #include "renderer/features/disjoint_sets.h"
+#include "renderer/features/stoppable_loop.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <bit>
 #include <numeric>
 #include <span>
+#include <stop_token>
 #include <tbb/parallel_for.h>
 #include <tuple>
 
@@ -34,12 +36,6 @@ std::uint64_t mix(std::uint64_t x) {
   x ^= x >> 33;
   x *= 0xc4ceb9fe1a85ec53ULL;
   return x ^ (x >> 33);
-}
-
-template <typename Visit>
-void in_parallel(std::size_t count, const Visit& visit) {
-  tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t i) { visit(static_cast<std::uint32_t>(i)); });
 }
 
 /// Places and the first vertex at each. Open addressing, keyed by the coordinates' bits; adding
@@ -86,24 +82,27 @@ class PlaceTable {
 };
 
 // For each vertex the first vertex at the same place.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
+std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions,
+                                const std::stop_token& stop) {
   PlaceTable table(positions);
-  in_parallel(positions.size(), [&](std::uint32_t i) { table.add(i); });
+  in_parallel(positions.size(), stop, [&](std::uint32_t i) { table.add(i); });
   std::vector<std::uint32_t> first(positions.size());
-  in_parallel(positions.size(), [&](std::uint32_t i) { first[i] = table.first_at_place_of(i); });
+  in_parallel(positions.size(), stop,
+              [&](std::uint32_t i) { first[i] = table.first_at_place_of(i); });
   return first;
 }
 
 class Extractor {
  public:
-  Extractor(const World& world, TextureAt texture_at)
+  Extractor(const World& world, TextureAt texture_at, const std::stop_token& stop)
       : world_(world),
+        stop_(stop),
         look_(world, texture_at),
-        welded_(weld(world.positions)),
+        welded_(weld(world.positions, stop)),
         sheets_(world.triangles.size()),
         facets_(world.triangles.size()),
         two_sided_(world.triangles.size()) {
-    in_parallel(world.triangles.size(),
+    in_parallel(world.triangles.size(), stop,
                 [&](std::uint32_t t) { two_sided_[t] = world.material_of(t).double_sided; });
   }
 
@@ -112,7 +111,8 @@ class Extractor {
     // A few vertices at a time; what is found comes in their order, whoever found it.
     const std::size_t count = (world_.positions.size() + vertices_at_once - 1) / vertices_at_once;
     std::vector<Found> found(count);
-    in_parallel(count, [&](std::uint32_t i) {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      check_stop(stop_);
       const std::size_t first = i * vertices_at_once;
       const std::size_t last = std::min(first + vertices_at_once, world_.positions.size());
       for (std::size_t low = first; low < last; ++low)
@@ -159,10 +159,10 @@ class Extractor {
   void bucket_half_edges() {
     const std::size_t n = world_.positions.size();
     std::vector<std::uint8_t> bounds_nothing(world_.triangles.size());
-    in_parallel(world_.triangles.size(),
+    in_parallel(world_.triangles.size(), stop_,
                 [&](std::uint32_t t) { bounds_nothing[t] = degenerate(world_.triangles[t]); });
     const auto each = [&](const auto& visit) {
-      in_parallel(world_.triangles.size(), [&](std::uint32_t t) {
+      in_parallel(world_.triangles.size(), stop_, [&](std::uint32_t t) {
         if (bounds_nothing[t]) return;
         for (int k = 0; k < 3; ++k) {
           const std::uint32_t a = welded_[world_.triangles[t][k]];
@@ -291,11 +291,11 @@ class Extractor {
       out.counts += part.counts;
       part = {};
     }
-    out.deviation_of_triangle = deviations(world_, facets_, out.edges);
+    out.deviation_of_triangle = deviations(world_, facets_, out.edges, stop_);
     out.sheet_of_triangle.resize(world_.triangles.size());
-    in_parallel(world_.triangles.size(),
+    in_parallel(world_.triangles.size(), stop_,
                 [&](std::uint32_t t) { out.sheet_of_triangle[t] = sheets_.find(t); });
-    in_parallel(out.edges.size(), [&](std::uint32_t i) {
+    in_parallel(out.edges.size(), stop_, [&](std::uint32_t i) {
       for (std::uint32_t* sheet : {&out.edges[i].left_sheet, &out.edges[i].right_sheet})
         if (*sheet != FeatureEdge::none) *sheet = out.sheet_of_triangle[*sheet];
     });
@@ -303,6 +303,7 @@ class Extractor {
   }
 
   const World& world_;
+  std::stop_token stop_;
   SurfaceLook look_;
   std::vector<std::uint32_t> welded_;
   DisjointSets sheets_;
@@ -323,8 +324,9 @@ FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& other) {
   return *this;
 }
 
-ExtractedFeatures extract_features(const World& world, TextureAt texture_at) {
-  return Extractor(world, texture_at).run();
+ExtractedFeatures extract_features(const World& world, TextureAt texture_at,
+                                   const std::stop_token& stop) {
+  return Extractor(world, texture_at, stop).run();
 }
 
 }  // namespace asos

@@ -4,6 +4,7 @@
 #include "renderer/world/world.h"
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -65,7 +66,8 @@ struct ExtractedFeatures {
 /// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over; so are
 /// triangles that repeat another one's corners and look. `texture_at` tells whether a jump of
 /// texture coordinates shows; without it every one is a seam.
-[[nodiscard]] ExtractedFeatures extract_features(const World& world,
-                                                 TextureAt texture_at = nullptr);
+/// Throws SearchStopped once `stop` is requested.
+[[nodiscard]] ExtractedFeatures extract_features(const World& world, TextureAt texture_at = nullptr,
+                                                 const std::stop_token& stop = {});
 
 }  // namespace asos

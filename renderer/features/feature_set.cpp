@@ -2,23 +2,24 @@
 
 #include "renderer/features/shape_intersections.h"
 
-#include <future>
 #include <utility>
 
 namespace asos {
 
-FeatureSet::FeatureSet(const World& world, TextureAt texture_at) : positions_(world.positions) {
-  auto intersections = std::async(
-      std::launch::async, [&] { return find_intersections(world, IntersectionBudget::of(world)); });
-  ExtractedFeatures extracted = extract_features(world, texture_at);
+// One stage after the other, for each keeps all processors busy and needs memory that the next one
+// can have.
+FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop)
+    : positions_(world.positions) {
+  ExtractedFeatures extracted = extract_features(world, texture_at, stop);
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
   deviation_of_triangle_ = std::move(extracted.deviation_of_triangle);
   add_shapes(world);
-  add(intersections.get());
+  add(find_intersections(world, IntersectionBudget::of(world), stop));
   add_shape_intersections(world);
-  hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_);
+  constexpr std::size_t fewest_in_parallel = std::size_t{1} << 18;
+  hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_, fewest_in_parallel, stop);
 }
 
 // Each face is a sheet of its own.

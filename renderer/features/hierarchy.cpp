@@ -1,5 +1,7 @@
 #include "renderer/features/hierarchy.h"
 
+#include "renderer/features/stoppable_loop.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -139,20 +141,22 @@ class Builder {
 
  public:
   Builder(std::span<const glm::vec3> positions, std::vector<FeatureEdge>& edges,
-          std::span<const FeatureCurve> curves, std::size_t fewest_in_parallel)
+          std::span<const FeatureCurve> curves, std::size_t fewest_in_parallel,
+          const std::stop_token& stop)
       : positions_(positions),
         edges_(edges),
         items_(edges.size()),
-        fewest_in_parallel_(fewest_in_parallel) {
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+        fewest_in_parallel_(fewest_in_parallel),
+        stop_(stop) {
+    in_parallel(edges.size(), stop, [&](std::uint32_t i) {
       items_[i].edge = i;
       if (edges[i].curve != FeatureEdge::none) {
         items_[i].box = curves[edges[i].curve].box;
-        continue;
+        return;
       }
       items_[i].box.grow(positions[edges[i].a]);
       items_[i].box.grow(positions[edges[i].b]);
-    }
+    });
   }
 
   FeatureHierarchy build() {
@@ -182,6 +186,7 @@ class Builder {
   // Fills node `index` with up to eight parts, made by splitting the largest again and again. The
   // nodes below it follow at the end, a part's after those of the part before.
   Summary fill(Nodes& nodes, std::uint32_t index, std::vector<Items> parts) const {
+    check_stop(stop_);
     std::size_t count = 0;
     for (const Items part : parts) count += part.size();
     while (parts.size() < FeatureNode::width) {
@@ -373,17 +378,28 @@ class Builder {
     return {items.first(items.size() / 2), items.subspan(items.size() / 2)};
   }
 
+  // In place, cycle by cycle: a copy of the edges would be the most memory that all of loading
+  // takes.
   void reorder() {
-    std::vector<FeatureEdge> ordered;
-    ordered.reserve(edges_.size());
-    for (const Item& i : items_) ordered.push_back(edges_[i.edge]);
-    edges_ = std::move(ordered);
+    for (std::uint32_t start = 0; start < items_.size(); ++start) {
+      if (items_[start].edge == start) continue;
+      const FeatureEdge first = edges_[start];
+      std::uint32_t to = start;
+      for (std::uint32_t from = items_[to].edge; from != start; from = items_[to].edge) {
+        edges_[to] = edges_[from];
+        items_[to].edge = to;
+        to = from;
+      }
+      edges_[to] = first;
+      items_[to].edge = to;
+    }
   }
 
   std::span<const glm::vec3> positions_;
   std::vector<FeatureEdge>& edges_;
   std::vector<Item> items_;
   std::size_t fewest_in_parallel_;
+  std::stop_token stop_;
 };
 
 }  // namespace
@@ -391,8 +407,9 @@ class Builder {
 FeatureHierarchy FeatureHierarchy::build(std::span<const glm::vec3> positions,
                                          std::vector<FeatureEdge>& edges,
                                          std::span<const FeatureCurve> curves,
-                                         std::size_t fewest_in_parallel) {
-  return Builder(positions, edges, curves, fewest_in_parallel).build();
+                                         std::size_t fewest_in_parallel,
+                                         const std::stop_token& stop) {
+  return Builder(positions, edges, curves, fewest_in_parallel, stop).build();
 }
 
 }  // namespace asos

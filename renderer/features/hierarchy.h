@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -47,11 +48,13 @@ struct FeatureHierarchy {
   /// proportion to its width). Edges that bound from everywhere and mere candidates have subtrees
   /// of their own, so that cones can reject whole meshes. Deterministic.
   /// Children of nodes with `fewest_in_parallel` edges below or more are built in parallel, and
-  /// copied together then; what is built is the same.
+  /// copied together then; what is built is the same. Throws SearchStopped once `stop` is
+  /// requested.
   static FeatureHierarchy build(std::span<const glm::vec3> positions,
                                 std::vector<FeatureEdge>& edges,
                                 std::span<const FeatureCurve> curves = {},
-                                std::size_t fewest_in_parallel = std::size_t{1} << 18);
+                                std::size_t fewest_in_parallel = std::size_t{1} << 18,
+                                const std::stop_token& stop = {});
 };
 
 }  // namespace asos
