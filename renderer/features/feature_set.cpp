@@ -62,11 +62,10 @@ void FeatureSet::add_shape_intersections(const World& world) {
   add(Intersections{found.lines, found.complete});
   for (const IntersectionArc& crossing : found.arcs) {
     FeatureEdge edge;
-    edge.a = edge.b = FeatureEdge::none;
     edge.left_sheet = sheet(crossing.triangle);
     edge.right_sheet = sheet(crossing.face);
     edge.kind = FeatureKind::intersection;
-    edge.curve = static_cast<std::uint32_t>(curves_.size());
+    edge.set_curve(static_cast<std::uint32_t>(curves_.size()));
     curves_.push_back(FeatureCurve::of(crossing.arc));
     edges_.push_back(edge);
     ++counts_.intersection;
@@ -74,7 +73,8 @@ void FeatureSet::add_shape_intersections(const World& world) {
 }
 
 std::size_t FeatureSet::memory_bytes() const {
-  return hierarchy_.nodes.size() * sizeof(FeatureNode) + edges_.size() * sizeof(FeatureEdge) +
+  return hierarchy_.nodes.size() * sizeof(FeatureNode) +
+         hierarchy_.chains.size() * sizeof(NodeChains) + edges_.size() * sizeof(FeatureEdge) +
          sheet_of_triangle_.size() * sizeof(std::uint32_t) +
          deviation_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
          faces_.size() * sizeof(ShapeFace) + positions_.size() * sizeof(glm::vec3);

@@ -24,6 +24,8 @@ class FeatureSet {
 
   [[nodiscard]] const FeatureCounts& counts() const { return counts_; }
   [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
+  /// FeatureNode::chains counts in these.
+  [[nodiscard]] std::span<const NodeChains> chains() const { return hierarchy_.chains; }
   [[nodiscard]] std::span<const FeatureEdge> edges() const { return edges_; }
   [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
   [[nodiscard]] std::span<const FeatureCurve> curves() const { return curves_; }
