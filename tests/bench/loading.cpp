@@ -5,6 +5,7 @@
 //
 //   bench_loading [SCENE] [--size WxH] [--threads N]
 
+#include "app/large_blocks.h"
 #include "renderer/scene/load.h"
 #include "renderer/session/render_session.h"
 #include "tests/bench/bench_support.h"
@@ -12,7 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <sys/resource.h>
@@ -79,9 +82,18 @@ int measure(const Settings& settings) {
   if (const auto whole = with_boundaries(*prepared); !whole) return fail(whole.error());
   steps.print("boundaries", triangles);
   session.cancel();
-  fmt::print("{} triangles, {:.1f} bytes each are kept\n", triangles,
-             (*prepared)->geometry->memory_mb() * 1024.0 * 1024.0 /
-                 static_cast<double>(std::max<std::size_t>(1, triangles)));
+  const auto each = [&](double bytes) {
+    return bytes / static_cast<double>(std::max<std::size_t>(1, triangles));
+  };
+  const FeatureSet& features = (*prepared)->features();
+  fmt::print(
+      "{} triangles, {:.1f} bytes each are kept: rays {:.1f}, boundaries {:.1f}, of these "
+      "edges {:.1f} and nodes {:.1f}\n",
+      triangles, each((*prepared)->geometry->memory_mb() * 1024.0 * 1024.0),
+      each(static_cast<double>((*prepared)->rays().memory_bytes())),
+      each(static_cast<double>(features.memory_bytes())),
+      each(static_cast<double>(features.edges().size_bytes())),
+      each(static_cast<double>(features.nodes().size_bytes())));
   return 0;
 }
 
@@ -94,5 +106,6 @@ int main(int argc, char** argv) {
   options.size(settings.size);
   options.number("--threads", settings.threads, 1, 1024);
   if (const auto code = options.end(argc, argv)) return *code;
+  give_back_large_blocks();  // as the program does
   return measure(settings);
 }
