@@ -23,8 +23,11 @@ struct InfoArguments {
 int run_info(const InfoArguments& arguments, const Streams& streams) {
   Result<Scene> scene = open_scene_argument(arguments.scene);
   // All of what a render would do first, for what a scene does not need is known only then.
-  const auto ready = scene.and_then(
-      [&](const Scene& opened) { return prepare(opened, forced_by(arguments.needs)); });
+  const auto ready = scene
+                         .and_then([&](const Scene& opened) {
+                           return prepare(opened, forced_by(arguments.needs));
+                         })
+                         .and_then(with_boundaries);
   if (!ready) {
     streams.err << "asos: " << ready.error().message() << "\n";
     return exit_bad_input;

@@ -112,16 +112,17 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   bar.say("Building ...");
   const auto loaded = std::chrono::steady_clock::now();
   const PictureDescription picture = wanted_picture(wanted);
-  const auto prepared = prepare(*scene, picture);
-  if (!prepared) return tl::unexpected(prepared.error());
+  auto prepared = prepare(*scene, picture);
   *scene = Scene{};
+  // With a limit of time the picture begins with what rays alone can tell.
+  const bool at_once = arguments.time_limit_seconds || !needs_boundaries(wanted.settings.method);
+  if (!at_once) prepared = std::move(prepared).and_then(with_boundaries);
+  if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
   report.build_seconds = seconds_since(loaded);
   report.triangles = ready.world().triangles.size();
-  report.feature_edges = ready.features().counts();
-  report.needs = needs_of(ready, wanted.settings);
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
 
   // Render
@@ -133,7 +134,10 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
       describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f});
   const std::optional<RenderedPicture> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
-  if (!rendered) return interrupted_error();
+  if (interrupt.interrupted()) return interrupted_error();
+  if (!rendered) return tl::unexpected(with_boundaries(*prepared).error());
+  if (ready.geometry->boundaries.known()) report.feature_edges = ready.features().counts();
+  report.needs = needs_of(ready, wanted.settings);
   report.threads = rendered->threads;
   report.statistics = rendered->statistics;
   report.render_seconds = rendered->seconds;

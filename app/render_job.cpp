@@ -72,12 +72,12 @@ std::optional<RenderedPicture> run_render_job(Snapshot snapshot, ProgressBar& ba
   auto drawn = std::chrono::steady_clock::now();
   for (bool finished = false; !finished;) {
     bell.wait(time_limit_seconds ? patience / 5 : patience);
-    if (interrupt.interrupted()) {
+    // Asked before the tiles are taken: what was published up to the end is then among them.
+    const Progress progress = session.progress();
+    if (interrupt.interrupted() || progress.failed) {
       session.cancel();
       return std::nullopt;
     }
-    // Asked before the tiles are taken: what was published up to the end is then among them.
-    const Progress progress = session.progress();
     finished = progress.finished;
     collect();
     if (!finished && past_limit(progress)) {

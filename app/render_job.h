@@ -19,7 +19,8 @@ struct RenderedPicture {
   std::optional<Reached> stopped_at;
 };
 
-/// Renders `snapshot` to the end, drawing progress, from the calling thread. nullopt: interrupted.
+/// Renders `snapshot` to the end, drawing progress, from the calling thread. nullopt: interrupted,
+/// or the scene's boundaries could not be found.
 /// With a limit, in seconds of rendering, the picture comes in passes and is what they have made of
 /// it by then: at the least a sample for each block, which takes a fraction of a second.
 [[nodiscard]] std::optional<RenderedPicture> run_render_job(

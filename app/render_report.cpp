@@ -25,17 +25,20 @@ nlohmann::ordered_json light_counts_json(const RenderReport& report) {
   return lights;
 }
 
+nlohmann::ordered_json edges_json(const std::optional<FeatureCounts>& edges) {
+  if (!edges) return nullptr;
+  return {{"open", edges->open},
+          {"silhouette_candidates", edges->silhouette_candidates},
+          {"crease", edges->crease},
+          {"seam", edges->seam},
+          {"intersection", edges->intersection}};
+}
+
 // The measurements of loading and rendering the scene.
 nlohmann::ordered_json measured_json(const RenderReport& report) {
-  const FeatureCounts& edges = report.feature_edges;
   nlohmann::ordered_json measured{
       {"triangles", report.triangles},
-      {"feature_edges",
-       {{"open", edges.open},
-        {"silhouette_candidates", edges.silhouette_candidates},
-        {"crease", edges.crease},
-        {"seam", edges.seam},
-        {"intersection", edges.intersection}}},
+      {"feature_edges", edges_json(report.feature_edges)},
       {"threads", report.threads},
       {"load_seconds", report.load_seconds},
       {"build_seconds", report.build_seconds},

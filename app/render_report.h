@@ -27,13 +27,14 @@ struct ReportedLight {
 struct RenderReport {
   std::string scene;  ///< as named on the command line
   std::uint64_t triangles = 0;
-  FeatureCounts feature_edges;
+  std::optional<FeatureCounts> feature_edges;  ///< none: a limit of time came before
   PictureDescription description;
   std::vector<ReportedLight> lights;  ///< in the order of Lighting::lights
   int threads = 0;                    ///< that worked
   RenderStatistics statistics;
   double load_seconds = 0.0;   ///< reading the file or making the built-in scene
-  double build_seconds = 0.0;  ///< flattening, and the hierarchies of rays and boundaries
+  double build_seconds = 0.0;  ///< flattening, and the hierarchies of rays and, without a limit of
+                               ///< time, of boundaries
   double render_seconds = 0.0;
   std::optional<double> time_limit_seconds;  ///< that was asked for
   std::optional<Reached> stopped_at;         ///< where the limit ended the render

@@ -150,8 +150,8 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
           {"lines_not_drawn", notes.lines_not_drawn},
           {"unsupported_extensions", notes.unsupported_extensions},
           {"warnings", notes.warnings},
-          {"memory_mb", ready.geometry->memory_mb},
-          {"left_out", left_out_json(ready.needs)}};
+          {"memory_mb", ready.geometry->memory_mb()},
+          {"left_out", left_out_json(needs_of(ready, {}))}};
 }
 
 std::string scene_info_text(const Json& info) {

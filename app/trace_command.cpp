@@ -57,7 +57,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const Result<Scene> scene = open_scene_argument(wanted.scene);
   if (!scene) return tl::unexpected(scene.error());
   bar.say("Building ...");
-  const auto prepared = prepare(*scene, forced_by(wanted.needs));
+  const auto prepared = prepare(*scene, forced_by(wanted.needs)).and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   const RenderSettings settings = as_published(*with);

@@ -80,6 +80,8 @@ SplitForecast::SplitForecast()
 void SplitForecast::ask(const Previewer& previewer) {
   const RenderSettings& settings = previewer.edits().settings();
   if (!previewer.scene() || !validated(settings) || !previewer.viewpoint().sized()) return;
+  // It has to answer at once.
+  if (needs_boundaries(settings.method) && !previewer.scene()->geometry->boundaries.known()) return;
   if (asked_ == settings && camera_ == previewer.viewpoint().camera().revision()) return;
   asked_ = settings;
   camera_ = previewer.viewpoint().camera().revision();

@@ -255,7 +255,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
                      "that cannot be read leaves the scene as it is.",
                      Controls::Use::edits);
   }
-  if (scene) warnings_panel(controls_, scene->geometry->notes);
+  if (scene) warnings_panel(controls_, notes_of(*scene));
   antialiasing_panel(controls_, previewer_, forecast_);
   refinement_panel(controls_, previewer_);
   lights_panel(controls_, previewer_, state_.lights, state_.picked);
@@ -381,6 +381,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (previewer_.scene().loading() || picture_job_.state()) also(0.1);
   if (window_to_save_) also(std::max(0.0, save_window_seconds_ - time_seconds_));
   if (previewer_.render().progress().running) also(0.25);
+  if (previewer_.scene() && !previewer_.scene()->geometry->boundaries.known()) also(0.25);
   if (study_.busy()) also(study_redraw_seconds);
   return due;
 }

@@ -55,7 +55,7 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   scene_.reset();  // before the next one takes memory
   const Result<Scene> scene = open_scene_argument(source);
   if (!scene) return tl::unexpected(scene.error());
-  auto ready = prepare(*scene, forced_by(plan_.needs));
+  auto ready = prepare(*scene, forced_by(plan_.needs)).and_then(with_boundaries);
   if (!ready) return tl::unexpected(ready.error());
   if ((*ready)->world().surface_count() == 0)
     return tl::unexpected(Error{source, "the scene is empty: there is nothing to compare"});
@@ -125,7 +125,7 @@ Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
     record.pyrays = pyrays_of(rendered->statistics);
     record.rejected_samples = rendered->statistics.rejected_samples;
     record.picture_hash = hash_of(rendered->film);
-    record.scene = {scene_->world().triangles.size(), scene_->geometry->memory_mb,
+    record.scene = {scene_->world().triangles.size(), scene_->geometry->memory_mb(),
                     scene_->lights().size(), needs_of(*scene_, job.rung.settings).left_out()};
     if (const auto written = write_picture(record, rendered->film); !written)
       return tl::unexpected(written.error());

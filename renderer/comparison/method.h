@@ -32,6 +32,8 @@ struct MethodRow {
   int (*block_side)(const RenderSettings& settings) = nullptr;
   /// It splits pixels' pyrays: MAX, EPS and TR are for it, and it tells causes.
   bool in_object_space = false;
+  /// It asks where boundaries are (RenderScene::features), and not only what rays meet.
+  bool needs_boundaries = false;
   /// Without splitting pyrays it takes samples by MAX and EPS: more until EPS is met.
   bool samples_by_eps = false;
   bool takes_filter_width = false;
@@ -51,6 +53,10 @@ struct MethodRow {
 [[nodiscard]] const MethodRow& row_of(Method method);
 [[nodiscard]] inline bool in_object_space(Method method) {
   return row_of(method).in_object_space;
+}
+
+[[nodiscard]] inline bool needs_boundaries(Method method) {
+  return row_of(method).needs_boundaries;
 }
 
 /// The final pixels of one block of the picture, by the method that the settings name, which has to

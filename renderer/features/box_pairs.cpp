@@ -1,9 +1,10 @@
 #include "renderer/features/box_pairs.h"
 
+#include "renderer/features/stoppable_loop.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 // Vectors are handed to functions that are inlined only: no calling convention is concerned.
@@ -45,13 +46,13 @@ Box box_of(const World& world, std::uint32_t triangle) {
   return box;
 }
 
-std::vector<std::uint32_t> along_morton_curve(const World& world) {
+std::vector<std::uint32_t> along_morton_curve(const World& world, const std::stop_token& stop) {
   const std::size_t n = world.triangles.size();
   std::vector<Keyed> keyed(n);
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t t) {
-    const Box box = box_of(world, static_cast<std::uint32_t>(t));
+  in_parallel(n, stop, [&](std::uint32_t t) {
+    const Box box = box_of(world, t);
     const glm::dvec3 middle = 0.5 * (glm::dvec3(box.lo) + glm::dvec3(box.hi));
-    keyed[t] = {morton_code(middle, world.bounds), static_cast<std::uint32_t>(t)};
+    keyed[t] = {morton_code(middle, world.bounds), t};
   });
   tbb::parallel_sort(keyed.begin(), keyed.end(), [](const Keyed& x, const Keyed& y) {
     return x.code != y.code ? x.code < y.code : x.triangle < y.triangle;
@@ -68,16 +69,17 @@ constexpr std::size_t nodes_for(std::size_t children) {
 
 }  // namespace
 
-BoxTree::BoxTree(const World& world) : triangles_(along_morton_curve(world)) {
+BoxTree::BoxTree(const World& world, const std::stop_token& stop)
+    : triangles_(along_morton_curve(world, stop)) {
   if (triangles_.empty()) return;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr OneBox nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   // Level by level, each the union of the one before, up to a root.
   const auto add_level = [&](std::size_t children, const auto& box_of_child) {
     std::vector<Boxes> level(nodes_for(children));
-    tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t node) {
+    in_parallel(level.size(), stop, [&](std::uint32_t node) {
       for (std::size_t i = 0; i < width; ++i) {
-        const std::size_t child = node * width + i;
+        const std::size_t child = std::size_t{node} * width + i;
         put(level[node], i, child < children ? box_of_child(child) : nothing);
       }
     });

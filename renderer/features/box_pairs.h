@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -17,7 +18,8 @@ class BoxTree {
  public:
   static constexpr std::size_t width = 8;
 
-  explicit BoxTree(const World& world);
+  /// Throws SearchStopped once `stop` is requested.
+  explicit BoxTree(const World& world, const std::stop_token& stop = {});
 
   [[nodiscard]] std::size_t leaf_count() const { return levels_.empty() ? 0 : levels_[0].size(); }
 

@@ -1,8 +1,9 @@
 #include "renderer/features/deviation.h"
 
+#include "renderer/features/stoppable_loop.h"
+
 #include <atomic>
 #include <cmath>
-#include <tbb/parallel_for.h>
 #include <unordered_map>
 
 namespace asos {
@@ -55,7 +56,7 @@ void raise(float& most, float to) {
 }  // namespace
 
 std::vector<float> deviations(const World& world, DisjointSets& facets,
-                              std::span<const FeatureEdge> edges) {
+                              std::span<const FeatureEdge> edges, const std::stop_token& stop) {
   std::vector<float> deviation(world.triangles.size());
   const FacetBoxes boxes = boxes_of(world, facets);
   const auto depart = [&](std::uint32_t from, std::uint32_t to, std::uint32_t third) {
@@ -66,7 +67,7 @@ std::vector<float> deviations(const World& world, DisjointSets& facets,
     // From where a flat facet's surface goes on, it goes on from all of the facet.
     raise(deviation[facets.find(from)], static_cast<float>(d));
   };
-  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+  in_parallel(edges.size(), stop, [&](std::uint32_t i) {
     const FeatureEdge& edge = edges[i];
     if (edge.kind != FeatureKind::silhouette) return;
     depart(edge.left_sheet, edge.right_sheet, edge.right);

@@ -12,6 +12,7 @@ namespace asos {
 /// world units: see FeatureSet::deviation. `facets` joins triangles that lie in one plane. `edges`
 /// still name their triangles where later the sheets are.
 [[nodiscard]] std::vector<float> deviations(const World& world, DisjointSets& facets,
-                                            std::span<const FeatureEdge> edges);
+                                            std::span<const FeatureEdge> edges,
+                                            const std::stop_token& stop = {});
 
 }  // namespace asos

@@ -115,11 +115,10 @@ class Finder {
                                        : face + static_cast<std::uint32_t>(world_.triangles.size());
     };
     FeatureEdge edge;
-    edge.a = edge.b = FeatureEdge::none;
     edge.left_sheet = sheet(left);
     edge.right_sheet = sheet(right);
     edge.kind = kind;
-    edge.curve = static_cast<std::uint32_t>(found_.curves.size());
+    edge.set_curve(static_cast<std::uint32_t>(found_.curves.size()));
     found_.curves.push_back(curve);
     found_.edges.push_back(edge);
   }

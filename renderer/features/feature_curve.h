@@ -40,7 +40,7 @@ struct FaceOutline {
 [[nodiscard]] FaceOutline face_outline(const ShapeFace& face, const Frame& frame);
 
 /// Boundaries of a world's analytic shapes: of each face what can be its outline, and its rims.
-/// `curves` holds what the edges' `curve` counts in.
+/// `curves` holds what the edges' curve() counts in.
 struct ShapeFeatures {
   std::vector<FeatureCurve> curves;
   std::vector<FeatureEdge> edges;

@@ -2,6 +2,8 @@
 
 #include "renderer/features/deviation.h"
 #include "renderer/features/disjoint_sets.h"
+#include "renderer/features/release.h"
+#include "renderer/features/stoppable_loop.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +11,7 @@
 #include <bit>
 #include <numeric>
 #include <span>
+#include <stop_token>
 #include <tbb/parallel_for.h>
 #include <tuple>
 
@@ -21,11 +24,16 @@ constexpr double coplanar_sine = 1e-5;
 // At most so many triangles on the same three corners that look different are distinguished.
 constexpr std::size_t most_alternatives = 4;
 
+// There are three for each triangle, so every byte counts.
 struct HalfEdge {
+  HalfEdge() = default;
+  HalfEdge(std::uint32_t to, std::uint32_t corner, std::uint32_t of, bool up)
+      : high(to), third(corner), triangle(of & 0x7fffffffu), ascends(up) {}
+
   std::uint32_t high = 0;  // the end with the higher index; the lower one is the bucket
   std::uint32_t third = 0;
-  std::uint32_t triangle = 0;
-  bool ascends = false;  // the triangle's corners run from the lower end to this one
+  std::uint32_t triangle : 31 = 0;
+  std::uint32_t ascends : 1 = 0;  // the triangle's corners run from the lower end to this one
 };
 
 std::uint64_t mix(std::uint64_t x) {
@@ -34,12 +42,6 @@ std::uint64_t mix(std::uint64_t x) {
   x ^= x >> 33;
   x *= 0xc4ceb9fe1a85ec53ULL;
   return x ^ (x >> 33);
-}
-
-template <typename Visit>
-void in_parallel(std::size_t count, const Visit& visit) {
-  tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t i) { visit(static_cast<std::uint32_t>(i)); });
 }
 
 /// Places and the first vertex at each. Open addressing, keyed by the coordinates' bits; adding
@@ -86,40 +88,44 @@ class PlaceTable {
 };
 
 // For each vertex the first vertex at the same place.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
+std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions,
+                                const std::stop_token& stop) {
   PlaceTable table(positions);
-  in_parallel(positions.size(), [&](std::uint32_t i) { table.add(i); });
+  in_parallel(positions.size(), stop, [&](std::uint32_t i) { table.add(i); });
   std::vector<std::uint32_t> first(positions.size());
-  in_parallel(positions.size(), [&](std::uint32_t i) { first[i] = table.first_at_place_of(i); });
+  in_parallel(positions.size(), stop,
+              [&](std::uint32_t i) { first[i] = table.first_at_place_of(i); });
   return first;
 }
 
 class Extractor {
  public:
-  Extractor(const World& world, TextureAt texture_at)
+  Extractor(const World& world, TextureAt texture_at, const std::stop_token& stop)
       : world_(world),
+        stop_(stop),
         look_(world, texture_at),
-        welded_(weld(world.positions)),
+        welded_(weld(world.positions, stop)),
         sheets_(world.triangles.size()),
         facets_(world.triangles.size()),
         two_sided_(world.triangles.size()) {
-    in_parallel(world.triangles.size(),
+    in_parallel(world.triangles.size(), stop,
                 [&](std::uint32_t t) { two_sided_[t] = world.material_of(t).double_sided; });
   }
 
   ExtractedFeatures run() {
     bucket_half_edges();
-    // A few vertices at a time; what is found comes in their order, whoever found it.
-    const std::size_t count = (world_.positions.size() + vertices_at_once - 1) / vertices_at_once;
-    std::vector<Found> found(count);
-    in_parallel(count, [&](std::uint32_t i) {
-      const std::size_t first = i * vertices_at_once;
-      const std::size_t last = std::min(first + vertices_at_once, world_.positions.size());
-      for (std::size_t low = first; low < last; ++low)
-        classify_edges_of(static_cast<std::uint32_t>(low), found[i]);
-    });
-    half_edges_ = {};
-    return finish(found);
+    ExtractedFeatures out;
+    // Of a closed mesh's edges each has two halves. What is reserved and not used takes no memory.
+    out.edges.reserve(half_edges_.size() / 2 + half_edges_.size() / 16);
+    for (std::size_t first = 0; first < world_.positions.size();
+         first += groups_at_once * group_size)
+      classify_groups(first, out);
+    release(half_edges_);
+    release(welded_);
+    release(bucket_);
+    release(two_sided_);
+    finish(out);
+    return out;
   }
 
  private:
@@ -129,7 +135,25 @@ class Extractor {
     std::vector<FeatureEdge> edges;
     FeatureCounts counts;
   };
-  static constexpr std::size_t vertices_at_once = 4096;
+  static constexpr std::size_t group_size = 4096;  // vertices
+  static constexpr std::size_t groups_at_once = 64;
+
+  // Some groups of vertices from `first` on, in parallel; what is found comes in their order,
+  // whoever found it. All groups at once would hold all edges twice.
+  void classify_groups(std::size_t first, ExtractedFeatures& out) {
+    std::array<Found, groups_at_once> found;
+    tbb::parallel_for(std::size_t{0}, groups_at_once, [&](std::size_t i) {
+      check_stop(stop_);
+      const std::size_t begin = std::min(first + i * group_size, world_.positions.size());
+      const std::size_t end = std::min(begin + group_size, world_.positions.size());
+      for (std::size_t low = begin; low < end; ++low)
+        classify_edges_of(static_cast<std::uint32_t>(low), found[i]);
+    });
+    for (const Found& part : found) {
+      out.edges.insert(out.edges.end(), part.edges.begin(), part.edges.end());
+      out.counts += part.counts;
+    }
+  }
 
   void classify_edges_of(std::uint32_t low, Found& found) {
     const auto begin = half_edges_.begin() + bucket_[low];
@@ -159,16 +183,16 @@ class Extractor {
   void bucket_half_edges() {
     const std::size_t n = world_.positions.size();
     std::vector<std::uint8_t> bounds_nothing(world_.triangles.size());
-    in_parallel(world_.triangles.size(),
+    in_parallel(world_.triangles.size(), stop_,
                 [&](std::uint32_t t) { bounds_nothing[t] = degenerate(world_.triangles[t]); });
     const auto each = [&](const auto& visit) {
-      in_parallel(world_.triangles.size(), [&](std::uint32_t t) {
+      in_parallel(world_.triangles.size(), stop_, [&](std::uint32_t t) {
         if (bounds_nothing[t]) return;
         for (int k = 0; k < 3; ++k) {
           const std::uint32_t a = welded_[world_.triangles[t][k]];
           const std::uint32_t b = welded_[world_.triangles[t][(k + 1) % 3]];
           const std::uint32_t c = welded_[world_.triangles[t][(k + 2) % 3]];
-          visit(std::min(a, b), HalfEdge{std::max(a, b), c, t, a < b});
+          visit(std::min(a, b), HalfEdge(std::max(a, b), c, t, a < b));
         }
       });
     };
@@ -281,28 +305,19 @@ class Extractor {
     return {corner(x.triangle, v), corner(y.triangle, v)};
   }
 
-  ExtractedFeatures finish(std::vector<Found>& found) {
-    ExtractedFeatures out;
-    std::size_t count = 0;
-    for (const Found& part : found) count += part.edges.size();
-    out.edges.reserve(count);
-    for (Found& part : found) {
-      out.edges.insert(out.edges.end(), part.edges.begin(), part.edges.end());
-      out.counts += part.counts;
-      part = {};
-    }
-    out.deviation_of_triangle = deviations(world_, facets_, out.edges);
+  void finish(ExtractedFeatures& out) {
+    out.deviation_of_triangle = deviations(world_, facets_, out.edges, stop_);
     out.sheet_of_triangle.resize(world_.triangles.size());
-    in_parallel(world_.triangles.size(),
+    in_parallel(world_.triangles.size(), stop_,
                 [&](std::uint32_t t) { out.sheet_of_triangle[t] = sheets_.find(t); });
-    in_parallel(out.edges.size(), [&](std::uint32_t i) {
+    in_parallel(out.edges.size(), stop_, [&](std::uint32_t i) {
       for (std::uint32_t* sheet : {&out.edges[i].left_sheet, &out.edges[i].right_sheet})
         if (*sheet != FeatureEdge::none) *sheet = out.sheet_of_triangle[*sheet];
     });
-    return out;
   }
 
   const World& world_;
+  std::stop_token stop_;
   SurfaceLook look_;
   std::vector<std::uint32_t> welded_;
   DisjointSets sheets_;
@@ -323,8 +338,9 @@ FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& other) {
   return *this;
 }
 
-ExtractedFeatures extract_features(const World& world, TextureAt texture_at) {
-  return Extractor(world, texture_at).run();
+ExtractedFeatures extract_features(const World& world, TextureAt texture_at,
+                                   const std::stop_token& stop) {
+  return Extractor(world, texture_at, stop).run();
 }
 
 }  // namespace asos

@@ -4,6 +4,7 @@
 #include "renderer/world/world.h"
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -34,9 +35,12 @@ struct FeatureEdge {
   std::uint32_t right_sheet = none;
   FeatureKind kind = FeatureKind::open;
   bool folds = false;  ///< its two faces are not coplanar, so it can be a silhouette too
-  /// Index into FeatureSet::curves: the edge is that curve of an analytic shape, and has no
-  /// vertices.
-  std::uint32_t curve = none;
+
+  /// The edge is a curve of an analytic shape and has no vertices.
+  [[nodiscard]] bool is_curve() const { return a == none; }
+  /// Which one, as an index into FeatureSet::curves; `b` holds it.
+  [[nodiscard]] std::uint32_t curve() const { return b; }
+  void set_curve(std::uint32_t index) { a = none, b = index; }
 };
 
 /// How many edges of each kind a world has. `intersection`: lines where surfaces pass through each
@@ -65,7 +69,8 @@ struct ExtractedFeatures {
 /// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over; so are
 /// triangles that repeat another one's corners and look. `texture_at` tells whether a jump of
 /// texture coordinates shows; without it every one is a seam.
-[[nodiscard]] ExtractedFeatures extract_features(const World& world,
-                                                 TextureAt texture_at = nullptr);
+/// Throws SearchStopped once `stop` is requested.
+[[nodiscard]] ExtractedFeatures extract_features(const World& world, TextureAt texture_at = nullptr,
+                                                 const std::stop_token& stop = {});
 
 }  // namespace asos

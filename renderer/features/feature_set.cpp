@@ -2,23 +2,24 @@
 
 #include "renderer/features/shape_intersections.h"
 
-#include <future>
 #include <utility>
 
 namespace asos {
 
-FeatureSet::FeatureSet(const World& world, TextureAt texture_at) : positions_(world.positions) {
-  auto intersections = std::async(
-      std::launch::async, [&] { return find_intersections(world, IntersectionBudget::of(world)); });
-  ExtractedFeatures extracted = extract_features(world, texture_at);
+// One stage after the other, for each keeps all processors busy and needs memory that the next one
+// can have.
+FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop)
+    : positions_(world.positions) {
+  ExtractedFeatures extracted = extract_features(world, texture_at, stop);
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
   deviation_of_triangle_ = std::move(extracted.deviation_of_triangle);
   add_shapes(world);
-  add(intersections.get());
+  add(find_intersections(world, IntersectionBudget::of(world), stop));
   add_shape_intersections(world);
-  hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_);
+  constexpr std::size_t fewest_in_parallel = std::size_t{1} << 18;
+  hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_, fewest_in_parallel, stop);
 }
 
 // Each face is a sheet of its own.
@@ -61,11 +62,10 @@ void FeatureSet::add_shape_intersections(const World& world) {
   add(Intersections{found.lines, found.complete});
   for (const IntersectionArc& crossing : found.arcs) {
     FeatureEdge edge;
-    edge.a = edge.b = FeatureEdge::none;
     edge.left_sheet = sheet(crossing.triangle);
     edge.right_sheet = sheet(crossing.face);
     edge.kind = FeatureKind::intersection;
-    edge.curve = static_cast<std::uint32_t>(curves_.size());
+    edge.set_curve(static_cast<std::uint32_t>(curves_.size()));
     curves_.push_back(FeatureCurve::of(crossing.arc));
     edges_.push_back(edge);
     ++counts_.intersection;
@@ -73,7 +73,8 @@ void FeatureSet::add_shape_intersections(const World& world) {
 }
 
 std::size_t FeatureSet::memory_bytes() const {
-  return hierarchy_.nodes.size() * sizeof(FeatureNode) + edges_.size() * sizeof(FeatureEdge) +
+  return hierarchy_.nodes.size() * sizeof(FeatureNode) +
+         hierarchy_.chains.size() * sizeof(NodeChains) + edges_.size() * sizeof(FeatureEdge) +
          sheet_of_triangle_.size() * sizeof(std::uint32_t) +
          deviation_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
          faces_.size() * sizeof(ShapeFace) + positions_.size() * sizeof(glm::vec3);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -17,11 +18,14 @@ namespace asos {
 class FeatureSet {
  public:
   FeatureSet() = default;
-  /// `texture_at`: see extract_features.
-  explicit FeatureSet(const World& world, TextureAt texture_at = nullptr);
+  /// `texture_at`: see extract_features. Throws SearchStopped once `stop` is requested.
+  explicit FeatureSet(const World& world, TextureAt texture_at = nullptr,
+                      const std::stop_token& stop = {});
 
   [[nodiscard]] const FeatureCounts& counts() const { return counts_; }
   [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
+  /// FeatureNode::chains counts in these.
+  [[nodiscard]] std::span<const NodeChains> chains() const { return hierarchy_.chains; }
   [[nodiscard]] std::span<const FeatureEdge> edges() const { return edges_; }
   [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
   [[nodiscard]] std::span<const FeatureCurve> curves() const { return curves_; }

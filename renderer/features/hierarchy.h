@@ -3,17 +3,21 @@
 #include "renderer/features/feature_curve.h"
 #include "renderer/features/feature_edge.h"
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
 
 /// Children of one node of the hierarchy over feature edges, side by side so that all are tested at
 /// once. A child is a node or a run of edges.
-struct alignas(64) FeatureNode {
+struct alignas(32) FeatureNode {
   static constexpr int width = 8;
+  static constexpr std::uint32_t no_chains = 0xffffffffu;
 
   /// Sentinel in `edge_count`: the child is a node.
   static constexpr std::uint8_t inner = 0;
@@ -30,28 +34,40 @@ struct alignas(64) FeatureNode {
   std::uint8_t edge_count[width];  ///< `inner`, or the number of edges of a leaf
   std::uint8_t always[width];      ///< 1: some edge below bounds from every viewpoint
   std::uint32_t child_count = 0;
-  /// Where all edges below a child bound from every viewpoint and form one chain: its two ends, as
-  /// vertices, and how far in the world it strays from the straight line between them at most; else
-  /// FeatureEdge::none. Where that is little enough, the line stands for the whole chain (CGF'98
-  /// section 6.3 carried on to outlines).
-  std::uint32_t chain[2][width];
-  float chain_deviation[width];
+  std::uint32_t chains = no_chains;  ///< index into FeatureHierarchy::chains; most nodes have none
+};
+
+/// The chains of a node's children. Where all edges below a child bound from every viewpoint and
+/// form one chain: its two ends, as vertices, and how far in the world it strays from the straight
+/// line between them at most; else FeatureEdge::none. Where that is little enough, the line stands
+/// for the whole chain (CGF'98 section 6.3 carried on to outlines).
+struct NodeChains {
+  std::uint32_t end[2][FeatureNode::width];
+  float deviation[FeatureNode::width];
+
+  NodeChains() {
+    for (auto& ends : end) std::fill(std::begin(ends), std::end(ends), FeatureEdge::none);
+    std::fill(std::begin(deviation), std::end(deviation), 0.0f);
+  }
 };
 
 /// Bounding hierarchy over feature edges (design section 4). Node 0 is the root; empty without
 /// edges. Building reorders `edges` so that each leaf's edges are consecutive.
 struct FeatureHierarchy {
   std::vector<FeatureNode> nodes;
+  std::vector<NodeChains> chains;
 
   /// Top-down, split by the binned sum of the boxes' extents (a thin pyramid meets a box in
   /// proportion to its width). Edges that bound from everywhere and mere candidates have subtrees
   /// of their own, so that cones can reject whole meshes. Deterministic.
-  /// Children of nodes with `fewest_in_parallel` edges below or more are built in parallel, and
-  /// copied together then; what is built is the same.
+  /// Children of nodes with `fewest_in_parallel` edges below or more are built in parallel; what is
+  /// built is the same. Throws SearchStopped once `stop` is
+  /// requested.
   static FeatureHierarchy build(std::span<const glm::vec3> positions,
                                 std::vector<FeatureEdge>& edges,
                                 std::span<const FeatureCurve> curves = {},
-                                std::size_t fewest_in_parallel = std::size_t{1} << 18);
+                                std::size_t fewest_in_parallel = std::size_t{1} << 18,
+                                const std::stop_token& stop = {});
 };
 
 }  // namespace asos

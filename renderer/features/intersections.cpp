@@ -1,6 +1,7 @@
 #include "renderer/features/intersections.h"
 
 #include "renderer/features/box_pairs.h"
+#include "renderer/features/stoppable_loop.h"
 #include "renderer/features/triangle_line.h"
 
 #include <algorithm>
@@ -58,12 +59,13 @@ bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
 
 class Collider {
  public:
-  Collider(const World& world, const IntersectionBudget& budget)
-      : world_(world), budget_(budget), boxes_(world) {}
+  Collider(const World& world, const IntersectionBudget& budget, const std::stop_token& stop)
+      : world_(world), budget_(budget), stop_(stop), boxes_(world, stop) {}
 
   Intersections run() {
     if (hopeless()) return {{}, false};
     tbb::parallel_for(std::size_t{0}, boxes_.leaf_count(), [this](std::size_t leaf) {
+      check_stop(stop_);
       if (over_budget_.load(std::memory_order_relaxed)) return;
       Local& local = found_.local();
       boxes_.visit_pairs(leaf, [&](std::uint32_t s, std::uint32_t t) {
@@ -145,6 +147,7 @@ class Collider {
 
   const World& world_;
   IntersectionBudget budget_;
+  std::stop_token stop_;
   BoxTree boxes_;
   tbb::enumerable_thread_specific<Local> found_;
   std::atomic<std::size_t> pairs_{0};
@@ -158,9 +161,10 @@ IntersectionBudget IntersectionBudget::of(const World& world) {
   return {std::max<std::size_t>(10'000, 4 * n), 1'000'000 + 256 * n};
 }
 
-Intersections find_intersections(const World& world, const IntersectionBudget& budget) {
+Intersections find_intersections(const World& world, const IntersectionBudget& budget,
+                                 const std::stop_token& stop) {
   if (world.triangles.size() < 2) return {};
-  return Collider(world, budget).run();
+  return Collider(world, budget, stop).run();
 }
 
 }  // namespace asos

@@ -24,14 +24,20 @@ std::size_t bytes_of(const World& world) {
   return bytes;
 }
 
-double megabytes_of(const Geometry& geometry) {
-  const std::size_t bytes = bytes_of(geometry.world) + geometry.mips.memory_bytes() +
-                            geometry.rays.memory_bytes() + geometry.features.memory_bytes() +
-                            bytes_of(geometry.object_spheres);
-  return static_cast<double>(bytes) / (1024.0 * 1024.0);
+// As data, so that differences are those of a display.
+glm::vec4 stored_texture(const World& world, const TextureUse& use, std::uint32_t triangle,
+                         float b1, float b2) {
+  return sample_texture(world, use, triangle, b1, b2, Encoding::linear);
 }
 
 }  // namespace
+
+double Geometry::memory_mb() const {
+  std::size_t bytes =
+      bytes_of(world) + mips.memory_bytes() + rays.memory_bytes() + bytes_of(object_spheres);
+  if (boundaries.known()) bytes += boundaries.get().memory_bytes();
+  return static_cast<double>(bytes) / (1024.0 * 1024.0);
+}
 
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
                                                  const SceneNeeds& forced) {
@@ -41,25 +47,19 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   fill_forced_attributes(world, forced);
   geometry->world = std::move(world);
 
-  // Neither of the three needs another.
-  auto features = std::async(std::launch::async, [&] {
-    return FeatureSet(geometry->world, [](const World& w, const TextureUse& use,
-                                          std::uint32_t triangle, float b1, float b2) {
-      return sample_texture(w, use, triangle, b1, b2, Encoding::linear);
-    });
-  });
+  // Neither of the two needs the other.
   auto mips = std::async(std::launch::async,
                          [&] { return MipChains(geometry->world, geometry->needs.with(forced)); });
   geometry->object_spheres = object_spheres(geometry->world);
   auto rays = RayScene::build(geometry->world, alpha_at, lights, forced);
-  geometry->features = features.get();
   geometry->mips = mips.get();
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);
 
-  geometry->needs.intersections =
-      geometry->features.counts().intersection > 0 || !geometry->features.intersections_complete();
-  geometry->memory_mb = megabytes_of(*geometry);
+  // Only now, so that nothing keeps the rays' hierarchy from being there soon.
+  geometry->boundaries.find([&world = geometry->world](const std::stop_token& stop) {
+    return FeatureSet(world, stored_texture, stop);
+  });
   return geometry;
 }
 

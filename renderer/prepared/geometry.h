@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/features/feature_set.h"
+#include "renderer/prepared/boundary_features.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
 #include "renderer/shading/mip_chain.h"
@@ -16,8 +16,8 @@
 namespace asos {
 
 /// The parts of a scene that take long to build: its surfaces, with the hierarchies of its rays and
-/// its boundaries. Immutable once shared, by scenes in whatever light; stays where it was made, for
-/// `rays` points into `world`.
+/// its boundaries. Immutable once shared, by scenes in whatever light, but that the boundaries may
+/// come later than all else; stays where it was made, for both hierarchies refer to `world`.
 struct Geometry {
   Geometry() = default;
   Geometry(const Geometry&) = delete;
@@ -25,19 +25,22 @@ struct Geometry {
 
   World world;  ///< with the materials that its boundaries were looked for by
   RayScene rays;
-  FeatureSet features;
   MipChains mips;
   std::vector<ObjectSphere> object_spheres;
-  SceneNeeds needs;  ///< those of the surfaces and of their own materials
-  SceneNotes notes;
+  SceneNeeds needs;  ///< those of the surfaces and of their own materials; see needs_of
+  SceneNotes notes;  ///< of the file; see notes_of
   std::string name;
   std::string source;
-  double build_seconds = 0.0;
-  double memory_mb = 0.0;  ///< of geometry, textures with their mip chains, and both hierarchies
+  double build_seconds = 0.0;   ///< without the boundaries
+  BoundaryFeatures boundaries;  ///< last: their search ends before what it looks at goes
+
+  /// Of geometry, textures with their mip chains, and both hierarchies as far as they are there.
+  [[nodiscard]] double memory_mb() const;
 };
 
-/// Builds all that follows from a world; notes, names and the time are left to the caller.
-/// `lights`, `forced` and errors: as RayScene::build's.
+/// Builds all that follows from a world but for the boundaries, which go on being looked for;
+/// notes, names and the time are left to the caller. `lights`, `forced` and errors: as
+/// RayScene::build's.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(World world,
                                                                std::span<const Light> lights,
                                                                const SceneNeeds& forced);

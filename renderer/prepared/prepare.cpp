@@ -41,6 +41,10 @@ Error memory_error(const std::string& source) {
   return {source, "does not fit into this machine's memory"};
 }
 
+Error boundaries_error(const RenderScene& scene) {
+  return {scene.geometry->source, "its boundaries do not fit into this machine's memory"};
+}
+
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const SceneNeeds& forced) {
   const auto start = std::chrono::steady_clock::now();
@@ -66,11 +70,6 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   built.name = scene.name;
   built.source = scene.source;
   built.notes = scene.notes;
-  if (!built.features.intersections_complete()) {
-    built.notes.warnings.emplace_back(
-        "surfaces pass through each other or overlap too often; the lines where "
-        "they do are found by samples only");
-  }
   built.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return unedited_scene(*std::move(geometry), std::move(lighting), forced);
@@ -82,7 +81,24 @@ SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings) {
   SceneNeeds needs = scene.needs;
   needs.mirrors |= settings.mirror.roughest > usual_roughest_mirror;
   needs.sky_picture |= settings.sky && settings.sky->is_picture();
+  if (const BoundaryFeatures& boundaries = scene.geometry->boundaries; boundaries.known()) {
+    needs.intersections = scene.forced.intersections ||
+                          boundaries.get().counts().intersection > 0 ||
+                          !boundaries.get().intersections_complete();
+  }
   return needs;
+}
+
+SceneNotes notes_of(const RenderScene& scene) {
+  SceneNotes notes = scene.geometry->notes;
+  const BoundaryFeatures& boundaries = scene.geometry->boundaries;
+  if (boundaries.known() && !boundaries.get().intersections_complete()) {
+    notes.warnings.emplace_back(
+        "surfaces pass through each other or overlap too often; the lines where "
+        "they do are found by samples only");
+  }
+  if (boundaries.failed()) notes.warnings.push_back(boundaries_error(scene).message());
+  return notes;
 }
 
 std::shared_ptr<const RenderScene> assembled(RenderScene parts) {
@@ -110,6 +126,12 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const Sce
   } catch (const std::bad_alloc&) {
     return unexpected(memory_error(scene.source));
   }
+}
+
+Result<std::shared_ptr<const RenderScene>> with_boundaries(
+    std::shared_ptr<const RenderScene> scene) {
+  if (!scene->geometry->boundaries.wait()) return unexpected(boundaries_error(*scene));
+  return scene;
 }
 
 Result<std::shared_ptr<const RenderScene>> with_lights(

@@ -30,7 +30,8 @@ struct RenderScene {
 
   [[nodiscard]] const World& world() const { return geometry->world; }
   [[nodiscard]] const RayScene& rays() const { return geometry->rays; }
-  [[nodiscard]] const FeatureSet& features() const { return geometry->features; }
+  /// Waits until they are known: see BoundaryFeatures.
+  [[nodiscard]] const FeatureSet& features() const { return geometry->boundaries.get(); }
   [[nodiscard]] const MipChains& mips() const { return geometry->mips; }
   [[nodiscard]] const std::vector<Light>& lights() const { return lighting->lights; }
   [[nodiscard]] const MaterialDfrs& dfrs() const { return *materials; }
@@ -52,7 +53,7 @@ struct RenderScene {
 }
 
 /// The needs of a picture of the scene with these settings: more than the scene's where the
-/// settings ask for it.
+/// settings ask for it, and less where its boundaries, as soon as they are known, say so.
 [[nodiscard]] SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings);
 
 /// The shader of a scene's picture, as the settings ask.
@@ -68,12 +69,20 @@ struct RenderScene {
        settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs()});
 }
 
+/// What a person should know of the scene: of its file, and of its boundaries as soon as they are
+/// known.
+[[nodiscard]] SceneNotes notes_of(const RenderScene& scene);
+
 /// Flattens and indexes `scene` and lights it: by its own lights, its emissive meshes, and a rig
-/// where neither shines to speak of.
+/// where neither shines to speak of. Its boundaries are still looked for then.
 /// `forced`: what is kept and done although the scene does not need it, to test and to measure what
 /// leaving it out does; it does not change the picture.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
                                                                  const SceneNeeds& forced = {});
+
+/// The same scene, once its boundaries are known. Errors: lack of memory for them.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_boundaries(
+    std::shared_ptr<const RenderScene> scene);
 
 /// The same scene in the light of `lights` (relative to World::origin) instead of its own. Shares
 /// geometry and materials with `scene`. Errors: a light that is not finite, and one whose own part

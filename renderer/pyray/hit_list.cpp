@@ -254,9 +254,12 @@ void HitLists::open_node(const FeatureNode& node, unsigned children) {
     child.nearness = test.nearness[c];
     child.ref = node.child[c];
     child.edge_count = node.edge_count[c];
-    child.chain[0] = node.chain[0][c];
-    child.chain[1] = node.chain[1][c];
-    child.chain_deviation = node.chain_deviation[c];
+    if (node.chains != FeatureNode::no_chains) {
+      const NodeChains& chains = features_->chains()[node.chains];
+      child.chain[0] = chains.end[0][c];
+      child.chain[1] = chains.end[1][c];
+      child.chain_deviation = chains.deviation[c];
+    }
     child.type =
         node.edge_count[c] == FeatureNode::inner ? HitEntry::Type::node : HitEntry::Type::leaf;
     entries_.push_back(child);
@@ -269,7 +272,7 @@ void HitLists::open_leaf(std::uint32_t i) {
   const std::span<const glm::vec3> positions = features_->positions();
   for (std::uint32_t e = first; e < first + count; ++e) {
     const FeatureEdge& edge = features_->edges()[e];
-    if (edge.curve != FeatureEdge::none) {
+    if (edge.is_curve()) {
       add_curve(e);
       continue;
     }
@@ -286,7 +289,7 @@ void HitLists::open_leaf(std::uint32_t i) {
 
 // The parts in the pyray of a curve of an analytic shape, in straight pieces.
 void HitLists::add_curve(std::uint32_t edge) {
-  const FeatureCurve& curve = features_->curves()[features_->edges()[edge].curve];
+  const FeatureCurve& curve = features_->curves()[features_->edges()[edge].curve()];
   const ShapeFace* face = curve.face == FeatureCurve::none ? nullptr : &features_->face(curve.face);
   const FaceOutline outline = face ? face_outline(*face, frame_) : FaceOutline{};
   const std::span<const double> angles(outline.angle, static_cast<std::size_t>(outline.line_count));

@@ -25,7 +25,7 @@ struct HitEntry {
   float nearness = 0;             ///< the greatest
   std::uint32_t ref = 0;          ///< node, first edge of a leaf, or segment
   std::uint32_t first_child = 0;  ///< the first entry made when it was opened
-  std::uint32_t chain[2] = {FeatureEdge::none, FeatureEdge::none};  ///< see FeatureNode::chain
+  std::uint32_t chain[2] = {FeatureEdge::none, FeatureEdge::none};  ///< see NodeChains
   float chain_deviation = 0.0f;
   std::uint32_t chord = FeatureEdge::none;  ///< the entry that stands for the chain, once made
   std::uint16_t child_count = 0;

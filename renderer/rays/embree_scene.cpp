@@ -70,7 +70,7 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, std::span<con
   sort_surfaces(world, alpha, lights);
   see_through_ |= all_filtered(forced);
   sides_.any_single_sided |= forced.culling;
-  copy_vertices(world);
+  place_vertices(world);
   scene_ = rtcNewScene(device_);
   // Measured (tests/bench/rays_bench.cpp): being able to carry a filter of the context's costs
   // queries without one nothing.
@@ -121,20 +121,26 @@ void EmbreeScene::choose_scale(const World& world) {
   if (extent > largest) scale_ = std::ldexp(1.0f, left - std::ilogb(extent));
 }
 
-void EmbreeScene::copy_vertices(const World& world) {
+// Embree reads 16 bytes for the last vertex, of which World's have 12.
+void EmbreeScene::place_vertices(const World& world) {
+  if (scale_ == 1.0f && world.positions.capacity() > world.positions.size()) {
+    corners_ = &world.positions.data()->x;
+    return;
+  }
   vertices_.resize(3 * world.positions.size() + 4);
   for (std::size_t i = 0; i < world.positions.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       vertices_[3 * i + static_cast<std::size_t>(k)] = world.positions[i][k] * scale_;
     }
   }
+  corners_ = vertices_.data();
 }
 
 RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world) {
   const bool all = group.triangles.size() == world.triangles.size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                             vertices_.data(), 0, 3 * sizeof(float), world.positions.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, corners_, 0,
+                             3 * sizeof(float), world.positions.size());
   if (all) {
     group.triangles = std::vector<std::uint32_t>();
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,

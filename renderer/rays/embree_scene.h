@@ -52,7 +52,7 @@ class EmbreeScene {
   };
 
   void sort_surfaces(const World& world, AlphaAt alpha, std::span<const Light> lights);
-  void copy_vertices(const World& world);
+  void place_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
   void add(unsigned id, const World& world, const SceneNeeds& forced);
@@ -62,8 +62,8 @@ class EmbreeScene {
   Sides sides_;
   bool see_through_ = false;
   float scale_ = 1.0f;
-  // Embree reads 16 bytes for the last vertex, so it cannot share World's array of 12-byte ones.
-  std::vector<float> vertices_;
+  const float* corners_ = nullptr;  // the world's, where they need no copy
+  std::vector<float> vertices_;     // else
   Errors errors_;
   std::atomic<std::int64_t> device_bytes_{0};
   RTCDevice device_ = nullptr;

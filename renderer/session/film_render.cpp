@@ -48,6 +48,10 @@ std::optional<RenderResult> FilmRender::render(
       on_progress(progress);
       next_report = now + report_step;
     }
+    if (progress.failed) {
+      session_.cancel();
+      return std::nullopt;
+    }
     if (!finished) wait_for_tiles();
   }
   session_.wait();
@@ -58,7 +62,7 @@ std::optional<RenderResult> FilmRender::render(
 
 RenderResult render_to_end(Snapshot snapshot,
                            const std::function<void(const Progress&)>& on_progress) {
-  return *FilmRender().render(std::move(snapshot), {}, on_progress);
+  return FilmRender().render(std::move(snapshot), {}, on_progress).value();
 }
 
 }  // namespace asos

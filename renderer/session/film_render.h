@@ -16,8 +16,8 @@ class FilmRender {
   FilmRender();
 
   /// The whole picture, or nothing once `go_on`, which is asked some dozens of times a second, says
-  /// no. `on_progress` is called about ten times a second, and at the end. Either may be empty;
-  /// both are called from this thread.
+  /// no, or where the scene's boundaries could not be found. `on_progress` is called about ten
+  /// times a second, and at the end. Either may be empty; both are called from this thread.
   [[nodiscard]] std::optional<RenderResult> render(
       Snapshot snapshot, const std::function<bool()>& go_on,
       const std::function<void(const Progress&)>& on_progress);

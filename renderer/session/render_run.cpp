@@ -1,5 +1,6 @@
 #include "renderer/session/render_run.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/session/timed_block.h"
 
 #include <utility>
@@ -14,9 +15,18 @@ RenderRun::RenderRun(Snapshot snapshot, std::function<void()> on_tiles)
 
 void RenderRun::work(const std::stop_token& stop) {
   if (render_.snapshot.progressive) coarse_.work(render_, tiles_, stop);
+  if (!wait_for_boundaries(stop)) return;
   clock_.begin_forecast();
   levels_.work(render_, tiles_, clock_, stop);
   work_final(stop);
+}
+
+bool RenderRun::wait_for_boundaries(const std::stop_token& stop) {
+  if (!needs_boundaries(render_.snapshot.settings.method)) return true;
+  const BoundaryFeatures& boundaries = render_.snapshot.scene->geometry->boundaries;
+  const bool known = boundaries.wait(stop);
+  if (boundaries.failed()) clock_.fail();
+  return known;
 }
 
 void RenderRun::work_final(const std::stop_token& stop) {

@@ -39,6 +39,8 @@ class RenderRun {
   void close() { clock_.close(); }
 
  private:
+  /// False: the final pass cannot go on, for there are no boundaries, or `stop` is requested.
+  [[nodiscard]] bool wait_for_boundaries(const std::stop_token& stop);
   void work_final(const std::stop_token& stop);
 
   const PlannedRender render_;

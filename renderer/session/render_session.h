@@ -25,6 +25,7 @@ struct Progress {
   bool running = false;  ///< and not paused
   bool paused = false;
   bool finished = false;       ///< every pixel is final
+  bool failed = false;         ///< no more will be: the scene's boundaries could not be found
   double fraction = 0.0;       ///< of the work, 0 to 1, as it is forecast
   double seconds = 0.0;        ///< since restart, without pauses
   double seconds_left = -1.0;  ///< estimate; negative: not known yet
@@ -45,10 +46,10 @@ struct Reached {
 [[nodiscard]] int worker_count_on(int cores, int threads, bool beside_window);
 
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
-/// sample for each 8x8 block, then one for each pixel, passes at a low MAX where they are worth it
-/// (LevelPasses), then the method's own pixels. The result
-/// does not depend on the number of workers nor on the order of tiles. All members may be called
-/// from one controlling thread; the callback comes from workers and must not call back in.
+/// sample for each 8x8 block, then one for each pixel; as soon as the scene's boundaries are known,
+/// passes at a low MAX where they are worth it (LevelPasses), then the method's own pixels. The
+/// result does not depend on the number of workers nor on the order of tiles. All members may be
+/// called from one controlling thread; the callback comes from workers and must not call back in.
 ///
 /// With a crop, tiles are relative to the crop's top left corner, and a picture of the crop's size
 /// holds them all; their pixels equal that part of the whole picture's. A snapshot without a scene,
@@ -89,8 +90,8 @@ class RenderSession {
 };
 
 /// Renders all of a snapshot and returns the picture, the crop's part of it where there is one: the
-/// headless form, without coarse passes. `on_progress` is called about ten times a second from the
-/// calling thread, and once at the end.
+/// headless form, without coarse passes, of a scene that its boundaries can be found of.
+/// `on_progress` is called about ten times a second from the calling thread, and once at the end.
 struct RenderResult {
   Film film;
   RenderStatistics statistics;

@@ -41,6 +41,14 @@ void RunClock::complete() {
   end_ = Clock::now();
 }
 
+void RunClock::fail() {
+  {
+    const std::lock_guard lock(mutex_);
+    failed_ = true;
+  }
+  close();
+}
+
 void RunClock::close() {
   const std::lock_guard lock(mutex_);
   if (!complete_ && !closed_) end_ = paused_ ? paused_since_ : Clock::now();
@@ -93,6 +101,7 @@ Progress RunClock::progress() const {
                                                      : Clock::now();
   Progress progress;
   progress.finished = complete_;
+  progress.failed = failed_;
   progress.paused = paused_ && !complete_ && !closed_;
   progress.running = !complete_ && !closed_ && !paused_;
   fraction_ = complete_ ? 1.0 : std::max(fraction_, forecast_.share_done());

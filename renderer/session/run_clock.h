@@ -29,6 +29,8 @@ class RunClock {
   void count_block(std::size_t pass, std::size_t block, double seconds);
   /// All pixels are final. Time stands still from here, as after `close`.
   void complete();
+  /// No more pixels will be final. Time stands still from here, too.
+  void fail();
   /// The workers have ended.
   void close();
 
@@ -59,6 +61,7 @@ class RunClock {
   mutable double fraction_ = 0.0;  // that was told: it never goes back
   std::deque<Pace> pace_;          // of the last seconds
   bool complete_ = false;
+  bool failed_ = false;
   bool closed_ = false;
   Clock::time_point end_;
 };

@@ -130,7 +130,7 @@ void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBo
   const auto leaf_meets = [&](std::uint32_t first, std::uint32_t count) {
     return std::any_of(
         edges.begin() + first, edges.begin() + first + count, [&](const FeatureEdge& e) {
-          if (e.curve != FeatureEdge::none) return shaft.meets(features.curves()[e.curve].box);
+          if (e.is_curve()) return shaft.meets(features.curves()[e.curve()].box);
           return !ignored.ignores(e.a) && shaft.meets(positions[e.a], positions[e.b]);
         });
   };

@@ -37,7 +37,7 @@ RenderSettings settings_of(int width, int height, int max_level) {
 
 Result<Picture> render(const Scene& scene, const RenderSettings& settings) {
   if (const auto valid = validated(settings); !valid) return unexpected(valid.error());
-  const auto prepared = prepare(scene);
+  const auto prepared = prepare(scene).and_then(with_boundaries);
   if (!prepared) return unexpected(prepared.error());
   if (const auto fits = check_method(**prepared, settings); !fits) return unexpected(fits.error());
   if ((*prepared)->world().cameras.empty()) return unexpected(Error{scene.name, "has no camera"});

@@ -168,7 +168,7 @@ class Flattener {
   }
 
   void reserve(std::size_t vertices, std::size_t triangles) {
-    world_.positions.reserve(vertices);
+    world_.positions.reserve(vertices + 1);  // see World::positions
     world_.normals.reserve(vertices);
     if (keep_.tangents) world_.tangents.reserve(vertices);
     for (int set = 0; set < 2; ++set) {

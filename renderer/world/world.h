@@ -33,7 +33,7 @@ struct Part {
 /// Immutable once shared. Arrays of attributes that no material needs are empty (design section 8).
 struct World {
   glm::dvec3 origin{0.0};
-  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> positions;          ///< capacity for one more saves the rays a copy
   std::vector<glm::vec3> normals;            ///< unit, one a vertex
   std::vector<glm::vec4> tangents;           ///< or empty; 0 for meshes that have none of their own
   std::vector<glm::vec2> texcoords[2];       ///< or empty

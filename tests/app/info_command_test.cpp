@@ -28,7 +28,7 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
 }
 
 ordered_json info_of(const Scene& scene) {
-  const auto ready = prepare(scene);
+  const auto ready = prepare(scene).and_then(with_boundaries);
   if (!ready) throw std::runtime_error(ready.error().message());
   return scene_info_json(scene, **ready);
 }

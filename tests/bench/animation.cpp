@@ -73,7 +73,8 @@ Result<void> measure(const ThinSubject& subject, const Settings& settings) {
   std::vector<std::vector<double>> shares(list.size());
   for (int step = 0; step < settings.steps; ++step) {
     const auto scene =
-        prepare(thin_scene(subject, travel * step / settings.steps - travel / 2, settings.size));
+        prepare(thin_scene(subject, travel * step / settings.steps - travel / 2, settings.size))
+            .and_then(with_boundaries);
     if (!scene) return unexpected(scene.error());
     Snapshot snapshot = snapshot_of(*scene, settings.size, settings.size);
     for (std::size_t i = 0; i < list.size(); ++i) {

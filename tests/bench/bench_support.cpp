@@ -26,7 +26,7 @@ RenderResult Times::render(const Snapshot& snapshot) {
 Result<SharedScene> open_scene(const std::string& source) {
   const Result<Scene> scene = load_scene(source);
   if (!scene) return unexpected(scene.error());
-  return prepare(*scene);
+  return prepare(*scene).and_then(with_boundaries);
 }
 
 Snapshot snapshot_of(SharedScene scene, int width, int height) {

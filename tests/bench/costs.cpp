@@ -81,8 +81,8 @@ Result<void> measure_wall(const Settings& settings) {
   alone.instances.clear();
   test::add_wall_before_camera(alone);
   test::add_wall_before_camera(*scene);
-  const auto a = prepare(alone);
-  const auto b = prepare(*scene);
+  const auto a = prepare(alone).and_then(with_boundaries);
+  const auto b = prepare(*scene).and_then(with_boundaries);
   if (!a || !b) return unexpected(a ? b.error() : a.error());
   for (const bool shadows : {false, true}) {
     const auto set = [shadows](RenderSettings& s) { s.shadow.cast = shadows; };
@@ -143,7 +143,7 @@ Result<void> measure_saturated(const Settings& settings) {
              "stochastic", "same samples");
   for (const auto& [count, size] :
        {std::pair(100'000, 0.01f), std::pair(400'000, 0.004f), std::pair(2'000'000, 0.0012f)}) {
-    const auto scene = prepare(soup(count, size));
+    const auto scene = prepare(soup(count, size)).and_then(with_boundaries);
     if (!scene) return unexpected(scene.error());
     for (const bool shadows : {false, true}) {
       std::vector<Contender> list{

@@ -157,7 +157,7 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   auto scene = load_scene(settings.scene);
   if (!scene) return unexpected(scene.error());
   if (settings.matte) make_matte(*scene);
-  if (!settings.key_light) return prepare(*scene);
+  if (!settings.key_light) return prepare(*scene).and_then(with_boundaries);
   // The rig is made for the camera that looks.
   const auto flattened = flatten(*scene);
   if (!flattened) return unexpected(flattened.error());
@@ -168,14 +168,14 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   Camera placed = *camera;
   placed.world_from_camera[3] += glm::dvec4(flattened->world.origin, 0.0);
   scene->cameras = {placed};
-  const auto lit = prepare(*scene);
+  const auto lit = prepare(*scene).and_then(with_boundaries);
   if (!lit) return unexpected(lit.error());
   for (Light light : (*lit)->lights()) {
     if (light.type != Light::Type::rectangle) continue;
     light.position += (*lit)->world().origin;
     light.own_part = -1;
     scene->lights = {light};
-    return prepare(*scene);
+    return prepare(*scene).and_then(with_boundaries);
   }
   return unexpected(Error{settings.scene, "gets no rectangular light"});
 }

@@ -57,10 +57,11 @@ struct Cost {
 /// Prepares and renders once more, and adds what it took.
 Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Settings& settings,
                      Cost& cost) {
-  const auto prepared = prepare(scene, forced);
+  const auto prepared = prepare(scene, forced).and_then(with_boundaries);
   if (!prepared) return unexpected(prepared.error());
-  cost.build.push_back((*prepared)->geometry->build_seconds);
-  cost.memory_mb = (*prepared)->geometry->memory_mb;
+  cost.build.push_back((*prepared)->geometry->build_seconds +
+                       (*prepared)->geometry->boundaries.seconds());
+  cost.memory_mb = (*prepared)->geometry->memory_mb();
   Snapshot snapshot = snapshot_of(*prepared, settings.size.width, settings.size.height);
   snapshot.settings.asos.max_level = settings.max_level;
   snapshot.settings.threads = 1;
@@ -99,11 +100,11 @@ Result<void> compare(const std::string& source, const Scene& scene, const Forced
 Result<void> measure_scene(const std::string& source, const Settings& settings) {
   const Result<Scene> scene = load_scene(source);
   if (!scene) return unexpected(scene.error());
-  const auto prepared = prepare(*scene);
+  const auto prepared = prepare(*scene).and_then(with_boundaries);
   if (!prepared) return unexpected(prepared.error());
   if (!settings.csv)
     fmt::print("{}: {} triangles, {:.2f} MB\n", source, (*prepared)->world().triangles.size(),
-               (*prepared)->geometry->memory_mb);
+               (*prepared)->geometry->memory_mb());
   // The first line measures nothing against nothing: what its ratios are off 1 is noise.
   std::vector<Forced> list = forced_features((*prepared)->needs);
   list.insert(list.begin(), Forced{"(nothing: noise)", {}});

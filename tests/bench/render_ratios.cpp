@@ -1,8 +1,8 @@
 // How many times longer ASOS takes than one stochastic sample a pixel, scene by scene, in wall and
 // in processor time. The two methods take turns within one process, so that what else the machine
-// does meets both; the median counts. Beside it: the time to load and to build the scene, and from
-// the start of loading to what a window shows first: the picture of one sample a block, and the
-// first tile in which every pixel has a sample of its own.
+// does meets both; the median counts. Beside it: the time to load and to build the scene, the first
+// pictures included, and from the start of loading to what a window shows first: the picture of one
+// sample a block, and the first tile in which every pixel has a sample of its own.
 //
 //   bench_render_ratios [--csv] [--size WxH] [--threads N] [--max K] [--runs N] [SCENE...]
 //
@@ -91,7 +91,6 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
   row.load_seconds = seconds_since(started);
   const auto prepared = prepare(*scene);
   if (!prepared) return tl::unexpected(prepared.error());
-  row.build_seconds = seconds_since(started) - row.load_seconds;
   row.triangles = (*prepared)->world().triangles.size();
 
   Snapshot snapshot = snapshot_of(*prepared, settings.width, settings.height);
@@ -99,6 +98,8 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
   snapshot.settings.asos.max_level = settings.max_level;
   snapshot.settings.sampling.spp = 1;
   measure_first_picture(snapshot, started, row);
+  if (const auto whole = with_boundaries(*prepared); !whole) return tl::unexpected(whole.error());
+  row.build_seconds = seconds_since(started) - row.load_seconds;
   Times sample;
   Times asos;
   for (int run = 0; run < settings.runs; ++run) {

@@ -16,7 +16,7 @@ inline std::shared_ptr<Geometry> make_geometry(World world, const std::vector<Li
   geometry->world = std::move(world);
   geometry->needs = find_needs(geometry->world);
   geometry->rays = std::move(RayScene::build(geometry->world, alpha_at, lights).value());
-  geometry->features = FeatureSet(geometry->world);
+  geometry->boundaries.set(FeatureSet(geometry->world));
   geometry->object_spheres = object_spheres(geometry->world);
   geometry->name = "tiny";
   return geometry;

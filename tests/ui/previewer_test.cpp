@@ -1,5 +1,6 @@
 #include "ui/previewer.h"
 
+#include "renderer/scene/load.h"
 #include "tests/ui/test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -16,7 +18,8 @@ namespace {
 
 using test::two_triangles;
 
-/// Knows "red", "green" and "slow" (green, after `release`); all else is an error.
+/// Knows "red", "green", "slow" (green, after `release`) and "many" (of triangles); all else is an
+/// error.
 class Loader {
  public:
   LoadFunction function() {
@@ -27,6 +30,11 @@ class Loader {
       if (source == "slow") {
         while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return two_triangles({0, 1, 0}, source);
+      }
+      if (source == "many") {
+        Result<Scene> scene = load_scene("builtin:dense");
+        scene->source = source;
+        return scene;
       }
       if (source == "huge") throw std::bad_alloc();
       if (source == "odd") throw std::runtime_error("an odd thing");
@@ -245,6 +253,20 @@ TEST_F(PreviewerTest, ReplacingScenesWhileTheyRenderIsSafe) {
   previewer.update(now);
   EXPECT_EQ(previewer.render().film().radiance[previewer.render().film().index(80, 60)],
             glm::vec3(0, 1, 0));
+}
+
+TEST_F(PreviewerTest, ReplacingASceneWhoseBoundariesAreLookedForIsSafe) {
+  previewer.viewpoint().set_picture_size(64, 48, 0.0);
+  std::weak_ptr<const Geometry> before;
+  for (const char* source : {"many", "green", "many"}) {
+    previewer.scene().open(source);
+    ASSERT_TRUE(opened(source));
+    // Its coarse picture is there, the rest is not waited for.
+    ASSERT_TRUE(update_until([&] { return !previewer.render().first_picture_pending(); }));
+    EXPECT_TRUE(before.expired()) << "the scene before " << source;
+    before = previewer.scene()->geometry;
+  }
+  // The previewer ends while it looks for the boundaries of the last one.
 }
 
 TEST_F(PreviewerTest, EndsWhileALoadIsWaiting) {

@@ -62,6 +62,10 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
     choice.error = "Click a surface in the picture first.";
     return;
   }
+  if (!previewer.scene()->geometry->boundaries.known()) {
+    choice.error = "The boundaries of surfaces are still being looked for.";
+    return;
+  }
   const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
   const std::size_t triangles = previewer.scene()->world().triangles.size();
   if (!hit.valid() || hit.triangle >= triangles) {

@@ -1,3 +1,4 @@
+#include "renderer/comparison/method.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 
@@ -43,7 +44,16 @@ const char* doing(Rest rest) {
   return "Rendering";
 }
 
-std::string words(const Progress& progress, Rest rest) {
+/// Whether the picture is as good as rays alone can make it, until the boundaries are known.
+bool looks_for_boundaries(const Previewer& previewer) {
+  return needs_boundaries(previewer.render().settings().method) &&
+         !previewer.scene()->geometry->boundaries.known();
+}
+
+std::string words(const Progress& progress, Rest rest, bool without_boundaries) {
+  if (progress.failed) return "Not enough memory for the boundaries";
+  if (without_boundaries && rest == Rest::none)
+    return "Looking for boundaries   " + duration(progress.seconds);
   if (progress.finished) return "Finished in " + duration(progress.seconds);
   std::string text = fmt::format("{} {:.0f} %   {}", doing(rest), 100.0 * progress.fraction,
                                  duration(progress.seconds));
@@ -73,7 +83,9 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   if (!status.message.empty()) {
     ImGui::TextUnformatted(status.message.c_str());
   } else if (previewer.scene()) {
-    ImGui::TextDisabled("%s", words(progress, previewer.refinement().rest()).c_str());
+    ImGui::TextDisabled(
+        "%s",
+        words(progress, previewer.refinement().rest(), looks_for_boundaries(previewer)).c_str());
   } else {
     ImGui::TextDisabled("%s", previewer.scene().loading() ? "Loading" : "No scene");
   }

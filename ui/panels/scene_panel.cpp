@@ -89,12 +89,19 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
                "All of them, those of repeated objects counted each time.");
   controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
   light_rows(controls, scene);
-  edge_rows(controls, scene.features().counts());
-  controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + scene.geometry->build_seconds),
-               fmt::format("Seconds: {:.2f} to read the file, {:.2f} to build the hierarchies.",
-                           load_seconds, scene.geometry->build_seconds)
+  const Geometry& geometry = *scene.geometry;
+  const BoundaryFeatures& boundaries = geometry.boundaries;
+  if (boundaries.known()) {
+    edge_rows(controls, boundaries.get().counts());
+  } else {
+    controls.row("Edges", "not known yet", "Edges that can be boundaries are being looked for.");
+  }
+  controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + geometry.build_seconds),
+               fmt::format("Seconds: {:.2f} to read the file, {:.2f} to build what rays need; "
+                           "{:.2f} more to find the boundaries, while the picture begins.",
+                           load_seconds, geometry.build_seconds, boundaries.seconds())
                    .c_str());
-  controls.row("Memory", fmt::format("{:.1f} MB", scene.geometry->memory_mb),
+  controls.row("Memory", fmt::format("{:.1f} MB", geometry.memory_mb()),
                "Of geometry, textures and hierarchies, in millions of bytes.");
   left_out_rows(controls, needs_of(scene, settings));
 }

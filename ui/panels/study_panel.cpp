@@ -175,8 +175,9 @@ StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
 
 void update_study(ViewStudy& study, const Previewer& previewer, bool other_work) {
   if (study.scene() && study.scene() != previewer.scene().get()) study.clear();
-  study.update(other_work || previewer.render().progress().running ||
-               previewer.scene().loading().has_value());
+  const OpenScene& scene = previewer.scene();
+  study.update(other_work || previewer.render().progress().running || scene.loading().has_value() ||
+               (scene && !scene->geometry->boundaries.known()));
 }
 
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,

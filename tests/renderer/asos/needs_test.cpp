@@ -56,12 +56,12 @@ class ForcedBuiltin : public testing::TestWithParam<const char*> {};
 
 TEST_P(ForcedBuiltin, GivesTheSamePictureToTheBit) {
   const Scene scene = load_scene(std::string("builtin:") + GetParam()).value();
-  const SharedScene needed = prepare(scene).value();
-  const SharedScene forced = prepare(scene, SceneNeeds::all()).value();
+  const SharedScene needed = prepare(scene).and_then(with_boundaries).value();
+  const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
   EXPECT_GT(features_left_out(needed->needs).size(), 5u);
   EXPECT_LE(features_left_out(forced->needs).size(), 2u)
       << "an opacity that varies and a sky's picture are not forced";
-  EXPECT_LT(needed->geometry->memory_mb, forced->geometry->memory_mb);
+  EXPECT_LT(needed->geometry->memory_mb(), forced->geometry->memory_mb());
   expect_same_pictures(*needed, *forced, 24, 16);
 }
 
@@ -221,8 +221,8 @@ TEST_P(ForcedFeature, ChangesNoBitWithOrWithoutTheOthers) {
   Material pane = scene.materials[1];
   with.add(scene, pane);
   scene.materials[1] = pane;
-  const SharedScene needed = prepare(scene).value();
-  const SharedScene forced = prepare(scene, SceneNeeds::all()).value();
+  const SharedScene needed = prepare(scene).and_then(with_boundaries).value();
+  const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
   if (with.needed) {
     EXPECT_TRUE(needed->needs.*with.needed);
   }
@@ -265,10 +265,10 @@ TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
 TEST(ForcedNeeds, TakeMemoryThatIsLeftOutOtherwise) {
   Scene scene = pane_on_floor();
   add_texture(scene);  // used by no material
-  const SharedScene needed = prepare(scene).value();
+  const SharedScene needed = prepare(scene).and_then(with_boundaries).value();
   EXPECT_TRUE(needed->world().colors.empty() && needed->world().tangents.empty());
   EXPECT_TRUE(needed->world().texcoords[0].empty() && needed->world().images[0].rgba.empty());
-  const SharedScene forced = prepare(scene, SceneNeeds::all()).value();
+  const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
   EXPECT_EQ(forced->world().colors.size(), 8u);
   EXPECT_EQ(forced->world().tangents.size(), 8u);
   EXPECT_EQ(forced->world().texcoords[0].size(), 8u);
@@ -278,9 +278,9 @@ TEST(ForcedNeeds, TakeMemoryThatIsLeftOutOtherwise) {
 TEST(ForcedNeeds, IntersectionsAreNeededWhereSurfacesCross) {
   Scene scene = pane_on_floor();
   scene.instances[1].world_from_mesh[3].y = 0.1;  // clear of the floor
-  EXPECT_FALSE(prepare(scene).value()->needs.intersections);
+  EXPECT_FALSE(needs_of(**prepare(scene).and_then(with_boundaries), {}).intersections);
   scene.instances[1].world_from_mesh[3].y = -0.5;
-  EXPECT_TRUE(prepare(scene).value()->needs.intersections);
+  EXPECT_TRUE(needs_of(**prepare(scene).and_then(with_boundaries), {}).intersections);
 }
 
 }  // namespace

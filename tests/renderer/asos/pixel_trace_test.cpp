@@ -257,7 +257,7 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
     return w;
   };
   const auto geometry = make_geometry(world(0));
-  geometry->features = FeatureSet(world(1000));
+  geometry->boundaries.set(FeatureSet(world(1000)));
   const auto scene = unedited_scene(geometry, {});
   const RenderSettings settings = settings_of(16, 16);
   const View view(orthographic(4.0), settings.width, settings.height);

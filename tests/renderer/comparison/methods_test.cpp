@@ -262,7 +262,7 @@ TEST(Prepare, LightsASceneWithoutLights) {
   ASSERT_TRUE(prepared.has_value()) << prepared.error().message();
   EXPECT_TRUE((*prepared)->lighting->default_rig);
   EXPECT_FALSE((*prepared)->lights().empty());
-  EXPECT_GT((*prepared)->geometry->memory_mb, 0.0);
+  EXPECT_GT((*prepared)->geometry->memory_mb(), 0.0);
   EXPECT_EQ((*prepared)->geometry->source, "test");
 
   scene.lights.emplace_back();

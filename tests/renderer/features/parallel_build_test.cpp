@@ -88,9 +88,8 @@ bool same_bytes(std::span<const T> x, std::span<const T> y) {
 bool same_edges(std::span<const FeatureEdge> x, std::span<const FeatureEdge> y) {
   return std::equal(
       x.begin(), x.end(), y.begin(), y.end(), [](const FeatureEdge& a, const FeatureEdge& b) {
-        return std::tie(a.a, a.b, a.left, a.right, a.left_sheet, a.right_sheet, a.kind, a.folds,
-                        a.curve) == std::tie(b.a, b.b, b.left, b.right, b.left_sheet, b.right_sheet,
-                                             b.kind, b.folds, b.curve);
+        return std::tie(a.a, a.b, a.left, a.right, a.left_sheet, a.right_sheet, a.kind, a.folds) ==
+               std::tie(b.a, b.b, b.left, b.right, b.left_sheet, b.right_sheet, b.kind, b.folds);
       });
 }
 

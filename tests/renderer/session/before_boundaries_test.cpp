@@ -1,0 +1,148 @@
+// Renders of scenes whose boundaries are still looked for.
+
+#include "renderer/features/stoppable_loop.h"
+#include "renderer/session/film_render.h"
+#include "renderer/session/render_session.h"
+#include "tests/support/expect_same.h"
+#include "tests/support/gate.h"
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <new>
+#include <thread>
+
+namespace asos {
+namespace {
+
+using test::Gate;
+
+/// Finds its boundaries once `gate` is open.
+std::shared_ptr<Geometry> held_geometry(Gate& gate) {
+  auto geometry = test::make_geometry(test::still_life().world);
+  geometry->boundaries.find([&gate, &world = geometry->world](const std::stop_token& stop) {
+    if (!gate.wait(stop)) throw SearchStopped();
+    return FeatureSet(world, nullptr, stop);
+  });
+  return geometry;
+}
+
+Snapshot snapshot_of(std::shared_ptr<Geometry> geometry, Method method = Method::asos) {
+  Snapshot snapshot;
+  Lighting lighting = prepare_lighting(geometry->world, test::still_life().lights);
+  snapshot.scene = unedited_scene(std::move(geometry), std::move(lighting));
+  snapshot.camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
+  snapshot.settings.method = method;
+  snapshot.settings.width = 96;
+  snapshot.settings.height = 64;
+  snapshot.settings.threads = 2;
+  snapshot.settings.asos.max_level = 2;
+  return snapshot;
+}
+
+bool reaches(const RenderSession& session, Reached::Pass pass) {
+  for (int i = 0; i < 20'000 && session.reached().pass < pass; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return session.reached().pass >= pass;
+}
+
+TEST(BeforeBoundaries, TheCoarsePassesComeAndNothingElse) {
+  Gate gate;
+  RenderSession session;
+  const Snapshot snapshot = snapshot_of(held_geometry(gate));
+  session.restart(snapshot);
+  ASSERT_TRUE(reaches(session, Reached::Pass::centres));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(session.reached().pass, Reached::Pass::centres);
+  EXPECT_EQ(session.reached().final_share, 0.0);
+  EXPECT_FALSE(session.progress().finished);
+  EXPECT_TRUE(session.progress().running);
+  Film film(96, 64);
+  for (const FinishedTile& tile : session.take_finished()) film.put(tile);
+  Snapshot centres = snapshot;
+  centres.settings.method = Method::uniform;
+  centres.settings.sampling.spp = 1;
+  EXPECT_EQ(film.radiance, render_to_end(centres).film.radiance);
+
+  gate.open();
+  session.wait();
+  EXPECT_TRUE(session.progress().finished);
+  EXPECT_EQ(session.reached().pass, Reached::Pass::final_pixels);
+}
+
+TEST(BeforeBoundaries, ThePictureIsTheSameInTheEnd) {
+  const Snapshot known = snapshot_of(test::make_geometry(test::still_life().world));
+  const RenderResult expected = render_to_end(known);
+  ASSERT_GT(expected.statistics.split_pixels, 0u) << "or boundaries would not matter";
+  for (const bool progressive : {false, true}) {
+    Gate gate;
+    RenderSession session;
+    Snapshot snapshot = snapshot_of(held_geometry(gate));
+    snapshot.progressive = progressive;
+    session.restart(snapshot);
+    if (progressive) {
+      ASSERT_TRUE(reaches(session, Reached::Pass::centres));
+    }
+    gate.open();
+    session.wait();
+    Film film(96, 64);
+    for (const FinishedTile& tile : session.take_finished()) film.put(tile);
+    test::expect_same(film, expected.film);
+    test::expect_same(session.statistics(), expected.statistics);
+  }
+}
+
+TEST(BeforeBoundaries, MethodsThatNeedNoneDoNotWait) {
+  Gate closed;
+  const auto geometry = held_geometry(closed);
+  for (const Method method : {Method::uniform, Method::sobol, Method::whitted}) {
+    Snapshot snapshot = snapshot_of(geometry, method);
+    snapshot.settings.sampling.spp = 4;
+    EXPECT_EQ(render_to_end(snapshot).film.width, 96);
+  }
+  EXPECT_FALSE(geometry->boundaries.known());
+}
+
+TEST(BeforeBoundaries, ARenderCanBeCancelledAndReplaced) {
+  Gate closed;
+  RenderSession session;
+  std::weak_ptr<Geometry> first;
+  {
+    auto geometry = held_geometry(closed);
+    first = geometry;
+    session.restart(snapshot_of(std::move(geometry)));
+  }
+  ASSERT_TRUE(reaches(session, Reached::Pass::centres));
+  session.restart(snapshot_of(test::make_geometry(test::still_life().world)));
+  EXPECT_TRUE(first.expired()) << "with the search for its boundaries";
+  session.wait();
+  EXPECT_TRUE(session.progress().finished);
+
+  session.restart(snapshot_of(held_geometry(closed)));
+  session.cancel();
+  EXPECT_FALSE(session.progress().finished);
+  EXPECT_FALSE(session.progress().running);
+  session.restart(snapshot_of(held_geometry(closed)));
+  // It ends here, whatever its workers do.
+}
+
+TEST(BeforeBoundaries, WithoutThemTheRenderFails) {
+  const auto geometry = test::make_geometry(test::still_life().world);
+  geometry->boundaries.find([](const std::stop_token&) -> FeatureSet { throw std::bad_alloc(); });
+  const Snapshot snapshot = snapshot_of(geometry);
+  RenderSession session;
+  session.restart(snapshot);
+  session.wait();
+  EXPECT_TRUE(session.progress().failed);
+  EXPECT_FALSE(session.progress().finished);
+  EXPECT_EQ(session.reached().pass, Reached::Pass::centres) << "what rays can tell is shown";
+  EXPECT_FALSE(FilmRender().render(snapshot, {}, {}).has_value());
+  EXPECT_FALSE(with_boundaries(snapshot.scene).has_value());
+  EXPECT_EQ(notes_of(*snapshot.scene).warnings.size(), 1u);
+}
+
+}  // namespace
+}  // namespace asos
