@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <sys/stat.h>
 #include <vector>
 
 namespace asos::hostile_input_test {
@@ -171,6 +173,27 @@ TEST_F(HostileInput, ASavedPictureWithACameraBeyondTheLimitIsRefused) {
     run = saved(lit);
     EXPECT_EQ(run.exit_code, 1) << far;
     EXPECT_TRUE(contains(run.err, "is farther away than 1e+15"));
+  }
+}
+
+TEST_F(HostileInput, PipesAndDevicesAreRefusedAtOnce) {
+  for (const char* ending : {".gltf", ".glb", ".hdr", ".exr", ".png"}) {
+    const std::string pipe = folder_.file(std::string("pipe") + ending);
+    const std::string zero = folder_.file(std::string("zero") + ending);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", zero);
+    for (const std::string& file : {pipe, zero}) {
+      for (const std::vector<std::string>& words :
+           {std::vector<std::string>{file}, {"builtin:boxes", "--sky", file}, {"--from", file}}) {
+        const bool sky = words[0] == "builtin:boxes";
+        if (sky && file.substr(file.size() - 3) != "hdr" && file.substr(file.size() - 3) != "exr")
+          continue;
+        const AsosRun run = render(words);
+        EXPECT_EQ(run.exit_code, 1) << file;
+        EXPECT_TRUE(contains(run.err, "is not a regular file")) << words[0];
+      }
+      EXPECT_EQ(run_asos({"info", file}).exit_code, 1);
+    }
   }
 }
 
