@@ -5,6 +5,7 @@
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/light_json.h"
+#include "renderer/picture/path_text.h"
 #include "renderer/picture/settings_json.h"
 #include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
@@ -68,6 +69,7 @@ void each_display_value(Fields& fields, Display& display) {
 /// Reads what stands in the fields of the whole; returns the first fault.
 std::string read_fields(FieldReader& fields, PictureDescription& read) {
   fields("scene", read.scene);
+  read.scene = path_of_text(read.scene);
   fields("origin", read.origin);
   fields.named("needs", needs_names, read.needs);
   if (const OrderedJson* at = fields.take("camera"))
@@ -136,7 +138,7 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
 std::string description_text(const PictureDescription& description) {
   FieldWriter fields;
   fields("format", PictureDescription::format);
-  fields("scene", description.scene);
+  fields("scene", text_of_path(description.scene));
   fields("origin", description.origin);
   fields.named("needs", needs_names, description.needs);
   fields.other("camera", camera_json(description.camera));
