@@ -30,6 +30,8 @@ nlohmann::ordered_json measured_json(const RenderReport& report) {
   const FeatureCounts& edges = report.feature_edges;
   nlohmann::ordered_json measured{
       {"triangles", report.triangles},
+      {"warnings", report.warnings},
+      {"warning_count", report.warning_count},
       {"feature_edges",
        {{"open", edges.open},
         {"silhouette_candidates", edges.silhouette_candidates},

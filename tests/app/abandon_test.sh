@@ -19,9 +19,13 @@ printf 'before' >kept.png
 expect() {
   local signal=$1 words=$2 began status
   shift 2
+  rm -f begun
   LD_PRELOAD=$stuck "$asos" "$@" >out 2>err &
   local job=$!
-  sleep 0.5
+  for _ in $(seq 400); do
+    [[ -e begun ]] && break
+    sleep 0.05
+  done
   kill -0 "$job" 2>/dev/null || fail "$*: it ended by itself: $(cat err)"
   began=$(date +%s%N)
   kill "-$signal" "$job"
@@ -29,7 +33,7 @@ expect() {
   local last=$!
   wait "$job"
   status=$?
-  kill -KILL -- "-$last" 2>/dev/null # its sleep, too
+  { kill -KILL -- "-$last" && wait "$last"; } 2>/dev/null # its sleep, too
   ((($(date +%s%N) - began) / 1000000 <= 1000)) || fail "$*: $signal ended it after a second"
   ((status == 130)) || fail "$*: $signal: exit code $status instead of 130: $(cat err)"
   grep -qF "$words" err || fail "$*: $signal: said only: $(cat err)"
