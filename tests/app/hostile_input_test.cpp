@@ -44,7 +44,8 @@ GltfBuilder square_with_camera(glm::dvec3 eye, const nlohmann::json& camera) {
   return b;
 }
 
-const nlohmann::json perspective{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}};
+const nlohmann::json perspective{{"type", "perspective"},
+                                 {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}};
 
 nlohmann::json orthographic(double size) {
   return {{"type", "orthographic"},

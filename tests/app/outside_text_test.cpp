@@ -70,8 +70,8 @@ TEST_F(OutsideText, NamesInAFileArePrintedEscaped) {
   b.json["materials"] = {{{"name", evil()}}};
   b.json["meshes"][0]["primitives"][0]["material"] = 0;
   b.json["cameras"] = {
-      {{"name", evil()}, {"type", "perspective"}, {"perspective", {{"yfov", 0.7}}}},
-      {{"name", evil()}, {"type", evil()}}};
+      {{"name", evil()}, {"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}},
+      {{"name", evil()}, {"type", "perspective"}, {"perspective", {{"yfov", -1}, {"znear", 0.1}}}}};
   b.json["images"] = {{{"name", evil()}, {"uri", evil()}}};
   b.json["textures"] = {{{"source", 0}, {"name", evil()}}};
   b.json["materials"][0]["normalTexture"] = {{"index", 0}};
@@ -115,8 +115,8 @@ TEST_F(OutsideText, NamesInErrorsArePrintedEscaped) {
           << command;
     }
     EXPECT_TRUE(harmless(render({file}).err));
-    EXPECT_TRUE(harmless(render({"builtin:boxes", "--sky", file + ".hdr"}).err));
-    EXPECT_TRUE(harmless(render({"--from", file + ".png"}).err));
+    EXPECT_TRUE(harmless(render({"builtin:boxes", "--sky", file + ".hdr"}).err, file != needy));
+    EXPECT_TRUE(harmless(render({"--from", file + ".png"}).err, file != needy));
     EXPECT_TRUE(harmless(run_asos({"report", file, "-o", folder_.file("report")}).err, false));
   }
   EXPECT_TRUE(harmless(run_asos({"info", broken}).err, false));
@@ -179,7 +179,7 @@ TEST_F(OutsideText, FramesSayLossesOnce) {
   const AsosRun run = run_asos({"render", put(lossy(1)), "--size", "8x6", "--frames", "0-2/9", "-o",
                                 folder_.file("turn.png")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(count_of(run.err, "gone-0.png"), 1u) << run.err;
+  EXPECT_EQ(count_of(run.err, "asos: warning: "), 1u) << run.err;
 }
 
 TEST_F(OutsideText, ASceneOfWhichNothingIsDrawnIsAnError) {
