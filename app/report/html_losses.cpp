@@ -49,7 +49,9 @@ struct Losses {
 void add_losses(const SceneStudy& study, Losses& losses) {
   for (const EqualError& row : study.equal_error) {
     ++losses.all;
-    if (outcome_of(row.speedup) == Outcome::win || row.reading == Reading::unreached) continue;
+    if (outcome_of(row.speedup) == Outcome::win || row.reading == Reading::unreached ||
+        row.reading == Reading::levelled)
+      continue;
     ++losses.count;
     const char* word = outcome_of(row.speedup) == Outcome::even ? "even" : "slower";
     losses.rows += losing_row(
@@ -73,10 +75,7 @@ void add_losses(const SceneStudy& study, Losses& losses) {
 
 /// How much of ASOS no comparison tells anything about.
 std::string under_floor_text(const SceneStudy& study) {
-  const auto is_asos = [](const StudyPoint& p) { return p.rung.method == "asos"; };
-  const auto all = std::count_if(study.points.begin(), study.points.end(), is_asos);
-  const auto under = std::count_if(study.points.begin(), study.points.end(),
-                                   [&](const auto& p) { return is_asos(p) && p.under_floor; });
+  const auto [all, under] = incomparable(study);
   if (under == 0) return "";
   return fmt::format(
       "<li>{}: {} of ASOS's {} settings are not compared with anything, because their error is "

@@ -27,7 +27,8 @@ std::string equal_error_cell(const PaperRow& row) {
   if (row.under_floor) return "<td class=\"under\">under the floor</td>";
   if (!row.equal_error) return "<td>-</td>";
   const Reading reading = row.equal_error->reading;
-  if (reading == Reading::unreached) return "<td class=\"win\">not reached</td>";
+  if (reading == Reading::unreached) return "<td>not reached</td>";
+  if (reading == Reading::levelled) return "<td class=\"win\">levels off above it</td>";
   return ratio_cell(row.equal_error->speedup, reading == Reading::extrapolated ? "~" : "",
                     reading == Reading::cheapest ? "\u2020" : "");
 }

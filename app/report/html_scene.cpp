@@ -87,7 +87,8 @@ std::string points_table(const SceneStudy& study) {
 
 /// A factor with what has to be known of it: losses and evens in words, not by colour alone.
 std::string factor_cell(double factor, Reading reading, const char* loss) {
-  if (reading == Reading::unreached) return "<td class=\"win\">not reached</td>";
+  if (reading == Reading::unreached) return "<td>not reached</td>";
+  if (reading == Reading::levelled) return "<td class=\"win\">levels off above it</td>";
   const char* before = reading == Reading::extrapolated ? "~" : "";
   const char* after = reading == Reading::cheapest ? "\u2020" : "";
   const std::string number = fmt::format("{}{}\u00d7{}", before, factor_text(factor), after);

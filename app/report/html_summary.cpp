@@ -13,16 +13,30 @@ std::string name_of_method(const std::string& method) {
 }
 
 std::string range_text(const Verdict& v) {
-  if (v.wins + v.evens + v.losses == 0) return "";
+  if (v.measured() == 0) return "";
   if (v.least == v.most) return factor_text(v.median) + "\u00d7";
   return fmt::format("{}\u00d7; {} to {}", factor_text(v.median), factor_text(v.least),
                      factor_text(v.most));
 }
 
+/// Settings at whose error the rival was not measured, in words.
+std::string beyond_text(const Verdict& v) {
+  std::vector<std::string> words;
+  if (v.extrapolated > 0)
+    words.push_back(fmt::format("about {}\u00d7 at {}, extrapolated", factor_text(v.beyond_median),
+                                v.extrapolated));
+  if (v.levelled > 0)
+    words.push_back(fmt::format("at {} the other levels off above ASOS's error", v.levelled));
+  if (v.unreached > 0)
+    words.push_back(
+        fmt::format("at {} the other was not measured long enough to tell", v.unreached));
+  return list_text(words);
+}
+
 /// Whom a verdict favours, in words.
 std::string plain_verdict(const Verdict& v) {
-  const int count = v.wins + v.evens + v.losses;
-  if (count == 0) return v.beyond > 0 ? "ASOS: the other is never that accurate" : "not measured";
+  const int count = v.measured();
+  if (count == 0) return v.beyond() > 0 ? beyond_text(v) : "not measured";
   if (v.wins == count) return "ASOS wins";
   if (v.losses == count) return "ASOS loses";
   if (v.evens == count) return "even";
@@ -32,8 +46,8 @@ std::string plain_verdict(const Verdict& v) {
 }
 
 std::string verdict_text(const Verdict& v) {
-  if (v.beyond == 0 || v.wins + v.evens + v.losses == 0) return plain_verdict(v);
-  return fmt::format("{} ({} more: the other is never that accurate)", plain_verdict(v), v.beyond);
+  if (v.beyond() == 0 || v.measured() == 0) return plain_verdict(v);
+  return fmt::format("{} (and {})", plain_verdict(v), beyond_text(v));
 }
 
 const char* class_of(const Verdict& v) {
@@ -57,7 +71,7 @@ std::string rivals_where(const SceneStudy& study, Wanted wanted) {
 }
 
 std::string scene_sentence(const SceneStudy& study) {
-  const auto measured = [](const Verdict& v) { return v.wins + v.evens + v.losses > 0; };
+  const auto measured = [](const Verdict& v) { return v.measured() > 0; };
   const std::string won = rivals_where(
       study, [&](const Verdict& v) { return measured(v) && v.losses == 0 && v.wins > 0; });
   const std::string lost = rivals_where(
@@ -73,12 +87,10 @@ std::string scene_sentence(const SceneStudy& study) {
                     mixed);
   if (!lost.empty()) parts.push_back("is <strong>slower</strong> than " + lost);
   if (!even.empty()) parts.push_back("is even with " + even);
-  std::vector<std::string> out_of_reach;
   for (const Verdict& v : verdicts(study.equal_error))
-    if (!measured(v) && v.beyond > 0) out_of_reach.push_back(escaped(v.method));
-  if (!out_of_reach.empty())
-    parts.push_back("is <strong>more accurate</strong> than " + list_text(out_of_reach) +
-                    " at any setting measured");
+    if (!measured(v) && v.beyond() > 0)
+      parts.push_back("was not held against " + escaped(v.method) +
+                      " at an error that both reached (" + beyond_text(v) + ")");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "; it ") + part;
   if (text.empty()) text = "could not be compared with any other method above the floor";
@@ -87,7 +99,7 @@ std::string scene_sentence(const SceneStudy& study) {
 }
 
 bool was_measured(const Verdict& v) {
-  return v.wins + v.evens + v.losses > 0;
+  return v.measured() > 0;
 }
 
 /// The greatest error at and below which all of ASOS's best settings are faster than a rival; 0
@@ -154,8 +166,12 @@ std::string headline(const StudyReport& report) {
 std::string matrix_cell(const SceneStudy& study, const std::string& method) {
   const auto v = verdict_on(study.equal_error, method);
   if (!v) return "<td>-</td>";
-  if (!was_measured(*v))
-    return v->beyond > 0 ? "<td class=\"win\">never that accurate</td>" : "<td>-</td>";
+  if (!was_measured(*v)) {
+    if (v->extrapolated > 0)
+      return fmt::format("<td>~{}\u00d7</td>", factor_text(v->beyond_median));
+    if (v->levelled > 0) return "<td class=\"win\">levels off above it</td>";
+    return v->unreached > 0 ? "<td>not reached</td>" : "<td>-</td>";
+  }
   const std::string factor = factor_text(v->median) + "\u00d7";
   if (v->losses > 0 && v->wins > 0)
     return fmt::format("<td class=\"loss\">depends, {}\u00d7 to {}\u00d7</td>",
@@ -186,7 +202,9 @@ std::string matrix(const StudyReport& report) {
   return fmt::format(
       "<div class=\"scroll\"><table>\n<caption>Time of each method over that of ASOS, to the same "
       "error: the median over ASOS's best settings. 2\u00d7: the other takes twice as long; below "
-      "1 ASOS is slower; within 5 % is even.</caption>\n<thead><tr><th class=\"t\">Scene</th>{}"
+      "1 ASOS is slower; within 5 % is even. ~: extrapolated, the other was not measured that far. "
+      "Not reached: nor would 16 times its longest run do.</caption>\n<thead><tr><th "
+      "class=\"t\">Scene</th>{}"
       "</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
       head, rows);
 }
@@ -250,6 +268,21 @@ std::string compared_text(const StudyReport& report) {
       report.plan.repetitions == 1 ? "once" : fmt::format("{} times", report.plan.repetitions));
 }
 
+/// How much of ASOS nothing is known of, since the references were too noisy.
+std::string incomparable_text(const StudyReport& report) {
+  std::vector<std::string> words;
+  for (const SceneReport& scene : report.scenes) {
+    const Incomparable found = incomparable(scene.study);
+    if (found.under_floor > 0)
+      words.push_back(fmt::format("{} of {} on {}", found.under_floor, found.settings,
+                                  escaped(scene.study.scene)));
+  }
+  if (words.empty()) return "";
+  return "<p><strong>Not compared:</strong> settings of ASOS whose error is less than twice the "
+         "noise of the reference, " +
+         list_text(words) + ". A longer --budget tells more.</p>\n";
+}
+
 }  // namespace
 
 std::string html_summary(const StudyReport& report) {
@@ -265,7 +298,7 @@ std::string html_summary(const StudyReport& report) {
         "end), so their times may not be comparable.</p>\n",
         report.machines.size());
   text += "<div class=\"short\">\n<h2 id=\"short\">In short</h2>\n" + compared_text(report);
-  text += headline(report) + matrix(report);
+  text += headline(report) + matrix(report) + incomparable_text(report);
   text +=
       "<p class=\"note\">Small pictures put more edges into each pixel than large ones, which "
       "is hard on ASOS: read ratios together with the size. <a href=\"#losses\">Where ASOS does "

@@ -70,6 +70,7 @@ StudyPlan plan_of(const json& j) {
   plan.height = j.at("height").get<int>();
   plan.repetitions = j.at("repetitions").get<int>();
   plan.budget_seconds = j.at("budget_seconds").get<double>();
+  plan.patient = j.value("patient", true);
   plan.longest_seconds = j.at("longest_seconds").get<double>();
   plan.threads = j.at("threads").get<int>();
   plan.paper = j.at("paper").get<bool>();
@@ -172,6 +173,7 @@ json plan_json(const StudyPlan& plan) {
           {"height", plan.height},
           {"repetitions", plan.repetitions},
           {"budget_seconds", plan.budget_seconds},
+          {"patient", plan.patient},
           {"longest_seconds", plan.longest_seconds},
           {"threads", plan.threads},
           {"paper", plan.paper},

@@ -81,14 +81,16 @@ Result<void> check_scenes(const StudyPlan& plan) {
   return check_picture_fits(settings);
 }
 
-/// Pass after pass of a scene's reference, until it is quiet enough or the budget has ended.
+/// Pass after pass of a scene's reference, until it is quiet enough or the budget has ended; the
+/// patience, where too little could be compared.
 Result<void> run_reference(JobRunner& runner, JobRecords& done, const std::string& scene,
                            Journal& journal) {
   const auto start = std::chrono::steady_clock::now();
+  double budget = done.plan.budget_seconds * (done.plan.patient ? StudyPlan::patience : 1.0);
   for (const Job& job : done.jobs) {
     if (job.kind != JobKind::reference || job.scene != scene) continue;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    const double left = done.plan.budget_seconds - passed.count();
+    const double left = budget - passed.count();
     if (job.pass > 0 && job.half == 0 && left <= 0.0) break;
     journal.begin(job);
     auto record = runner.run(job, left);
@@ -100,6 +102,7 @@ Result<void> run_reference(JobRunner& runner, JobRecords& done, const std::strin
     const auto reference = reference_of(done, scene);
     if (!reference) return tl::unexpected(reference.error());
     if (reference->quiet) break;
+    if (reference->comparable) budget = done.plan.budget_seconds;
   }
   return {};
 }
@@ -222,10 +225,14 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
       ->default_str(fmt::format("{}x{}", plan.width, plan.height));
   add_parsed_option(
       app, "--budget", "SECONDS",
-      "Wall time for the reference of each scene; its first pass always runs to the end. With "
-      "--job, of a single half of a pass",
+      "Wall time for the reference of each scene; its first pass always runs to the end. Unless "
+      "given, up to ten times longer while more than a quarter of ASOS's settings could not be "
+      "compared. With --job, of a single half of a pass",
       [](const std::string& text) { return parse_number(text, 0.0, 1e9, true); },
-      [&](double seconds) { plan.budget_seconds = seconds; })
+      [&](double seconds) {
+        plan.budget_seconds = seconds;
+        plan.patient = false;
+      })
       ->default_str(fmt::format("{}", plan.budget_seconds));
   add_parsed_option(
       app, "--longest", "SECONDS",

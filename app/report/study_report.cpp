@@ -61,14 +61,24 @@ std::vector<std::string> given_up(const JobRecords& jobs, const std::string& sce
   return settings;
 }
 
-Result<double> smallest_error(const std::vector<const JobRecord*>& points, const Film& reference) {
+/// Judges whether the reference is quiet enough for the errors of the points.
+Result<void> judge(const std::vector<const JobRecord*>& points, ScenesReference& made) {
+  const Film reference = made.reference.film();
+  const double noise = made.reference.noise();
   double smallest = std::numeric_limits<double>::infinity();
+  Incomparable found;
   for (const JobRecord* point : points) {
     const Result<Film> film = film_of(*point);
     if (!film) return tl::unexpected(film.error());
-    smallest = std::min(smallest, root_mean_square(*film, reference, true));
+    const double error = root_mean_square(*film, reference, true);
+    smallest = std::min(smallest, error);
+    if (point->job.rung.method != "asos") continue;
+    ++found.settings;
+    found.under_floor += error < floor_of(noise);
   }
-  return smallest;
+  made.quiet = quiet_enough(noise, smallest);
+  made.comparable = !found.too_many();
+  return {};
 }
 
 /// Adds one pass; false where it is not there or not finished.
@@ -167,9 +177,7 @@ Result<ScenesReference> reference_of(const JobRecords& jobs, const std::string& 
     const auto added = add_pass(jobs, scene, pass, made.reference);
     if (!added) return tl::unexpected(added.error());
     if (!*added) break;
-    const auto smallest = smallest_error(points, made.reference.film());
-    if (!smallest) return tl::unexpected(smallest.error());
-    made.quiet = quiet_enough(made.reference.noise(), *smallest);
+    if (const auto judged = judge(points, made); !judged) return tl::unexpected(judged.error());
   }
   if (made.reference.passes() == 0)
     return tl::unexpected(Error{scene, "the first pass of its reference has not been run"});

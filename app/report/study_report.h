@@ -37,6 +37,7 @@ struct StudyReport {
 struct ScenesReference {
   Reference reference;
   bool quiet = false;
+  bool comparable = false;  ///< all but a quarter of ASOS's settings can be held against it
 };
 [[nodiscard]] Result<ScenesReference> reference_of(const JobRecords& jobs,
                                                    const std::string& scene);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asos {
 namespace {
@@ -12,6 +13,10 @@ constexpr const char* subject = "asos";
 
 /// How many times longer than it was measured a rival's last step is taken to go on.
 constexpr double furthest = 16.0;
+
+// A method that keeps this much of its error over two doublings of its time has levelled off.
+// Random samples keep a half.
+constexpr double levelled_share = 0.9;
 
 template <typename Get>
 double median_of(const std::vector<Cost>& costs, Get get) {
@@ -55,6 +60,29 @@ void mark_best(SceneStudy& study) {
   }
 }
 
+/// Whether the best error of a method hardly falls over the last two doublings of its time.
+bool levels_off(const SceneStudy& study, const std::string& method) {
+  const auto points = quotable(study, [&](const StudyPoint& p) { return p.rung.method == method; });
+  double longest = 0.0;
+  for (const CurvePoint& p : points) longest = std::max(longest, p.seconds);
+  double before = std::numeric_limits<double>::infinity();
+  double in_all = before;
+  for (const CurvePoint& p : points) {
+    in_all = std::min(in_all, p.error);
+    if (4.0 * p.seconds <= longest) before = std::min(before, p.error);
+  }
+  return std::isfinite(before) && in_all > levelled_share * before;
+}
+
+/// A method's best settings, and whether more time would help it.
+struct Rival {
+  std::vector<CurvePoint> front;
+  bool levelled = false;
+};
+Rival rival_of(const SceneStudy& study, const std::string& method) {
+  return {front_of(study, method), levels_off(study, method)};
+}
+
 struct Read {
   double value = 0.0;
   Reading reading = Reading::measured;
@@ -62,12 +90,14 @@ struct Read {
 
 /// A rival's seconds at an error. Where its quickest setting is better already, that one's time:
 /// no sampling goes below it.
-std::optional<Read> rival_seconds(const std::vector<CurvePoint>& front, double error) {
+std::optional<Read> rival_seconds(const Rival& rival, double error) {
+  const std::vector<CurvePoint>& front = rival.front;
   if (!front.empty() && front.front().error <= error)
     return Read{front.front().seconds,
                 front.front().error == error ? Reading::measured : Reading::cheapest};
   if (front.empty()) return std::nullopt;
   const double longest = front.back().seconds;
+  if (rival.levelled && error < front.back().error) return Read{longest, Reading::levelled};
   const auto value = seconds_at_error(front, error);
   if (!value || value->value > furthest * longest) return Read{longest, Reading::unreached};
   return Read{value->value, value->beyond ? Reading::extrapolated : Reading::measured};
@@ -83,26 +113,26 @@ std::optional<Read> rival_error(const std::vector<CurvePoint>& front, double sec
   return Read{value->value, value->beyond ? Reading::extrapolated : Reading::measured};
 }
 
-std::optional<EqualError> equal_error_on(const std::vector<CurvePoint>& front, const StudyPoint& p,
-                                         const std::string& rival) {
+std::optional<EqualError> equal_error_on(const Rival& rival, const StudyPoint& p,
+                                         const std::string& name) {
   const double seconds = p.seconds();
   const double rmse = p.measures.rmse;
   if (p.under_floor || !(seconds > 0.0)) return std::nullopt;
-  const auto read = rival_seconds(front, rmse);
+  const auto read = rival_seconds(rival, rmse);
   if (!read) return std::nullopt;
-  return EqualError{p.rung.setting,        rival,         rmse,  seconds, read->value,
+  return EqualError{p.rung.setting,        name,          rmse,  seconds, read->value,
                     read->value / seconds, read->reading, p.best};
 }
 
-void compare(SceneStudy& study, const std::string& rival) {
-  const std::vector<CurvePoint> front = front_of(study, rival);
+void compare(SceneStudy& study, const std::string& name) {
+  const Rival rival = rival_of(study, name);
   for (const StudyPoint& p : study.points) {
     if (p.rung.method != subject || p.under_floor || !(p.seconds() > 0.0)) continue;
     const double seconds = p.seconds();
     const double rmse = p.measures.rmse;
-    if (const auto row = equal_error_on(front, p, rival)) study.equal_error.push_back(*row);
-    if (const auto read = rival_error(front, seconds))
-      study.equal_time.push_back({p.rung.setting, rival, seconds, rmse, read->value,
+    if (const auto row = equal_error_on(rival, p, name)) study.equal_error.push_back(*row);
+    if (const auto read = rival_error(rival.front, seconds))
+      study.equal_time.push_back({p.rung.setting, name, seconds, rmse, read->value,
                                   read->value / rmse, read->reading, p.best});
   }
 }
@@ -117,25 +147,32 @@ double value_of(const EqualTime& row) {
 template <typename Row>
 std::vector<Verdict> verdicts_of(const std::vector<Row>& rows) {
   std::vector<Verdict> all;
-  std::vector<std::vector<double>> values;
+  std::vector<std::vector<double>> values, beyond;
   for (const Row& row : rows) {
     if (all.empty() || all.back().method != row.method) {
       all.push_back({row.method});
       values.emplace_back();
+      beyond.emplace_back();
     }
     if (!row.best) continue;
     Verdict& verdict = all.back();
-    if (row.reading == Reading::extrapolated || row.reading == Reading::unreached) {
-      ++verdict.beyond;
+    const double value = value_of(row);
+    if (row.reading == Reading::extrapolated) {
+      ++verdict.extrapolated;
+      beyond.back().push_back(value);
       continue;
     }
-    const double value = value_of(row);
+    if (row.reading == Reading::unreached || row.reading == Reading::levelled) {
+      ++(row.reading == Reading::levelled ? verdict.levelled : verdict.unreached);
+      continue;
+    }
     values.back().push_back(value);
     ++(value >= 1.0 + even_band   ? verdict.wins
        : value <= 1.0 - even_band ? verdict.losses
                                   : verdict.evens);
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!beyond[i].empty()) all[i].beyond_median = median(beyond[i]);
     if (values[i].empty()) continue;
     all[i].least = *std::min_element(values[i].begin(), values[i].end());
     all[i].most = *std::max_element(values[i].begin(), values[i].end());
@@ -176,13 +213,25 @@ const char* name_of(Reading reading) {
       return "extrapolated";
     case Reading::unreached:
       return "unreached";
+    case Reading::levelled:
+      return "levelled";
   }
   return "";
 }
 
 std::optional<EqualError> at_equal_error(const SceneStudy& study, const StudyPoint& point,
                                          const std::string& rival) {
-  return equal_error_on(front_of(study, rival), point, rival);
+  return equal_error_on(rival_of(study, rival), point, rival);
+}
+
+Incomparable incomparable(const SceneStudy& study) {
+  Incomparable found;
+  for (const StudyPoint& p : study.points) {
+    if (p.rung.method != subject) continue;
+    ++found.settings;
+    found.under_floor += p.under_floor;
+  }
+  return found;
 }
 
 void analyse(SceneStudy& study) {

@@ -44,6 +44,7 @@ enum class Reading {
   cheapest,      ///< the rival's quickest setting is better already: taken at that
   extrapolated,  ///< the rival was not measured so far; as its last step goes on
   unreached,     ///< nor would it get there soon: its longest time stands for it, a lower bound
+  levelled,      ///< nor at all: its last doublings hardly gained; its longest time stands for it
 };
 [[nodiscard]] const char* name_of(Reading reading);
 
@@ -92,6 +93,17 @@ struct SceneStudy {
                                                        const StudyPoint& point,
                                                        const std::string& rival);
 
+/// How many settings of ASOS there are, and how many of them have errors under the floor, so that
+/// nothing is known of them.
+struct Incomparable {
+  int settings = 0;
+  int under_floor = 0;
+
+  /// Whether more than a quarter of them are.
+  [[nodiscard]] bool too_many() const { return 4 * under_floor > settings; }
+};
+[[nodiscard]] Incomparable incomparable(const SceneStudy& study);
+
 /// Marks points under the floor and the best ones, and compares: fills all but scene, points and
 /// noise.
 void analyse(SceneStudy& study);
@@ -105,10 +117,17 @@ struct Verdict {
   int wins = 0;        ///< of ASOS's best settings
   int evens = 0;
   int losses = 0;
-  int beyond = 0;  ///< rows extrapolated or unreached, counted in none of those
+  // Rows beyond what was measured of the rival, by their reading: counted in none of those.
+  int extrapolated = 0;
+  int unreached = 0;
+  int levelled = 0;
+  double beyond_median = 0.0;  ///< of the extrapolated ones
   double median = 0.0;
   double least = 0.0;
   double most = 0.0;
+
+  [[nodiscard]] int measured() const { return wins + evens + losses; }
+  [[nodiscard]] int beyond() const { return extrapolated + unreached + levelled; }
 };
 /// By rival, over ASOS's best settings above the floor; without rows for rivals that have none.
 [[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualError>& rows);

@@ -61,6 +61,9 @@ struct StudyPlan {
   int height = 180;
   int repetitions = 3;
   double budget_seconds = 60.0;  ///< for the reference of one scene
+  /// Longer, up to patience times that, while too many settings cannot be compared.
+  bool patient = true;
+  static constexpr double patience = 10.0;
   /// The time that one picture of a setting may take. One that takes longer is given up, and with
   /// it the dearer settings of its curve.
   double longest_seconds = 600.0;

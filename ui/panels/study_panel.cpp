@@ -116,16 +116,21 @@ void progress(Controls& controls, const ViewStudy::State& state) {
 }
 
 std::string median_text(const Verdict& verdict) {
-  if (verdict.wins + verdict.evens + verdict.losses == 0) return "not told";
+  if (verdict.measured() == 0 && verdict.extrapolated > 0)
+    return fmt::format("~{:.2f}", verdict.beyond_median);
+  if (verdict.measured() == 0) return "not measured";
   return fmt::format("{:.2f}", verdict.median);
 }
 
 std::string range_text(const Verdict& verdict) {
   std::string text;
-  if (verdict.wins + verdict.evens + verdict.losses > 0)
-    text = fmt::format("{:.2f} to {:.2f}", verdict.least, verdict.most);
-  if (verdict.beyond > 0)
-    text += fmt::format("{}{} beyond", text.empty() ? "" : ", ", verdict.beyond);
+  if (verdict.measured() > 0) text = fmt::format("{:.2f} to {:.2f}", verdict.least, verdict.most);
+  const auto add = [&](int count, const char* words) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, words);
+  };
+  add(verdict.extrapolated, "extrapolated (~)");
+  add(verdict.unreached, "not reached");
+  add(verdict.levelled, "never reached");
   return text;
 }
 

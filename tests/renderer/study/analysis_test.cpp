@@ -134,14 +134,54 @@ TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
   const auto all = verdicts(study.equal_error);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].losses + all[0].wins + all[0].evens, 0);
-  EXPECT_EQ(all[0].beyond, 1);
+  EXPECT_EQ(all[0].beyond(), 1);
+}
+
+// Only whose last doublings hardly gain is said to level off.
+TEST(Analyse, WhatLevelsOffIsToldFromWhatWasNotMeasuredLongEnough) {
+  SceneStudy study;
+  study.points = {point("asos", "MAX 2", 2, 1e-4), point("average", "a", 1, 0.1),
+                  point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)};
+  analyse(study);
+  ASSERT_EQ(study.equal_error.size(), 1u);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::levelled);
+  EXPECT_EQ(verdicts(study.equal_error)[0].levelled, 1);
+  // Random samples: a half of the error for four times the time.
+  study.points = {point("asos", "MAX 2", 2, 1e-4), point("random", "a", 1, 0.1),
+                  point("random", "b", 2, 0.0707), point("random", "c", 4, 0.05)};
+  analyse(study);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
+  EXPECT_EQ(verdicts(study.equal_error)[0].unreached, 1);
+  // A measured error is no matter of levelling off.
+  study.points = {point("asos", "MAX 1", 1, 0.0995), point("average", "a", 1, 0.1),
+                  point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)};
+  analyse(study);
+  EXPECT_EQ(study.equal_error[0].reading, Reading::measured);
+}
+
+TEST(Analyse, CountsWhatTheNoiseOfTheReferenceHides) {
+  SceneStudy study;
+  study.noise = 0.01;
+  study.points = {point("asos", "a", 1, 0.1), point("asos", "b", 2, 0.03),
+                  point("asos", "c", 3, 0.021), point("asos", "d", 4, 0.019),
+                  point("sobol", "e", 5, 0.001)};
+  analyse(study);
+  EXPECT_EQ(incomparable(study).settings, 4);
+  EXPECT_EQ(incomparable(study).under_floor, 1);
+  EXPECT_FALSE(incomparable(study).too_many());
+  study.noise = 0.011;
+  analyse(study);
+  EXPECT_EQ(incomparable(study).under_floor, 2);
+  EXPECT_TRUE(incomparable(study).too_many());
 }
 
 TEST(Verdicts, CountByRivalAndLeaveExtrapolationOut) {
   const auto all = verdicts(power_laws().equal_error);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].wins, 1);
-  EXPECT_EQ(all[0].beyond, 1);
+  EXPECT_EQ(all[0].beyond(), 1);
+  EXPECT_EQ(all[0].extrapolated, 1);
+  EXPECT_GT(all[0].beyond_median, 50.0);
   EXPECT_NEAR(all[0].median, 50.0, 1e-9);
 }
 
