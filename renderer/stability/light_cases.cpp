@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -106,9 +107,14 @@ void add_cones(std::vector<Case>& cases) {
     Light spot = light_at(Light::Type::spot, {0, 2, 0});
     spot.inner_cone_rad = spot.outer_cone_rad = outer;
     // The extension's formula with its guard: (cos - cos outer) / 0.001, squared, at most 1.
-    const double share = std::min(1.0, (1.0 - std::cos(outer)) / 0.001);
+    const double below_1 = 2.0 * std::sin(0.5 * outer) * std::sin(0.5 * outer);  // 1 - cos(outer)
+    const double share = std::min(1.0, below_1 / 0.001);
+    const double cosine_rounding = 2.0 * std::numeric_limits<double>::epsilon() / below_1;
     cases.push_back(under(fmt::format("a spot whose cones are both {:g} radians", outer),
-                          {{spot}, {}}, 0.25 * share * share));
+                          {{spot}, {}}, 0.25 * share * share,
+                          {"illuminance at the origin, lux", cosine_rounding,
+                           "the closed form, in which the cosine of the cone, rounded to a double, "
+                           "counts squared"}));
   }
   Light near = light_at(Light::Type::point, {0, 2, 0});
   near.range = 1e-6;

@@ -10,8 +10,8 @@
 namespace asos::stability {
 
 /// Measures light as a photographer would: a matte floor in the plane y = 0, of which the picture's
-/// only pixel shows a speck around the origin from above, is rendered under the lights, in the dark
-/// and under one lux; the three give the illuminance at the origin.
+/// only pixel shows a speck around the origin from above, is rendered in the dark under the lights
+/// and under one lux, which give the illuminance at the origin.
 struct LightMeter {
   std::vector<Light> lights;
   std::vector<Face> blockers;
@@ -19,8 +19,8 @@ struct LightMeter {
   int max_level = 3;
   RenderSettings (*change)(RenderSettings) = nullptr;  ///< applied to settings_of's result
 
-  /// The case's figure: lux at the origin. The measure's bound is as a share of `lux` (of one lux
-  /// where that is more), and comes on top of what float32 costs the three pictures.
+  /// The case's figure: lux at the origin. The measure's bound is a share of `lux`, and comes on
+  /// top of what float32 costs the two pictures.
   [[nodiscard]] Result<Outcome> measure(const Measure& measure, double lux) const;
 };
 

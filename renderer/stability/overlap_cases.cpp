@@ -35,6 +35,22 @@ Result<Outcome> seen(const std::vector<Face>& faces, const std::vector<Face>& vi
       [&](int x, int y) { return faces_radiance(view, visible, x, y); });
 }
 
+/// Two faces so near each other that either may be seen, pixel by pixel, but no mixture of both.
+Result<Outcome> either_seen(const Face& first, const Face& second, const std::string& reason) {
+  const PictureView view{card_camera(), picture_side, picture_side};
+  const auto picture =
+      render(scene_of({first, second}, view.camera), settings_of(picture_side, picture_side));
+  if (!picture) return unexpected(picture.error());
+  return worst_pixel({"radiance of the worst of 16x16 pixels, off the nearer of two",
+                      rounding_bound(view, {1.5, 2.5, 2, 1.0}), rounding_reason + reason},
+                     picture, [&](int x, int y) {
+                       const double a = faces_radiance(view, {first}, x, y);
+                       const double b = faces_radiance(view, {second}, x, y);
+                       const double got = picture->at(x, y);
+                       return std::abs(got - a) < std::abs(got - b) ? a : b;
+                     });
+}
+
 void add_coincident(std::vector<Case>& cases) {
   cases.push_back({"two faces in one place, of one colour", overlap_group, true, [] {
                      return seen({tilted_card(), tilted_card()}, {tilted_card()}, 2);
@@ -42,8 +58,8 @@ void add_coincident(std::vector<Case>& cases) {
   cases.push_back({"a hundred faces in one place", overlap_group, true,
                    [] { return seen(std::vector<Face>(100, tilted_card()), {tilted_card()}, 2); }});
   cases.push_back({"two faces in one place, of two greys", overlap_group, true, [] {
-                     return seen({tilted_card(1.0f), tilted_card(0.75f)}, {tilted_card(0.875f)}, 2,
-                                 0.125, "; either face may be seen, or some of both");
+                     return either_seen(tilted_card(1.0f), tilted_card(0.75f),
+                                        "; either face may be seen");
                    }});
   cases.push_back(
       {"a doubled wall, each face single-sided", overlap_group, true, [] {
@@ -79,10 +95,10 @@ void add_near(std::vector<Case>& cases) {
   }
   cases.push_back({"a white face 1e-6 before a grey one", overlap_group, true, [] {
                      const Face white = lifted(tilted_card(), 1e-6, 1.0f);
-                     return seen({tilted_card(0.75f), white}, {lifted(white, 0.0, 0.875f)}, 2,
-                                 0.125,
-                                 "; the gap is less than 12 roundings of a distance of 4, so that "
-                                 "either face may be seen");
+                     return either_seen(
+                         tilted_card(0.75f), white,
+                         "; the gap is less than 12 roundings of a distance of 4, so "
+                         "that either face may be seen");
                    }});
   cases.push_back(
       {"a decal 1e-4 above a wall", overlap_group, true, [] {

@@ -78,9 +78,9 @@ const Measure exact{worst, 8.0 * rounding, "one texel's float, 8 roundings"};
 const Measure averaged{worst, 1.0 / 65536.0, "means are kept to 16 bits"};
 // The sRGB curve of IEC 61966-2-1 at 188.
 const double grey_188 = std::pow((188.0 / 255.0 + 0.055) / 1.055, 2.4);
-const Measure any_mean{worst, 0.5 * (1.0 - grey_188) + 1.0 / 65536.0,
-                       "coordinates that float32 cannot tell apart: any mean of the two texels is "
-                       "right, kept to 16 bits"};
+const Measure any_mean{worst, averaged.bound,
+                       "coordinates that float32 cannot tell apart stand for all of the texture: "
+                       "its mean, kept to 16 bits"};
 const double middle_grey = 0.5 * (grey_188 + 1.0);
 
 void add_texture_sizes(std::vector<Case>& cases) {
@@ -98,7 +98,9 @@ void add_texture_sizes(std::vector<Case>& cases) {
          std::vector<std::uint8_t> greys(16384, 255);
          for (std::size_t i = 0; i < greys.size(); i += 2) greys[i] = 188;
          return worst_pixel(
-             {worst, any_mean.bound, "one point between two texels: from one grey to the other"},
+             {worst, 8.0 * rounding * 16384.0 * (1.0 - grey_188),
+              "pixels' middles lie between two texels, off by 8 roundings of the coordinate, 16384 "
+              "texels wide"},
              render(Textured{row(greys)}.scene(), settings), [](int, int) { return middle_grey; });
        }});
   cases.push_back(level("an image without texels is white", {Image{}}, 1.0, exact));
@@ -125,12 +127,18 @@ void add_resolutions(std::vector<Case>& cases) {
                      RenderSettings settings = settings_of(small_side, small_side);
                      settings.texture.resolution = 8;
                      settings.texture.filter = TextureFilter::point;
-                     return worst_pixel(
-                         {worst, 4.0 * std::sqrt(0.25 / 64.0),
-                          "64 samples at random, whose deviation is at most 1/2: four deviations "
+                     constexpr int samples = 64 * small_side * small_side;
+                     return one_value(
+                         {"mean radiance of 8x8 pixels", 4.0 * std::sqrt(0.25 / samples),
+                          "4096 samples at random, whose deviation is at most 1/2: four deviations "
                           "of their mean"},
-                         render(Textured{black_and_white(16384)}.scene(), settings),
-                         [](int, int) { return 0.5; });
+                         0.5, render(Textured{black_and_white(16384)}.scene(), settings),
+                         [](const Picture& p) {
+                           double sum = 0.0;
+                           for (int y = 0; y < small_side; ++y)
+                             for (int x = 0; x < small_side; ++x) sum += p.at(x, y);
+                           return sum / (small_side * small_side);
+                         });
                    }});
   cases.push_back(
       {"TR 8 takes 64 samples of a pixel", texture_group, true, [] {
