@@ -163,6 +163,11 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
                "Show the backs of single-sided materials, which glTF hides");
   app.add_flag("!--no-shadows", settings.shadow.cast, "Lights cast no shadows");
   add_choice(
+      app, "--sky-shadows", "ON|OFF",
+      "Whether surfaces hide the sky from each other (on), or all see a constant share of it "
+      "(off: faster)",
+      on_off_names, settings.shadow.sky);
+  add_choice(
       app, "--shadow-quality", "NAME",
       "How soft shadows are found over the patch that a leaf shows: refined (split where one "
       "pyray would be off), centre, supersampling, forced, extended, extended-divided or "

@@ -28,6 +28,7 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& r
       samples_(&samples),
       refinement_(&refinement),
       weak_lights_(&weak_lights),
+      sky_(eye),
       shadows_(&shadows),
       sums_(sums),
       blurred_(&blurred) {}
@@ -69,7 +70,8 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   RootSum& sum = sums_[leaf.root];
   const LeafContext context = context_of(leaf, even);
   const std::uint32_t share = weak_lights_->start(leaf.root, leaf.sample, leaf.weight);
-  LeafTransport transport(*eye_, *shadows_, context, *weak_lights_, share);
+  const std::uint32_t sky_share = eye_->mask ? 0 : sky_.start(leaf.root, leaf.sample, leaf.weight);
+  LeafTransport transport(*eye_, *shadows_, context, *weak_lights_, share, sky_, sky_share);
   const glm::vec3 radiance = viewer.shader.radiance(
       viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at)),
       transport, *eye_->counts);
@@ -78,6 +80,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   if (!finite(radiance)) {
     ++eye_->counts->rejected_samples;
     weak_lights_->drop(share);
+    if (!eye_->mask) sky_.drop(sky_share);
     return radiance;
   }
   if (eye_->mask && eye_->mask->blur) {
@@ -88,7 +91,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   }
   sum.add(glm::dvec3(radiance), leaf.weight);
   note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
-                  radiance + transport.inexact(), share});
+                  radiance + transport.inexact(), share, sky_share});
   return radiance;
 }
 
@@ -222,6 +225,7 @@ void LeafShader::sample_uneven() {
     const PyrayLeaf& leaf = shaded.leaf;
     sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);
     weak_lights_->drop(shaded.weak_lights);
+    sky_.drop(shaded.sky);
     add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, few_samples);
   }
 }
@@ -242,9 +246,23 @@ void LeafShader::add_weak_lights() {
   }
 }
 
+// Adds what leaves get of the sky.
+void LeafShader::add_sky() {
+  if (eye_->stop.stop_requested()) return;
+  for (const SkyShares::Share& share : sky_.run()) {
+    if (share.sample == no_sample) continue;
+    RootSum& sum = sums_[share.root];
+    sum.radiance += share.radiance;
+    sum.rays += share.rays;
+    if (const auto found = results_.find(share.sample); found != results_.end())
+      found->second += glm::vec3(share.radiance / share.weight);
+  }
+}
+
 void LeafShader::finish() {
   sample_uneven();
   add_weak_lights();
+  add_sky();
   if (put_off_.empty() || eye_->stop.stop_requested()) return;
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->run(*eye_->counts);

@@ -5,6 +5,7 @@
 #include "renderer/asos/leaf_variation.h"
 #include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
+#include "renderer/asos/sky_shares.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/samples/region_sampler.h"
 #include "renderer/shadows/shadow_context.h"
@@ -47,6 +48,7 @@ class LeafShader {
   void shade_one(const PyrayLeaf& leaf);
   void sample_uneven();
   void add_weak_lights();
+  void add_sky();
   void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
@@ -59,6 +61,7 @@ class LeafShader {
   EyeSamples* samples_;
   Refinement* refinement_;
   WeakLights* weak_lights_;
+  SkyShares sky_;
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;
   BlurredSum* blurred_;

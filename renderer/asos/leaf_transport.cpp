@@ -8,7 +8,7 @@ namespace asos {
 
 TakenLights LeafTransport::gather(const LitPoint& point) {
   if (weak_->lights().empty()) return {};
-  weak_->add(share_, point, *leaf_);
+  weak_->add(weak_share_, point, *leaf_);
   return {weak_->lights()};
 }
 
@@ -24,6 +24,17 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   hidden_ += static_cast<float>(1.0 - visibility) * all;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
+}
+
+bool LeafTransport::add_sky(const SkyLitPoint& point, glm::vec3& radiance,
+                            RenderStatistics& /*counts*/) {
+  // What a mirror shows of a surface is added up as it comes.
+  if (eye_->mask) {
+    radiance += sky_->at_once(point, *leaf_);
+  } else {
+    sky_->add(sky_share_, point, *leaf_);
+  }
+  return true;
 }
 
 bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,

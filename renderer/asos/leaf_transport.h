@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/asos/eye_context.h"
+#include "renderer/asos/sky_shares.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/shadow_context.h"
@@ -10,13 +11,20 @@ namespace asos {
 /// The lights and reflections of one leaf: what the shader asks while it shades the leaf's point.
 class LeafTransport final : public LightTransport {
  public:
-  /// `share`: the leaf's, of the weak lights.
+  /// `weak_share` and `sky_share`: the leaf's.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf,
-                WeakLights& weak, std::uint32_t share)
-      : eye_(&eye), shadows_(&shadows), leaf_(&leaf), weak_(&weak), share_(share) {}
+                WeakLights& weak, std::uint32_t weak_share, SkyShares& sky, std::uint32_t sky_share)
+      : eye_(&eye),
+        shadows_(&shadows),
+        leaf_(&leaf),
+        weak_(&weak),
+        weak_share_(weak_share),
+        sky_(&sky),
+        sky_share_(sky_share) {}
 
   TakenLights gather(const LitPoint& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
+  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance, RenderStatistics& counts) override;
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
 
@@ -34,7 +42,9 @@ class LeafTransport final : public LightTransport {
   const ShadowContext* shadows_;
   const LeafContext* leaf_;
   WeakLights* weak_;
-  std::uint32_t share_;
+  std::uint32_t weak_share_;
+  SkyShares* sky_;
+  std::uint32_t sky_share_;
   glm::vec3 hidden_{0.0f};    // light that does not reach it
   glm::vec3 mirrored_{0.0f};  // by flat mirrors
   bool met_shadow_edge_ = false;

@@ -19,6 +19,7 @@ struct ShadedLeaf {
   glm::vec3 radiance{0.0f};       ///< that its root got
   glm::vec3 shading{0.0f};        ///< the same but for what is exact: shadows and flat mirrors
   std::uint32_t weak_lights = 0;  ///< number of its share of the weak lights
+  std::uint32_t sky = 0;          ///< and of the sky
 };
 
 /// What the leaves of a root tell about each other: where those of one surface differ, their one

@@ -27,6 +27,7 @@ RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
     lights[i].shadow_pyrays += other.lights[i].shadow_pyrays;
   }
   reflection_rays += other.reflection_rays;
+  sky_rays += other.sky_rays;
   for (std::size_t i = 0; i < pyrays_by_level.size(); ++i) {
     pyrays_by_level[i] += other.pyrays_by_level[i];
   }

@@ -24,6 +24,7 @@ struct RenderStatistics {
   std::uint64_t shadow_rays = 0;
   std::uint64_t shadow_pyrays = 0;  ///< that were subdivided
   std::uint64_t reflection_rays = 0;
+  std::uint64_t sky_rays = 0;  ///< from surfaces, to find out whether they see it
   std::array<std::uint64_t, 9> pyrays_by_level{};  ///< cells examined, by level 0..8
   /// By Lighting::lights; lights beyond its end, which grows as needed, were asked for nothing.
   /// Adds up to `shadow_rays` and `shadow_pyrays`.
@@ -39,7 +40,9 @@ struct RenderStatistics {
   std::array<std::uint64_t, split_cause_count> pixels_by_cause{};
 
   /// Rays of all kinds.
-  [[nodiscard]] std::uint64_t rays() const { return eye_rays + shadow_rays + reflection_rays; }
+  [[nodiscard]] std::uint64_t rays() const {
+    return eye_rays + shadow_rays + reflection_rays + sky_rays;
+  }
   /// Counts shadow rays to a light, here and with that light.
   void count_shadow_ray(std::uint32_t light, std::uint64_t rays = 1);
   /// The same for pyrays that were subdivided; their rays are counted separately.

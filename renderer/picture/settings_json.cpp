@@ -35,6 +35,7 @@ void each_setting(Fields& fields, Settings& s) {
   fields.named("texture_filter", texture_filter_names, s.texture.filter);
   fields("texture_resolution", s.texture.resolution);
   fields("shadows", s.shadow.cast);
+  fields("sky_shadows", s.shadow.sky);
   fields.named("shadow_quality", shadow_quality_names, s.shadow.quality);
   fields("shadow_divisions", s.shadow.divisions);
   fields.named("light_rule", light_rule_names, s.shadow.light_rule);

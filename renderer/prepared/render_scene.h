@@ -63,9 +63,10 @@ struct RenderScene {
   const bool mirrors = needs_of(scene, settings).mirrors;
   return Shader(
       scene.world(), scene.needs, scene.rays(), *scene.lighting,
-      {settings.shadow.cast, settings.shadow.light_rule, culling_of(settings),
-       filtered ? &scene.mips() : nullptr, PixelSpacing::of(view), settings.sky.get(),
-       mirrors ? settings.mirror.bounces : 0, static_cast<float>(settings.mirror.roughest),
+      {settings.shadow.cast, settings.shadow.cast && settings.shadow.sky,
+       settings.shadow.light_rule, culling_of(settings), filtered ? &scene.mips() : nullptr,
+       PixelSpacing::of(view), settings.sky.get(), mirrors ? settings.mirror.bounces : 0,
+       static_cast<float>(settings.mirror.roughest),
        settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs()});
 }
 

@@ -117,4 +117,17 @@ glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bo
          reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
+void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
+                           SampledLights& lights, std::size_t target,
+                           RenderStatistics& counts) const {
+  const glm::vec3 f0 = points.f0.at(i);
+  const ViewedMaterial seen{std::numbers::pi_v<float> * points.diffuse.at(i),
+                            arrays_->materials.specular.at(i), f0, arrays_->materials.roughness[i],
+                            points.f90_less_f0.x[i] + f0.x};
+  const SurfacePoint point =
+      surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
+  const ViewedPoint view{point, points.to_viewer.at(i), points.n_dot_v[i]};
+  lights.add_sky({sky_, view, seen, mirrors}, {target}, counts);
+}
+
 }  // namespace asos

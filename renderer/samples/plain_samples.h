@@ -4,6 +4,7 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/viewer.h"
 #include "renderer/samples/recycled.h"
+#include "renderer/samples/sampled_lights.h"
 #include "renderer/shading/plain_materials.h"
 
 #include <glm/glm.hpp>
@@ -51,6 +52,11 @@ class PlainSamples {
   /// What the viewer sees of it but lights and reflections; of the sky only the diffuse share where
   /// it `mirrors`.
   [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const;
+  /// What it sends out itself.
+  [[nodiscard]] glm::vec3 emission(std::size_t i) const { return arrays_->emission[i]; }
+  /// Adds a ray to the sky, of the sample that the lights' places are at.
+  void add_sky(std::size_t i, const LitBatch& points, bool mirrors, SampledLights& lights,
+               std::size_t target, RenderStatistics& counts) const;
 
  private:
   struct Arrays {

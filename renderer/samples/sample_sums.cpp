@@ -25,6 +25,11 @@ class OneSample final : public LightTransport {
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, {sample_.target, weight_}, counts);
   }
+  bool add_sky(const SkyLitPoint& point, glm::vec3& /*radiance*/,
+               RenderStatistics& counts) override {
+    lights_.add_sky(point, {sample_.target, weight_}, counts);
+    return true;
+  }
   bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
                RenderStatistics& /*counts*/) override {
     reflections_.add(reflection, sample_, weight_, shader_);
@@ -116,13 +121,14 @@ bool SampleSums::shade_plain() {
   const Shader& shader = viewer_.shader;
   lights_.prepare(shader.lights(), shader.settings().shadows);
   lights_.gathered(plain_.count());
+  const bool sky_rays = shader.settings().sky_shadows;
   for (std::size_t i = 0; i < plain_.count(); ++i) {
     const std::size_t index = plain_.index(i);
     const PointSample& sample = samples_[index];
     gathered.samples[i] = {sample.x, sample.y, sample.index};
     gathered.targets[i] = sample.target;
     bool mirrors = false;
-    if (lights_.picks_lights() || plain_.may_mirror(i)) {
+    if (sky_rays || lights_.picks_lights() || plain_.may_mirror(i)) {
       places_->start_pixel(sample.x, sample.y);
       places_->start_sample(sample.index);
     }
@@ -132,7 +138,12 @@ bool SampleSums::shade_plain() {
       mirrors = plain_.reflect(i, viewer_.viewed(rays_[index], hits_[index], sample.side),
                                gathered.points, transport, statistics_);
     }
-    radiance_[sample.target] += glm::dvec3(plain_.unlit_radiance(i, gathered.points, mirrors));
+    if (sky_rays) {
+      radiance_[sample.target] += glm::dvec3(plain_.emission(i));
+      plain_.add_sky(i, gathered.points, mirrors, lights_, sample.target, statistics_);
+    } else {
+      radiance_[sample.target] += glm::dvec3(plain_.unlit_radiance(i, gathered.points, mirrors));
+    }
     ++count_[sample.target];
   }
   return true;

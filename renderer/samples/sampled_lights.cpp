@@ -1,6 +1,7 @@
 #include "renderer/samples/sampled_lights.h"
 
 #include "renderer/shading/shadow_ray.h"
+#include "renderer/shading/sky_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@ namespace {
 
 // Which of a pixel's lobes tells which lights its samples pick: none that reflections use.
 constexpr int lobe_of_picks = 0x1000;
+// And which directions to the sky.
+constexpr int lobe_of_sky = 0x1001;
 
 std::uint32_t binary_fraction(double at) {
   return static_cast<std::uint32_t>(0x1p32 * std::clamp(at, 0.0, 1.0 - 0x1p-32));
@@ -38,6 +41,23 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
     return;
   }
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
+}
+
+void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
+                            RenderStatistics& counts) {
+  const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
+  if (!sample || !sample->above) return;
+  const glm::vec3 carried = share.weight * sample->carried;
+  if (carried == glm::vec3(0.0f)) return;
+  ++counts.sky_rays;
+  if (!std::isfinite(carried.x + carried.y + carried.z)) {
+    ++counts.rejected_samples;
+    return;
+  }
+  Ray ray;
+  ray.direction = sample->direction;
+  ray.origin = spawn_origin(point.view.point, ray.direction);
+  pending_.push_back({ray, carried, share.target, -1});
 }
 
 SampledLights::Gathered& SampledLights::first_points() {

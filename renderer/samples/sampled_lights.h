@@ -95,6 +95,9 @@ class SampledLights {
   /// One light, by a shadow ray of a sample of that share, which the places are at.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
+  /// The sky, by a ray of a sample of that share in one direction (sample_sky).
+  void add_sky(const SkyLitPoint& point, const SampleShare& share, RenderStatistics& counts);
+
   /// How much waits; `forget_since` drops what has come since.
   struct Waiting {
     std::size_t points = 0;

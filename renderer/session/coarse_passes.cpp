@@ -109,6 +109,7 @@ void CoarsePasses::work_centres(const PlannedRender& render, TileCollector& tile
   RenderSettings settings = render.snapshot.settings;
   settings.method = Method::uniform;
   settings.sampling.spp = 1;
+  settings.shadow.sky = false;  // one ray to it is noise
   while (!stop.stop_requested()) {
     const std::size_t index = next_centres_++;
     if (index >= render.plan.groups.size()) return;

@@ -16,6 +16,10 @@ struct Named {
   T value;
 };
 
+inline constexpr std::array on_off_names{
+    Named<bool>{"on", true},
+    Named<bool>{"off", false},
+};
 inline constexpr std::array leaf_names{
     Named<Leaf>{"exact", Leaf::exact},
     Named<Leaf>{"point", Leaf::point},

@@ -63,6 +63,9 @@ struct TextureSettings {
 
 struct ShadowSettings {
   bool cast = true;  ///< lights cast shadows
+  /// The sky's light is shaded, too; else, or where lights cast none, it is open, less a constant
+  /// share (sky_visibility).
+  bool sky = false;
   ShadowQuality quality = ShadowQuality::refined;
   int divisions = 2;  ///< n of the qualities that divide a patch into n x n, 1 to 16
   LightRule light_rule = LightRule::physical;

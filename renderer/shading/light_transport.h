@@ -15,6 +15,8 @@
 
 namespace asos {
 
+class Sky;
+
 /// A light that shines on a point, and what the point makes of it.
 struct Illumination {
   const PreparedLight& light;
@@ -38,6 +40,15 @@ struct LitPoint {
   bool mirrors = false;   ///< a reflection shows the lights that mirrors show
   glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
   bool shadows = true;    ///< the same for all points of a picture: whether lights cast any
+};
+
+/// A point on which the sky may shine.
+struct SkyLitPoint {
+  const Sky* sky = nullptr;  ///< null: the neutral one
+  const ViewedPoint& view;
+  const ViewedMaterial& material;
+  bool mirrors = false;   ///< its lobe is a reflection
+  glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
 };
 
 /// Lights that were gathered.
@@ -78,6 +89,13 @@ class LightTransport {
 
   /// Adds to `radiance` what the viewer sees of the light by way of the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;
+
+  /// Adds what reaches the viewer of the sky by way of the point, now or later; false, and nothing
+  /// is added, where all of the sky is to be taken for open.
+  virtual bool add_sky(const SkyLitPoint& /*point*/, glm::vec3& /*radiance*/,
+                       RenderStatistics& /*counts*/) {
+    return false;
+  }
 
   /// Adds what the viewer sees of the scene in the surface, now or later; false, and nothing is
   /// added, where reflections are not followed.

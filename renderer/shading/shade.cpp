@@ -104,15 +104,17 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   const glm::vec3 to_viewer = -viewed_ray.ray.direction;
   const float n_dot_v = std::max(glm::dot(n, to_viewer), grazing_cosine);
 
-  // The sky, unoccluded.
   const ViewedMaterial seen = viewed(material, n_dot_v);
   const bool mirrors =
       add_mirrored(viewed_ray, point, material, layer, seen.specular, transport, radiance, counts);
-  ViewedMaterial by_sky = seen;
-  if (mirrors) by_sky.specular = glm::vec3(0.0f);
-  radiance += layer.share * reflected_sky(settings_.sky, by_sky, n, to_viewer);
-
   ViewedPoint view{point, to_viewer, n_dot_v};
+  const SkyLitPoint under_sky{settings_.sky, view, seen, mirrors, layer.share};
+  if (!settings_.sky_shadows || !transport.add_sky(under_sky, radiance, counts)) {
+    ViewedMaterial by_sky = seen;
+    if (mirrors) by_sky.specular = glm::vec3(0.0f);
+    radiance += layer.share * reflected_sky(settings_.sky, by_sky, n, to_viewer);
+  }
+
   const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
   if (settings_.mips && viewed_ray.side > 0.0f && seen.roughness < least_broad_roughness) {
     view.patch = shaped(patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,

@@ -133,6 +133,17 @@ glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 dow
   return horizon_ + mean_above_0(direction.y, half_range) * (zenith_ - horizon_);
 }
 
+SkyDirection Sky::bright_direction(glm::dvec2 place) const {
+  SkyDirection found = map_->distribution().at(place);
+  const glm::dvec3 d = found.direction;
+  found.direction = {turn_cos_ * d.x + turn_sin_ * d.z, d.y, -turn_sin_ * d.x + turn_cos_ * d.z};
+  return found;
+}
+
+double Sky::bright_density(glm::vec3 direction) const {
+  return map_->distribution().density(in_map(direction));
+}
+
 glm::vec3 Sky::ambient(glm::vec3 normal) const {
   if (map_) return sky_visibility * map_->irradiance_over_pi(in_map(normal));
   if (zenith_ == horizon_) return sky_visibility * glm::vec3(zenith_);

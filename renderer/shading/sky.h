@@ -39,6 +39,11 @@ class Sky {
   /// The irradiance over pi of a surface with this unit normal, times sky_visibility.
   [[nodiscard]] glm::vec3 ambient(glm::vec3 normal) const;
 
+  /// A direction of the picture, at a place in the unit square, as its light comes from there; and
+  /// the density of such at a unit direction, per steradian. Only of pictures.
+  [[nodiscard]] SkyDirection bright_direction(glm::dvec2 place) const;
+  [[nodiscard]] double bright_density(glm::vec3 direction) const;
+
   /// The same sky with its picture turned by so much from where it was at first. One without a
   /// picture stays as it is.
   [[nodiscard]] Sky turned(double turn_deg) const;
@@ -83,7 +88,8 @@ class Sky {
                                    float side);
 
 /// The radiance of the sky that a surface reflects towards the viewer: diffusely, and by its lobe
-/// around the mirrored direction. Not occluded but for sky_visibility.
+/// around the mirrored direction. Not occluded but for sky_visibility: for `sample_sky` see
+/// sky_light.h.
 [[nodiscard]] glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
                                       glm::vec3 to_viewer);
 

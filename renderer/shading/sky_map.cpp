@@ -16,16 +16,8 @@ constexpr double pi = std::numbers::pi;
 /// The irradiance is found from texels of some 3 degrees, and kept for normals 6 degrees apart.
 constexpr int irradiance_source_rows = 64;
 constexpr int irradiance_rows = 32;
-
-struct Place {
-  double u;
-  double v;
-};
-
-Place place_of(glm::dvec3 d) {
-  // atan2 rather than acos, which is inaccurate near the poles.
-  return {0.5 + std::atan2(d.x, -d.z) / (2.0 * pi), std::atan2(std::hypot(d.x, d.z), d.y) / pi};
-}
+/// Directions are taken by texels of half a degree.
+constexpr int distribution_rows = 360;
 
 /// Rows of even numbers of columns, without texels yet.
 template <typename ColumnsOf>
@@ -151,6 +143,11 @@ SkyRows find_irradiance(const SkyRows& level) {
 
 }  // namespace
 
+SkyPlace sky_place(glm::dvec3 d) {
+  // atan2 rather than acos, which is inaccurate near the poles.
+  return {0.5 + std::atan2(d.x, -d.z) / (2.0 * pi), std::atan2(std::hypot(d.x, d.z), d.y) / pi};
+}
+
 glm::vec3 SkyRows::at(double u, double v) const {
   if (!std::isfinite(u) || !std::isfinite(v))
     return glm::vec3(std::numeric_limits<float>::quiet_NaN());
@@ -180,14 +177,16 @@ SkyMap::SkyMap(int width, int height, std::vector<glm::vec3> texels) {
     fill_with_means(levels_.back(), level);
     levels_.push_back(std::move(level));
   }
-  const auto source = std::find_if(levels_.begin() + 1, levels_.end(), [](const SkyRows& level) {
-    return level.rows() <= irradiance_source_rows;
-  });
-  irradiance_ = find_irradiance(*source);
+  const auto first_below = [this](int rows) -> const SkyRows& {
+    return *std::find_if(levels_.begin() + 1, levels_.end(),
+                         [rows](const SkyRows& level) { return level.rows() <= rows; });
+  };
+  irradiance_ = find_irradiance(first_below(irradiance_source_rows));
+  distribution_.emplace(first_below(distribution_rows));
 }
 
 glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
-  const auto [u, v] = place_of(direction);
+  const auto [u, v] = sky_place(direction);
   const SkyRows& picture = levels_.front();
   if (!(side > 0.0)) return picture.at(u, v);
   // In heights of the picture's rows. Below one, rows near the poles go over to fewer columns. A
@@ -205,7 +204,7 @@ glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
 }
 
 glm::vec3 SkyMap::irradiance_over_pi(glm::dvec3 normal) const {
-  const auto [u, v] = place_of(normal);
+  const auto [u, v] = sky_place(normal);
   return irradiance_.at(u, v);
 }
 

@@ -1,12 +1,24 @@
 #pragma once
 
+#include "renderer/shading/sky_distribution.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace asos {
+
+/// A direction in an equirectangular picture: turns from its left edge, and 0 at the zenith to 1 at
+/// the nadir.
+struct SkyPlace {
+  double u = 0.0;
+  double v = 0.0;
+};
+/// Of a unit direction.
+[[nodiscard]] SkyPlace sky_place(glm::dvec3 direction);
 
 /// Rows of texels from the zenith to the nadir, all of the same height in angle and each divided
 /// into columns of its own number. Column 0 starts at +Z and they go on by way of -X, so that the
@@ -43,11 +55,15 @@ class SkyMap {
   /// Irradiance over pi of a surface with this unit normal that sees half of the sky.
   [[nodiscard]] glm::vec3 irradiance_over_pi(glm::dvec3 normal) const;
 
+  /// Directions as its light comes from them, within texels of half a degree.
+  [[nodiscard]] const SkyDistribution& distribution() const { return *distribution_; }
+
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   std::vector<SkyRows> levels_;  // the picture; then rows of its height, half its height, ..., 1
   SkyRows irradiance_;           // over pi, by normal
+  std::optional<SkyDistribution> distribution_;
 };
 
 }  // namespace asos

@@ -54,6 +54,11 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
   if (!controls.section("Shadows")) return;
   if (!scene || scene->needs.shadows)
     controls.checkbox("Shadows", "Lights cast shadows.", settings.shadow.cast, usual.shadow.cast);
+  if (settings.shadow.cast)
+    controls.checkbox("Sky",
+                      "Surfaces hide the sky from each other, which grounds what stands on them. "
+                      "Off: all see a constant share of it, which is faster.",
+                      settings.shadow.sky, usual.shadow.sky);
   // The published method chooses its own quality and rule.
   const bool soft = scene && scene->needs.soft_shadows;
   if (settings.method == Method::asos && settings.shadow.cast && soft)

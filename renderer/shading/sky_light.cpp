@@ -1,0 +1,146 @@
+#include "renderer/shading/sky_light.h"
+
+#include "renderer/shading/environment.h"
+#include "renderer/shading/ltc.h"
+#include "renderer/shading/sky.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+float largest(glm::vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+/// A tangent frame of any direction (Duff et al. 2017).
+struct Tangents {
+  explicit Tangents(glm::vec3 n) : normal(n) {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    right = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    up = {b, sign + n.y * n.y * a, -n.y};
+  }
+  [[nodiscard]] glm::vec3 world(glm::vec3 v) const { return v.x * right + v.y * up + v.z * normal; }
+  [[nodiscard]] glm::vec3 local(glm::vec3 v) const {
+    return {glm::dot(v, right), glm::dot(v, up), glm::dot(v, normal)};
+  }
+
+  glm::vec3 normal, right{}, up{};
+};
+
+float alpha_of(const ViewedMaterial& material) {
+  const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
+  return roughness * roughness;
+}
+
+glm::vec3 by_cosine(glm::vec2 place) {
+  const float r = std::sqrt(place.x);
+  const float angle = 2.0f * std::numbers::pi_v<float> * place.y;
+  return {r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0f, 1.0f - place.x))};
+}
+
+/// A normal of the lobe as a viewer in direction `v` sees it (Heitz 2018, appendix A).
+glm::vec3 visible_normal(glm::vec3 v, float alpha, glm::vec2 place) {
+  const glm::vec3 stretched = glm::normalize(glm::vec3(alpha * v.x, alpha * v.y, v.z));
+  const float r = std::sqrt(place.x);
+  const float angle = 2.0f * std::numbers::pi_v<float> * place.y;
+  const float x = r * std::cos(angle);
+  const float s = 0.5f * (1.0f + stretched.z);
+  const float length = std::hypot(stretched.x, stretched.y);
+  const glm::vec3 t1 = length > 0.0f ? glm::vec3(-stretched.y, stretched.x, 0.0f) / length
+                                     : glm::vec3(1.0f, 0.0f, 0.0f);
+  const glm::vec3 t2 = glm::cross(stretched, t1);
+  const float y = glm::mix(std::sqrt(std::max(0.0f, 1.0f - x * x)), r * std::sin(angle), s);
+  const glm::vec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0f, 1.0f - x * x - y * y)) * stretched;
+  return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, std::max(0.0f, n.z)));
+}
+
+/// The density of what `visible_normal` mirrors, per steradian.
+float lobe_density(glm::vec3 v, float n_dot_h, float alpha) {
+  const float a2 = alpha * alpha;
+  const float d = n_dot_h * n_dot_h * (a2 - 1.0f) + 1.0f;
+  const float distribution = a2 / (std::numbers::pi_v<float> * d * d);
+  return distribution / (2.0f * (v.z + std::sqrt(v.z * v.z * (1.0f - a2) + a2)));
+}
+
+}  // namespace
+
+std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) {
+  const ViewedMaterial& material = point.material;
+  const bool picture = point.sky && point.sky->is_picture();
+  const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : material.specular;
+  // The share of each kind of direction.
+  const float by_diffuse = largest(material.diffuse);
+  const float by_lobe = largest(specular);
+  const float by_picture = picture ? by_diffuse + by_lobe : 0.0f;
+  const float sum = by_diffuse + by_lobe + by_picture;
+  if (!(sum > 0.0f)) return std::nullopt;
+  const std::array<float, 3> share{by_diffuse / sum, by_lobe / sum, by_picture / sum};
+
+  const Tangents tangents(point.view.point.shading_normal);
+  glm::vec3 viewer = tangents.local(point.view.to_viewer);
+  viewer.z = std::max(viewer.z, grazing_cosine);
+  const float alpha = alpha_of(material);
+  // Choose one of them, and the direction.
+  auto first = static_cast<float>(place.x);
+  const auto second = static_cast<float>(place.y);
+  glm::vec3 direction;
+  if (first < share[0]) {
+    direction = by_cosine({first / share[0], second});
+  } else if (!picture || first < share[0] + share[1]) {
+    first = std::min((first - share[0]) / share[1], 1.0f - 0x1p-24f);
+    const glm::vec3 half = visible_normal(viewer, alpha, {first, second});
+    direction = glm::reflect(-viewer, half);
+  } else {
+    const double rest =
+        (place.x - static_cast<double>(share[0] + share[1])) / static_cast<double>(share[2]);
+    const SkyDirection bright = point.sky->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
+    direction = tangents.local(glm::vec3(bright.direction));
+  }
+  if (!(direction.z > 0.0f)) return std::nullopt;
+  SkySample sample;
+  sample.direction = tangents.world(direction);
+  sample.above = glm::dot(sample.direction, point.view.point.geometric_normal) > 0.0f;
+
+  // Its light over the density of all of them.
+  float density = share[0] * direction.z * std::numbers::inv_pi_v<float>;
+  glm::vec3 reflected = material.diffuse * std::numbers::inv_pi_v<float>;
+  if (share[1] > 0.0f) {
+    const glm::vec3 half = glm::normalize(direction + viewer);
+    const BrdfAngles angles{direction.z, viewer.z, half.z, glm::dot(viewer, half)};
+    density += share[1] * lobe_density(viewer, half.z, alpha);
+    reflected = brdf(material, angles);
+  }
+  if (picture)
+    density += share[2] * static_cast<float>(point.sky->bright_density(sample.direction));
+  const glm::vec3 radiance =
+      point.sky ? point.sky->radiance(sample.direction) : background_radiance;
+  sample.carried = point.share * reflected * radiance * (direction.z / density);
+  return sample;
+}
+
+std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
+  const ViewedMaterial& material = point.material;
+  const bool shiny = !point.mirrors && material.specular != glm::vec3(0.0f);
+  if (point.sky && (point.sky->is_picture() || (shiny && !point.sky->constant())))
+    return std::nullopt;
+  const glm::vec3 normal = point.view.point.shading_normal;
+  const glm::vec3 radiance =
+      point.sky ? point.sky->ambient(normal) / sky_visibility : background_radiance;
+  glm::vec3 reflected = material.diffuse;
+  if (shiny) {
+    const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
+    const LtcNorms norms =
+        ltc_norms(static_cast<double>(point.view.n_dot_v), static_cast<double>(roughness));
+    reflected += material.f0 * static_cast<float>(norms.lobe) +
+                 (material.f90 - material.f0) * static_cast<float>(norms.fresnel);
+  }
+  return point.share * radiance * reflected;
+}
+
+}  // namespace asos

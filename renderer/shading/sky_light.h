@@ -1,0 +1,30 @@
+#pragma once
+
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/light_transport.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace asos {
+
+/// A direction in which a point looks at the sky.
+struct SkySample {
+  glm::vec3 direction{0.0f};  ///< unit
+  glm::vec3 carried{0.0f};    ///< radiance towards the viewer, if nothing lies in the direction
+  bool above = true;          ///< the surface itself does not lie there
+};
+
+/// One direction of a surface's whole reflection of the sky: its mean over `place` in the unit
+/// square is the integral of radiance, BRDF and cosine over the hemisphere. Directions come by the
+/// cosine, by the lobe (visible normals: Heitz 2018) and of pictures by their radiance, weighed by
+/// the balance heuristic (Veach and Guibas 1995). None: it carries nothing.
+[[nodiscard]] std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place);
+
+/// The mean of `carried` of all samples, hidden ones too, where a closed form is known: of skies
+/// that are the same all over (the lobe's part within 1e-3 of itself, ltc_norms), and of what is
+/// not shiny under gradients.
+[[nodiscard]] std::optional<glm::vec3> open_sky(const SkyLitPoint& point);
+
+}  // namespace asos
