@@ -63,8 +63,10 @@ Result<OutputFile> OutputFile::plan(const std::string& path) {
   remove_leftovers(file.target_.parent_path(), prefix);
   file.temporary_.replace_filename(
       fmt::format("{}{}{}", prefix, ::getpid(), file.target_.extension().string()));
-  if (!can_create(file.temporary_)) return fail(path, reason_of_errno());
-  fs::remove(file.temporary_, error);
+  const bool created = can_create(file.temporary_);
+  const std::string reason = reason_of_errno();
+  fs::remove(file.temporary_, error);  // there may be one although it could not be closed
+  if (!created) return fail(path, reason);
   return file;
 }
 

@@ -60,6 +60,12 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Whether gnuplot wrote both plots to their ends: on a full disk it does not say that it could
+/// not.
+bool are_whole(const std::string& path) {
+  return text_of(path + ".svg").rfind("</svg>") != std::string::npos && read_png(path + ".png");
+}
+
 /// A string in gnuplot's double quotes; the enhanced mode, which _ and ^ would change, is off.
 std::string gnuplot_text(const std::string& text) {
   std::string result = "\"";
@@ -170,9 +176,11 @@ Result<std::vector<Plot>> draw_plots(const SceneReport& scene, const std::string
         !written)
       return tl::unexpected(written.error());
     const std::string log = path + ".log";
-    if (run_gnuplot(path + ".gp", log) != 0 || !fs::exists(path + ".svg") ||
-        !fs::exists(path + ".png"))
+    if (run_gnuplot(path + ".gp", log) != 0)
       return tl::unexpected(Error{path + ".gp", "gnuplot failed: " + text_of(log)});
+    if (!are_whole(path))
+      return tl::unexpected(
+          Error{path, "gnuplot could not write the plot to its end: " + text_of(log)});
     fs::remove(log);
     plots.push_back({quantity.title, path});
   }

@@ -30,11 +30,10 @@ struct FastBox {
 FastBox fast_box(const EdgeItem& item) {
   static_assert(offsetof(Box, hi) == 3 * sizeof(float));
   // The three before the edge's number and, from one place earlier on, the three after `lo`.
-  using Places = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
   FastBox fast;
   std::memcpy(&fast.lo, &item.box.lo.x, sizeof fast.lo);
   std::memcpy(&fast.hi, &item.box.lo.z, sizeof fast.hi);
-  fast.hi = __builtin_shuffle(fast.hi, Places{1, 2, 3, 0});
+  fast.hi = __builtin_shufflevector(fast.hi, fast.hi, 1, 2, 3, 0);
   return fast;
 }
 

@@ -1,6 +1,8 @@
 #include "renderer/features/face_contours.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace asos {
@@ -10,9 +12,23 @@ constexpr int around = 256;
 constexpr int steps_along = 128;
 constexpr int bisections = 40;
 
+// How far from the other face, in the space of its unit surface, a point of a face still is on it.
+// Where two faces coincide the sign is mere rounding: every cell would be cut, and what is found
+// would be a boundary all over.
+double touching(const ShapeFace& face, const ShapeFace& other) {
+  constexpr double least = 1e-9;  // of single precision, that all is given in, a hundredth
+  constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+  const FaceBounds box = bounds_of(face);
+  const glm::dvec3 farthest = glm::max(glm::abs(box.lo), glm::abs(box.hi)) + glm::abs(other.origin);
+  double steepest = 0.0;
+  for (int i = 0; i < 3; ++i) steepest = std::max(steepest, glm::length(other.unit_from_world[i]));
+  return least + rounding * glm::length(farthest) * steepest;
+}
+
 class Contours {
  public:
-  Contours(const ShapeFace& face, const ShapeFace& other) : face_(face), other_(other) {}
+  Contours(const ShapeFace& face, const ShapeFace& other)
+      : face_(face), other_(other), touching_(touching(face, other)) {}
 
   std::vector<FaceCrossing> find() {
     std::vector<double> low = row(0), high;
@@ -38,13 +54,13 @@ class Contours {
     const glm::dvec3 q = other_.unit(p);
     switch (other_.kind) {
       case ShapeFace::Kind::sphere:
-        return glm::dot(q, q) - 1.0;
+        return glm::dot(q, q) - 1.0 - touching_;
       case ShapeFace::Kind::disk:
-        return q.y;
+        return q.y - touching_;
       case ShapeFace::Kind::side:
         break;
     }
-    return std::hypot(q.x, q.z) - other_.radius_at(q.y);
+    return std::hypot(q.x, q.z) - other_.radius_at(q.y) - touching_;
   }
   // Above 0 where the other face ends, and its equation's surface goes on.
   [[nodiscard]] double beyond(glm::dvec3 p) const {
@@ -99,6 +115,7 @@ class Contours {
 
   const ShapeFace& face_;
   const ShapeFace& other_;
+  double touching_;
   std::vector<FaceCrossing> found_;
 };
 

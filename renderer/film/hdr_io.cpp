@@ -80,7 +80,6 @@ Checked<Header> read_header(Bytes file) {
   }
   if (line) line = take_line(rest);
   if (!line) return fault("its header cannot be read");
-  Header header;
   std::optional<std::int64_t> height, width;
   std::string_view size = *line;
   if (take(size, "-Y ")) height = take_number(size);

@@ -95,7 +95,7 @@ void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
     sky.file = path_of_text(sky.file);
     fields("turn_deg", sky.turn_deg);
   } else {
-    sky.colours.emplace();
+    sky.colours = SkyChoice::Colours{};
     fields("zenith", sky.colours->zenith);
     fields("horizon", sky.colours->horizon);
   }

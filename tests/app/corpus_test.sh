@@ -1,19 +1,23 @@
 #!/usr/bin/env bash
 # Every file of the shared corpora of broken, odd and hostile files is told about and rendered, or
 # refused in words: no abort, no signal, nothing that hangs, no silence, nothing printed that a
-# terminal obeys, no refusal that takes longer than a second. Usage: corpus_test.sh ASOS SHARED; ASOS_SHARED
-# overrides it. Exit code 77: skipped, there are no such files.
+# terminal obeys, no refusal that takes longer than a second, no more memory than three times what is
+# read and 300 MB. Usage: corpus_test.sh ASOS MEASURED SHARED; ASOS_SHARED overrides it. Exit code 77:
+# skipped, there are no such files. ASOS_SLOWDOWN: how many times longer this build may take.
 set -uo pipefail
 asos=$1
-shared=${ASOS_SHARED:-$2}
+measured=$2
+shared=${ASOS_SHARED:-$3}
 [[ -d $shared/hostile && -d $shared/bad && -d $shared/odd ]] || {
   echo "skipped: $shared has no hostile, bad and odd files"
   exit 77
 }
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-longest_ms=30000 # of anything; the machine may be busy with other tests
-refusal_ms=4000  # of processor time: a second on an idle machine, more beside other tests
+slowdown=${ASOS_SLOWDOWN:-1}
+longest_s=$((30 * slowdown)) # of anything; the machine may be busy with other tests
+refusal_ms=$((1000 * slowdown)) # of processor time
+most_kb=300000
 failed=0
 ran=0
 fault() {
@@ -21,30 +25,24 @@ fault() {
   echo "$*"
 }
 
-# now_ms: processor milliseconds that ended children of this shell have taken.
-now_ms() {
-  local -a times
-  read -r -a times </proc/$$/stat
-  echo $(((times[15] + times[16]) * 1000 / $(getconf CLK_TCK)))
-}
-
-# run NAME ARGUMENT...: runs the program, judges how it ended and sets `code`.
+# run NAME KB ARGUMENT...: runs the program, judges how it ended and sets `code`. KB: what it reads.
 run() {
-  local name=$1 before after
-  shift
-  before=$(now_ms)
-  timeout --signal=KILL $((longest_ms / 1000)) "$asos" "$@" >"$work/out" 2>"$work/err" </dev/null
+  local name=$1 read_kb=$2 cpu_ms used_kb
+  shift 2
+  "$measured" timeout --signal=KILL "$longest_s" "$asos" "$@" 9>"$work/measures" \
+    >"$work/out" 2>"$work/err" </dev/null
   code=$?
-  after=$(now_ms)
+  read -r cpu_ms used_kb <"$work/measures"
   ran=$((ran + 1))
   case $code in
     0) ;;
     1)
       [[ -s $work/err ]] || fault "$name: refused without a word: $*"
-      ((after - before <= refusal_ms)) || fault "$name: refused after $((after - before)) ms: $*"
+      ((cpu_ms <= refusal_ms)) || fault "$name: refused after $cpu_ms ms: $*"
       ;;
     *) fault "$name: ended with $code: $* ($(head -c 300 "$work/err" | cat -v))" ;;
   esac
+  ((used_kb <= 3 * read_kb + most_kb)) || fault "$name: took $used_kb kB for a file of $read_kb kB: $*"
   # Newlines aside, nothing below a space, no 0x7f and nothing that is not UTF-8.
   if LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]' "$work/out" "$work/err" ||
     ! iconv -f UTF-8 -t UTF-8 "$work/out" "$work/err" >/dev/null 2>&1; then
@@ -62,10 +60,13 @@ expect() {
 render=(--size 16x12 --max 2 -o "$work/picture.png")
 while IFS= read -r -d '' file; do
   name=${file#"$shared"/}
-  run "$name" info "$file"
+  # With what lies beside it, which it may read as well.
+  kb=$(du -Lsk -- "$file" | cut -f1)
+  [[ $name != *.gltf ]] || kb=$(du -Lsk -- "$(dirname -- "$file")" | cut -f1)
+  run "$name" "$kb" info "$file"
   told=$code
   said_by_info=$(grep -c '^Warning: ' "$work/out")
-  run "$name" render "$file" "${render[@]}" --allow-empty
+  run "$name" "$kb" render "$file" "${render[@]}" --allow-empty
   ((code == told)) || fault "$name: info ends with $told, render with $code"
   # What info warns of, render says too.
   if ((code == 0 && said_by_info > 0)); then
@@ -81,11 +82,11 @@ while IFS= read -r -d '' file; do
 done < <(find -L "$shared/hostile" "$shared/bad" "$shared/odd" \
   \( -name '*.gltf' -o -name '*.glb' \) -type f -print0 | sort -z)
 while IFS= read -r -d '' file; do
-  run "${file#"$shared"/}" render --from "$file" -o "$work/picture.png"
+  run "${file#"$shared"/}" 1 render --from "$file" -o "$work/picture.png"
   expect "$file" 1 'farther away'
 done < <(find "$shared/hostile" \( -name '*.exr' -o -name '*.png' \) -print0)
 while IFS= read -r -d '' file; do
-  run "${file#"$shared"/}" render builtin:boxes --sky "$file" "${render[@]}"
+  run "${file#"$shared"/}" 1 render builtin:boxes --sky "$file" "${render[@]}"
   expect "$file" 1 'picture cannot be read'
 done < <(find "$shared/hostile" -name '*.hdr' -print0)
 

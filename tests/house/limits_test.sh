@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# README's table of limits says what the code says: each number of it stands in the code, at the place
+# named here. Usage: limits_test.sh SOURCE_DIR
+set -euo pipefail
+export LC_ALL=C
+cd -- "$1"
+status=0
+fail() {
+  status=1
+  printf '%s\n' "$*"
+}
+table=$(sed -n '/^\*\*Limits\*\*/,/^## /p' README.md | grep '^| [a-z.]')
+told=0
+
+# limit ROW NUMBER FILE CODE: the row's second column has the number, and the file the code.
+limit() {
+  local row
+  told=$((told + 1))
+  row=$(grep -F -- "| $1 |" <<<"$table") || {
+    fail "README.md: its table of limits has no row '$1'"
+    return
+  }
+  [[ $row == "| $1 |"*"$2"*"|"*"|" ]] || fail "README.md: '$1' should say $2: $row"
+  grep -qF -- "$4" "$3" || fail "$3: no longer says '$4', which README.md tells of as '$1'"
+}
+
+gltf=renderer/scene/gltf
+limit 'files' 'regular ones only' renderer/files/read_file.cpp '!S_ISREG'
+limit '.glb' '8 GiB' $gltf/container.cpp 'most_file_bytes = std::uint64_t{8} << 30;'
+limit '.gltf, and the JSON of a .glb' '1 GiB' $gltf/container.cpp \
+  'most_json_bytes = std::uint64_t{1} << 30;'
+limit 'a buffer or texture in a file of its own' '8 GiB' $gltf/files.cpp \
+  'largest_outside_file = std::uint64_t{8} << 30;'
+limit '.hdr' '300 MiB' renderer/film/hdr_io.cpp 'most_bytes = std::uint64_t{300} << 20;'
+limit '.exr' '8 GiB' renderer/film/exr_io.cpp 'most_exr_bytes = std::uint64_t{8} << 30;'
+limit 'saved pictures (`--from`)' '4 GiB' renderer/film/image_text.cpp \
+  'largest_picture = std::uint64_t{4} << 30;'
+limit 'text in a picture' '16 MB' renderer/film/image_text.h 'most_image_text = std::size_t{16} << 20;'
+limit 'textures' '16384 pixels a side' $gltf/images.cpp 'largest_side = 16384;'
+limit 'textures' '1100 for each byte' $gltf/images.cpp 'most_pixels_per_byte = 1100;'
+limit 'skies' '2^26 pixels' renderer/shading/sky_file.cpp 'most_texels = std::int64_t{1} << 26;'
+limit 'triangles' '60 million' renderer/scene/load.h "max_triangles = 60'000'000;"
+limit 'objects' '4 million' $gltf/import.cpp "most_instances = 4'000'000;"
+limit "a scene's extent" '1e15' renderer/geometry/coordinates.h 'largest_coordinate = 1e15;'
+limit 'how far off cameras and lights may stand' '1e15' renderer/geometry/coordinates.h \
+  'largest_coordinate = 1e15;'
+limit 'warnings that are told' '100' $gltf/warnings.cpp 'most_warnings = 100;'
+limit 'warnings that are told' 'printed 10' app/render_command.cpp 'most_lines = 10;'
+limit "a picture's side" '32768 pixels' renderer/settings/settings.cpp 'max_side = 32768;'
+
+# Two rows have two numbers each.
+rows=$(wc -l <<<"$table")
+((rows == told - 2)) || fail "README.md: $rows rows of limits, of which $((told - 2)) are compared"
+if ((status == 0)); then echo "$rows limits are those of the code"; fi
+exit $status

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "renderer/scene/gltf/light_fault.h"
+#include "renderer/scene/load.h"
+#include "renderer/scene/scene_fault.h"
+#include "renderer/world/world.h"
+#include "tests/support/flat_world.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace asos::test {
+
+inline std::string broken_promise_of(const Material& m) {
+  const auto share = [](double value) { return value >= 0.0 && value <= 1.0; };
+  if (m.ior != 0.0f && !(m.ior >= 1.0f && std::isfinite(m.ior))) return "an index of refraction";
+  if (!share(m.specular)) return "a specular factor";
+  for (int c = 0; c < 3; ++c)
+    if (!(m.specular_color[c] >= 0.0f && std::isfinite(m.specular_color[c])))
+      return "a specular colour";
+  if (!m.dfr) return "";
+  if (!share(m.dfr->perturbation)) return "a perturbation";
+  for (const DfrCurve& curve : m.dfr->rgb)
+    if (!share(curve.min) || !share(curve.max) ||
+        !(curve.exponent >= 0.0 && std::isfinite(curve.exponent)))
+      return "a defocusing ratio";
+  return "";
+}
+
+/// What of the promises of the headers what came back from loading a file breaks; empty: nothing.
+inline std::string broken_promise_of(const Result<Scene>& scene, const std::string& path) {
+  if (!scene) {
+    if (scene.error().subject != path) return "the error names the file";
+    return scene.error().reason.empty() ? "the error has a reason" : "";
+  }
+  if (std::string fault = scene_fault(*scene); !fault.empty()) return fault;
+  for (const Mesh& mesh : scene->meshes) {
+    if (mesh.normals.size() != mesh.positions.size()) return "each vertex has a normal";
+    for (const glm::vec3 p : mesh.positions)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        return "positions are finite";
+  }
+  for (const Material& material : scene->materials)
+    if (std::string broken = broken_promise_of(material); !broken.empty()) return broken;
+  for (const Light& light : scene->lights)
+    if (const std::string fault = gltf::light_fault(light); !fault.empty())
+      return fmt::format("light '{}' {}", light.name, fault);
+  const Result<World> world = flat_world(*scene);
+  if (!world) {
+    // Only sizes may be refused here: the importer vouches for everything else.
+    const std::string& reason = world.error().reason;
+    const bool of_size = reason.find("units across") != std::string::npos ||
+                         reason.find("not finite") != std::string::npos;
+    return of_size ? "" : "the importer lets through: " + reason;
+  }
+  const Camera camera = default_camera(*world, 1.5);
+  return std::isfinite(camera.world_from_camera[3].x) ? "" : "a camera frames the scene";
+}
+
+}  // namespace asos::test
