@@ -15,28 +15,43 @@ HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
 
-/// How far the light is, as its highlight goes.
-template <LightConstants::Shape shape>
-HWY_INLINE Lanes light_nearness(const Vectors& middle) {
-  using Shape = LightConstants::Shape;
-  if constexpr (shape == Shape::distant || shape == Shape::sun) return hn::Zero(FloatTag());
-  return hn::Div(all_lanes(1.0f), hn::Sqrt(dot(middle, middle)));
-}
-
 /// The lobe that the light's highlight is, and Schlick's (1 - v.h)^5.
 struct SpecularLanes {
   Lanes lobe;
   Lanes fresnel;
 };
 
+/// Where a highlight lies: at the sample itself, or at what stands for the whole light by the
+/// published rule.
+struct ShineLanes {
+  Vectors direction;
+  Lanes nearness;  ///< 1 / distance
+  Lanes ratio;     ///< of what the lobe's peak is to what it would be
+};
 template <LightConstants::Shape shape>
-HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& light,
-                                  const Vectors& normal, const Vectors& middle, std::size_t i) {
-  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+HWY_INLINE ShineLanes shine_of(const LitBatch& points, const LightConstants& light,
+                               const Vectors& normal, const Vectors& middle,
+                               const SampleLanes& sample, std::size_t i) {
+  using Shape = LightConstants::Shape;
+  const auto one = all_lanes(1.0f);
+  if (!light.representative) return {sample.direction, hn::Div(one, sample.distance), one};
   const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto along = dot(normal, to_viewer);
   const Vectors mirrored = scaled(hn::Add(along, along), normal) - to_viewer;
   const HighlightLanes shown = highlight<shape>(light, middle, mirrored);
+  const auto alpha = loaded(points.alpha, i);
+  const auto broader = hn::Add(alpha, hn::Mul(all_lanes(0.5f), shown.half_angle_tangent));
+  auto ratio = hn::Div(alpha, broader);
+  if constexpr (shape != Shape::segment) ratio = hn::Mul(ratio, ratio);
+  constexpr bool far = shape == Shape::distant || shape == Shape::sun;
+  const auto nearness = far ? hn::Zero(FloatTag()) : hn::Div(one, hn::Sqrt(dot(middle, middle)));
+  return {shown.direction, nearness, ratio};
+}
+
+HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& light,
+                                  const Vectors& normal, const ShineLanes& shown, std::size_t i) {
+  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+  const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto n_dot_l = dot(normal, shown.direction);
   auto mirrors = hn::Gt(n_dot_l, zero);
   // Reflections show the lights that have an area: those are their highlights.
@@ -55,13 +70,8 @@ HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& 
   at.n_dot_v = loaded(points.n_dot_v, i);
   at.n_dot_h = hn::Max(zero, dot(normal, at.half));
   at.alpha = loaded(points.alpha, i);
-  at.light_nearness = light_nearness<shape>(middle);
-  auto value = lobe(points, at, i);
-  const auto broader = hn::Add(at.alpha, hn::Mul(all_lanes(0.5f), shown.half_angle_tangent));
-  const auto ratio = hn::Div(at.alpha, broader);
-  value = hn::Mul(value, ratio);
-  if constexpr (shape != LightConstants::Shape::segment) value = hn::Mul(value, ratio);
-
+  at.light_nearness = shown.nearness;
+  const auto value = hn::Mul(lobe(points, at, i), shown.ratio);
   const auto v_dot_h = hn::Max(zero, dot(to_viewer, at.half));
   const auto m = clamped(hn::Sub(one, v_dot_h), zero, one);
   const auto m2 = hn::Mul(m, m);
@@ -126,22 +136,32 @@ HWY_INLINE void append(const CarriedLanes& found, std::size_t first, ShadowRayBa
                                   hn::RebindMask(du, kept), du, &rays.point[at]);
 }
 
-/// What a channel of the light carries: at most what a float holds for the irradiance.
-HWY_INLINE Lanes carried_by(Lanes form, float power, const Lanes& diffuse, const Lanes& f0,
-                            const Lanes& f90_less_f0, const SpecularLanes& shine) {
+/// The irradiance by the light's form, at most what a float holds.
+HWY_INLINE Lanes irradiance_by(Lanes form, float power) {
   const auto most = all_lanes(std::numeric_limits<float>::max());
-  const auto irradiance = hn::Min(hn::Mul(all_lanes(power), hn::Min(form, most)), most);
-  const auto fresnel = hn::Add(f0, hn::Mul(f90_less_f0, shine.fresnel));
-  return hn::Mul(irradiance, hn::Add(diffuse, hn::Mul(fresnel, shine.lobe)));
+  return hn::Min(hn::Mul(all_lanes(power), hn::Min(form, most)), most);
 }
 
-template <LightConstants::Shape shape>
+/// The forms of the light that the diffuse part of a point sees, and its highlight.
+struct FormLanes {
+  Lanes diffuse;
+  Lanes specular;
+};
+
+/// What a channel of the light carries.
+HWY_INLINE Lanes carried_by(const FormLanes& form, float power, const Lanes& diffuse,
+                            const Lanes& f0, const Lanes& f90_less_f0, const SpecularLanes& shine) {
+  const auto fresnel = hn::Add(f0, hn::Mul(f90_less_f0, shine.fresnel));
+  return hn::Add(hn::Mul(irradiance_by(form.diffuse, power), diffuse),
+                 hn::Mul(irradiance_by(form.specular, power), hn::Mul(fresnel, shine.lobe)));
+}
+
 HWY_INLINE CarriedLanes carried_from(const LitBatch& points, const LightConstants& light,
-                                     const Vectors& middle, const Lanes& form,
+                                     const ShineLanes& shown, const FormLanes& form,
                                      const LaneMask& reached, std::size_t i, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
-  const SpecularLanes shine = specular<shape>(points, light, loaded(points.normal, i), middle, i);
+  const SpecularLanes shine = specular(points, light, loaded(points.normal, i), shown, i);
   const Vectors diffuse = loaded(points.diffuse, i), f0 = loaded(points.f0, i);
   const Vectors rest = loaded(points.f90_less_f0, i);
   const Vectors carried{carried_by(form, light.power.x, diffuse.x, f0.x, rest.x, shine),
@@ -171,30 +191,36 @@ void shade_shape(const LitBatch& points, const LightConstants& light, const ArcP
         hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(sample.form, zero)));
     if (hn::AllFalse(d, reached)) continue;
 
+    const ShineLanes shown = shine_of<shape>(points, light, receiver.normal, middle, sample, i);
     const auto [carried, kept] =
-        carried_from<shape>(points, light, middle, sample.form, reached, i, rays);
+        carried_from(points, light, shown, {sample.form, sample.form}, reached, i, rays);
     if (hn::AllFalse(d, kept)) continue;
     append(ray_to(points, receiver, sample, i), sample.direction, kept, rays);
     append({carried, kept}, i, rays);
   }
 }
 
-void shade_closed_form(const LitBatch& points, const LightConstants& light, ShadowRayBatch& rays) {
+void shade_closed_form(const LitBatch& points, const LightConstants& light,
+                       const LightPlaceBatch& places, ShadowRayBatch& rays) {
+  constexpr auto shape = LightConstants::Shape::rectangle;
   const FloatTag d;
+  const auto zero = hn::Zero(d);
   rays.count = 0;
   rays.rejected = 0;
-  ArcPlaces forms;
+  ArcPlaces forms, arc;
   rectangle_forms(points, *light.light, forms);
+  rectangle_places(points, *light.light, places, arc);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
+                                 loaded(points.normal, i)};
     const Vectors middle =
-        (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);
+        (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
     const auto form = loaded(forms.first, i);
-    const auto reached =
-        hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(form, hn::Zero(d))));
+    const auto reached = hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(form, zero)));
     if (hn::AllFalse(d, reached)) continue;
-    append(carried_from<LightConstants::Shape::rectangle>(points, light, middle, form, reached, i,
-                                                          rays),
-           i, rays);
+    const SampleLanes sample = light_sample<shape>(light, receiver, middle, arc, places, i);
+    const ShineLanes shown = shine_of<shape>(points, light, receiver.normal, middle, sample, i);
+    append(carried_from(points, light, shown, {form, sample.form}, reached, i, rays), i, rays);
   }
 }
 
@@ -242,8 +268,9 @@ void shade_batch(const LitBatch& points, const LightConstants& light, const Ligh
   HWY_DYNAMIC_DISPATCH(shade)(points, light, places, rays);
 }
 
-void shade_unshadowed(const LitBatch& points, const LightConstants& light, ShadowRayBatch& rays) {
-  HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, rays);
+void shade_unshadowed(const LitBatch& points, const LightConstants& light,
+                      const LightPlaceBatch& places, ShadowRayBatch& rays) {
+  HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, places, rays);
 }
 
 }  // namespace asos

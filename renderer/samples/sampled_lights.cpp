@@ -1,5 +1,6 @@
 #include "renderer/samples/sampled_lights.h"
 
+#include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
                         RenderStatistics& counts) {
   const glm::dvec2 at = places_->on_light(lit.index);
   const LightSample sample = sample_light(lit.light, receiver_at(lit.point), at.x, at.y);
-  const glm::vec3 carried = share.weight * lit.reflected * sample.irradiance;
+  const glm::vec3 carried = share.weight * reflected_from(lit, sample) * sample.irradiance;
   if (carried == glm::vec3(0.0f)) return;
   counts.count_shadow_ray(lit.index);
   if (!std::isfinite(carried.x + carried.y + carried.z)) {
@@ -129,7 +130,8 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
     if (prepared.extended()) places_->on_light(light, on_light_);
     shade_batch(batch.points, lights_[light], on_light_, rays);
   } else {
-    shade_unshadowed(batch.points, lights_[light], rays);
+    places_->on_light(light, on_light_);
+    shade_unshadowed(batch.points, lights_[light], on_light_, rays);
   }
 }
 

@@ -15,16 +15,6 @@
 
 namespace asos {
 
-/// A light that shines on a point, and what the point makes of it.
-struct Illumination {
-  const PreparedLight& light;
-  std::uint32_t index = 0;  ///< of the light in Lighting::lights
-  const SurfacePoint& point;
-  glm::vec3 unshadowed{0.0f};  ///< irradiance with nothing in the way
-  glm::vec3 reflected{0.0f};   ///< radiance towards the viewer per irradiance
-  int layer = 0;               ///< surfaces that are seen through before the point
-};
-
 [[nodiscard]] inline Receiver receiver_at(const SurfacePoint& point) {
   return {glm::dvec3(point.position), glm::dvec3(point.shading_normal),
           glm::dvec3(point.geometric_normal)};
@@ -38,6 +28,17 @@ struct LitPoint {
   bool mirrors = false;   ///< a reflection shows the lights that mirrors show
   glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
   bool shadows = true;    ///< the same for all points of a picture: whether lights cast any
+};
+
+/// A light that shines on a point, and what the point makes of it.
+struct Illumination {
+  const PreparedLight& light;
+  std::uint32_t index = 0;  ///< of the light in Lighting::lights
+  const SurfacePoint& point;
+  glm::vec3 unshadowed{0.0f};     ///< irradiance with nothing in the way
+  glm::vec3 reflected{0.0f};      ///< radiance towards the viewer per irradiance
+  int layer = 0;                  ///< surfaces that are seen through before the point
+  const LitPoint* lit = nullptr;  ///< the point as it is seen, for who samples the light
 };
 
 /// Lights that were gathered.

@@ -16,36 +16,55 @@ float distance_of(const PreparedLight& light, glm::vec3 position) {
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
-PatchLobe lobe_of(const PreparedLight& light, const ViewedMaterial& seen, const ViewedPoint& view,
-                  glm::vec3 to_light) {
-  const SurfacePoint& point = view.point;
-  const LobeSight sight{view.to_viewer, view.distance, to_light,
-                        distance_of(light, point.position)};
-  return {spread_about_half(point.spread, view.patch, sight), seen.roughness, point.shading_normal};
-}
+struct Shine {
+  BrdfAngles angles;
+  float lobe = 0.0f;
+};
 
-}  // namespace
-
-glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
-                          const ViewedPoint& view, const Highlight& highlight) {
+Shine shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l,
+               float light_distance) {
   const glm::vec3 n = view.point.shading_normal;
-  const glm::vec3 l = highlight.direction;
-  // Light from below the horizon is not mirrored.
-  if (!(glm::dot(n, l) > 0.0f)) return brdf(seen, {}, 0.0f);
   const glm::vec3 half = glm::normalize(l + view.to_viewer);
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
                           std::max(0.0f, glm::dot(n, half)),
                           std::max(0.0f, glm::dot(view.to_viewer, half))};
-  const PatchLobe lobe = lobe_of(light, seen, view, l);
-  float value =
-      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
+  const LobeSight sight{view.to_viewer, view.distance, l, light_distance};
+  const PatchLobe lobe{spread_about_half(view.point.spread, view.patch, sight), seen.roughness, n};
+  return {angles, lobe.wider() ? lobe.value(half, l, view.to_viewer, angles)
+                               : ggx_lobe(seen.roughness, angles)};
+}
+
+}  // namespace
+
+glm::vec3 reflected_towards(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
+                            float light_distance) {
+  // Light from below the horizon is not mirrored.
+  if (!(glm::dot(view.point.shading_normal, to_light) > 0.0f)) return brdf(seen, {}, 0.0f);
+  const Shine shine = shine_of(seen, view, to_light, light_distance);
+  return brdf(seen, shine.angles, shine.lobe);
+}
+
+glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
+                          const ViewedPoint& view, const Highlight& highlight) {
+  const glm::vec3 l = highlight.direction;
+  if (!(glm::dot(view.point.shading_normal, l) > 0.0f)) return brdf(seen, {}, 0.0f);
+  Shine shine = shine_of(seen, view, l, distance_of(light, view.point.position));
   if (highlight.half_angle_tangent > 0.0f) {
     const float roughness = std::max(seen.roughness, roughness_floor);
     const float width = roughness * roughness;
     const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
-    value *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
+    shine.lobe *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
   }
-  return brdf(seen, angles, value);
+  return brdf(seen, shine.angles, shine.lobe);
+}
+
+glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample) {
+  if (!lit.lit || lit.light.rule == LightRule::published) return lit.reflected;
+  const LitPoint& point = *lit.lit;
+  if (point.mirrors && shown_by_mirrors(lit.light))
+    return point.share * brdf(point.material, {}, 0.0f);
+  return point.share * reflected_towards(point.material, point.view, glm::vec3(sample.direction),
+                                         static_cast<float>(sample.distance));
 }
 
 bool shown_by_mirrors(const PreparedLight& light) {

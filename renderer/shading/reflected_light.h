@@ -2,6 +2,7 @@
 
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/light_transport.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <glm/glm.hpp>
@@ -13,6 +14,15 @@ namespace asos {
 /// would be (Karis 2013): of the whole light, whatever is visible of it.
 [[nodiscard]] glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
                                         const ViewedPoint& view, const Highlight& highlight);
+
+/// Radiance towards the viewer per irradiance that comes from one direction: the BRDF, of the patch
+/// that the point stands for. `to_light` is unit.
+[[nodiscard]] glm::vec3 reflected_towards(const ViewedMaterial& seen, const ViewedPoint& view,
+                                          glm::vec3 to_light, float light_distance);
+
+/// Radiance towards the viewer per irradiance by a sample of the light; by the published rule that
+/// of the whole light.
+[[nodiscard]] glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample);
 
 /// Whether a reflection shows the light: lines and points are too thin, and suns too bright.
 [[nodiscard]] bool shown_by_mirrors(const PreparedLight& light);

@@ -120,8 +120,8 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
                         viewed_ray.shape);
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
-  const TakenLights gathered =
-      transport.gather({lights_, view, seen, mirrors, layer.share, settings_.shadows});
+  const LitPoint lit_point{lights_, view, seen, mirrors, layer.share, settings_.shadows};
+  const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
   const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
@@ -135,7 +135,8 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
         mirrors && shown_by_mirrors(light)
             ? brdf(seen, {}, 0.0f)
             : reflected_share(light, seen, view, highlight_of(light, receiver.position, mirrored));
-    const Illumination lit{light, i, point, irradiance, layer.share * share_out, layer.number};
+    const Illumination lit{light,        i,         point, irradiance, layer.share * share_out,
+                           layer.number, &lit_point};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);
     } else {

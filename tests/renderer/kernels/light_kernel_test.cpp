@@ -118,14 +118,12 @@ Expected expected(const PreparedLight& light, const Subject& s, glm::dvec2 at) {
   Expected e;
   e.sample = sample_light(light, receiver, at.x, at.y);
   e.ray = shadow_ray(*s.point, e.sample);
-  const glm::dvec3 mirrored = glm::reflect(-glm::dvec3(s.view->to_viewer), receiver.normal);
-  const glm::vec3 reflected =
-      s.mirrors && shown_by_mirrors(light)
-          ? brdf(s.material, {}, 0.0f)
-          : reflected_share(light, s.material, *s.view,
-                            highlight_of(light, receiver.position, mirrored));
-  e.carried = s.share * reflected * e.sample.irradiance;
-  e.unshadowed = s.share * reflected * unshadowed_irradiance(light, receiver);
+  const LitPoint lit = s.lit();
+  const glm::vec3 reflected = reflected_from({light, 0, *s.point, {}, {}, 0, &lit}, e.sample);
+  const glm::vec3 scattered = s.share * brdf(s.material, {}, 0.0f);
+  e.carried = reflected * e.sample.irradiance;
+  e.unshadowed = scattered * unshadowed_irradiance(light, receiver) +
+                 (reflected - scattered) * e.sample.irradiance;
   return e;
 }
 
@@ -238,10 +236,10 @@ TEST(LightKernel, ClosedFormsAreTheOnesOfThePointsOneByOne) {
       if (!light.prepared.rectangle) continue;
       SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
       ShadowRayBatch rays;
-      shade_unshadowed(batch.points, LightConstants(light.prepared), rays);
+      shade_unshadowed(batch.points, LightConstants(light.prepared), batch.places, rays);
       std::size_t next = 0, lit = 0;
       for (std::size_t i = 0; i < batch.subjects.size(); ++i) {
-        const Expected e = expected(light.prepared, batch.subjects[i], {0.5, 0.5});
+        const Expected e = expected(light.prepared, batch.subjects[i], batch.at(i));
         const bool sent = next < rays.count && rays.point[next] == i;
         const glm::vec3 carried = sent ? at(rays.carried, next) : glm::vec3(0.0f);
         EXPECT_LE(largest(carried - e.unshadowed), relative * largest(e.unshadowed))
@@ -283,7 +281,7 @@ TEST(LightKernel, AllInstructionSetsGiveTheSameBits) {
         bits.push_back(bits_of(rays));
         if (!light.prepared.rectangle) continue;
         ShadowRayBatch unshadowed;
-        shade_unshadowed(batch.points, LightConstants(light.prepared), unshadowed);
+        shade_unshadowed(batch.points, LightConstants(light.prepared), batch.places, unshadowed);
         bits.push_back(bits_of(unshadowed));
       }
     }
