@@ -1,6 +1,7 @@
 #include "app/camera_choice.h"
 
 #include "app/turntable.h"
+#include "renderer/geometry/camera_fault.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -40,6 +41,9 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
     camera = world.cameras[static_cast<std::size_t>(*choice.index)];
   } else if (choice.given) {
     camera = *choice.given;
+    // It has been moved from the origin that its picture names.
+    if (const std::string fault = camera_fault(camera); !fault.empty())
+      return tl::unexpected(Error{fmt::format("camera '{}'", camera.name), fault});
   } else {
     camera = count > 0 ? world.cameras.front() : default_camera(world, aspect_ratio);
   }

@@ -39,7 +39,8 @@ bool is_for_program(const CLI::App& program, const std::string& word) {
 int explain(const CLI::App& program, const CLI::ParseError& error, const Streams& streams) {
   std::string command = "asos";
   for (const CLI::App* used : program.get_subcommands()) command += " " + used->get_name();
-  streams.err << fmt::format("{}: {}\nTry `{} --help`.\n", command, error.what(), command);
+  streams.err << fmt::format("{}: {}\nTry `{} --help`.\n", command, printable(error.what()),
+                             command);
   return exit_usage;
 }
 

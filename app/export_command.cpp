@@ -26,7 +26,7 @@ int run_export(const ExportArguments& arguments, const Streams& streams) {
   const Result<void> written =
       file->commit([&](const std::string& path) { return export_gltf(*scene, path); });
   if (!written) return fail(streams, written.error());
-  streams.out << fmt::format("Wrote {} ({} triangles).\n", file->path(),
+  streams.out << fmt::format("Wrote {} ({} triangles).\n", printable(file->path()),
                              scene->instanced_triangles());
   return exit_ok;
 }

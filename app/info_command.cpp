@@ -1,6 +1,7 @@
 #include "app/command.h"
 #include "app/exit_code.h"
 #include "app/picture_options.h"
+#include "app/printed_json.h"
 #include "app/scene_argument.h"
 #include "app/scene_info.h"
 #include "renderer/prepared/render_scene.h"
@@ -28,14 +29,10 @@ int run_info(const InfoArguments& arguments, const Streams& streams) {
                            return prepare(opened, forced_by(arguments.needs));
                          })
                          .and_then(with_boundaries);
-  if (!ready) {
-    streams.err << "asos: " << ready.error().message() << "\n";
-    return exit_bad_input;
-  }
+  if (!ready) return fail(streams, ready.error());
   const nlohmann::ordered_json info = scene_info_json(*scene, **ready);
   if (arguments.json)
-    streams.out << info.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-                << "\n";
+    streams.out << json_text(info);
   else
     streams.out << scene_info_text(info);
   return exit_ok;

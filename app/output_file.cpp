@@ -1,8 +1,14 @@
 #include "app/output_file.h"
 
+#include "renderer/files/leftovers.h"
+#include "renderer/sampling/random.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
@@ -17,6 +23,15 @@ tl::unexpected<Error> fail(const std::string& path, const std::string& reason) {
 
 std::string reason_of_errno() {
   return std::strerror(errno);
+}
+
+// How names of files on their way to `target` begin: the same in every run, so that the next one
+// finds what one that was killed has left. A hash, for a name may be as long as names can be.
+std::string part_prefix(const fs::path& target) {
+  std::uint64_t hash = 0;
+  for (const char c : target.filename().string())
+    hash = mix_bits(hash ^ static_cast<unsigned char>(c));
+  return fmt::format(".asos-part-{:016x}-", hash);
 }
 
 // Makes the file anew and empty; opening it is the only test that every file system agrees with.
@@ -44,8 +59,10 @@ Result<OutputFile> OutputFile::plan(const std::string& path) {
   if (path.empty() || error || !file.target_.has_filename())
     return fail(path, "this is not the name of a file");
   file.temporary_ = file.target_;
-  file.temporary_.replace_filename(".asos-part-" + std::to_string(::getpid()) +
-                                   file.target_.extension().string());
+  const std::string prefix = part_prefix(file.target_);
+  remove_leftovers(file.target_.parent_path(), prefix);
+  file.temporary_.replace_filename(
+      fmt::format("{}{}{}", prefix, ::getpid(), file.target_.extension().string()));
   if (!can_create(file.temporary_)) return fail(path, reason_of_errno());
   fs::remove(file.temporary_, error);
   return file;

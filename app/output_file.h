@@ -10,7 +10,8 @@
 namespace asos {
 
 /// A file that is written whole or not at all: the content goes to a temporary file beside it,
-/// which then takes its place. (Devices and pipes are written directly.)
+/// which then takes its place. (Devices and pipes are written directly.) What a run that was killed
+/// has left of the same file is removed.
 class OutputFile {
  public:
   /// Checks that the file can be written, without touching what is there, so that a long render

@@ -1,5 +1,7 @@
 #include "app/progress_bar.h"
 
+#include "renderer/files/printable.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,8 +48,10 @@ ProgressBar::~ProgressBar() {
   wipe();
 }
 
-void ProgressBar::say(const std::string& text) {
-  if (!is_terminal_ || text == drawn_) return;
+void ProgressBar::say(const std::string& words) {
+  if (!is_terminal_) return;
+  const std::string text = printable(words);
+  if (text == drawn_) return;
   const std::size_t longer = drawn_.size() > text.size() ? drawn_.size() - text.size() : 0;
   stream_ << '\r' << text << std::string(longer, ' ') << std::flush;
   drawn_ = text;

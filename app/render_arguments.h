@@ -18,6 +18,7 @@ struct RenderArguments {
   SplitMapColours split_map_by = SplitMapColours::level;
   std::string stats_file;                    ///< empty: not asked for
   std::optional<double> time_limit_seconds;  ///< of rendering
+  bool allow_empty = false;                  ///< render a scene of which nothing can be drawn
   bool quiet = false;
 };
 

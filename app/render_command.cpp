@@ -11,10 +11,12 @@
 #include "app/render_report.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
+#include "renderer/scene/remarks.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <ostream>
@@ -39,6 +41,7 @@ constexpr const char* render_footer =
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
+constexpr const char* nothing_written = "asos: interrupted, nothing was written\n";
 constexpr double most_time_limit_seconds = 1e6;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -91,8 +94,25 @@ Error scene_error(const PictureArguments& wanted, const Error& error) {
   return scene_of_picture_error(wanted.from_file, error);
 }
 
+Error nothing_drawn(const RenderReport& report) {
+  const std::string why = report.warnings.empty() ? "" : " (" + report.warnings.back() + ")";
+  return {
+      report.scene,
+      fmt::format("there is nothing in it to draw{}; --allow-empty renders it all the same", why)};
+}
+
+/// Says what of the scene is not in the picture, in a bounded number of lines.
+void say_warnings(const RenderReport& report, std::ostream& err) {
+  constexpr std::size_t most_lines = 10;
+  const std::size_t said = std::min(report.warnings.size(), most_lines);
+  for (std::size_t i = 0; i < said; ++i) err << "asos: warning: " << report.warnings[i] << "\n";
+  if (report.warning_count > said)
+    err << fmt::format("asos: warning: and {} more\n", report.warning_count - said);
+}
+
 Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& outputs,
                             ProgressBar& bar, const InterruptGuard& interrupt) {
+  std::optional<AbandonableWork> loading(std::in_place, nothing_written);
   PictureArguments wanted = arguments.picture;
   Result<RenderSettings> settings = with_sky(wanted);
   if (!settings) return tl::unexpected(settings.error());
@@ -106,6 +126,8 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   Result<Scene> scene = open_scene_argument(wanted.scene);
   if (!scene) return tl::unexpected(scene_error(wanted, scene.error()));
   report.load_seconds = seconds_since(started);
+  report.warnings = remarks(scene->notes);
+  report.warning_count = remark_count(scene->notes);
   if (interrupt.interrupted()) return interrupted_error();
 
   // Make it ready to render; what the author wrote is not needed any more
@@ -119,6 +141,8 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   if (!at_once) prepared = std::move(prepared).and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
+  if (ready.world().surface_count() == 0 && !arguments.allow_empty)
+    return tl::unexpected(nothing_drawn(report));
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
   report.build_seconds = seconds_since(loaded);
@@ -132,6 +156,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   if (!camera) return tl::unexpected(camera.error());
   report.description =
       describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f});
+  loading.reset();
   const std::optional<RenderedPicture> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
   if (interrupt.interrupted()) return interrupted_error();
@@ -150,7 +175,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   return report;
 }
 
-int run_picture(const RenderArguments& arguments, const Streams& streams) {
+int run_picture(const RenderArguments& arguments, const Streams& streams, bool first = true) {
   const InterruptGuard interrupt;
   ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
   const std::optional<Error>& no_picture = arguments.picture.from_error;
@@ -165,20 +190,20 @@ int run_picture(const RenderArguments& arguments, const Streams& streams) {
   bar.wipe();
   if (!report) {
     if (interrupt.interrupted()) {
-      streams.err << "asos: interrupted, nothing was written\n";
+      streams.err << nothing_written;
       return exit_interrupted;
     }
-    streams.err << "asos: " << report.error().message() << "\n";
-    return exit_bad_input;
+    return fail(streams, report.error());
   }
+  if (first) say_warnings(*report, streams.err);
   const auto& from = arguments.picture.from;
   if (!arguments.quiet && from && from->display.split_map)
-    streams.err << "asos: note: " << arguments.picture.from_file
+    streams.err << "asos: note: " << printable(arguments.picture.from_file)
                 << " shows the split map over the picture, which is rendered without it\n";
   if (!arguments.quiet)
     streams.out << fmt::format(
         "Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
-        arguments.output, report->triangles, report->load_seconds, report->build_seconds,
+        printable(arguments.output), report->triangles, report->load_seconds, report->build_seconds,
         report->render_seconds,
         report->stopped_at
             ? fmt::format(", stopped by --time-limit: {}", reached_text(*report->stopped_at))
@@ -200,7 +225,9 @@ int run_render(const RenderArguments& arguments, const Streams& streams) {
     one.output = path_of_frame(arguments.output, turn);
     one.split_map = path_of_frame(arguments.split_map, turn);
     one.stats_file = path_of_frame(arguments.stats_file, turn);
-    if (const int code = run_picture(one, streams); code != exit_ok) return code;
+    if (const int code = run_picture(one, streams, frame == arguments.frames->first);
+        code != exit_ok)
+      return code;
   }
   return exit_ok;
 }
@@ -241,6 +268,8 @@ Command add_render_command(CLI::App& program) {
       "written as good as it is by then, each pixel at its best [none: as long as it takes]",
       [](const std::string& text) { return parse_number(text, 0.0, most_time_limit_seconds); },
       [arguments](double seconds) { arguments->time_limit_seconds = seconds; });
+  parser->add_flag("--allow-empty", arguments->allow_empty,
+                   "Render a scene of which nothing can be drawn, which is an error otherwise");
   parser->add_flag("--quiet", arguments->quiet, "No progress bar and no closing line");
   parser->footer(render_footer);
   parser->callback([arguments] { check(*arguments); });

@@ -38,6 +38,8 @@ nlohmann::ordered_json edges_json(const std::optional<FeatureCounts>& edges) {
 nlohmann::ordered_json measured_json(const RenderReport& report) {
   nlohmann::ordered_json measured{
       {"triangles", report.triangles},
+      {"warnings", report.warnings},
+      {"warning_count", report.warning_count},
       {"feature_edges", edges_json(report.feature_edges)},
       {"threads", report.threads},
       {"load_seconds", report.load_seconds},

@@ -28,6 +28,8 @@ struct RenderReport {
   std::string scene;  ///< as named on the command line
   std::uint64_t triangles = 0;
   std::optional<FeatureCounts> feature_edges;  ///< none: a limit of time came before
+  std::vector<std::string> warnings;           ///< the scene's remarks
+  std::uint64_t warning_count = 0;             ///< with those that the last of them only counts
   PictureDescription description;
   std::vector<ReportedLight> lights;  ///< in the order of Lighting::lights
   int threads = 0;                    ///< that worked

@@ -1,5 +1,7 @@
 #include "app/scene_info.h"
 
+#include "app/printed_json.h"
+
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <nlohmann/json.hpp>
@@ -154,7 +156,8 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
           {"left_out", left_out_json(needs_of(ready, {}))}};
 }
 
-std::string scene_info_text(const Json& info) {
+std::string scene_info_text(const Json& of_scene) {
+  const Json info = with_printable_texts(of_scene);
   const auto number = [&](const char* key) { return info[key].get<std::uint64_t>(); };
   std::string text = fmt::format("Scene:      {}\n", info["scene"].get<std::string>());
   if (const std::string name = info["name"]; !name.empty())

@@ -102,7 +102,7 @@ int run_stability(const StabilityArguments& arguments, const std::vector<stabili
       streams.out << fmt::format("Broken: {}: {}\n", finding.group, finding.name);
   }
   streams.out << fmt::format("{} cases, {} broken, {:.1f} s. The page: {}\n", findings.size(),
-                             broken, seconds, files->page.path());
+                             broken, seconds, printable(files->page.path()));
   return broken > 0 ? exit_bad_input : exit_ok;
 }
 

@@ -2,6 +2,7 @@
 #include "app/exit_code.h"
 #include "app/option.h"
 #include "app/picture_options.h"
+#include "app/printed_json.h"
 #include "app/progress_bar.h"
 #include "app/scene_argument.h"
 #include "app/trace_report.h"
@@ -74,15 +75,8 @@ int run_trace(const TraceArguments& arguments, const Streams& streams) {
   ProgressBar bar(streams.err, streams.err_is_terminal);
   const auto traced = trace(arguments, bar);
   bar.wipe();
-  if (!traced) {
-    streams.err << "asos: " << traced.error().message() << "\n";
-    return exit_bad_input;
-  }
-  if (arguments.json)
-    streams.out << traced->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-                << "\n";
-  else
-    streams.out << trace_text(*traced);
+  if (!traced) return fail(streams, traced.error());
+  streams.out << (arguments.json ? json_text(*traced) : trace_text(with_printable_texts(*traced)));
   return exit_ok;
 }
 

@@ -1,5 +1,7 @@
 #include "app/values.h"
 
+#include "renderer/geometry/coordinates.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -95,13 +97,11 @@ Result<LookAt> parse_look_at(std::string_view text) {
   const auto values = read_list<double, 6>(text, ',');
   if (!values)
     return refuse(text, "not six numbers such as 4,2,4,0,1,0 (the eye, then what it looks at)");
-  // Beyond this a float, which positions end in, cannot hold the square of a distance.
-  constexpr double largest = 1e15;
-  for (const double value : *values)
-    if (!(std::abs(value) <= largest))
-      return refuse(text, fmt::format("coordinates have to be finite and within {}", largest));
   const auto& v = *values;
   const LookAt look{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  if (!within_reach(look.eye) || !within_reach(look.target))
+    return refuse(text,
+                  fmt::format("coordinates have to be finite and within {:g}", largest_coordinate));
   if (look.eye == look.target) return refuse(text, "the eye and what it looks at are one point");
   return look;
 }

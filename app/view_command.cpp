@@ -22,18 +22,13 @@ bool has_display() {
 }
 
 int run_view(const PictureArguments& arguments, const Streams& streams) {
-  if (const Result<void> scene = check_scene_argument(arguments.scene); !scene) {
-    streams.err << "asos: " << scene.error().message() << "\n";
-    return exit_bad_input;
-  }
+  if (const Result<void> scene = check_scene_argument(arguments.scene); !scene)
+    return fail(streams, scene.error());
   const Result<RenderSettings> settings = with_sky(arguments);
-  if (!settings) {
-    streams.err << "asos: " << settings.error().message() << "\n";
-    return exit_bad_input;
-  }
+  if (!settings) return fail(streams, settings.error());
   if (has_display()) return run_viewer({arguments.scene, *settings, forced_by(arguments.needs)});
   streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
-              << "  asos render '" << arguments.scene << "' -o picture.png\n";
+              << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";
   return exit_bad_input;
 }
 

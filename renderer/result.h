@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/files/printable.h"
+
 #include <tl/expected.hpp>
 
 #include <string>
@@ -12,7 +14,10 @@ struct Error {
   std::string subject;
   std::string reason;
 
-  [[nodiscard]] std::string message() const { return subject + ": " + reason; }
+  /// Both in one line that may be shown: names that come from outside are escaped.
+  [[nodiscard]] std::string message() const {
+    return printable(subject) + ": " + printable(reason);
+  }
 };
 
 /// A value, or the error in its place.

@@ -1,5 +1,7 @@
 #include "ui/orbit_camera.h"
 
+#include "renderer/geometry/coordinates.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,7 +56,7 @@ void OrbitCamera::pan(double right, double down) {
                             ? 2.0 * distance_ * std::tan(0.5 * lens_.fov_y_rad)
                             : lens_.height;
   const Basis b = basis();
-  pivot_ += height * (down * b.up - right * b.right);
+  pivot_ = brought_within_reach(pivot_ + height * (down * b.up - right * b.right));
   ++revision_;
 }
 
@@ -100,7 +102,7 @@ void OrbitCamera::frame_all(const Box& bounds, double aspect_ratio) {
 
 void OrbitCamera::look_at(glm::dvec3 pivot) {
   if (!std::isfinite(pivot.x + pivot.y + pivot.z)) return;
-  pivot_ = pivot;
+  pivot_ = brought_within_reach(pivot);
   ++revision_;
 }
 
@@ -115,7 +117,8 @@ void OrbitCamera::look_around(double azimuth_rad, double elevation_rad) {
 void OrbitCamera::fly(double right, double up, double forward) {
   if (!std::isfinite(right + up + forward)) return;
   const Basis b = basis();
-  pivot_ += scene_radius_ * (right * b.right + up * b.up - forward * b.back);
+  pivot_ = brought_within_reach(pivot_ +
+                                scene_radius_ * (right * b.right + up * b.up - forward * b.back));
   ++revision_;
 }
 

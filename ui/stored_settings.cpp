@@ -1,5 +1,6 @@
 #include "ui/stored_settings.h"
 
+#include "renderer/files/read_file.h"
 #include "renderer/film/image_io.h"
 #include "renderer/settings/names.h"
 
@@ -7,9 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
@@ -81,10 +81,10 @@ std::filesystem::path settings_path() {
 Result<StoredSettings> load_settings(const std::filesystem::path& path) {
   std::error_code error;
   if (path.empty() || !std::filesystem::exists(path, error)) return StoredSettings{};
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) return unexpected(Error{path.string(), "cannot be read"});
-  const SettingsJson json = SettingsJson::parse(text, nullptr, false);
+  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
+  const auto file = read_file(path, {most_bytes});
+  if (!file) return unexpected(Error{path.string(), file.error()});
+  const SettingsJson json = SettingsJson::parse(file->begin(), file->end(), nullptr, false);
   if (!json.is_object()) return unexpected(Error{path.string(), "is no JSON object"});
   return settings_of(json);
 }

@@ -100,7 +100,7 @@ class Loop {
         scene && scene->geometry->source != titled_) {
       titled_ = scene->geometry->source;
       save();
-      window_.set_title(screenshot_stem(titled_) + " - ASOS");
+      window_.set_title(printable(screenshot_stem(titled_)) + " - ASOS");
     }
   }
 

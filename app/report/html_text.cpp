@@ -1,13 +1,12 @@
 #include "app/report/html_text.h"
 
+#include "renderer/files/read_file.h"
 #include "renderer/scene/export/base64.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <vector>
+#include <cstdint>
 
 namespace asos {
 
@@ -88,14 +87,14 @@ Outcome outcome_of(double factor) {
 }
 
 std::string Embedder::uri(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-  if ((!file.good() && !file.eof()) || bytes.empty()) {
-    if (!error_) error_ = Error{path, "cannot be read"};
+  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+  const auto bytes = read_file(path, {most_bytes});
+  if (!bytes || bytes->empty()) {
+    if (!error_) error_ = Error{path, bytes ? "is empty" : bytes.error()};
     return "";
   }
   const char* type = path.ends_with(".svg") ? "image/svg+xml" : "image/png";
-  return fmt::format("data:{};base64,{}", type, base64(bytes));
+  return fmt::format("data:{};base64,{}", type, base64(*bytes));
 }
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #include "app/report/job_record.h"
 
 #include "app/output_file.h"
+#include "renderer/files/read_file.h"
 #include "renderer/film/image_io.h"
 #include "renderer/settings/names.h"
 
@@ -9,8 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 namespace asos {
@@ -107,9 +108,10 @@ JobRecord record_of(const json& j, const Job& job) {
 }
 
 Result<json> read_json(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) return tl::unexpected(Error{path, "cannot be read"});
-  json j = json::parse(file, nullptr, false);
+  constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
+  const auto file = read_file(path, {most_bytes});
+  if (!file) return tl::unexpected(Error{path, file.error()});
+  json j = json::parse(file->begin(), file->end(), nullptr, false);
   if (j.is_discarded()) return tl::unexpected(Error{path, "is no JSON"});
   return j;
 }

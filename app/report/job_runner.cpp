@@ -1,6 +1,7 @@
 #include "app/report/job_runner.h"
 
 #include "app/camera_choice.h"
+#include "app/interrupt.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
@@ -51,6 +52,7 @@ JobRunner::JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool
 
 Result<void> JobRunner::open(const StudyScene& subject) {
   if (scene_ && open_subject_ == subject) return {};
+  const AbandonableWork loading("asos: interrupted, no report was written\n");
   const std::string& source = subject.source;
   scene_.reset();  // before the next one takes memory
   const Result<Scene> scene = open_scene_argument(source);

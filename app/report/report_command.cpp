@@ -176,7 +176,8 @@ int run_report(ReportArguments arguments, const Streams& streams) {
     jobs = *std::move(made);
   }
   if (arguments.list_jobs) {
-    for (const Job& job : jobs) streams.out << fmt::format("{}\t{}\n", job.id, job.title());
+    for (const Job& job : jobs)
+      streams.out << fmt::format("{}\t{}\n", job.id, printable(job.title()));
     return exit_ok;
   }
   if (arguments.job && *arguments.job >= jobs.size()) {
@@ -193,7 +194,7 @@ int run_report(ReportArguments arguments, const Streams& streams) {
     return exit_interrupted;
   }
   if (!wrote) return fail(streams, wrote.error());
-  if (!arguments.quiet) streams.out << fmt::format("Wrote {}.\n", *wrote);
+  if (!arguments.quiet) streams.out << fmt::format("Wrote {}.\n", printable(*wrote));
   return exit_ok;
 }
 

@@ -15,8 +15,6 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -26,6 +24,7 @@ namespace asos {
 namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t{1} << 29;
+constexpr std::uint64_t most_exr_bytes = std::uint64_t{8} << 30;
 constexpr std::size_t longest_name = 255;
 
 // OpenEXR reports errors by exceptions; none leaves this file.
@@ -50,8 +49,7 @@ class PartStream : public Imf::OStream {
 
 class BytesStream : public Imf::IStream {
  public:
-  explicit BytesStream(const std::vector<std::uint8_t>& bytes)
-      : Imf::IStream("picture"), bytes_(bytes) {}
+  explicit BytesStream(const FileBytes& bytes) : Imf::IStream("picture"), bytes_(bytes) {}
   bool read(char to[], int count) override {
     const auto size = static_cast<std::size_t>(count);
     if (size > bytes_.size() - at_) throw std::runtime_error("it ends too early");
@@ -66,7 +64,7 @@ class BytesStream : public Imf::IStream {
   }
 
  private:
-  const std::vector<std::uint8_t>& bytes_;
+  const FileBytes& bytes_;
   std::size_t at_ = 0;
 };
 
@@ -164,23 +162,30 @@ Result<void> write_exr(const std::string& path, const Film& film, const ImageTex
   return (*writer)->add_rows(film.radiance).and_then([&] { return (*writer)->finish(); });
 }
 
-Result<ImageText> exr_text(const std::string& path, const std::vector<std::uint8_t>& file) {
+Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {
   try {
     BytesStream stream(file);
     const Imf::InputFile input(stream, 0);
-    return attributes_of(input.header());
+    ImageText text = attributes_of(input.header());
+    std::size_t size = 0;
+    for (const auto& [key, value] : text) size += key.size() + value.size();
+    if (size > most_image_text)
+      return unexpected(
+          Error{path, fmt::format("holds more than {} MB of text", most_image_text >> 20)});
+    return text;
   } catch (const std::exception& e) {
     return unreadable(path, e);
   }
 }
 
-Result<ExrImage> read_exr(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return unexpected(Error{path, "cannot be opened"});
-  const std::vector<std::uint8_t> file((std::istreambuf_iterator<char>(stream)),
-                                       std::istreambuf_iterator<char>());
+Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
+  const FileRules rules{most_exr_bytes, [](const FileHead& head) {
+                          return is_exr(head.bytes) ? "" : "is no EXR that can be read";
+                        }};
+  const auto file = read_file(path, rules);
+  if (!file) return unexpected(Error{path, file.error()});
   try {
-    BytesStream bytes(file);
+    BytesStream bytes(*file);
     Imf::InputFile input(bytes, 0);
     const Imf::Header& header = input.header();
     for (const char* channel : {"R", "G", "B"})
@@ -190,6 +195,10 @@ Result<ExrImage> read_exr(const std::string& path) {
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width > max_pixels / height) return unexpected(Error{path, "the picture is too big"});
+    if (check) {
+      if (std::string unwanted = check(width, height); !unwanted.empty())
+        return unexpected(Error{path, std::move(unwanted)});
+    }
     ExrImage read;
     read.film = Film(static_cast<int>(width), static_cast<int>(height));
     input.setFrameBuffer(slices(read.film.radiance.data(), window.min, width, height));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/film.h"
+#include "renderer/film/size_check.h"
 #include "renderer/film/split_map.h"
 #include "renderer/result.h"
 
@@ -48,7 +49,8 @@ struct ExrImage {
   Film film;  ///< without split levels
   ImageText attributes;
 };
-[[nodiscard]] Result<ExrImage> read_exr(const std::string& path);
+/// `check` is asked before anything of the picture's size is made.
+[[nodiscard]] Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check = {});
 
 /// The text of a PNG's text chunks or an EXR's string attributes; the file's first bytes tell which
 /// of both it is. Errors: cannot be read, is neither, its text is damaged.

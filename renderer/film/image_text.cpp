@@ -1,9 +1,8 @@
 #include "renderer/film/image_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 #include <zlib.h>
@@ -11,15 +10,16 @@
 namespace asos {
 namespace {
 
-constexpr std::size_t most_text = std::size_t{16} << 20;
+constexpr std::uint64_t largest_picture = std::uint64_t{4} << 30;
 
 std::uint32_t big_endian(const std::uint8_t* p) {
   return (std::uint32_t{p[0]} << 24) | (std::uint32_t{p[1]} << 16) | (std::uint32_t{p[2]} << 8) |
          std::uint32_t{p[3]};
 }
 
-std::optional<std::string> inflated(std::string_view packed) {
-  std::string text(std::clamp(8 * packed.size(), std::size_t{1} << 12, most_text), '\0');
+/// At most `most` bytes of text; none where it is longer or damaged.
+std::optional<std::string> inflated(std::string_view packed, std::size_t most) {
+  std::string text(std::min(std::max(8 * packed.size(), std::size_t{1} << 12), most), '\0');
   for (;;) {
     uLongf size = text.size();
     const int outcome = uncompress(reinterpret_cast<Bytef*>(text.data()), &size,
@@ -28,8 +28,8 @@ std::optional<std::string> inflated(std::string_view packed) {
       text.resize(size);
       return text;
     }
-    if (outcome != Z_BUF_ERROR || text.size() >= most_text) return std::nullopt;
-    text.resize(std::min(4 * text.size(), most_text));
+    if (outcome != Z_BUF_ERROR || text.size() >= most) return std::nullopt;
+    text.resize(std::min(4 * text.size(), most));
   }
 }
 
@@ -42,9 +42,11 @@ std::optional<std::string_view> take_word(std::string_view& rest) {
   return word;
 }
 
-/// Key and value of the body of a chunk (PNG specification, section 11.3.4).
+/// Key and value of the body of a chunk (PNG specification, section 11.3.4), of at most `most`
+/// bytes.
 std::optional<std::pair<std::string, std::string>> read_chunk(std::string_view type,
-                                                              std::string_view body) {
+                                                              std::string_view body,
+                                                              std::size_t most) {
   const auto key = take_word(body);
   if (!key) return std::nullopt;
   bool packed = type == "zTXt";
@@ -57,22 +59,34 @@ std::optional<std::pair<std::string, std::string>> read_chunk(std::string_view t
   // iTXt: a language and a key translated into it.
   if (type == "iTXt" && (!take_word(body) || !take_word(body))) return std::nullopt;
   if (!packed) return std::pair(std::string(*key), std::string(body));
-  auto text = inflated(body);
+  auto text = inflated(body, most);
   if (!text) return std::nullopt;
   return std::pair(std::string(*key), *std::move(text));
 }
 
-}  // namespace
-
-bool is_png(const std::vector<std::uint8_t>& file) {
-  constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return file.size() >= signature.size() &&
-         std::equal(signature.begin(), signature.end(), file.begin());
+Error too_much_text(const std::string& path) {
+  return {path,
+          fmt::format("the text in it is damaged, or more than {} MB", most_image_text >> 20)};
 }
 
-Result<ImageText> png_text(const std::string& path, const std::vector<std::uint8_t>& file) {
+}  // namespace
+
+bool is_png(std::span<const std::uint8_t> file) {
+  return begins_with(file, "\x89PNG\r\n\x1a\n");
+}
+
+bool is_exr(std::span<const std::uint8_t> file) {
+  return begins_with(file, "\x76\x2f\x31\x01");
+}
+
+FileRules png_rules() {
+  return {largest_picture,
+          [](const FileHead& head) { return is_png(head.bytes) ? "" : "is not a PNG"; }};
+}
+
+Result<ImageText> png_text(const std::string& path, std::span<const std::uint8_t> file) {
   ImageText text;
-  std::size_t at = 8;
+  std::size_t at = 8, left = most_image_text;
   while (at + 12 <= file.size()) {
     const std::size_t size = big_endian(file.data() + at);
     if (size > file.size() - at - 12) break;
@@ -81,8 +95,12 @@ Result<ImageText> png_text(const std::string& path, const std::vector<std::uint8
     if (type == "tEXt" || type == "zTXt" || type == "iTXt") {
       const bool whole =
           crc32(0, start, static_cast<uInt>(size + 4)) == big_endian(start + 4 + size);
-      auto entry = read_chunk(type, {reinterpret_cast<const char*>(start) + 4, size});
-      if (!whole || !entry) return unexpected(Error{path, "the text in it is damaged"});
+      auto entry = read_chunk(type, {reinterpret_cast<const char*>(start) + 4, size}, left);
+      // An entry takes room even where it is empty.
+      constexpr std::size_t room = sizeof(ImageText::value_type);
+      const std::size_t taken = entry ? entry->first.size() + entry->second.size() + room : 0;
+      if (!whole || !entry || taken > left) return unexpected(too_much_text(path));
+      left -= taken;
       text.push_back(*std::move(entry));
     }
     at += size + 12;
@@ -91,15 +109,13 @@ Result<ImageText> png_text(const std::string& path, const std::vector<std::uint8
 }
 
 Result<ImageText> read_image_text(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return unexpected(Error{path, "cannot be opened"});
-  const std::vector<std::uint8_t> file((std::istreambuf_iterator<char>(stream)),
-                                       std::istreambuf_iterator<char>());
-  if (is_png(file)) return png_text(path, file);
-  constexpr std::array<std::uint8_t, 4> exr{0x76, 0x2f, 0x31, 0x01};
-  if (file.size() < exr.size() || !std::equal(exr.begin(), exr.end(), file.begin()))
-    return unexpected(Error{path, "is neither a PNG nor an EXR"});
-  return exr_text(path, file);
+  const FileRules rules{
+      largest_picture, [](const FileHead& head) {
+        return is_png(head.bytes) || is_exr(head.bytes) ? "" : "is neither a PNG nor an EXR";
+      }};
+  const auto file = read_file(path, rules);
+  if (!file) return unexpected(Error{path, file.error()});
+  return is_png(*file) ? png_text(path, *file) : exr_text(path, *file);
 }
 
 }  // namespace asos

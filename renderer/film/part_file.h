@@ -9,7 +9,9 @@
 namespace asos {
 
 /// A file on its way: written beside its place under a name of its own, and renamed when it is
-/// whole. One that is dropped before leaves nothing. Errors name the place and the system's reason.
+/// whole. One that is dropped before leaves nothing, and what a killed process left of the same
+/// file goes. A pipe or a device is written to when all is there. Errors name the place and the
+/// system's reason.
 class PartFile {
  public:
   [[nodiscard]] static Result<PartFile> create(const std::string& path);
@@ -22,13 +24,15 @@ class PartFile {
   [[nodiscard]] Error write_error() const;
 
  private:
-  // Closes the stream, and removes the file unless it has been renamed.
+  [[nodiscard]] Result<void> copy_through();
+
+  // Closes the stream, and removes the file unless it has been renamed or has no name.
   struct Drop {
     std::string name;
     void operator()(std::FILE* file) const;
   };
   std::string path_;
-  std::string beside_;
+  std::string beside_;  // empty: the place is no regular file
   std::unique_ptr<std::FILE, Drop> file_;
 };
 

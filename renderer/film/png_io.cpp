@@ -1,14 +1,9 @@
 #include "renderer/film/image_io.h"
-#include "renderer/film/image_text.h"
 #include "renderer/film/picture_writer.h"
 #include "renderer/film/png_rows.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
-#include <limits>
-#include <stb_image.h>
 #include <utility>
 
 namespace asos {
@@ -72,27 +67,6 @@ Result<void> write_split_map_png(const std::string& path, const Film& film, Spli
     image.rgb.insert(image.rgb.end(), {c.x, c.y, c.z});
   }
   return write_png(path, image);
-}
-
-Result<RgbImage> read_png(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return unexpected(Error{path, "cannot be opened"});
-  const std::vector<std::uint8_t> file((std::istreambuf_iterator<char>(stream)),
-                                       std::istreambuf_iterator<char>());
-  if (!is_png(file) || file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    return unexpected(Error{path, "is not a PNG"});
-  RgbImage image;
-  int channels = 0;
-  stbi_uc* pixels = stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &image.width,
-                                          &image.height, &channels, 3);
-  if (!pixels) return unexpected(Error{path, "cannot be decoded"});
-  image.rgb.assign(pixels, pixels + 3 * static_cast<std::size_t>(image.width) *
-                                        static_cast<std::size_t>(image.height));
-  stbi_image_free(pixels);
-  return png_text(path, file).map([&](ImageText text) {
-    image.text = std::move(text);
-    return std::move(image);
-  });
 }
 
 }  // namespace asos

@@ -1,8 +1,11 @@
 #include "renderer/picture/picture_description.h"
 
+#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/coordinates.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/light_json.h"
+#include "renderer/picture/path_text.h"
 #include "renderer/picture/settings_json.h"
 #include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
@@ -10,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <numbers>
 #include <utility>
 
 namespace asos {
@@ -40,21 +42,6 @@ OrderedJson camera_json(const Camera& camera) {
   return fields.take();
 }
 
-/// The first property that View relies on and a camera lacks; empty: none.
-std::string camera_fault(const Camera& camera) {
-  constexpr double slack = 1e-6;
-  const glm::dmat3 turn(camera.world_from_camera);
-  const glm::dmat3 product = glm::transpose(turn) * turn;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (!(std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) <= slack))
-        return "camera: right, up and back are not orthonormal";
-  if (!(camera.fov_y_rad > 0.0 && camera.fov_y_rad < std::numbers::pi))
-    return "camera: \"fov_y_rad\" is not between 0 and pi";
-  if (!(camera.height > 0.0)) return "camera: \"height\" is not above 0";
-  return "";
-}
-
 std::string read_camera(const OrderedJson& json, Camera& camera) {
   FieldReader fields(json, "camera");
   fields("name", camera.name);
@@ -66,8 +53,9 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   }
   fields("fov_y_rad", camera.fov_y_rad);
   fields("height", camera.height);
-  const std::string fault = fields.fault();
-  return fault.empty() ? camera_fault(camera) : fault;
+  if (std::string fault = fields.fault(); !fault.empty()) return fault;
+  const std::string fault = camera_fault(camera);
+  return fault.empty() ? fault : "camera: " + fault;
 }
 
 template <typename Fields, typename Display>
@@ -81,6 +69,7 @@ void each_display_value(Fields& fields, Display& display) {
 /// Reads what stands in the fields of the whole; returns the first fault.
 std::string read_fields(FieldReader& fields, PictureDescription& read) {
   fields("scene", read.scene);
+  read.scene = path_of_text(read.scene);
   fields("origin", read.origin);
   fields.named("needs", needs_names, read.needs);
   if (const OrderedJson* at = fields.take("camera"))
@@ -94,6 +83,9 @@ std::string read_fields(FieldReader& fields, PictureDescription& read) {
   if (const OrderedJson* at = fields.take("lights"); at && !at->is_null()) {
     auto lights = lights_from_json(*at);
     if (!lights) return lights.error().reason;
+    for (const Light& light : *lights)
+      if (light.type != Light::Type::directional && !within_reach(light.position))
+        return fmt::format("light '{}' is farther away than {:g}", light.name, largest_coordinate);
     read.lights = *std::move(lights);
   }
   if (const OrderedJson* at = fields.take("dfrs"); at && !at->is_null()) {
@@ -146,7 +138,7 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
 std::string description_text(const PictureDescription& description) {
   FieldWriter fields;
   fields("format", PictureDescription::format);
-  fields("scene", description.scene);
+  fields("scene", text_of_path(description.scene));
   fields("origin", description.origin);
   fields.named("needs", needs_names, description.needs);
   fields.other("camera", camera_json(description.camera));

@@ -3,6 +3,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
+#include "renderer/picture/path_text.h"
 #include "renderer/settings/names.h"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ OrderedJson sky_json(const SkyChoice& sky) {
     fields("zenith", sky.colours->zenith);
     fields("horizon", sky.colours->horizon);
   } else if (!sky.file.empty()) {
-    fields("file", sky.file);
+    fields("file", text_of_path(sky.file));
     fields("turn_deg", sky.turn_deg);
   } else {
     return "neutral";
@@ -90,6 +91,7 @@ void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
   FieldReader fields(*at, "sky");
   if (at->contains("file")) {
     fields("file", sky.file);
+    sky.file = path_of_text(sky.file);
     fields("turn_deg", sky.turn_deg);
   } else {
     sky.colours.emplace();

@@ -62,14 +62,18 @@ template <typename T>
   }
 }
 
-/// Whether Embree may be asked about a ray.
-[[nodiscard]] inline bool traceable(const Ray& ray) {
-  // A sum is finite only if all its terms are (huge ones that overflow are no use either), and
-  // saves five of six tests in the hot path. A start behind the origin ends the program.
-  const glm::vec3 d = ray.direction;
-  const float sum = ray.origin.x + ray.origin.y + ray.origin.z + d.x + d.y + d.z;
-  return std::isfinite(sum) && ray.t_near >= 0.0f && !std::isnan(ray.t_far) &&
-         (d.x != 0.0f || d.y != 0.0f || d.z != 0.0f);
+/// The largest number that Embree takes in a ray's origin and direction, a little below its own
+/// 1.844e18: Debian's build ends the program at any beyond.
+inline constexpr float largest_traceable = 1.8e18f;
+
+/// Whether Embree may be asked about a ray, whose origin is in Embree's lengths (`scale`).
+[[nodiscard]] inline bool traceable(const Ray& ray, float scale) {
+  // A sum of magnitudes is as large as any of its terms, and saves five of six tests in the hot
+  // path. A start behind the origin ends the program, too.
+  const glm::vec3 o = glm::abs(ray.origin * scale), d = glm::abs(ray.direction);
+  const float turn = d.x + d.y + d.z;
+  return o.x + o.y + o.z + turn <= largest_traceable && turn > 0.0f && ray.t_near >= 0.0f &&
+         !std::isnan(ray.t_far);
 }
 
 template <typename Rays>
@@ -99,7 +103,7 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
     alignas(64) typename Packet<width>::RayHits query;
     if (count < lanes) query = {};
     for (std::size_t i = 0; i < count; ++i) {
-      valid[i] = traceable(rays[first + i]) ? -1 : 0;
+      valid[i] = traceable(rays[first + i], context.scale) ? -1 : 0;
       load(query.ray, i, rays[first + i], context.scale);
       lane_of(query.hit.geomID, i) = RTC_INVALID_GEOMETRY_ID;
     }
@@ -133,7 +137,7 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
     if (count < lanes) query = {};
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
-      valid[i] = traceable(ray) && ray.t_far != far_end_of_blocked ? -1 : 0;
+      valid[i] = traceable(ray, context.scale) && ray.t_far != far_end_of_blocked ? -1 : 0;
       load(query, i, ray, context.scale);
     }
     if (context.lanes) context.lanes->reset();
@@ -172,10 +176,11 @@ void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std
   }
   for (std::size_t i = 0; i < lanes; ++i) {
     // As traceable: a direction of length 1 is not 0.
-    const float sum = lane_of(query.org_x, i) + lane_of(query.org_y, i) + lane_of(query.org_z, i) +
-                      lane_of(query.dir_x, i) + lane_of(query.dir_y, i) + lane_of(query.dir_z, i);
-    const int sound = int{std::abs(sum) <= std::numeric_limits<float>::max()} &
-                      int{lane_of(query.tfar, i) >= 0.0f} & int{i < count};
+    const float sum = std::abs(lane_of(query.org_x, i)) + std::abs(lane_of(query.org_y, i)) +
+                      std::abs(lane_of(query.org_z, i)) + std::abs(lane_of(query.dir_x, i)) +
+                      std::abs(lane_of(query.dir_y, i)) + std::abs(lane_of(query.dir_z, i));
+    const int sound =
+        int{sum <= largest_traceable} & int{lane_of(query.tfar, i) >= 0.0f} & int{i < count};
     valid[i] = -sound;
   }
 }

@@ -161,6 +161,7 @@ struct Light {
 /// The parts of the file that are not drawn or not supported, in words for a person.
 struct SceneNotes {
   std::vector<std::string> warnings;                ///< repaired or ignored, with the reason
+  std::uint64_t warnings_dropped = 0;               ///< that the last of them counts
   std::vector<std::string> unsupported_extensions;  ///< optional ones that are not honoured
   std::uint64_t points_not_drawn = 0;               ///< POINTS primitives' vertices
   std::uint64_t lines_not_drawn = 0;                ///< segments of LINES, LINE_STRIP, LINE_LOOP

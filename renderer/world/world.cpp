@@ -1,5 +1,6 @@
 #include "renderer/world/world.h"
 
+#include "renderer/geometry/coordinates.h"
 #include "renderer/scene/scene_fault.h"
 #include "renderer/scene/tessellate.h"
 #include "renderer/world/origin.h"
@@ -16,9 +17,6 @@
 namespace asos {
 
 namespace {
-
-// Beyond this the squares of distances between points do not fit a float either.
-constexpr double largest_extent = 1e18;
 
 bool finite(glm::dvec3 p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -161,8 +159,9 @@ class Flattener {
     if (boxes.empty()) return {};
     world_.origin = choose_origin(boxes, all.middle());
     const double extent = all.extent();
-    if (!(extent <= largest_extent)) {
-      return fmt::format("is {:g} units across, too large for single precision", extent);
+    if (!(extent <= largest_coordinate)) {
+      return fmt::format("is {:g} units across, too large for single precision; the limit is {:g}",
+                         extent, largest_coordinate);
     }
     return {};
   }

@@ -1,11 +1,15 @@
 #include "app/output_file.h"
 
+#include "renderer/film/part_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace asos {
 namespace {
@@ -76,6 +80,39 @@ TEST(OutputFile, DevicesAreWrittenToAndNotReplaced) {
     return Result<void>{};
   }));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(OutputFile, WhatAKilledRunLeftGoesWithTheNextOfTheSameOutput) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("picture.png");
+  const auto names = [&] {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      count += entry.path().filename().string().find("asos-part") != std::string::npos ? 1 : 0;
+    return count;
+  };
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto file = OutputFile::plan(path);
+    const auto never = file->commit([](const std::string& to) -> Result<void> {
+      // By way of the writers' own file beside it, as pictures are.
+      const auto part = PartFile::create(to);
+      ::kill(::getpid(), SIGKILL);
+      return part ? Result<void>{} : unexpected(part.error());
+    });
+    ::_exit(never ? 1 : 2);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_EQ(names(), 1u);
+  ASSERT_TRUE(OutputFile::plan(folder.file("other.png")));
+  EXPECT_EQ(names(), 1u) << "that of another output";
+  // One of a run that goes on stays.
+  const auto running = PartFile::create(path);
+  ASSERT_TRUE(running);
+  ASSERT_TRUE(OutputFile::plan(path));
+  EXPECT_EQ(names(), 1u);
 }
 
 TEST(OutputFile, ImpossiblePathsAreRefusedBeforeTheWork) {

@@ -61,6 +61,8 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
   const std::map<std::string, std::set<Type>> expected{
       {"scene", {Type::string}},
       {"triangles", {Type::number_unsigned}},
+      {"warnings", {Type::array}},
+      {"warning_count", {Type::number_unsigned}},
       {"feature_edges", {Type::object}},
       {"width", {Type::number_unsigned}},
       {"height", {Type::number_unsigned}},

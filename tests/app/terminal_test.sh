@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
 # On a terminal the progress bar is drawn and wiped; into a file it never goes. script(1) makes the
-# terminal. Usage: terminal_test.sh ASOS. Exit code 77: skipped, there is no script(1).
+# terminal. Usage: terminal_test.sh ASOS. Exit code 77: skipped, there is no script(1) or no
+# pseudo-terminal.
 set -uo pipefail
 command -v script >/dev/null || {
   echo 'skipped: script(1) is not installed'
+  exit 77
+}
+script -qec true /dev/null >/dev/null 2>&1 </dev/null || {
+  echo 'skipped: script(1) cannot make a pseudo-terminal here'
   exit 77
 }
 work=$(mktemp -d)

@@ -18,7 +18,7 @@ constexpr ImGuiWindowFlags notice_flags =
 
 std::string short_name(const std::string& source) {
   if (source.starts_with("builtin:")) return source.substr(8);
-  return std::filesystem::path(source).filename().string();
+  return printable(std::filesystem::path(source).filename().string());
 }
 
 void begin_notice(const char* name, const WindowRect& area, float width_em, float height_share) {
@@ -48,8 +48,8 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
   ImGui::TextUnformatted(headline);
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(error.subject.c_str());
-  ImGui::TextDisabled("%s", error.reason.c_str());
+  ImGui::TextUnformatted(printable(error.subject).c_str());
+  ImGui::TextDisabled("%s", printable(error.reason).c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   if (controls.button("Copy", "Copy this message to the clipboard.")) {

@@ -1,7 +1,7 @@
+#include "renderer/scene/remarks.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,21 +13,6 @@ namespace asos {
 namespace {
 
 constexpr float most_lines = 6.0f;  // before the list scrolls
-
-// Remarks that a person should know before trusting the picture.
-std::vector<std::string> remarks(const SceneNotes& notes) {
-  std::vector<std::string> lines = notes.warnings;
-  for (const std::string& extension : notes.unsupported_extensions) {
-    lines.push_back("not supported: " + extension);
-  }
-  if (notes.points_not_drawn > 0) {
-    lines.push_back(fmt::format("{} points are not drawn", notes.points_not_drawn));
-  }
-  if (notes.lines_not_drawn > 0) {
-    lines.push_back(fmt::format("{} line segments are not drawn", notes.lines_not_drawn));
-  }
-  return lines;
-}
 
 }  // namespace
 

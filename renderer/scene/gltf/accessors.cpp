@@ -48,6 +48,9 @@ int component_count(int type) {
   }
 }
 
+// Bytes of zeros that a file of any size may declare.
+constexpr std::uint64_t free_zeros = std::uint64_t{1} << 20;
+
 template <typename T>
 T load(const std::uint8_t* at) {
   T value;
@@ -158,7 +161,7 @@ Checked<Accessors::Elements> Accessors::locate(int index) {
 
   Elements elements{&accessor, {}, element};
   if (accessor.bufferView < 0) {
-    if (accessor.count > doc_.honest_bytes) {
+    if (accessor.count > (doc_.honest_bytes + free_zeros) / element) {
       return fault(fmt::format("accessor {} declares {} elements without data for them", index,
                                accessor.count));
     }
@@ -281,6 +284,15 @@ Checked<std::vector<Out>> Accessors::read(int index, int components, const Selec
   }
   // Sparse data replaces elements anywhere, so all of them are read first.
   const bool all = !selection || accessor.sparse.isSparse;
+  // A sparse one's data, and the vertices that it changes, are in the file.
+  if (elements->bytes.empty() && !accessor.sparse.isSparse) {
+    zeros_ += (all ? accessor.count : selection->size()) * n * sizeof(Out);
+    if (zeros_ > doc_.honest_bytes + free_zeros)
+      return fault(
+          fmt::format("accessor {} has no data, and there are more such than the file is "
+                      "large",
+                      index));
+  }
   std::vector<Out> values((all ? accessor.count : selection->size()) * n);
   for (std::size_t i = 0; i * n < values.size(); ++i) {
     element_at(all ? i : (*selection)[i], values.data() + i * n);

@@ -61,6 +61,7 @@ class Accessors {
                              std::vector<Out>& values, Convert convert);
 
   Document& doc_;
+  std::uint64_t zeros_ = 0;  // bytes that were read from accessors without data
   std::unordered_map<int, FileBytes> decompressed_;  // by buffer view
 };
 

@@ -9,6 +9,9 @@ namespace asos::gltf {
 
 namespace {
 
+constexpr std::uint64_t most_file_bytes = std::uint64_t{8} << 30;
+constexpr std::uint64_t most_json_bytes = std::uint64_t{1} << 30;
+constexpr std::string_view magic = "glTF";
 constexpr std::uint32_t json_chunk = 0x4e4f534a;
 constexpr std::uint32_t bin_chunk = 0x004e4942;
 
@@ -37,16 +40,23 @@ Checked<Chunk> next_chunk(Bytes glb, std::size_t& at) {
   return chunk;
 }
 
-Checked<Container> open_binary(Bytes file, Warnings& warnings) {
-  if (file.size() < 12) return fault("the GLB header is cut off");
-  const std::uint32_t version = little_endian(file, 4);
-  if (version != 2) return fault(fmt::format("GLB version {} is not supported, only 2", version));
-  const std::uint64_t declared = little_endian(file, 8);
-  if (declared > file.size()) {
-    return fault(fmt::format("the file is cut off: its header declares {} bytes, it has {}",
-                             declared, file.size()));
+/// Why a file of `file_size` bytes that begins so is no GLB; empty: it may be one.
+std::string header_fault(Bytes head, std::uint64_t file_size) {
+  if (head.size() < 12) return "the GLB header is cut off";
+  const std::uint32_t version = little_endian(head, 4);
+  if (version != 2) return fmt::format("GLB version {} is not supported, only 2", version);
+  const std::uint64_t declared = little_endian(head, 8);
+  if (declared > file_size) {
+    return fmt::format("the file is cut off: its header declares {} bytes, it has {}", declared,
+                       file_size);
   }
-  if (declared < 20) return fault(fmt::format("the GLB header declares a length of {}", declared));
+  if (declared < 20) return fmt::format("the GLB header declares a length of {}", declared);
+  return "";
+}
+
+Checked<Container> open_binary(Bytes file, Warnings& warnings) {
+  if (std::string why = header_fault(file, file.size()); !why.empty()) return fault(std::move(why));
+  const std::uint64_t declared = little_endian(file, 8);
   if (declared < file.size()) warnings.add("bytes after the GLB's end are ignored");
   const Bytes glb = file.first(static_cast<std::size_t>(declared));
 
@@ -76,14 +86,17 @@ Checked<Container> open_binary(Bytes file, Warnings& warnings) {
 
 }  // namespace
 
+FileRules scene_file_rules() {
+  return {most_file_bytes, [](const FileHead& head) -> std::string {
+            if (begins_with(head.bytes, magic)) return header_fault(head.bytes, head.file_size);
+            return head.file_size > most_json_bytes ? "the JSON is larger than 1 GiB" : "";
+          }};
+}
+
 Checked<Container> open_container(Bytes file, Warnings& warnings) {
   if (file.empty()) return fault("the file is empty");
-  constexpr std::string_view magic = "glTF";
-  if (file.size() >= 4 && std::equal(magic.begin(), magic.end(), file.begin())) {
-    return open_binary(file, warnings);
-  }
-  constexpr std::string_view lfs = "version https://git-lfs";
-  if (file.size() >= lfs.size() && std::equal(lfs.begin(), lfs.end(), file.begin())) {
+  if (begins_with(file, magic)) return open_binary(file, warnings);
+  if (begins_with(file, "version https://git-lfs")) {
     return fault("is a Git LFS pointer, not the model itself; fetch it with git lfs pull");
   }
   return Container{file, {}, false, false};

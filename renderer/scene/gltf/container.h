@@ -4,6 +4,10 @@
 
 namespace asos::gltf {
 
+/// What a scene's file has to be to be read: lengths and version of a .glb that can be true, a
+/// .gltf of at most 1 GiB.
+[[nodiscard]] FileRules scene_file_rules();
+
 /// The JSON and the binary chunk of a file's bytes. Spans point into `file`.
 struct Container {
   Bytes json;

@@ -14,7 +14,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::uint64_t largest_file = std::uint64_t{8} << 30;
 constexpr std::uint64_t largest_json = std::uint64_t{1} << 30;
 // tinygltf and its JSON library walk a document recursively.
 constexpr std::size_t deepest_nesting = 200;
@@ -159,7 +158,7 @@ Checked<void> read_model(const json& root, Document& doc) {
 Checked<Document> read_document(const std::filesystem::path& path) {
   Document doc;
   doc.folder = path.parent_path();
-  Checked<FileBytes> file = read_file(path, largest_file);
+  Checked<FileBytes> file = read_file(path, scene_file_rules());
   if (!file) return fault(file.error());
   doc.honest_bytes = file->size();
   const Checked<Container> container = open_container(*file, doc.warnings);

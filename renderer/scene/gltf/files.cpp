@@ -2,12 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <cstdint>
 
 namespace asos::gltf {
 
@@ -16,19 +11,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t largest_outside_file = std::uint64_t{8} << 30;
-
-/// Closes a file descriptor when it goes.
-struct OpenFile {
-  int descriptor = -1;
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  explicit OpenFile(const fs::path& path)
-      // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
-      : descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
-  ~OpenFile() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-};
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -74,35 +56,12 @@ Checked<fs::path> inside(const fs::path& folder, const std::string& relative) {
 
 }  // namespace
 
-Checked<FileBytes> read_file(const fs::path& path, std::uint64_t max_bytes) {
-  const OpenFile file(path);
-  if (file.descriptor < 0) return fault(std::strerror(errno));
-  struct stat info {};
-  if (::fstat(file.descriptor, &info) != 0) return fault(std::strerror(errno));
-  if (S_ISDIR(info.st_mode)) return fault("is a directory");
-  if (!S_ISREG(info.st_mode)) return fault("is not a regular file");
-  const auto size = static_cast<std::uint64_t>(info.st_size);
-  if (size > max_bytes) return fault(fmt::format("has {} bytes; the limit is {}", size, max_bytes));
-
-  FileBytes bytes(static_cast<std::size_t>(size));
-  std::size_t got = 0;
-  while (got < bytes.size()) {
-    const ssize_t n = ::read(file.descriptor, bytes.data() + got, bytes.size() - got);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return fault(std::strerror(errno));
-    if (n == 0) break;  // the file became shorter meanwhile
-    got += static_cast<std::size_t>(n);
-  }
-  bytes.resize(got);
-  return bytes;
-}
-
 Checked<FileBytes> read_uri(const fs::path& folder, std::string_view uri) {
   if (uri.starts_with("data:")) return read_data_uri(uri);
   if (has_scheme(uri)) return fault(fmt::format("'{}' is not a local file", shown_uri(uri)));
   const Checked<fs::path> path = inside(folder, percent_decoded(uri));
   if (!path) return fault(fmt::format("'{}' is refused: {}", shown_uri(uri), path.error()));
-  Checked<FileBytes> bytes = read_file(*path, largest_outside_file);
+  Checked<FileBytes> bytes = read_file(*path, {largest_outside_file});
   if (!bytes) return fault(fmt::format("'{}' cannot be read: {}", shown_uri(uri), bytes.error()));
   return bytes;
 }

@@ -1,20 +1,13 @@
 #pragma once
 
+#include "renderer/files/read_file.h"
 #include "renderer/scene/gltf/warnings.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace asos::gltf {
-
-using FileBytes = std::vector<std::uint8_t>;
-
-/// A regular file's contents. Directories, pipes, devices and files above `max_bytes` are refused.
-[[nodiscard]] Checked<FileBytes> read_file(const std::filesystem::path& path,
-                                           std::uint64_t max_bytes);
 
 /// The contents that a glTF `uri` refers to: an embedded `data:` URI, or a file in `folder` or
 /// below it. Other schemes, absolute paths and paths that lead out of the folder (also through

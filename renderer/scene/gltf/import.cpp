@@ -241,6 +241,7 @@ class Importer {
       doc_.warnings.add(other ? "nothing to draw: points and lines are not drawn"
                               : "nothing to draw: the scene has no triangles");
     }
+    scene_.notes.warnings_dropped = doc_.warnings.dropped();
     scene_.notes.warnings = doc_.warnings.take();
     scene_.notes.unsupported_extensions = doc_.unsupported_extensions;
     return std::move(scene_);

@@ -1,6 +1,9 @@
 #include "renderer/scene/gltf/light_fault.h"
 
+#include "renderer/geometry/coordinates.h"
 #include "renderer/scene/gltf/outlines.h"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
@@ -91,6 +94,8 @@ std::string light_fault(const Light& light) {
     if (!within(light.color[i], 0.0, huge)) return "has a colour that is no positive number";
   }
   if (!finite(light.position)) return "has a position that is not finite";
+  if (light.type != Light::Type::directional && !within_reach(light.position))
+    return fmt::format("is farther away than {:g}", largest_coordinate);
   if (!(light.range > 0.0)) return "has a range that is no positive number";
   return shape_fault(light);
 }

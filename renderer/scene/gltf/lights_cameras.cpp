@@ -1,5 +1,6 @@
 #include "renderer/scene/gltf/lights_cameras.h"
 
+#include "renderer/geometry/camera_fault.h"
 #include "renderer/scene/gltf/area_lights.h"
 #include "renderer/scene/gltf/light_fault.h"
 #include "renderer/scene/gltf/light_values.h"
@@ -177,6 +178,10 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
     return;
   }
   camera.world_from_camera = *placed;
+  if (const std::string why = camera_fault(camera); !why.empty()) {
+    document.warnings.add(fmt::format("{}: {}; left out", place, why));
+    return;
+  }
   scene.cameras.push_back(std::move(camera));
 }
 

@@ -6,9 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
-#include <limits>
 
 namespace asos {
 
@@ -36,7 +34,7 @@ std::vector<std::string> named_files(const nlohmann::json& document) {
 std::vector<std::string> source_files(const std::string& source) {
   if (source.starts_with("builtin:")) return {};
   std::vector<std::string> files{source};
-  const auto bytes = gltf::read_file(source, std::numeric_limits<std::uint64_t>::max());
+  const auto bytes = read_file(source, gltf::scene_file_rules());
   if (!bytes) return files;
   gltf::Warnings ignored;
   const auto container = gltf::open_container(*bytes, ignored);

@@ -1,5 +1,7 @@
 #include "renderer/scene/gltf/warnings.h"
 
+#include "renderer/files/printable.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -10,7 +12,8 @@ namespace {
 constexpr std::size_t most_warnings = 100;
 }
 
-void Warnings::add(std::string text) {
+void Warnings::add(const std::string& from_file) {
+  std::string text = printable(from_file);
   if (seen_.contains(text)) return;
   if (texts_.size() >= most_warnings) {
     ++dropped_;
@@ -20,9 +23,9 @@ void Warnings::add(std::string text) {
   texts_.push_back(std::move(text));
 }
 
-void Warnings::add_loss(std::string text) {
+void Warnings::add_loss(const std::string& text) {
   if (first_loss_.empty()) first_loss_ = text;
-  add(std::move(text));
+  add(text);
 }
 
 std::vector<std::string> Warnings::take() {

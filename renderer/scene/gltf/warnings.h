@@ -18,15 +18,18 @@ inline tl::unexpected<std::string> fault(std::string reason) {
 }
 
 /// The faults that the importer repaired or ignored, each said once. A broken file can have a
-/// million faults, so the list is bounded and its last line counts the rest.
+/// million faults, so the list is bounded and its last line counts the rest. Texts may hold names
+/// as the file has them; they are kept as they may be shown.
 class Warnings {
  public:
   /// Something is wrong, but nothing is lost by it.
-  void add(std::string text);
+  void add(const std::string& text);
   /// Something that should be drawn is lost. If nothing is left to draw, this becomes the error.
-  void add_loss(std::string text);
+  void add_loss(const std::string& text);
 
   [[nodiscard]] const std::string& first_loss() const { return first_loss_; }
+  /// How many there were beyond the list's bound.
+  [[nodiscard]] std::size_t dropped() const { return dropped_; }
   [[nodiscard]] std::vector<std::string> take();
 
  private:

@@ -1,0 +1,78 @@
+#include "renderer/files/read_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace asos {
+namespace {
+
+using tl::unexpected;
+
+/// Closes a file descriptor when it goes.
+struct OpenFile {
+  int descriptor = -1;
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  explicit OpenFile(const std::filesystem::path& path)
+      // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+      : descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {}
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+};
+
+/// Adds what follows in the file until there are `size` bytes; fewer where it ends before, as where
+/// it becomes shorter meanwhile.
+tl::expected<void, std::string> read_up_to(std::size_t size, int descriptor, FileBytes& bytes) {
+  std::size_t got = bytes.size();
+  bytes.resize(size);
+  while (got < bytes.size()) {
+    const ssize_t n = ::read(descriptor, bytes.data() + got, bytes.size() - got);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return unexpected<std::string>(std::strerror(errno));
+    if (n == 0) break;
+    got += static_cast<std::size_t>(n);
+  }
+  bytes.resize(got);
+  return {};
+}
+
+}  // namespace
+
+tl::expected<FileBytes, std::string> read_file(const std::filesystem::path& path,
+                                               const FileRules& rules) {
+  const OpenFile file(path);
+  if (file.descriptor < 0)
+    return unexpected(fmt::format("cannot be opened ({})", std::strerror(errno)));
+  struct stat info {};
+  if (::fstat(file.descriptor, &info) != 0) return unexpected<std::string>(std::strerror(errno));
+  if (S_ISDIR(info.st_mode)) return unexpected<std::string>("is a directory");
+  if (!S_ISREG(info.st_mode)) return unexpected<std::string>("is not a regular file");
+  const auto size = static_cast<std::uint64_t>(info.st_size);
+  if (size > rules.most_bytes) {
+    return unexpected(fmt::format("has {} bytes; the limit is {}", size, rules.most_bytes));
+  }
+  FileBytes bytes;
+  const auto whole = static_cast<std::size_t>(size);
+  if (auto read = read_up_to(std::min(whole, FileHead::length), file.descriptor, bytes); !read)
+    return unexpected(read.error());
+  if (rules.fault) {
+    if (std::string fault = rules.fault({bytes, size}); !fault.empty())
+      return unexpected(std::move(fault));
+  }
+  if (auto read = read_up_to(whole, file.descriptor, bytes); !read) return unexpected(read.error());
+  return bytes;
+}
+
+bool begins_with(std::span<const std::uint8_t> bytes, std::string_view magic) {
+  return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
+}
+
+}  // namespace asos

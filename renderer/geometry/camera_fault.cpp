@@ -1,0 +1,30 @@
+#include "renderer/geometry/camera_fault.h"
+
+#include "renderer/geometry/coordinates.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+
+std::string camera_fault(const Camera& camera) {
+  constexpr double slack = 1e-6;
+  const glm::dmat3 turn(camera.world_from_camera);
+  const glm::dmat3 product = glm::transpose(turn) * turn;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (!(std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) <= slack))
+        return "right, up and back are not orthonormal";
+  if (!within_reach(glm::dvec3(camera.world_from_camera[3])))
+    return fmt::format("\"eye\" is farther away than {:g}", largest_coordinate);
+  if (!(camera.fov_y_rad > 0.0 && camera.fov_y_rad < std::numbers::pi))
+    return "\"fov_y_rad\" is not between 0 and pi";
+  if (!(camera.height > 0.0)) return "\"height\" is not above 0";
+  if (!(camera.height <= largest_coordinate))
+    return fmt::format("\"height\" is more than {:g}", largest_coordinate);
+  return "";
+}
+
+}  // namespace asos

@@ -1,0 +1,27 @@
+#include "renderer/scene/remarks.h"
+
+#include "renderer/files/printable.h"
+
+#include <fmt/format.h>
+
+namespace asos {
+
+std::vector<std::string> remarks(const SceneNotes& notes) {
+  std::vector<std::string> lines;
+  for (const std::string& warning : notes.warnings) lines.push_back(printable(warning));
+  for (const std::string& extension : notes.unsupported_extensions)
+    lines.push_back("not supported: " + printable(extension));
+  if (notes.points_not_drawn > 0)
+    lines.push_back(fmt::format("{} points are not drawn", notes.points_not_drawn));
+  if (notes.lines_not_drawn > 0)
+    lines.push_back(fmt::format("{} line segments are not drawn", notes.lines_not_drawn));
+  return lines;
+}
+
+std::uint64_t remark_count(const SceneNotes& notes) {
+  // The last warning stands for those dropped.
+  const std::uint64_t more = notes.warnings_dropped > 0 ? notes.warnings_dropped - 1 : 0;
+  return remarks(notes).size() + more;
+}
+
+}  // namespace asos

@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# Every file of the shared corpora of broken, odd and hostile files is told about and rendered, or
+# refused in words: no abort, no signal, nothing that hangs, no silence, nothing printed that a
+# terminal obeys, no refusal that takes longer than a second. Usage: corpus_test.sh ASOS SHARED; ASOS_SHARED
+# overrides it. Exit code 77: skipped, there are no such files.
+set -uo pipefail
+asos=$1
+shared=${ASOS_SHARED:-$2}
+[[ -d $shared/hostile && -d $shared/bad && -d $shared/odd ]] || {
+  echo "skipped: $shared has no hostile, bad and odd files"
+  exit 77
+}
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+longest_ms=30000 # of anything; the machine may be busy with other tests
+refusal_ms=1000  # of processor time
+failed=0
+ran=0
+fault() {
+  failed=$((failed + 1))
+  echo "$*"
+}
+
+# now_ms: processor milliseconds that ended children of this shell have taken.
+now_ms() {
+  local -a times
+  read -r -a times </proc/$$/stat
+  echo $(((times[15] + times[16]) * 1000 / $(getconf CLK_TCK)))
+}
+
+# run NAME ARGUMENT...: runs the program, judges how it ended and sets `code`.
+run() {
+  local name=$1 before after
+  shift
+  before=$(now_ms)
+  timeout --signal=KILL $((longest_ms / 1000)) "$asos" "$@" >"$work/out" 2>"$work/err" </dev/null
+  code=$?
+  after=$(now_ms)
+  ran=$((ran + 1))
+  case $code in
+    0) ;;
+    1)
+      [[ -s $work/err ]] || fault "$name: refused without a word: $*"
+      ((after - before <= refusal_ms)) || fault "$name: refused after $((after - before)) ms: $*"
+      ;;
+    *) fault "$name: ended with $code: $* ($(head -c 300 "$work/err" | cat -v))" ;;
+  esac
+  # Newlines aside, nothing below a space, no 0x7f and nothing that is not UTF-8.
+  if LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]' "$work/out" "$work/err" ||
+    ! iconv -f UTF-8 -t UTF-8 "$work/out" "$work/err" >/dev/null 2>&1; then
+    fault "$name: printed what a terminal obeys: $*"
+  fi
+  if grep -q '^asos: all fine' "$work/out" "$work/err"; then fault "$name: forged a line: $*"; fi
+}
+
+# expect FILE CODE WORDS: how the last run of a file ended, and words that it said.
+expect() {
+  ((code == $2)) || fault "$1: ended with $code instead of $2"
+  grep -qF -- "$3" "$work/out" "$work/err" || fault "$1: did not say '$3'"
+}
+
+render=(--size 16x12 --max 2 -o "$work/picture.png")
+while IFS= read -r -d '' file; do
+  name=${file#"$shared"/}
+  run "$name" info "$file"
+  told=$code
+  said_by_info=$(grep -c '^Warning: ' "$work/out")
+  run "$name" render "$file" "${render[@]}" --allow-empty
+  ((code == told)) || fault "$name: info ends with $told, render with $code"
+  # What info warns of, render says too.
+  if ((code == 0 && said_by_info > 0)); then
+    grep -q '^asos: warning: ' "$work/err" || fault "$name: rendered without a word"
+  fi
+  case $name in
+    hostile/triangle-*) expect "$name" 1 'the limit is' ;;
+    hostile/camera-at-*) expect "$name" 0 'farther away' ;;
+    hostile/half-missing.gltf) expect "$name" 0 'buffer' ;;
+    hostile/escape-in-required-*) expect "$name" 1 '\x1b' ;;
+    hostile/two-instances-*) expect "$name" 0 'Wrote' ;;
+  esac
+done < <(find -L "$shared/hostile" "$shared/bad" "$shared/odd" \
+  \( -name '*.gltf' -o -name '*.glb' \) -type f -print0 | sort -z)
+while IFS= read -r -d '' file; do
+  run "${file#"$shared"/}" render --from "$file" -o "$work/picture.png"
+  expect "$file" 1 'farther away'
+done < <(find "$shared/hostile" \( -name '*.exr' -o -name '*.png' \) -print0)
+while IFS= read -r -d '' file; do
+  run "${file#"$shared"/}" render builtin:boxes --sky "$file" "${render[@]}"
+  expect "$file" 1 'picture cannot be read'
+done < <(find "$shared/hostile" -name '*.hdr' -print0)
+
+((ran >= 100)) || fault "only $ran runs: this test looks in the wrong place"
+((failed == 0)) || {
+  echo "$failed faults in $ran runs"
+  exit 1
+}
+echo "$ran runs without a fault"
