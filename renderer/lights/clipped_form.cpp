@@ -21,44 +21,54 @@ class ClippedContour {
  public:
   explicit ClippedContour(std::span<const glm::dvec3> normals) : normals_(normals) {}
 
-  void push(glm::dvec3 corner) { push(corner, 0); }
+  void push(glm::dvec3 corner) { push<0>(corner); }
   double close() {
-    for (std::size_t i = 0; i < normals_.size(); ++i) {
-      if (stages_[i].started) cross(stages_[i].first, stages_[i].first_height, i);
-    }
+    close_stage<0>();
     if (started_) sum_ += contour_side(last_, first_, up);
     return sum_;
   }
 
  private:
   struct Stage {
-    glm::dvec3 first, last;
-    double first_height, last_height;
+    glm::dvec3 first{0.0};
+    glm::dvec3 last{0.0};
+    double first_height = 0.0;
+    double last_height = 0.0;
     bool started = false;
   };
 
-  void push(glm::dvec3 corner, std::size_t i) {
-    if (i == normals_.size()) {
-      add(corner);
-      return;
+  template <std::size_t I>
+  void push(glm::dvec3 corner) {
+    if constexpr (I < Horizons::most) {
+      if (I < normals_.size()) {
+        Stage& stage = stages_[I];
+        const double height = glm::dot(normals_[I], corner);
+        if (stage.started) {
+          cross<I>(corner, height);
+        } else {
+          stage = {corner, corner, height, height, true};
+        }
+        if (height > 0.0) push<I + 1>(corner);
+        stage.last = corner;
+        stage.last_height = height;
+        return;
+      }
     }
-    Stage& stage = stages_[i];
-    const double height = glm::dot(normals_[i], corner);
-    if (stage.started) {
-      cross(corner, height, i);
-    } else {
-      stage = {corner, corner, height, height, true};
-    }
-    if (height > 0.0) push(corner, i + 1);
-    stage.last = corner;
-    stage.last_height = height;
+    add(corner);
   }
 
-  void cross(glm::dvec3 corner, double height, std::size_t i) {
-    const Stage& stage = stages_[i];
+  template <std::size_t I>
+  void cross(glm::dvec3 corner, double height) {
+    const Stage& stage = stages_[I];
     if ((height > 0.0) == (stage.last_height > 0.0)) return;
     const double t = stage.last_height / (stage.last_height - height);
-    push(stage.last + (corner - stage.last) * t, i + 1);
+    push<I + 1>(stage.last + (corner - stage.last) * t);
+  }
+
+  template <std::size_t I>
+  void close_stage() {
+    if (stages_[I].started) cross<I>(stages_[I].first, stages_[I].first_height);
+    if constexpr (I + 1 < Horizons::most) close_stage<I + 1>();
   }
 
   void add(glm::dvec3 corner) {
