@@ -48,6 +48,29 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
   return brdf(seen, angles, value);
 }
 
+glm::vec3 mirrored_share(const PreparedLight& light, const ViewedMaterial& seen,
+                         const ViewedPoint& view, const SpecularView& own,
+                         const Highlight& highlight, glm::vec3 irradiance) {
+  const glm::vec3 diffuse = brdf(seen, {}, 0.0f);
+  // Power over irradiance is the same for all colours: that of the strongest has the most digits.
+  int strongest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (irradiance[i] > irradiance[strongest]) strongest = i;
+  }
+  if (!(irradiance[strongest] > 0.0f)) return diffuse;
+  const double per_irradiance =
+      static_cast<double>(light.power[strongest]) / static_cast<double>(irradiance[strongest]);
+  const PatchLobe lobe = lobe_of(light, seen, view, highlight.direction);
+  const SpecularIntegral all =
+      lobe.wider()
+          ? specular_of(light, SpecularView(own.receiver, own.to_viewer, lobe.round_roughness()))
+          : specular_of(light, own);
+  const glm::dvec3 mirrored =
+      glm::dvec3(seen.f0) * all.lobe + (glm::dvec3(seen.f90) - glm::dvec3(seen.f0)) * all.fresnel;
+  constexpr double most = std::numeric_limits<float>::max();
+  return diffuse + glm::vec3(glm::clamp(mirrored * per_irradiance, 0.0, most));
+}
+
 bool shown_by_mirrors(const PreparedLight& light) {
   using LightShape = PreparedLight::Shape;
   return light.shape == LightShape::ball || light.shape == LightShape::polygon ||
