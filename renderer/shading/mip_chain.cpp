@@ -66,13 +66,13 @@ class Mean {
 
 /// Which texels of a row of `from` fall into texel `i` of a row of `to`, and how far: up to three,
 /// for an odd size is halved to the whole number below.
-struct Box {
+struct TexelSpan {
   int first;
   int last;
   double lo;
   double hi;
 
-  Box(int i, int from, int to)
+  TexelSpan(int i, int from, int to)
       : lo(static_cast<double>(i) * from / to), hi(static_cast<double>(i + 1) * from / to) {
     first = static_cast<int>(lo);
     last = std::min(from - 1, static_cast<int>(std::ceil(hi)) - 1);
@@ -90,11 +90,11 @@ MipLevel halved(int width, int height, TexelKind kind, const TexelAt& texel) {
   level.rgba.resize(4 * static_cast<std::size_t>(level.width) *
                     static_cast<std::size_t>(level.height));
   tbb::parallel_for(0, level.height, [&](int y) {
-    const Box rows(y, height, level.height);
+    const TexelSpan rows(y, height, level.height);
     std::uint16_t* out =
         level.rgba.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width);
     for (int x = 0; x < level.width; ++x) {
-      const Box columns(x, width, level.width);
+      const TexelSpan columns(x, width, level.width);
       Mean mean(kind);
       for (int v = rows.first; v <= rows.last; ++v)
         for (int u = columns.first; u <= columns.last; ++u)

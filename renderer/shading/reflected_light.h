@@ -3,6 +3,7 @@
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/light_transport.h"
+#include "renderer/shading/specular_integral.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <glm/glm.hpp>
@@ -14,6 +15,13 @@ namespace asos {
 /// would be (Karis 2013): of the whole light, whatever is visible of it.
 [[nodiscard]] glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
                                         const ViewedPoint& view, const Highlight& highlight);
+
+/// The same of a light with a size by the physical rule, its highlight in closed form (specular_of)
+/// of a lobe that is as much wider as `highlight` finds the patch to make it, then round. `own` is
+/// the surface without any patch; `irradiance` that of the whole light there, not 0.
+[[nodiscard]] glm::vec3 mirrored_share(const PreparedLight& light, const ViewedMaterial& seen,
+                                       const ViewedPoint& view, const SpecularView& own,
+                                       const Highlight& highlight, glm::vec3 irradiance);
 
 /// Radiance towards the viewer per irradiance that comes from one direction: the BRDF, of the patch
 /// that the point stands for. `to_light` is unit.

@@ -125,18 +125,24 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
   const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
+  std::optional<SpecularView> specular;  // for the first light with a size
+  const auto share_of = [&](const PreparedLight& light, glm::vec3 irradiance) {
+    // Reflections show the lights that have an area: those are their highlights.
+    if (mirrors && shown_by_mirrors(light)) return brdf(seen, {}, 0.0f);
+    const Highlight highlight = highlight_of(light, receiver.position, mirrored);
+    if (!light.extended() || light.rule == LightRule::published)
+      return reflected_share(light, seen, view, highlight);
+    if (!specular) specular.emplace(receiver, glm::dvec3(to_viewer), seen.roughness);
+    return mirrored_share(light, seen, view, *specular, highlight, irradiance);
+  };
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
     if (gathered.holds(i)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
-    // Reflections show the lights that have an area: those are their highlights.
-    const glm::vec3 share_out =
-        mirrors && shown_by_mirrors(light)
-            ? brdf(seen, {}, 0.0f)
-            : reflected_share(light, seen, view, highlight_of(light, receiver.position, mirrored));
-    const Illumination lit{light,        i,         point, irradiance, layer.share * share_out,
-                           layer.number, &lit_point};
+    const Illumination lit{
+        light,        i,         point, irradiance, layer.share * share_of(light, irradiance),
+        layer.number, &lit_point};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);
     } else {

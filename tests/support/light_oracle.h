@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// The irradiance from lights of radiance 1 by slow adaptive quadrature over their surface, or over
-// directions: nothing of the renderer's closed forms.
+// The irradiance from lights of radiance 1, or what a surface sends on of it, by slow adaptive
+// quadrature over their surface, or over directions: nothing of the renderer's closed forms.
 
 namespace asos::test {
 
@@ -114,9 +114,18 @@ struct FlatRegion {
   std::function<std::vector<double>(double at_zero, glm::dvec2 slope)> border_heights;
 };
 
+/// The share of the light from a direction (unit) that a surface sends on: most of that from about
+/// `peak` (unit), and varying there over `width` radians.
+struct Response {
+  std::function<double(glm::dvec3)> share;
+  glm::dvec3 peak;
+  double width;
+};
+
 /// Seen from the side that x_axis x y_axis points to.
 [[nodiscard]] inline double flat_oracle(const FlatRegion& region, const Receiver& receiver,
-                                        double tolerance = 1e-8) {
+                                        double tolerance = 1e-8,
+                                        const Response* response = nullptr) {
   const glm::dvec3 to_origin = region.origin - receiver.position;
   const double height = -glm::dot(to_origin, glm::cross(region.x_axis, region.y_axis));
   if (height <= 0.0) return 0.0;
@@ -124,6 +133,19 @@ struct FlatRegion {
   const double foot_y = -glm::dot(to_origin, region.y_axis);
   const double n_x = glm::dot(receiver.normal, region.x_axis);
   const double g_x = glm::dot(receiver.geometric, region.x_axis);
+
+  // Where the peak of the response lies in the plane, if anywhere.
+  glm::dvec2 peak(0.0);
+  double peak_width = 0.0;
+  if (response) {
+    const glm::dvec3 facing = glm::cross(region.x_axis, region.y_axis);
+    const double along = -height / glm::dot(response->peak, facing);
+    if (along > 0.0 && along < 1e3 * glm::length(to_origin)) {
+      const glm::dvec3 hit = along * response->peak - to_origin;
+      peak = {glm::dot(hit, region.x_axis), glm::dot(hit, region.y_axis)};
+      peak_width = response->width * along;
+    }
+  }
 
   const Function row = [&](double y) {
     const glm::dvec3 start = to_origin + y * region.y_axis;
@@ -137,13 +159,22 @@ struct FlatRegion {
       if (!(begin < end)) continue;
       const Function along = [&](double x) {
         const double d2 = off2 + (x - foot_x) * (x - foot_x);
-        return height * (n_0 + x * n_x) / (d2 * d2);
+        const double all = height * (n_0 + x * n_x) / (d2 * d2);
+        return response ? all * response->share((start + x * region.x_axis) / std::sqrt(d2)) : all;
       };
-      sum += integrate(along, graded(begin, end, foot_x, std::sqrt(off2)), 0.1 * tolerance);
+      std::vector<double> steps = graded(begin, end, foot_x, std::sqrt(off2));
+      if (peak_width > 0.0) {
+        const double width = std::hypot(peak_width, y - peak.y);
+        for (const double x : graded(begin, end, peak.x, width)) steps.push_back(x);
+      }
+      sum += integrate(along, steps, 0.1 * tolerance);
     }
     return sum;
   };
   std::vector<double> breaks = graded(region.y0, region.y1, foot_y, height);
+  if (peak_width > 0.0) {
+    for (const double y : graded(region.y0, region.y1, peak.y, peak_width)) breaks.push_back(y);
+  }
   breaks.insert(breaks.end(), region.heights.begin(), region.heights.end());
   const auto add = [&](double y) {
     if (y > region.y0 && y < region.y1) breaks.push_back(y);
@@ -268,7 +299,8 @@ struct FlatRegion {
 
 /// A line of one candela a metre; `lambertian`: with the sine of the angle to it.
 [[nodiscard]] inline double line_oracle(glm::dvec3 begin, glm::dvec3 end, bool lambertian,
-                                        const Receiver& receiver) {
+                                        const Receiver& receiver,
+                                        const Response* response = nullptr) {
   const double length = glm::length(end - begin);
   const glm::dvec3 along = (end - begin) / length;
   const glm::dvec3 start = begin - receiver.position;
@@ -282,9 +314,19 @@ struct FlatRegion {
   const Function at = [&](double s) {
     const glm::dvec3 p = start + s * along;
     const double d = std::hypot(height, s - foot);
-    return (lambertian ? height / d : 1.0) * glm::dot(receiver.normal, p) / (d * d * d);
+    const double all = (lambertian ? height / d : 1.0) * glm::dot(receiver.normal, p) / (d * d * d);
+    return response ? all * response->share(p / d) : all;
   };
-  return integrate(at, graded(s0, s1, foot, height), 1e-10);
+  std::vector<double> breaks = graded(s0, s1, foot, height);
+  if (response) {
+    // Where the line comes nearest to the response's peak.
+    const double peak_start = glm::dot(response->peak, start);
+    const double peak_along = glm::dot(response->peak, along);
+    const double nearest = (foot + peak_start * peak_along) / (1.0 - peak_along * peak_along);
+    const double width = response->width * glm::length(start + nearest * along);
+    for (const double s : graded(s0, s1, nearest, width)) breaks.push_back(s);
+  }
+  return integrate(at, breaks, 1e-10);
 }
 
 }  // namespace asos::test
