@@ -8,6 +8,15 @@ namespace asos {
 /// Fitted linearly transformed cosines (Heitz, Dupuy, Hill and Neubelt 2016) of the GGX lobe times
 /// the cosine, by the angle to the viewer and the roughness: of the lobe alone, and of the lobe
 /// times Schlick's (1 - v.h)^5. See Ltc for what the numbers mean.
+///
+/// `error`, over all roughnesses, on average and at most: of the lobe 0.02 and 0.06 for n.v from
+/// 0.5, 0.05 and 0.10 from 0.34, 0.08 and 0.16 from 0.17, 0.13 and 0.24 from 0.05, 0.19 and 0.37
+/// below, where a lobe bends as no transformed cosine does; of all that a dielectric mirrors
+/// Schlick's part adds as much at grazing angles and less than 0.005 from n.v 0.5 on. A light of a
+/// usual shape is less off than the worst one: the tests' lights in all places by 0.2 % of their
+/// mean up to 40 degrees of view, 0.5 % at 60, 0.8 % at 70, 1.4 % at 80; a single one by at most 4,
+/// 13, 19 and 24 % of that mean. The broad lobes of roughness 0.45 to 0.6 at 80 degrees are the
+/// worst: 7 % on average, 62 % for a small light in the mirrored direction.
 struct LtcEntry {
   float tilt;     ///< from the mirrored direction to the lobe's axis, away from the normal, over
                   ///< alpha

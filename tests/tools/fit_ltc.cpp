@@ -1,6 +1,7 @@
 // Fits renderer/shading/ltc_table.cpp: fit_ltc FILE writes it and says how good the fit is. What is
-// minimised is half of the integral of |lobe - fit| over all directions, both with the integral 1:
-// no light that is equally bright all over is off by more than that share of the lobe's norm.
+// minimised is half of the integral of |lobe - fit| over all directions, both with the integral 1,
+// and to a part the root of that of the squares. By no more than the first, as a share of the
+// lobe's norm, is any light off that is equally bright all over: it is in the table.
 
 #include "renderer/shading/ltc_table.h"
 
@@ -115,8 +116,13 @@ Situation situation(double roughness, double cosine, int count) {
   return at;
 }
 
-/// Half of the integral of |lobe - fit|, both with the integral 1.
-double distance(const Situation& at, std::size_t part, const Parameters& p) {
+/// Of a lobe and its fit, both with the integral 1.
+struct Distance {
+  double half_l1 = 0.0;  ///< half of the integral of |lobe - fit|
+  double l2 = 0.0;       ///< root of that of (lobe - fit)^2, over that of lobe^2
+};
+
+Distance distance(const Situation& at, std::size_t part, const Parameters& p) {
   const double tilt = at.alpha * p[0];
   const double axis_x = at.sine * std::cos(tilt) + at.cosine * std::sin(tilt);
   const double axis_z = at.cosine * std::cos(tilt) - at.sine * std::sin(tilt);
@@ -127,21 +133,26 @@ double distance(const Situation& at, std::size_t part, const Parameters& p) {
   const double nx = -axis_x - lean * axis_z;
   const double nz = axis_z / up;
   const double above = 0.5 * (1.0 + nz / std::hypot(nx, nz));
-  if (!(above > 0.02)) return 10.0;
+  if (!(above > 0.02)) return {10.0, 10.0};
   const double scale = across * up / (pi * above);
   double sum = 0.0;
   double seen = 0.0;
+  double squares = 0.0;
+  double own_squares = 0.0;
   for (const Direction& d : at.directions) {
     const double x = axis_z * d.x - axis_x * d.z;
     const double y = across * d.y;
     const double z = up * (axis_x * d.x + axis_z * d.z + lean * x);
     const double length2 = x * x + y * y + z * z;
     const double fit = z > 0.0 ? scale * z / (length2 * length2) : 0.0;
-    sum += d.weight * std::abs(d.value[part] / at.norm[part] - fit);
+    const double own = d.value[part] / at.norm[part];
+    sum += d.weight * std::abs(own - fit);
+    squares += d.weight * (own - fit) * (own - fit);
+    own_squares += d.weight * own * own;
     seen += d.weight * fit;
   }
   // What the directions do not see of the fit lies between them, where the lobe has nothing.
-  return 0.5 * (sum + std::abs(1.0 - seen));
+  return {0.5 * (sum + std::abs(1.0 - seen)), std::sqrt(squares / own_squares)};
 }
 
 /// Nelder and Mead's simplex (1965).
@@ -279,7 +290,8 @@ class Fit {
 
     const double share = std::max(least_share, share_of(here, part));
     const auto badness = [&](const Parameters& p) {
-      double sum = share * distance(here, part, p);
+      const Distance off = distance(here, part, p);
+      double sum = share * (off.half_l1 + peak_weight * off.l2);
       for (std::size_t i = 0; i < p.size() && !alone; ++i)
         sum += smoothness * (p[i] - mean[i]) * (p[i] - mean[i]);
       return sum;
@@ -300,6 +312,8 @@ class Fit {
     best.done = true;
   }
 
+  /// The mean alone would let go of a narrow peak on a broad lobe, which a small light shows.
+  static constexpr double peak_weight = 0.15;
   static constexpr double smoothness = 5e-4;
   static constexpr double least_share = 0.05;
   std::vector<Fitted> cells_;
@@ -313,7 +327,7 @@ void judge(Fit& fit, std::size_t part) {
       Fitted& cell = fit.at(r, c);
       const Situation here = situation(table_roughness(r), table_cosine(c), 20000);
       cell.norm = here.norm[part];
-      cell.error = distance(here, part, cell.parameters);
+      cell.error = distance(here, part, cell.parameters).half_l1;
     }
   }
   double worst_excess = 0.0;
@@ -329,7 +343,7 @@ void judge(Fit& fit, std::size_t part) {
         const double cosine = table_cosine(c - 0.5);
         if (cosine < bounds[band] || cosine >= bounds[band - 1]) continue;
         const Situation here = situation(table_roughness(r - 0.5), cosine, 5000);
-        const double error = distance(here, part, fit.between(r - 0.5, c - 0.5));
+        const double error = distance(here, part, fit.between(r - 0.5, c - 0.5)).half_l1;
         double corners = 0.0;
         for (int i = 0; i < 4; ++i) corners += 0.25 * fit.at(r - i / 2, c - i % 2).error;
         const double share = share_of(here, part);
