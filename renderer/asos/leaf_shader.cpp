@@ -86,10 +86,24 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
   }
+  if (fitted_too_badly(leaf, transport)) {
+    weak_lights_->drop(share);
+    if (add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, enough_samples))
+      return radiance;
+  }
   sum.add(glm::dvec3(radiance), leaf.weight);
   note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
                   radiance + transport.inexact(), share});
   return radiance;
+}
+
+// Whether a highlight's closed form may be off by more than a leaf may. What ltc_error promises is
+// the worst of all shapes of lights: a real one is off by a quarter of that, or less.
+bool LeafShader::fitted_too_badly(const PyrayLeaf& leaf, const LeafTransport& transport) const {
+  constexpr float usual = 0.25f;
+  const Budget& budget = eye_->budget;
+  return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
+         usual * transport.fit_error() > budget.tolerance;
 }
 
 LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {
