@@ -51,6 +51,8 @@ class Loop {
 
   void run() {
     while (!window_.should_close() && !content_.state().quit) {
+      // Frames may take longer than the time between them: who only drew would hear nothing.
+      window_.wait(0.0);
       take_events();
       if (!window_.visible()) {
         window_.wait(std::nullopt);
@@ -84,6 +86,7 @@ class Loop {
                                                                          : tiles_frame_seconds);
     }
     if (interaction_) due = std::min(due, last_seconds_ + input_frame_seconds);
+    if (settling_) due = std::min(due, last_seconds_ + tiles_frame_seconds);
     if (const std::optional<double> wish = content_.seconds_to_redraw()) {
       due = std::min(due, last_seconds_ + std::max(*wish, input_frame_seconds));
     }
@@ -92,6 +95,8 @@ class Loop {
 
   void draw(double now) {
     last_seconds_ = now;
+    // What an event shows may need a second frame to find its size.
+    settling_ = interaction_ || woken_;
     interaction_ = false;
     woken_ = false;
     content_.draw({window_.size(), window_.framebuffer_size(), window_.content_scale(), now});
@@ -119,6 +124,7 @@ class Loop {
   std::string titled_;
   double last_seconds_ = -1.0;
   bool interaction_ = true;
+  bool settling_ = false;
 };
 
 }  // namespace

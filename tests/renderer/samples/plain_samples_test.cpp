@@ -21,10 +21,10 @@ namespace {
 /// Keeps what Shader makes of one ray.
 class OnePoint final : public LightTransport {
  public:
-  bool gather(const LitPoint& point) override {
+  TakenLights gather(const LitPoint& point) override {
     mirrors = point.mirrors;
     lit->add(point, glm::vec3(1.0f));
-    return true;
+    return {{}, true};
   }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
            RenderStatistics& /*counts*/) override {
