@@ -54,7 +54,7 @@ class LeafShader {
   [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest) const;
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
-  [[nodiscard]] bool fitted_too_badly(const PyrayLeaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
 
   const EyeContext* eye_;

@@ -17,7 +17,6 @@ class LeafTransport final : public LightTransport {
 
   TakenLights gather(const LitPoint& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
-  void note_fit_error(float error) override { fit_error_ += error; }
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
 
@@ -26,9 +25,9 @@ class LeafTransport final : public LightTransport {
   /// Whether a boundary divided what the leaf mirrors.
   [[nodiscard]] bool met_mirror_edge() const { return met_mirror_edge_; }
 
-  /// By how much highlights may be off that were fitted, in radiance, whatever their lights'
-  /// shapes.
-  [[nodiscard]] float fit_error() const { return fit_error_; }
+  /// By how much highlights may be off, in radiance: of a light that is seen in part they show as
+  /// much as the irradiance does, whichever part it is.
+  [[nodiscard]] float unsure_highlights() const { return unsure_highlights_; }
 
   /// What the leaf would show more of if nothing shaded it, less what flat mirrors show: added to
   /// its radiance, what is left varies with its shading alone.
@@ -42,7 +41,7 @@ class LeafTransport final : public LightTransport {
   std::uint32_t share_;
   glm::vec3 hidden_{0.0f};    // light that does not reach it
   glm::vec3 mirrored_{0.0f};  // by flat mirrors
-  float fit_error_ = 0.0f;
+  float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;
 };

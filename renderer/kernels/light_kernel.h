@@ -33,11 +33,17 @@ struct ShadowRayBatch {
   Indices point{};  ///< index into the batch, ascending
 };
 
+/// A direction of each point's lobe.
+struct LobeBatch {
+  LitBatch::Vectors direction;
+};
+
 /// The shadow rays that a light's points send back to it, as sample_light, reflected_towards (or
 /// reflected_share, by the published rule) and shadow_ray make them for one point in double
-/// precision. Those that carry nothing are left out. The bits of a point's ray depend on the point
-/// and the light alone, not on its place in the batch nor on the instructions that the processor
-/// has.
+/// precision; of the highlight of a light with an area, on a lobe that is no broad one, the share
+/// that is not shade_lobe's. Those that carry nothing are left out. The bits of a point's ray
+/// depend on the point and the light alone, not on its place in the batch nor on the instructions
+/// that the processor has.
 void shade_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
                  ShadowRayBatch& rays);
 
@@ -46,5 +52,13 @@ void shade_batch(const LitBatch& points, const LightConstants& light, const Ligh
 /// would carry.
 void shade_unshadowed(const LitBatch& points, const LightConstants& light,
                       const LightPlaceBatch& places, ShadowRayBatch& rays);
+
+/// Mirrors each point's view at a normal that it sees, by the GGX lobe of its roughness.
+void choose_lobes(const LitBatch& points, const LightPlaceBatch& places, LobeBatch& lobes);
+
+/// The shadow rays that lobes send to a light with an area, each with the rest of the highlight;
+/// none to other lights, of points with broad lobes, and by the published rule.
+void shade_lobe(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
+                ShadowRayBatch& rays);
 
 }  // namespace asos

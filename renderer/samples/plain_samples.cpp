@@ -107,10 +107,10 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& point
 
 glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const {
   const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
-  const glm::vec3 diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
-  if (same_sky_) return arrays_->emission[i] + ambient_ * (diffuse + specular);
+  const glm::vec3 ambient = arrays_->materials.ambient.at(i);
+  if (same_sky_) return arrays_->emission[i] + ambient_ * (ambient + specular);
   ViewedMaterial seen{};
-  seen.diffuse = diffuse;
+  seen.ambient = ambient;
   seen.specular = specular;
   seen.roughness = arrays_->materials.roughness[i];
   return arrays_->emission[i] +

@@ -11,13 +11,16 @@ namespace {
 
 // Which of a pixel's lobes tells which lights its samples pick: none that reflections use.
 constexpr int lobe_of_picks = 0x1000;
+// Of the places on lights, the ones by which samples choose directions of the surface's own lobe.
+constexpr std::uint32_t place_in_lobe = 0x3000;
 
 std::uint32_t binary_fraction(double at) {
   return static_cast<std::uint32_t>(0x1p32 * std::clamp(at, 0.0, 1.0 - 0x1p-32));
 }
 
 bool taken(const PreparedLight& light, bool shadows) {
-  return (shadows && light.casts_shadows) || (light.rectangle && light.rule == LightRule::physical);
+  return (shadows && light.casts_shadows) ||
+         (light.extended() && light.rule == LightRule::physical);
 }
 
 }  // namespace
@@ -107,6 +110,7 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
   picks_.start(many ? lights_.size() : 1);
+  trace_lobes(batch, sums, counts);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     ShadowRayBatch& rays = picks_.rays(many ? light : 0);
     shade(batch, light, rays);
@@ -131,8 +135,33 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
     shade_batch(batch.points, lights_[light], on_light_, rays);
   } else {
     places_->on_light(light, on_light_);
-    shade_unshadowed(batch.points, lights_[light], on_light_, rays);
+    if (prepared.rectangle) {
+      shade_unshadowed(batch.points, lights_[light], on_light_, rays);
+    } else {
+      shade_batch(batch.points, lights_[light], on_light_, rays);
+    }
   }
+}
+
+// Of highlights, what a sample of each point's lobe meets: of all lights the same one, which meets
+// few of them.
+void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums,
+                                RenderStatistics& counts) {
+  const LitBatch& points = batch.points;
+  constexpr float broad = least_broad_roughness * least_broad_roughness;
+  const bool glossy = std::any_of(points.alpha.begin(), points.alpha.begin() + points.count,
+                                  [](float alpha) { return alpha < broad; });
+  if (!glossy) return;
+  places_->on_light(place_in_lobe, on_light_);
+  choose_lobes(points, on_light_, lobes_);
+  ShadowRayBatch& rays = picks_.rays(0);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    if (taken_[light] == 0) continue;
+    shade_lobe(points, lights_[light], lobes_, rays);
+    counts.rejected_samples += rays.rejected;
+    trace(batch, light, rays, sums, counts);
+  }
+  rays.count = rays.rejected = 0;
 }
 
 // Adds what of it arrives.

@@ -39,7 +39,7 @@ struct Illumination {
   glm::vec3 reflected{0.0f};      ///< radiance towards the viewer per irradiance
   int layer = 0;                  ///< surfaces that are seen through before the point
   const LitPoint* lit = nullptr;  ///< the point as it is seen, for who samples the light
-  float fit_error = 0.0f;  ///< by how much the fitted highlight may be off, in radiance (ltc_error)
+  float highlight = 0.0f;         ///< radiance of what a narrow lobe shows of a light with a size
 };
 
 /// Lights that were gathered.
@@ -80,9 +80,6 @@ class LightTransport {
 
   /// Adds to `radiance` what the viewer sees of the light by way of the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;
-
-  /// The highlights of lights that cast no shadows were added, which may be off by so much.
-  virtual void note_fit_error(float /*error*/) {}
 
   /// Adds what the viewer sees of the scene in the surface, now or later; false, and nothing is
   /// added, where reflections are not followed.

@@ -17,10 +17,6 @@ namespace {
 // The share of a layer behind others below which no display shows it, even at +8 stops.
 constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
 
-float largest(glm::vec3 v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 /// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
 float behind(const Ray& ray, const SurfacePoint& point, float t) {
   const float length = glm::length(ray.direction);
@@ -128,42 +124,21 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
-  const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
-  std::optional<SpecularView> specular;  // for the first light with a size
-  const auto share_of = [&](const PreparedLight& light, glm::vec3 irradiance) {
-    // Reflections show the lights that have an area: those are their highlights.
-    if (mirrors && shown_by_mirrors(light)) return brdf(seen, {}, 0.0f);
-    const Highlight highlight = highlight_of(light, receiver.position, mirrored);
-    if (!light.extended() || light.rule == LightRule::published)
-      return reflected_share(light, seen, view, highlight);
-    if (!specular) specular.emplace(receiver, glm::dvec3(to_viewer), seen.roughness);
-    return mirrored_share(light, seen, view, *specular, highlight, irradiance);
-  };
-  const auto fit_error_of = [&](const Illumination& lit) {
-    if (!lit.light.extended() || !specular) return 0.0f;
-    const glm::vec3 highlight = lit.reflected - layer.share * brdf(seen, {}, 0.0f);
-    return largest(highlight * lit.unshadowed) *
-           static_cast<float>(
-               ltc_error(static_cast<double>(n_dot_v), static_cast<double>(seen.roughness)).lobe);
-  };
-  float unshadowed_fit_error = 0.0f;
+  ReflectedLights reflected(lit_point);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
     if (gathered.holds(i)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
-    Illumination lit{
-        light,        i,         point, irradiance, layer.share * share_of(light, irradiance),
-        layer.number, &lit_point};
-    lit.fit_error = fit_error_of(lit);
+    const ReflectedLights::Share share = reflected.of(light, irradiance);
+    const Illumination lit{light,        i,          point,          irradiance, share.reflected,
+                           layer.number, &lit_point, share.highlight};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);
     } else {
       radiance += lit.reflected * lit.unshadowed;
-      unshadowed_fit_error += lit.fit_error;
     }
   }
-  if (unshadowed_fit_error > 0.0f) transport.note_fit_error(unshadowed_fit_error);
 }
 
 glm::vec3 Shader::radiance(const Ray& ray, const Hit& hit, float side, LightTransport& transport,

@@ -35,38 +35,37 @@ struct Seen {
   }
   [[nodiscard]] glm::vec3 radiance(const PreparedLight& light) const {
     const ViewedPoint view{point, glm::normalize(glm::vec3(-1, 0, 1)), std::sqrt(0.5f)};
-    const Receiver receiver = receiver_at(point);
-    const SpecularView own(receiver, glm::dvec3(view.to_viewer), material.roughness);
-    const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
-    const Highlight highlight = highlight_of(
-        light, receiver.position, glm::reflect(glm::dvec3(-view.to_viewer), receiver.normal));
-    return mirrored_share(light, material, view, own, highlight, irradiance) * irradiance;
+    const LitPoint lit{{}, view, material};
+    const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(point));
+    return ReflectedLights(lit).of(light, irradiance).reflected * irradiance;
   }
 
   SurfacePoint point;
   ViewedMaterial material{};
 };
 
-TEST(MirroredShare, IsDiffuseLightAndTheSpecularIntegral) {
+TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
   seen.material.f90 = 0.7f;
+  seen.material.falloff = 0.6f;
   // Also of a light that lacks a colour.
   const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});
   const Receiver receiver = receiver_at(seen.point);
-  const SpecularIntegral all =
-      specular_of(light, SpecularView(receiver, glm::normalize(glm::dvec3(-1, 0, 1)), 0.3));
+  const ReflectedIntegral all =
+      LightQuadrature(receiver, glm::normalize(glm::dvec3(-1, 0, 1)), 0.3)(light);
   const glm::vec3 radiance = seen.radiance(light);
   const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
   for (int i = 0; i < 3; ++i) {
     const double f0 = seen.material.f0[i];
-    const double expected = seen.material.diffuse[i] * std::numbers::inv_pi * irradiance[i] +
-                            light.power[i] * (f0 * all.lobe + (0.7 - f0) * all.fresnel);
+    const double diffuse = seen.material.diffuse[i] * std::numbers::inv_pi *
+                           (irradiance[i] - 0.6 * light.power[i] * all.scattered);
+    const double expected = diffuse + light.power[i] * (f0 * all.lobe + (0.7 - f0) * all.fresnel);
     EXPECT_NEAR(radiance[i], expected, 1e-5 * expected) << i;
   }
   EXPECT_GT(radiance.x, 0.1f * light.power.x) << "the light is mirrored";
 }
 
-TEST(MirroredShare, IsFainterWhereNormalsTurn) {
+TEST(ReflectedLights, AreFainterWhereNormalsTurn) {
   Seen seen;
   const PreparedLight light = rectangle(glm::vec3(1.0f));
   const glm::vec3 flat = seen.radiance(light);
