@@ -167,7 +167,7 @@ TEST(LightQuadrature, WithinABallLightComesFromEverywhere) {
     const glm::dvec3 x = across(n), y = glm::cross(n, x);
     // The hemisphere as five sides of a cube.
     double expected = sum(flat_patch(n - x + y, 2.0 * x, -2.0 * y)).x;
-    for (const auto& [side, along] : {std::pair{x, y}, {-x, -y}, {y, -x}, {-y, x}})
+    for (const auto& [side, along] : {std::pair{x, -y}, {-x, y}, {y, x}, {-y, -x}})
       expected += sum(flat_patch(side - along, 2.0 * along, n)).x;
     EXPECT_NEAR(found.lobe, expected, 1e-3 * expected) << roughness;
   }
