@@ -89,10 +89,24 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
   }
+  if (highlight_unsure(leaf, transport)) {
+    weak_lights_->drop(share);
+    if (add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, enough_samples))
+      return radiance;
+  }
   sum.add(glm::dvec3(radiance), leaf.weight);
   note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
                   radiance + transport.inexact(), share, sky_share});
   return radiance;
+}
+
+// Whether highlights of lights that are seen in part may be off by more than a leaf may. At most
+// they are by what unsure_highlights says: all of the highlight may lie in what is hidden.
+bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
+  constexpr float usual = 0.25f;
+  const Budget& budget = eye_->budget;
+  return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
+         usual * transport.unsure_highlights() > budget.tolerance;
 }
 
 LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {

@@ -2,6 +2,7 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/leaf_variation.h"
 #include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
@@ -55,6 +56,7 @@ class LeafShader {
   [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest) const;
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
+  [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
 
   const EyeContext* eye_;

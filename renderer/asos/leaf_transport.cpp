@@ -4,6 +4,8 @@
 #include "renderer/asos/reflected_pyray.h"
 #include "renderer/shadows/shadow.h"
 
+#include <algorithm>
+
 namespace asos {
 
 TakenLights LeafTransport::gather(const LitPoint& point) {
@@ -22,6 +24,7 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
   if (visibility > 0.0) radiance += static_cast<float>(visibility) * all;
   hidden_ += static_cast<float>(1.0 - visibility) * all;
+  unsure_highlights_ += static_cast<float>(std::min(visibility, 1.0 - visibility)) * lit.highlight;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
 }

@@ -33,6 +33,10 @@ class LeafTransport final : public LightTransport {
   /// Whether a boundary divided what the leaf mirrors.
   [[nodiscard]] bool met_mirror_edge() const { return met_mirror_edge_; }
 
+  /// By how much highlights may be off, in radiance: of a light that is seen in part they show as
+  /// much as the irradiance does, whichever part it is.
+  [[nodiscard]] float unsure_highlights() const { return unsure_highlights_; }
+
   /// What the leaf would show more of if nothing shaded it, less what flat mirrors show: added to
   /// its radiance, what is left varies with its shading alone.
   [[nodiscard]] glm::vec3 inexact() const { return hidden_ - mirrored_; }
@@ -47,6 +51,7 @@ class LeafTransport final : public LightTransport {
   std::uint32_t sky_share_;
   glm::vec3 hidden_{0.0f};    // light that does not reach it
   glm::vec3 mirrored_{0.0f};  // by flat mirrors
+  float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;
 };

@@ -56,6 +56,7 @@ LightConstants::LightConstants(const PreparedLight& prepared)
       two_sided(prepared.two_sided),
       shown_by_mirrors(asos::shown_by_mirrors(prepared)),
       lambertian(prepared.rule == LightRule::physical),
+      representative(prepared.rule == LightRule::published),
       attenuates(prepared.inverse_range != 0.0 || prepared.cone_scale != 0.0),
       inverse_range(static_cast<float>(prepared.inverse_range)),
       cone_scale(static_cast<float>(prepared.cone_scale)),

@@ -31,7 +31,8 @@ struct LightConstants {
   float highlight_radius = 0.0f;  ///< of what stands for it in a highlight
   bool two_sided = false;
   bool shown_by_mirrors = false;
-  bool lambertian = true;  ///< segment
+  bool lambertian = true;       ///< segment
+  bool representative = false;  ///< one point of it is the highlight of all: the published rule
   bool attenuates = false;
   float inverse_range = 0.0f;
   float cone_scale = 0.0f;

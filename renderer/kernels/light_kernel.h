@@ -33,15 +33,32 @@ struct ShadowRayBatch {
   Indices point{};  ///< index into the batch, ascending
 };
 
-/// The shadow rays that a light's points send back to it, as sample_light, reflected_share and
-/// shadow_ray make them for one point in double precision. Those that carry nothing are left out.
-/// The bits of a point's ray depend on the point and the light alone, not on its place in the batch
-/// nor on the instructions that the processor has.
+/// A direction of each point's lobe.
+struct LobeBatch {
+  LitBatch::Vectors direction;
+};
+
+/// The shadow rays that a light's points send back to it, as sample_light, reflected_towards (or
+/// reflected_share, by the published rule) and shadow_ray make them for one point in double
+/// precision; of the highlight of a light with an area, on a lobe that is no broad one, the share
+/// that is not shade_lobe's. Those that carry nothing are left out. The bits of a point's ray
+/// depend on the point and the light alone, not on its place in the batch nor on the instructions
+/// that the processor has.
 void shade_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
                  ShadowRayBatch& rays);
 
-/// What points get of a rectangle that casts no shadow: unshadowed_irradiance's closed form times
-/// reflected_share. `rays` has no rays then but what they would carry.
-void shade_unshadowed(const LitBatch& points, const LightConstants& light, ShadowRayBatch& rays);
+/// What points get of a rectangle that casts no shadow: what they scatter by the closed form of
+/// unshadowed_irradiance, the highlight by that of a sample. `rays` has no rays then but what they
+/// would carry.
+void shade_unshadowed(const LitBatch& points, const LightConstants& light,
+                      const LightPlaceBatch& places, ShadowRayBatch& rays);
+
+/// Mirrors each point's view at a normal that it sees, by the GGX lobe of its roughness.
+void choose_lobes(const LitBatch& points, const LightPlaceBatch& places, LobeBatch& lobes);
+
+/// The shadow rays that lobes send to a light with an area, each with the rest of the highlight;
+/// none to other lights, of points with broad lobes, and by the published rule.
+void shade_lobe(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
+                ShadowRayBatch& rays);
 
 }  // namespace asos

@@ -18,6 +18,7 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
 
   const glm::vec3 share = weight * lit.share;
   diffuse.set(i, share * material.diffuse * std::numbers::inv_pi_v<float>);
+  falloff[i] = material.falloff;
   f0.set(i, share * material.f0);
   f90_less_f0.set(i, share * (material.f90 - material.f0));
   const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);

@@ -29,9 +29,10 @@ struct LitBatch {
   Vectors to_viewer;
   Floats clear_height{};
   Floats n_dot_v{};
-  // The surface's radiance per irradiance is diffuse + (f0 + (f90 - f0) (1 - v.h)^5) lobe; the
-  // three are multiplied by the point's weight in its sum.
+  // The surface's radiance per irradiance is, with s = (1 - v.h)^5, diffuse (1 - falloff s) +
+  // (f0 + (f90 - f0) s) lobe; all but falloff are multiplied by the point's weight in its sum.
   Vectors diffuse;
+  Floats falloff{};
   Vectors f0;
   Vectors f90_less_f0;
   Floats alpha{};            ///< squared roughness, floored

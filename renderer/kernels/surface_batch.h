@@ -46,7 +46,8 @@ struct MaterialBatch {
   LitBatch::Vectors base_color;
   LitBatch::Vectors f0;
   LitBatch::Floats f90{}, roughness{}, metallic{};
-  LitBatch::Vectors specular;  ///< ViewedMaterial's, which is found
+  LitBatch::Floats dielectric_f0{}, dielectric_f90{};
+  LitBatch::Vectors specular, ambient;  ///< ViewedMaterial's, which are found
 
   void set(std::size_t i, const SurfaceMaterial& material) {
     base_color.set(i, material.base_color);
@@ -54,6 +55,8 @@ struct MaterialBatch {
     f90[i] = material.f90;
     roughness[i] = material.roughness;
     metallic[i] = material.metallic;
+    dielectric_f0[i] = material.dielectric_f0;
+    dielectric_f90[i] = material.dielectric_f90;
   }
 };
 

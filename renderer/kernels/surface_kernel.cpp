@@ -333,9 +333,17 @@ bool view(MaterialBatch& materials, LitBatch& points) {
                         environment_specular(by, f0.z, f90)};
     store(shine, materials.specular, i);
     const auto largest = hn::Max(shine.x, hn::Max(shine.y, shine.z));
-    const auto left = hn::Mul(hn::Sub(one, largest), hn::Sub(one, loaded(materials.metallic, i)));
-    const Vectors diffuse = scaled(all_lanes(std::numbers::inv_pi_v<float>),
-                                   scaled(left, loaded(materials.base_color, i)));
+    const Vectors albedo =
+        scaled(hn::Sub(one, loaded(materials.metallic, i)), loaded(materials.base_color, i));
+    const Vectors ambient = scaled(hn::Sub(one, largest), albedo);
+    store(ambient, materials.ambient, i);
+    const auto dielectric = loaded(materials.dielectric_f0, i);
+    const auto left = hn::Sub(one, dielectric);
+    const Vectors diffuse = scaled(hn::Mul(all_lanes(std::numbers::inv_pi_v<float>), left), albedo);
+    const auto some_left = hn::Gt(left, zero);
+    const auto falloff = hn::Div(hn::Sub(loaded(materials.dielectric_f90, i), dielectric),
+                                 hn::IfThenElse(some_left, left, one));
+    store(hn::IfThenElseZero(some_left, falloff), points.falloff, i);
     store(diffuse, points.diffuse, i);
     store_lobe(f0, f90, roughness, points, i);
     const auto sum =

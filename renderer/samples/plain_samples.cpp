@@ -107,10 +107,10 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& point
 
 glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const {
   const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
-  const glm::vec3 diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
-  if (same_sky_) return arrays_->emission[i] + ambient_ * (diffuse + specular);
+  const glm::vec3 ambient = arrays_->materials.ambient.at(i);
+  if (same_sky_) return arrays_->emission[i] + ambient_ * (ambient + specular);
   ViewedMaterial seen{};
-  seen.diffuse = diffuse;
+  seen.ambient = ambient;
   seen.specular = specular;
   seen.roughness = arrays_->materials.roughness[i];
   return arrays_->emission[i] +
@@ -121,9 +121,13 @@ void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
                            SampledLights& lights, std::size_t target,
                            RenderStatistics& counts) const {
   const glm::vec3 f0 = points.f0.at(i);
-  const ViewedMaterial seen{std::numbers::pi_v<float> * points.diffuse.at(i),
-                            arrays_->materials.specular.at(i), f0, arrays_->materials.roughness[i],
-                            points.f90_less_f0.x[i] + f0.x};
+  ViewedMaterial seen{};
+  seen.diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
+  seen.falloff = points.falloff[i];
+  seen.specular = arrays_->materials.specular.at(i);
+  seen.f0 = f0;
+  seen.f90 = points.f90_less_f0.x[i] + f0.x;
+  seen.roughness = arrays_->materials.roughness[i];
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
   const ViewedPoint view{point, points.to_viewer.at(i), points.n_dot_v[i]};

@@ -1,5 +1,6 @@
 #include "renderer/samples/sampled_lights.h"
 
+#include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shading/sky_light.h"
 
@@ -13,13 +14,16 @@ namespace {
 constexpr int lobe_of_picks = 0x1000;
 // And which directions to the sky.
 constexpr int lobe_of_sky = 0x1001;
+// Of the places on lights, the ones by which samples choose directions of the surface's own lobe.
+constexpr std::uint32_t place_in_lobe = 0x3000;
 
 std::uint32_t binary_fraction(double at) {
   return static_cast<std::uint32_t>(0x1p32 * std::clamp(at, 0.0, 1.0 - 0x1p-32));
 }
 
 bool taken(const PreparedLight& light, bool shadows) {
-  return (shadows && light.casts_shadows) || (light.rectangle && light.rule == LightRule::physical);
+  return (shadows && light.casts_shadows) ||
+         (light.extended() && light.rule == LightRule::physical);
 }
 
 }  // namespace
@@ -33,7 +37,7 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
                         RenderStatistics& counts) {
   const glm::dvec2 at = places_->on_light(lit.index);
   const LightSample sample = sample_light(lit.light, receiver_at(lit.point), at.x, at.y);
-  const glm::vec3 carried = share.weight * lit.reflected * sample.irradiance;
+  const glm::vec3 carried = share.weight * reflected_from(lit, sample) * sample.irradiance;
   if (carried == glm::vec3(0.0f)) return;
   counts.count_shadow_ray(lit.index);
   if (!std::isfinite(carried.x + carried.y + carried.z)) {
@@ -126,6 +130,7 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
   picks_.start(many ? lights_.size() : 1);
+  trace_lobes(batch, sums, counts);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     ShadowRayBatch& rays = picks_.rays(many ? light : 0);
     shade(batch, light, rays);
@@ -149,8 +154,34 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
     if (prepared.extended()) places_->on_light(light, on_light_);
     shade_batch(batch.points, lights_[light], on_light_, rays);
   } else {
-    shade_unshadowed(batch.points, lights_[light], rays);
+    places_->on_light(light, on_light_);
+    if (prepared.rectangle) {
+      shade_unshadowed(batch.points, lights_[light], on_light_, rays);
+    } else {
+      shade_batch(batch.points, lights_[light], on_light_, rays);
+    }
   }
+}
+
+// Of highlights, what a sample of each point's lobe meets: of all lights the same one, which meets
+// few of them.
+void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums,
+                                RenderStatistics& counts) {
+  const LitBatch& points = batch.points;
+  constexpr float broad = least_broad_roughness * least_broad_roughness;
+  const bool glossy = std::any_of(points.alpha.begin(), points.alpha.begin() + points.count,
+                                  [](float alpha) { return alpha < broad; });
+  if (!glossy) return;
+  places_->on_light(place_in_lobe, on_light_);
+  choose_lobes(points, on_light_, lobes_);
+  ShadowRayBatch& rays = picks_.rays(0);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    if (taken_[light] == 0) continue;
+    shade_lobe(points, lights_[light], lobes_, rays);
+    counts.rejected_samples += rays.rejected;
+    trace(batch, light, rays, sums, counts);
+  }
+  rays.count = rays.rejected = 0;
 }
 
 // Adds what of it arrives.

@@ -54,8 +54,9 @@ struct SampleShare {
 };
 
 /// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
-/// sample, or to some of them where there are many (LightPicks). Points are gathered, and shaded
-/// light by light in batches; rays go in packets.
+/// sample, or to some of them where there are many (LightPicks); and on glossy surfaces one along
+/// the lobe where that meets a light, each of the two with its share of the highlight. Points are
+/// gathered, and shaded light by light in batches; rays go in packets.
 class SampledLights {
  public:
   /// Both have to outlive this.
@@ -90,7 +91,7 @@ class SampledLights {
   /// Whether `gather` takes all of these lights.
   [[nodiscard]] static bool takes_all(std::span<const PreparedLight> lights, bool shadows);
   /// The lights of a point, for a sample of that share: all that cast shadows where there are any,
-  /// and of the others rectangles, as the lights of an interior's rig are.
+  /// and of the others those with a size.
   TakenLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
   /// One light, by a shadow ray of a sample of that share, which the places are at.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
@@ -124,6 +125,7 @@ class SampledLights {
     return shadows_ && lights_[light].light->casts_shadows;
   }
   void shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays);
+  void trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   void trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
              std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   void trace_shadows(const ShadowRayBatch& rays, std::int32_t own_part);
@@ -141,6 +143,7 @@ class SampledLights {
   std::size_t points_ = 0;
   std::vector<Recycled<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;
+  LobeBatch lobes_;
   LightPicks picks_;
   std::vector<Pending> pending_;
   std::vector<Ray> batch_;

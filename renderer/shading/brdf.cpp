@@ -11,10 +11,14 @@ float floored(float roughness) {
   return std::clamp(roughness, roughness_floor, 1.0f);
 }
 
-glm::vec3 fresnel_schlick(glm::vec3 f0, float f90, float v_dot_h) {
+float schlick_of(float v_dot_h) {
   const float m = std::clamp(1.0f - v_dot_h, 0.0f, 1.0f);
   const float m2 = m * m;
-  return f0 + (f90 - f0) * (m2 * m2 * m);
+  return m2 * m2 * m;
+}
+
+glm::vec3 fresnel_schlick(glm::vec3 f0, float f90, float v_dot_h) {
+  return f0 + (f90 - f0) * schlick_of(v_dot_h);
 }
 
 float largest(glm::vec3 v) {
@@ -48,20 +52,36 @@ glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, flo
 }
 
 ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
-  const glm::vec3 specular =
-      environment_specular(material.f0, material.roughness, n_dot_v, material.f90);
-  const float left =
-      (1.0f - largest(specular)) * (1.0f - material.metallic) * (1.0f - material.transmission);
-  return {material.base_color * left, specular, material.f0, material.roughness, material.f90};
+  ViewedMaterial seen{};
+  seen.specular = environment_specular(material.f0, material.roughness, n_dot_v, material.f90);
+  seen.f0 = material.f0;
+  seen.f90 = material.f90;
+  seen.roughness = material.roughness;
+  const glm::vec3 albedo =
+      material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission));
+  const float left = 1.0f - material.dielectric_f0;
+  seen.diffuse = left * albedo;
+  seen.falloff = left > 0.0f ? (material.dielectric_f90 - material.dielectric_f0) / left : 0.0f;
+  seen.ambient = (1.0f - largest(seen.specular)) * albedo;
+  return seen;
+}
+
+float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light) {
+  const glm::vec3 sum = to_viewer + to_light;
+  return schlick_of(0.5f * std::sqrt(glm::dot(sum, sum)));
+}
+
+glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick) {
+  return ((1.0f - material.falloff * schlick) * std::numbers::inv_pi_v<float>)*material.diffuse;
 }
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
-  return brdf(material, angles, ggx_lobe(material.roughness, angles));
+  return diffuse_brdf(material, schlick_of(angles.v_dot_h)) +
+         specular_brdf(material, angles, ggx_lobe(material.roughness, angles));
 }
 
-glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {
-  return material.diffuse * std::numbers::inv_pi_v<float> +
-         fresnel_schlick(material.f0, material.f90, angles.v_dot_h) * lobe;
+glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {
+  return fresnel_schlick(material.f0, material.f90, angles.v_dot_h) * lobe;
 }
 
 }  // namespace asos

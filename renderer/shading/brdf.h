@@ -25,23 +25,35 @@ inline constexpr float least_broad_roughness = 0.6f;
 
 /// The values of a material that do not depend on the light: made once a point.
 struct ViewedMaterial {
-  glm::vec3 diffuse;   ///< albedo of the Lambert part: what is not mirrored towards this viewer
+  glm::vec3 diffuse;   ///< albedo of the Lambert part, for light that comes from the viewer
   glm::vec3 specular;  ///< share of a constant environment that the GGX lobe returns
   glm::vec3 f0;
   float roughness;
   float f90 = 1.0f;
+  float falloff = 0.0f;     ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
+  glm::vec3 ambient{0.0f};  ///< share of a constant environment that the Lambert part returns
 };
 
-/// The diffuse part is what the specular lobe leaves of light *for this viewer*. (glTF's own
-/// weight, 1 - F(v.h), returns up to 1.5 times the light of a white surface seen at a grazing
-/// angle.) A transmissive surface reflects nothing diffusely of the share that it lets through.
+/// The diffuse part is weighted by 1 - F(v.h) of the dielectric's largest colour, as appendix B and
+/// KHR_materials_specular say. Of light from all around it returns what the specular lobe leaves
+/// *for this viewer*: by glTF's weight a white surface seen at a grazing angle would return up to
+/// 1.5 times the light. A transmissive surface reflects nothing diffusely of the share that it lets
+/// through.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
+
+/// Schlick's (1 - v.h)^5 between two unit directions.
+[[nodiscard]] float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light);
+
+/// Radiance per irradiance of the diffuse part alone, where `schlick` is the mean of Schlick's
+/// weight over the irradiance.
+[[nodiscard]] glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick);
 
 /// The light from one direction that the surface reflects: radiance per irradiance (1 / sr), so
 /// that the cosine is the caller's.
 [[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
-/// The same with a lobe that is not the material's own: its D * V.
-[[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe);
+/// The specular part alone of a lobe that need not be the material's own: its D * V.
+[[nodiscard]] glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles,
+                                      float lobe);
 
 /// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);

@@ -17,16 +17,6 @@ namespace asos {
 
 class Sky;
 
-/// A light that shines on a point, and what the point makes of it.
-struct Illumination {
-  const PreparedLight& light;
-  std::uint32_t index = 0;  ///< of the light in Lighting::lights
-  const SurfacePoint& point;
-  glm::vec3 unshadowed{0.0f};  ///< irradiance with nothing in the way
-  glm::vec3 reflected{0.0f};   ///< radiance towards the viewer per irradiance
-  int layer = 0;               ///< surfaces that are seen through before the point
-};
-
 [[nodiscard]] inline Receiver receiver_at(const SurfacePoint& point) {
   return {glm::dvec3(point.position), glm::dvec3(point.shading_normal),
           glm::dvec3(point.geometric_normal)};
@@ -49,6 +39,18 @@ struct SkyLitPoint {
   const ViewedMaterial& material;
   bool mirrors = false;   ///< its lobe is a reflection
   glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
+};
+
+/// A light that shines on a point, and what the point makes of it.
+struct Illumination {
+  const PreparedLight& light;
+  std::uint32_t index = 0;  ///< of the light in Lighting::lights
+  const SurfacePoint& point;
+  glm::vec3 unshadowed{0.0f};     ///< irradiance with nothing in the way
+  glm::vec3 reflected{0.0f};      ///< radiance towards the viewer per irradiance
+  int layer = 0;                  ///< surfaces that are seen through before the point
+  const LitPoint* lit = nullptr;  ///< the point as it is seen, for who samples the light
+  float highlight = 0.0f;         ///< radiance of what a narrow lobe shows of a light with a size
 };
 
 /// Lights that were gathered.

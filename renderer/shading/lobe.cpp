@@ -61,6 +61,12 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
   xy_ = turn * (r.x * r.y + d.x * d.y);
 }
 
+float PatchLobe::round_roughness() const {
+  // The determinant is the fourth power of the round lobe's alpha, its roughness squared.
+  const float alpha = std::sqrt(std::sqrt(std::max(0.0f, xx_ * yy_ - xy_ * xy_)));
+  return std::min(1.0f, std::sqrt(alpha));
+}
+
 float PatchLobe::quadratic(glm::vec3 v) const {
   const float x = glm::dot(tangent_, v);
   const float y = glm::dot(bitangent_, v);

@@ -40,6 +40,9 @@ class PatchLobe {
   /// False where the patch's normals differ too little to show: ggx_lobe is the lobe.
   [[nodiscard]] bool wider() const { return wider_; }
 
+  /// Only of a wider one: the roughness of the round lobe with the same peak.
+  [[nodiscard]] float round_roughness() const;
+
   /// D * V in 1 / sr, as ggx_lobe; all directions unit.
   [[nodiscard]] float value(glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer,
                             const BrdfAngles& angles) const;

@@ -16,42 +16,131 @@ float distance_of(const PreparedLight& light, glm::vec3 position) {
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
-PatchLobe lobe_of(const PreparedLight& light, const ViewedMaterial& seen, const ViewedPoint& view,
-                  glm::vec3 to_light) {
-  const SurfacePoint& point = view.point;
-  const LobeSight sight{view.to_viewer, view.distance, to_light,
-                        distance_of(light, point.position)};
-  return {spread_about_half(point.spread, view.patch, sight), seen.roughness, point.shading_normal};
+PatchLobe lobe_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
+                  float light_distance) {
+  const LobeSight sight{view.to_viewer, view.distance, to_light, light_distance};
+  return {spread_about_half(view.point.spread, view.patch, sight), seen.roughness,
+          view.point.shading_normal};
 }
 
-}  // namespace
-
-glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
-                          const ViewedPoint& view, const Highlight& highlight) {
+/// The specular part, below whose horizon there is none.
+glm::vec3 shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l,
+                   float light_distance) {
   const glm::vec3 n = view.point.shading_normal;
-  const glm::vec3 l = highlight.direction;
-  // Light from below the horizon is not mirrored.
-  if (!(glm::dot(n, l) > 0.0f)) return brdf(seen, {}, 0.0f);
+  if (!(glm::dot(n, l) > 0.0f)) return glm::vec3(0.0f);
   const glm::vec3 half = glm::normalize(l + view.to_viewer);
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
                           std::max(0.0f, glm::dot(n, half)),
                           std::max(0.0f, glm::dot(view.to_viewer, half))};
-  const PatchLobe lobe = lobe_of(light, seen, view, l);
-  float value =
+  const PatchLobe lobe = lobe_of(seen, view, l, light_distance);
+  const float value =
       lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
+  return specular_brdf(seen, angles, value);
+}
+
+glm::vec3 diffuse_towards(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l) {
+  return diffuse_brdf(seen, schlick_weight(view.to_viewer, l));
+}
+
+float largest(glm::vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+}  // namespace
+
+glm::vec3 reflected_towards(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
+                            float light_distance) {
+  return diffuse_towards(seen, view, to_light) + shine_of(seen, view, to_light, light_distance);
+}
+
+glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
+                          const ViewedPoint& view, const Highlight& highlight) {
+  const glm::vec3 l = highlight.direction;
+  glm::vec3 shine = shine_of(seen, view, l, distance_of(light, view.point.position));
   if (highlight.half_angle_tangent > 0.0f) {
     const float roughness = std::max(seen.roughness, roughness_floor);
     const float width = roughness * roughness;
     const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
-    value *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
+    shine *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
   }
-  return brdf(seen, angles, value);
+  return diffuse_towards(seen, view, l) + shine;
+}
+
+glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample) {
+  if (!lit.lit || lit.light.rule == LightRule::published) return lit.reflected;
+  const LitPoint& point = *lit.lit;
+  const glm::vec3 to_light(sample.direction);
+  if (point.mirrors && shown_by_mirrors(lit.light))
+    return point.share * diffuse_towards(point.material, point.view, to_light);
+  return point.share * reflected_towards(point.material, point.view, to_light,
+                                         static_cast<float>(sample.distance));
 }
 
 bool shown_by_mirrors(const PreparedLight& light) {
   using LightShape = PreparedLight::Shape;
   return light.shape == LightShape::ball || light.shape == LightShape::polygon ||
          light.shape == LightShape::disk;
+}
+
+ReflectedLights::ReflectedLights(const LitPoint& point)
+    : point_(point),
+      receiver_(receiver_at(point.view.point)),
+      mirrored_(glm::reflect(glm::dvec3(-point.view.to_viewer), receiver_.normal)) {}
+
+LightQuadrature& ReflectedLights::quadrature(float roughness) {
+  const auto made = [&] {
+    return LightQuadrature(receiver_, glm::dvec3(point_.view.to_viewer),
+                           static_cast<double>(roughness));
+  };
+  if (roughness != point_.material.roughness) return wider_.emplace(made());
+  if (!own_) own_.emplace(made());
+  return *own_;
+}
+
+ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3 irradiance) {
+  const Highlight highlight = highlight_of(light, receiver_.position, mirrored_);
+  Share share;
+  if (light.extended() && light.rule == LightRule::physical) {
+    share = of_extended(light, highlight, irradiance);
+  } else if (point_.mirrors && shown_by_mirrors(light)) {
+    // Reflections show the lights that have an area: those are their highlights.
+    share.reflected = diffuse_towards(point_.material, point_.view, highlight.direction);
+  } else {
+    share.reflected = reflected_share(light, point_.material, point_.view, highlight);
+  }
+  share.reflected *= point_.share;
+  return share;
+}
+
+ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
+                                                    const Highlight& highlight,
+                                                    glm::vec3 irradiance) {
+  const ViewedMaterial& seen = point_.material;
+  const bool mirrored = point_.mirrors && shown_by_mirrors(light);
+  if (mirrored && seen.falloff == 0.0f) return {diffuse_brdf(seen, 0.0f)};
+  // Power over irradiance is the same for all colours: that of the strongest has the most digits.
+  int strongest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (irradiance[i] > irradiance[strongest]) strongest = i;
+  }
+  const double per_irradiance =
+      static_cast<double>(light.power[strongest]) / static_cast<double>(irradiance[strongest]);
+  if (!(per_irradiance > 0.0)) return {};
+  const PatchLobe lobe = lobe_of(seen, point_.view, highlight.direction,
+                                 distance_of(light, point_.view.point.position));
+  const ReflectedIntegral all =
+      quadrature(lobe.wider() ? lobe.round_roughness() : seen.roughness)(light);
+  const double schlick = std::clamp(all.scattered * per_irradiance, 0.0, 1.0);
+  Share share{diffuse_brdf(seen, static_cast<float>(schlick))};
+  if (mirrored) return share;
+  const glm::dvec3 specular =
+      glm::dvec3(seen.f0) * all.lobe + (glm::dvec3(seen.f90) - glm::dvec3(seen.f0)) * all.fresnel;
+  constexpr double most = std::numeric_limits<float>::max();
+  const glm::vec3 shine(glm::clamp(specular * per_irradiance, 0.0, most));
+  share.reflected += shine;
+  if (seen.roughness < least_broad_roughness)
+    share.highlight = largest(point_.share * shine * irradiance);
+  return share;
 }
 
 }  // namespace asos

@@ -122,22 +122,19 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
                         viewed_ray.shape);
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
-  const TakenLights gathered =
-      transport.gather({lights_, view, seen, mirrors, layer.share, settings_.shadows});
+  const LitPoint lit_point{lights_, view, seen, mirrors, layer.share, settings_.shadows};
+  const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
-  const glm::dvec3 mirrored = glm::reflect(glm::dvec3(-to_viewer), receiver.normal);
+  ReflectedLights reflected(lit_point);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
     if (gathered.holds(i)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
-    // Reflections show the lights that have an area: those are their highlights.
-    const glm::vec3 share_out =
-        mirrors && shown_by_mirrors(light)
-            ? brdf(seen, {}, 0.0f)
-            : reflected_share(light, seen, view, highlight_of(light, receiver.position, mirrored));
-    const Illumination lit{light, i, point, irradiance, layer.share * share_out, layer.number};
+    const ReflectedLights::Share share = reflected.of(light, irradiance);
+    const Illumination lit{light,        i,          point,          irradiance, share.reflected,
+                           layer.number, &lit_point, share.highlight};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);
     } else {

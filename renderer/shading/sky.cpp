@@ -177,8 +177,8 @@ glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* sp
 
 glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
                         glm::vec3 to_viewer) {
-  if (!sky) return ambient_radiance * (seen.diffuse + seen.specular);
-  const glm::vec3 diffuse = sky->ambient(normal) * seen.diffuse;
+  if (!sky) return ambient_radiance * (seen.ambient + seen.specular);
+  const glm::vec3 diffuse = sky->ambient(normal) * seen.ambient;
   if (seen.specular == glm::vec3(0.0f)) return diffuse;
   const glm::vec3 mirrored = glm::reflect(-to_viewer, normal);
   const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));

@@ -44,6 +44,30 @@ glm::vec3 by_cosine(glm::vec2 place) {
   return {r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0f, 1.0f - place.x))};
 }
 
+/// The mean of Schlick's weight over all directions to the light by their cosine, by n.v: a table with
+/// a value for each 64th of it, within 1e-4.
+float mean_schlick(float n_dot_v) {
+  constexpr int steps = 64;
+  static const std::array<float, steps + 1> table = [] {
+    std::array<float, steps + 1> means{};
+    for (int k = 0; k <= steps; ++k) {
+      const float z = static_cast<float>(k) / steps;
+      const glm::vec3 viewer(std::sqrt(1.0f - z * z), 0.0f, z);
+      double sum = 0.0;
+      for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j)
+          sum += static_cast<double>(schlick_weight(
+              viewer, by_cosine({(static_cast<float>(i) + 0.5f) / steps,
+                                 (static_cast<float>(j) + 0.5f) / steps})));
+      means[static_cast<std::size_t>(k)] = static_cast<float>(sum / (steps * steps));
+    }
+    return means;
+  }();
+  const float at = std::clamp(n_dot_v, 0.0f, 1.0f) * steps;
+  const auto below = static_cast<std::size_t>(std::min(at, steps - 1.0f));
+  return glm::mix(table[below], table[below + 1], at - static_cast<float>(below));
+}
+
 /// A normal of the lobe as a viewer in direction `v` sees it (Heitz 2018, appendix A).
 glm::vec3 visible_normal(glm::vec3 v, float alpha, glm::vec2 place) {
   const glm::vec3 stretched = glm::normalize(glm::vec3(alpha * v.x, alpha * v.y, v.z));
@@ -109,12 +133,12 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
 
   // Its light over the density of all of them.
   float density = share[0] * direction.z * std::numbers::inv_pi_v<float>;
-  glm::vec3 reflected = material.diffuse * std::numbers::inv_pi_v<float>;
+  glm::vec3 reflected = diffuse_brdf(material, schlick_weight(viewer, direction));
   if (share[1] > 0.0f) {
     const glm::vec3 half = glm::normalize(direction + viewer);
     const BrdfAngles angles{direction.z, viewer.z, half.z, glm::dot(viewer, half)};
     density += share[1] * lobe_density(viewer, half.z, alpha);
-    reflected = brdf(material, angles);
+    reflected += specular_brdf(material, angles, ggx_lobe(material.roughness, angles));
   }
   if (picture)
     density += share[2] * static_cast<float>(point.sky->bright_density(sample.direction));
@@ -127,12 +151,14 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
 std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
   const ViewedMaterial& material = point.material;
   const bool shiny = !point.mirrors && material.specular != glm::vec3(0.0f);
-  if (point.sky && (point.sky->is_picture() || (shiny && !point.sky->constant())))
+  const bool even = !shiny && material.falloff == 0.0f;
+  if (point.sky && (point.sky->is_picture() || !(even || point.sky->constant())))
     return std::nullopt;
   const glm::vec3 normal = point.view.point.shading_normal;
   const glm::vec3 radiance =
       point.sky ? point.sky->ambient(normal) / sky_visibility : background_radiance;
-  glm::vec3 reflected = material.diffuse;
+  glm::vec3 reflected =
+      material.diffuse * (1.0f - material.falloff * mean_schlick(point.view.n_dot_v));
   if (shiny) {
     const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
     const LtcNorms norms =

@@ -217,6 +217,8 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     specular *= sample(material.specular_texture, TexelKind::data).a;
   surface.f0 = glm::min(dielectric * dielectric * specular_color, glm::vec3(1.0f)) * specular;
   surface.f90 = specular;
+  surface.dielectric_f0 = std::max({surface.f0.x, surface.f0.y, surface.f0.z});
+  surface.dielectric_f90 = surface.f90;
   if (needs.metals) {
     surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
     surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);

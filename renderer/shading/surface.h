@@ -35,6 +35,10 @@ struct SurfaceMaterial {
   glm::vec3 emission{0.0f};
   glm::vec3 f0{0.04f};  ///< reflectance at normal incidence
   float f90 = 1.0f;     ///< the same at grazing incidence
+  // The same of the part that is no metal, the largest of the colours': the diffuse part lies
+  // below.
+  float dielectric_f0 = 0.04f;
+  float dielectric_f90 = 1.0f;
   bool unlit = false;
 };
 

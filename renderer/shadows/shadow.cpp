@@ -96,13 +96,20 @@ double light_visibility(const ShadowContext& block, const Illumination& lit,
 
 double ray_visibility(const ShadowContext& block, const ShadowQuery& query,
                       RenderStatistics& counts) {
+  // A point of the light that stands below the horizon tells nothing of what is hidden.
+  constexpr int most_points = 32;
   const Illumination& lit = query.lit;
-  const glm::dvec2 at = unit_pair_of(query.leaf.seed + 0x9e3779b97f4a7c15ULL * (lit.index + 1));
-  const LightSample sample = sample_light(lit.light, receiver_at(lit.point), at.x, at.y);
-  if (sample.irradiance == glm::vec3(0.0f)) return 0.0;
-  ++counts.shadow_rays;
-  return static_cast<double>(
-      block.scene->rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part));
+  const Receiver receiver = receiver_at(lit.point);
+  std::uint64_t seed = query.leaf.seed + 0x9e3779b97f4a7c15ULL * (lit.index + 1);
+  for (int i = 0; i < most_points; ++i, seed += 0xd1342543de82ef95ULL) {
+    const glm::dvec2 at = unit_pair_of(seed);
+    const LightSample sample = sample_light(lit.light, receiver, at.x, at.y);
+    if (sample.irradiance == glm::vec3(0.0f)) continue;
+    ++counts.shadow_rays;
+    return static_cast<double>(
+        block.scene->rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part));
+  }
+  return 1.0;
 }
 
 }  // namespace asos

@@ -25,10 +25,12 @@ Camera viewer() {
   return look_at({1.5, 2.0, 3.0}, {0.2, 0, 0.3}, 0.8);
 }
 
-/// A floor all over the picture.
+/// A floor all over the picture, without any highlight: those of the rules differ.
 Picture picture_of(const std::vector<Light>& lights, Method method, LightRule rule) {
   World world;
-  add_quad(world, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, matte({0.9f, 0.9f, 0.9f}));
+  Material chalk = matte({0.9f, 0.9f, 0.9f});
+  chalk.specular = 0.0f;
+  add_quad(world, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, chalk);
   RenderSettings settings;
   settings.method = method;
   settings.width = width;

@@ -1,5 +1,6 @@
 #include "renderer/kernels/light_kernel.h"
 
+#include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
 #include "tests/support/every_target.h"
@@ -92,7 +93,8 @@ Subject subject(RandomSpace& space, int kind, double scale, glm::dvec3 offset) {
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, glm::vec3(to_viewer), n_dot_v});
   const auto unit = [&] { return static_cast<float>(space.between(0, 1)); };
   // Rougher than a mirror: next to one's reflection the last bits of a direction are all there is.
-  s.material = {{unit(), unit(), unit()}, {}, glm::vec3(unit()), 0.3f + 0.7f * unit(), unit()};
+  s.material = {{unit(), unit(), unit()}, {},     glm::vec3(unit()),
+                0.3f + 0.7f * unit(),     unit(), unit()};
   s.mirrors = kind % 5 == 0;
   s.share = {unit(), unit(), unit()};
   if (kind % 2 == 0) {
@@ -113,19 +115,48 @@ struct Expected {
   glm::vec3 unshadowed;
 };
 
+/// The density of the mirrored visible normals (Heitz 2018), by solid angle.
+double lobe_density(const Subject& s, glm::dvec3 l) {
+  const glm::dvec3 n(s.point->shading_normal), v(s.view->to_viewer);
+  const double a2 = std::pow(static_cast<double>(s.material.roughness), 4.0);
+  const double nv = glm::dot(n, v), nh = glm::dot(n, glm::normalize(v + l));
+  const double d = nh * nh * (a2 - 1.0) + 1.0;
+  const double masked = 2.0 * nv / (nv + std::sqrt(a2 + (1.0 - a2) * nv * nv));
+  return a2 / (std::numbers::pi * d * d) * masked / (4.0 * nv);
+}
+
+/// The share of its highlight that a sample of the light carries; samples of the lobe carry the
+/// rest (the balance heuristic).
+double share_of_light(const PreparedLight& light, const Subject& s, const LightSample& sample) {
+  const glm::dvec3 n(s.point->shading_normal);
+  const bool area = light.extended() && light.shape != PreparedLight::Shape::segment;
+  const bool narrow = s.material.roughness < least_broad_roughness &&
+                      glm::dot(n, glm::dvec3(s.view->to_viewer)) > 1.0 / 512.0;
+  const double form = static_cast<double>(sample.irradiance.x) / static_cast<double>(light.power.x);
+  if (!area || !narrow || (s.mirrors && shown_by_mirrors(light)) || !(form > 0.0)) return 1.0;
+  const double density = glm::dot(n, sample.direction) / form;
+  return density / (density + lobe_density(s, sample.direction));
+}
+
 Expected expected(const PreparedLight& light, const Subject& s, glm::dvec2 at) {
   const Receiver receiver = receiver_at(*s.point);
   Expected e;
   e.sample = sample_light(light, receiver, at.x, at.y);
   e.ray = shadow_ray(*s.point, e.sample);
-  const glm::dvec3 mirrored = glm::reflect(-glm::dvec3(s.view->to_viewer), receiver.normal);
-  const glm::vec3 reflected =
-      s.mirrors && shown_by_mirrors(light)
-          ? brdf(s.material, {}, 0.0f)
-          : reflected_share(light, s.material, *s.view,
-                            highlight_of(light, receiver.position, mirrored));
-  e.carried = s.share * reflected * e.sample.irradiance;
-  e.unshadowed = s.share * reflected * unshadowed_irradiance(light, receiver);
+  const LitPoint lit = s.lit();
+  const glm::vec3 all = unshadowed_irradiance(light, receiver);
+  const glm::vec3 whole = ReflectedLights(lit).of(light, all).reflected;
+  glm::vec3 reflected = reflected_from({light, 0, *s.point, {}, whole, 0, &lit}, e.sample);
+  const glm::vec3 scattered = s.share * diffuse_brdf(s.material, 0.0f);
+  if (light.rule == LightRule::physical) {
+    const glm::vec3 l(e.sample.direction);
+    const glm::vec3 diffuse =
+        s.share * diffuse_brdf(s.material, schlick_weight(s.view->to_viewer, l));
+    reflected =
+        diffuse + static_cast<float>(share_of_light(light, s, e.sample)) * (reflected - diffuse);
+  }
+  e.carried = reflected * e.sample.irradiance;
+  e.unshadowed = scattered * all + (reflected - scattered) * e.sample.irradiance;
   return e;
 }
 
@@ -231,6 +262,73 @@ TEST(LightKernel, RaysAreTheOnesOfThePointsOneByOne) {
   }
 }
 
+/// What all samples of a light carry on the mean, and those of the lobe alone, of a point without
+/// a patch that is seen 30 degrees off its normal.
+struct Means {
+  double both = 0.0, by_lobe = 0.0;
+};
+Means means_of(const PreparedLight& light, const Subject& s) {
+  constexpr int rounds = 256;
+  Means means;
+  const LightConstants constants(light);
+  for (int round = 0; round < rounds; ++round) {
+    LitBatch points;
+    LightPlaceBatch places;
+    for (std::uint32_t i = 0; i < LitBatch::size; ++i) {
+      const auto index = static_cast<std::uint32_t>(round) * 256u + i;
+      points.add(s.lit(), glm::vec3(1.0f));
+      places.u[i] = owen_scramble(sobol_bits(0, index), 1);
+      places.v[i] = owen_scramble(sobol_bits(1, index), 2);
+    }
+    ShadowRayBatch rays;
+    shade_batch(points, constants, places, rays);
+    for (std::size_t i = 0; i < rays.count; ++i)
+      means.both += static_cast<double>(rays.carried[0][i]);
+    LobeBatch lobes;
+    choose_lobes(points, places, lobes);
+    shade_lobe(points, constants, lobes, rays);
+    for (std::size_t i = 0; i < rays.count; ++i)
+      means.by_lobe += static_cast<double>(rays.carried[0][i]);
+  }
+  means.both = (means.both + means.by_lobe) / (rounds * LitBatch::size);
+  means.by_lobe /= rounds * LitBatch::size;
+  return means;
+}
+
+// Neither half of the samples alone: together they have the mean of the rendering equation.
+TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
+  for (const float roughness : {0.1f, 0.25f, 0.5f, 0.8f}) {
+    Subject s;
+    s.point->position = {1.0f, 0.0f, 0.2f};
+    s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
+    const glm::vec3 to_viewer = glm::normalize(glm::vec3(0.9f, 1.3f, 0.1f));
+    s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, to_viewer, to_viewer.y});
+    s.material.diffuse = glm::vec3(0.3f);
+    s.material.f0 = glm::vec3(0.7f);
+    s.material.falloff = 0.9f;
+    s.material.roughness = roughness;
+    const LitPoint lit = s.lit();
+    for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
+      const PreparedLight& prepared = light.prepared;
+      if (!prepared.extended() || prepared.rule == LightRule::published) continue;
+      SCOPED_TRACE(light.name + ' ' + std::to_string(roughness));
+      const glm::vec3 irradiance = unshadowed_irradiance(prepared, receiver_at(*s.point));
+      const double exact = static_cast<double>(
+          (ReflectedLights(lit).of(prepared, irradiance).reflected * irradiance).x);
+      const Means found = means_of(prepared, s);
+      EXPECT_NEAR(found.both, exact, 2e-3 * exact);
+      const bool samples_lobe =
+          roughness < least_broad_roughness && prepared.shape != PreparedLight::Shape::segment;
+      if (samples_lobe && light.name == "rectangle") {
+        EXPECT_GT(found.by_lobe, 0.01 * exact);
+      }
+      if (!samples_lobe) {
+        EXPECT_EQ(found.by_lobe, 0.0);
+      }
+    }
+  }
+}
+
 TEST(LightKernel, ClosedFormsAreTheOnesOfThePointsOneByOne) {
   for (const auto& [scale, offset] : scales) {
     const Batch batch(static_cast<std::uint64_t>(std::log10(scale) + 40.0), scale, offset);
@@ -238,10 +336,10 @@ TEST(LightKernel, ClosedFormsAreTheOnesOfThePointsOneByOne) {
       if (!light.prepared.rectangle) continue;
       SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
       ShadowRayBatch rays;
-      shade_unshadowed(batch.points, LightConstants(light.prepared), rays);
+      shade_unshadowed(batch.points, LightConstants(light.prepared), batch.places, rays);
       std::size_t next = 0, lit = 0;
       for (std::size_t i = 0; i < batch.subjects.size(); ++i) {
-        const Expected e = expected(light.prepared, batch.subjects[i], {0.5, 0.5});
+        const Expected e = expected(light.prepared, batch.subjects[i], batch.at(i));
         const bool sent = next < rays.count && rays.point[next] == i;
         const glm::vec3 carried = sent ? at(rays.carried, next) : glm::vec3(0.0f);
         EXPECT_LE(largest(carried - e.unshadowed), relative * largest(e.unshadowed))
@@ -283,7 +381,7 @@ TEST(LightKernel, AllInstructionSetsGiveTheSameBits) {
         bits.push_back(bits_of(rays));
         if (!light.prepared.rectangle) continue;
         ShadowRayBatch unshadowed;
-        shade_unshadowed(batch.points, LightConstants(light.prepared), unshadowed);
+        shade_unshadowed(batch.points, LightConstants(light.prepared), batch.places, unshadowed);
         bits.push_back(bits_of(unshadowed));
       }
     }

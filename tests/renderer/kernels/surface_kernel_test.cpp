@@ -114,6 +114,8 @@ SurfaceMaterial random_material(RandomSpace& space, std::size_t i) {
   material.base_color = {number(), number(), number()};
   material.f0 = 0.3f * glm::vec3(number(), number(), number());
   material.f90 = i % 4 == 0 ? number() : 1.0f;
+  material.dielectric_f0 = i % 7 == 0 ? 1.0f : 0.5f * number();
+  material.dielectric_f90 = 0.5f + 0.5f * number();
   material.roughness = i % 3 == 0 ? 0.15f * number() : number();  // below the floor, too
   if (i % 11 == 0) material.roughness = 0.0f;
   material.metallic = i % 2 == 0 ? number() : 0.0f;
@@ -187,9 +189,11 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
     one->count = 0;
     one->add({{}, view, seen}, glm::vec3(1.0f));
     const glm::vec3 off = glm::abs(found->materials.specular.at(i) - seen.specular) +
+                          glm::abs(found->materials.ambient.at(i) - seen.ambient) +
                           glm::abs(points.diffuse.at(i) - one->diffuse.at(0));
     EXPECT_LT(off.x + off.y + off.z, 3e-6f);
     sum += static_cast<double>(off.x + off.y + off.z);
+    EXPECT_NEAR(points.falloff[i], one->falloff[0], 1e-6f);
     EXPECT_EQ(points.f0.at(i), one->f0.at(0));
     EXPECT_EQ(points.f90_less_f0.at(i), one->f90_less_f0.at(0));
     EXPECT_EQ(points.alpha[i], one->alpha[0]);

@@ -71,6 +71,7 @@ TEST(SampleSky, OfAMatteSurfaceUnderAGradientItsMeanIsTheClosedForm) {
   SurfaceMaterial matte = material_of(0.0f, 1.0f);
   matte.f0 = glm::vec3(0.0f);
   matte.f90 = 0.0f;
+  matte.dielectric_f0 = matte.dielectric_f90 = 0.0f;
   const Seen seen(matte, 0.5);
   const auto open = open_sky(seen.under(&sky));
   ASSERT_TRUE(open);

@@ -101,9 +101,11 @@ TEST(Sky, OfOneColourIsThatEverywhere) {
 
 TEST(Sky, WithoutOneIsNeutral) {
   EXPECT_EQ(background(nullptr, {0, 0, -1}, nullptr, 1.0f), background_radiance);
-  const ViewedMaterial seen{glm::vec3(0.5f), glm::vec3(0.1f), glm::vec3(0.04f), 0.5f};
+  ViewedMaterial seen{};
+  seen.ambient = glm::vec3(0.5f);
+  seen.specular = glm::vec3(0.1f);
   EXPECT_EQ(reflected_sky(nullptr, seen, {0, 1, 0}, {0, 1, 0}),
-            ambient_radiance * (seen.diffuse + seen.specular));
+            ambient_radiance * (seen.ambient + seen.specular));
   const Sky same{glm::vec3(sky_radiance)};
   EXPECT_FLOAT_EQ(reflected_sky(&same, seen, {0, 1, 0}, {0.6f, 0.8f, 0}).r,
                   reflected_sky(nullptr, seen, {0, 1, 0}, {0.6f, 0.8f, 0}).r);

@@ -112,7 +112,7 @@ TEST(Specular, AFactorOfZeroLeavesLambert) {
     EXPECT_EQ(seen.specular, glm::vec3(0.0f));
     EXPECT_EQ(seen.diffuse, glm::vec3(0.5f));
     const BrdfAngles angles{0.3f, cosine, 0.9f, 0.2f};
-    EXPECT_EQ(brdf(seen, angles), brdf(seen, {}, 0.0f)) << "no lobe, grazing or not";
+    EXPECT_EQ(brdf(seen, angles), diffuse_brdf(seen, 0.0f)) << "no lobe, grazing or not";
   }
 }
 

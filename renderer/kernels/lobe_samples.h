@@ -1,0 +1,207 @@
+// Directions of a point's GGX lobe, a lane a point, and where they meet lights: the other half of
+// the samples of lights with an area (Veach and Guibas 1995, "Optimally Combining Sampling
+// Techniques for Monte Carlo Rendering"). Once for each instruction set.
+#if defined(ASOS_KERNELS_LOBE_SAMPLES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASOS_KERNELS_LOBE_SAMPLES_H
+#undef ASOS_KERNELS_LOBE_SAMPLES_H
+#else
+#define ASOS_KERNELS_LOBE_SAMPLES_H
+#endif
+
+#include "renderer/kernels/light_samples.h"
+#include "renderer/lights/lights_without_geometry.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/viewed_point.h"
+
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+
+/// Whether samples of the lobe may meet a light of that shape.
+constexpr bool has_area(LightConstants::Shape shape) {
+  using Shape = LightConstants::Shape;
+  return shape != Shape::point && shape != Shape::distant && shape != Shape::segment;
+}
+
+/// Points whose lobe is narrow enough for samples of its own, of a light of which they show a
+/// highlight.
+HWY_INLINE LaneMask samples_lobe(const LitBatch& points, const LightConstants& light,
+                                 const Vectors& normal, std::size_t i) {
+  constexpr float broad = least_broad_roughness * least_broad_roughness;
+  auto samples =
+      hn::And(hn::Lt(loaded(points.alpha, i), all_lanes(broad)),
+              hn::Gt(dot(normal, loaded(points.to_viewer, i)), all_lanes(grazing_cosine)));
+  if (light.shown_by_mirrors)
+    samples = hn::And(samples, hn::Eq(loaded(points.shows_lights, i), hn::Zero(FloatTag())));
+  return samples;
+}
+
+/// By solid angle, that of visible normals' reflections (Heitz 2018) towards a unit direction.
+HWY_INLINE Lanes lobe_density(const LitBatch& points, const Vectors& normal,
+                              const Vectors& direction, std::size_t i) {
+  const auto one = all_lanes(1.0f);
+  const Vectors to_viewer = loaded(points.to_viewer, i);
+  const auto alpha = loaded(points.alpha, i);
+  const auto a2 = hn::Mul(alpha, alpha);
+  const auto nv = dot(normal, to_viewer);
+  const Vectors sum = direction + to_viewer;
+  const Vectors across = cross(normal, sum);
+  const auto along = dot(normal, sum);
+  const auto half2 = hn::Max(dot(sum, sum), all_lanes(1e-12f));
+  const auto b = hn::Div(hn::Add(dot(across, across), hn::Mul(a2, hn::Mul(along, along))), half2);
+  const auto distribution =
+      hn::Div(hn::Mul(a2, all_lanes(std::numbers::inv_pi_v<float>)), hn::Mul(b, b));
+  const auto root = hn::Sqrt(hn::Add(hn::Mul(hn::Mul(nv, nv), hn::Sub(one, a2)), a2));
+  return hn::Div(distribution, hn::Mul(all_lanes(2.0f), hn::Add(nv, root)));
+}
+
+/// The mirrored view at a normal that is seen, by the point's own roughness.
+HWY_INLINE Vectors lobe_direction(const LitBatch& points, const LightPlaceBatch& places,
+                                  std::size_t i) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
+  const Vectors z = loaded(points.normal, i);
+  const Vectors x = any_perpendicular(z), y = cross(z, x);
+  const Vectors view = loaded(points.to_viewer, i);
+  const auto alpha = loaded(points.alpha, i);
+  // The view of a surface that is stretched to roughness 1.
+  const Vectors stretched{hn::Mul(alpha, dot(view, x)), hn::Mul(alpha, dot(view, y)), dot(view, z)};
+  const Vectors v = scaled(
+      hn::Div(one, hn::Sqrt(hn::Max(dot(stretched, stretched), all_lanes(1e-30f)))), stretched);
+  const auto level2 = hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y));
+  const auto steep = hn::Le(level2, all_lanes(1e-20f));
+  const auto per_level = hn::Div(one, hn::Sqrt(hn::IfThenElse(steep, one, level2)));
+  const Vectors t1{hn::IfThenElse(steep, one, hn::Neg(hn::Mul(v.y, per_level))),
+                   hn::IfThenElse(steep, zero, hn::Mul(v.x, per_level)), zero};
+  const Vectors t2 = cross(v, t1);
+  // A point of the disk that the view sees of the hemisphere.
+  const DiskPlaces p = concentric(centred(&places.u[i]), centred(&places.v[i]));
+  const auto beside = hn::Max(zero, hn::Sub(one, hn::Mul(p.x, p.x)));
+  const auto s = hn::Mul(all_lanes(0.5f), hn::Add(one, v.z));
+  const auto q = hn::Add(hn::Mul(hn::Sub(one, s), hn::Sqrt(beside)), hn::Mul(s, p.y));
+  const auto up = hn::Sqrt(hn::Max(zero, hn::Sub(beside, hn::Mul(q, q))));
+  const Vectors n = scaled(p.x, t1) + scaled(q, t2) + scaled(up, v);
+  // Back to the surface.
+  const Vectors normal = scaled(hn::Mul(alpha, n.x), x) + scaled(hn::Mul(alpha, n.y), y) +
+                         scaled(hn::Max(n.z, all_lanes(1e-6f)), z);
+  const Vectors h = scaled(hn::Div(one, hn::Sqrt(dot(normal, normal))), normal);
+  const auto along = dot(h, view);
+  return scaled(hn::Add(along, along), h) - view;
+}
+
+/// Where directions meet a light, and how densely its samples lie there, by solid angle.
+struct MetLight {
+  Lanes distance;
+  Lanes density;
+  LaneMask met;
+};
+
+HWY_INLINE MetLight none_met() {
+  const auto zero = hn::Zero(FloatTag());
+  return {zero, zero, hn::Lt(zero, zero)};
+}
+
+HWY_INLINE MetLight meet_cone(const Vectors& axis, Lanes one_less_cosine,
+                              const Vectors& direction) {
+  // By the chord: near to the axis cosines have no digits left.
+  const Vectors chord = direction - axis;
+  const auto met = hn::Le(hn::Mul(all_lanes(0.5f), dot(chord, chord)), one_less_cosine);
+  const auto density = hn::Div(all_lanes(0.5f * std::numbers::inv_pi_v<float>), one_less_cosine);
+  return {hn::Inf(FloatTag()), density, met};
+}
+
+HWY_INLINE MetLight meet_ball(const LightConstants& light, const ReceiverLanes& receiver,
+                              const Vectors& middle, const Vectors& direction) {
+  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+  const auto radius = all_lanes(light.radius);
+  const Offset at = towards_point(middle);
+  const auto inside = hn::Le(at.sample.distance, radius);
+  const auto sine = hn::Min(one, hn::Mul(radius, at.nearness));
+  const auto cosine = hn::Sqrt(hn::Mul(hn::Sub(one, sine), hn::Add(one, sine)));
+  const MetLight cone =
+      meet_cone(at.sample.direction, hn::Div(hn::Mul(sine, sine), hn::Add(one, cosine)), direction);
+  const auto along = dot(direction, middle);
+  const Vectors beside = middle - scaled(along, direction);
+  const auto depth2 = hn::Sub(hn::Mul(radius, radius), dot(beside, beside));
+  const auto half_chord = hn::Sqrt(hn::Max(zero, depth2));
+  const auto even = hn::Mul(hn::Max(zero, dot(direction, receiver.normal)),
+                            all_lanes(std::numbers::inv_pi_v<float>));
+  return {hn::IfThenElse(inside, hn::Add(along, half_chord), hn::Sub(along, half_chord)),
+          hn::IfThenElse(inside, even, cone.density), hn::Or(inside, cone.met)};
+}
+
+/// `solid_angle`: of a light that is sampled by it; else 0.
+template <LightConstants::Shape shape>
+HWY_INLINE MetLight meet_flat(const LightConstants& light, const Vectors& middle,
+                              const Vectors& direction, Lanes solid_angle) {
+  using Shape = LightConstants::Shape;
+  const FloatTag d;
+  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
+  const Vectors towards = all_lanes(light.towards);
+  const auto cosine = hn::Neg(dot(direction, towards));
+  const auto height = hn::Neg(dot(middle, towards));
+  auto met = light.two_sided ? hn::Gt(hn::Mul(cosine, height), zero)
+                             : hn::And(hn::Gt(cosine, zero), hn::Gt(height, zero));
+  if (hn::AllFalse(d, met)) return none_met();
+  const auto distance = hn::Div(height, hn::IfThenElse(met, cosine, one));
+  const Vectors hit = scaled(distance, direction) - middle;
+  if constexpr (shape == Shape::disk) {
+    met = hn::And(met, hn::Le(dot(hit, hit), all_lanes(light.radius * light.radius)));
+  } else {
+    const auto u = dot(hit, all_lanes(light.u_axis)), v = dot(hit, all_lanes(light.v_axis));
+    met = hn::And(met, hn::And(hn::Le(hn::Abs(u), all_lanes(light.u_length)),
+                               hn::Le(hn::Abs(v), all_lanes(light.v_length))));
+  }
+  const auto area = hn::Mul(all_lanes(light.area), hn::Abs(cosine));
+  const auto by_area = hn::Div(hn::Mul(distance, distance), hn::IfThenElse(met, area, one));
+  const auto by_angle = hn::Gt(solid_angle, zero);
+  return {
+      distance,
+      hn::IfThenElse(by_angle, hn::Div(one, hn::IfThenElse(by_angle, solid_angle, one)), by_area),
+      met};
+}
+
+/// Of those that meet the rectangle around a polygon, the ones that meet it.
+HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLanes& receiver,
+                                 const Vectors& direction, const LaneMask& met) {
+  const FloatTag d;
+  if (hn::AllFalse(d, met)) return met;
+  LitBatch::Vectors from, to;
+  LitBatch::Floats wanted{};
+  store(receiver.position, from, 0);
+  store(direction, to, 0);
+  store(hn::IfThenElseZero(met, all_lanes(1.0f)), wanted, 0);
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    if (wanted[k] == 0.0f) continue;
+    Ray ray;
+    ray.origin = from.at(k);
+    ray.direction = to.at(k);
+    if (!meet_light(*light.light, ray)) wanted[k] = 0.0f;
+  }
+  return hn::Gt(loaded(wanted, 0), hn::Zero(d));
+}
+
+template <LightConstants::Shape shape>
+HWY_INLINE MetLight met_light(const LightConstants& light, const ReceiverLanes& receiver,
+                              const Vectors& middle, const ArcPlaces& arc, const Vectors& direction,
+                              std::size_t i) {
+  using Shape = LightConstants::Shape;
+  if constexpr (shape == Shape::sun) {
+    return meet_cone(all_lanes(light.towards), all_lanes(light.one_less_cosine), direction);
+  } else if constexpr (shape == Shape::ball) {
+    return meet_ball(light, receiver, middle, direction);
+  } else if constexpr (shape == Shape::rectangle) {
+    return meet_flat<shape>(light, middle, direction, loaded(arc.first, i));
+  } else {
+    MetLight found = meet_flat<shape>(light, middle, direction, hn::Zero(FloatTag()));
+    if constexpr (shape == Shape::polygon)
+      found.met = meet_polygon(light, receiver, direction, found.met);
+    return found;
+  }
+}
+
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

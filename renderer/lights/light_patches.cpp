@@ -1,0 +1,197 @@
+#include "renderer/lights/light_patches.h"
+
+#include "renderer/lights/light_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+using LightShape = PreparedLight::Shape;
+
+constexpr float quarter = 0.5f * std::numbers::pi_v<float>;
+constexpr std::array<float, LightPatch::nodes> gauss_nodes{0.0694318442f, 0.3300094782f,
+                                                           0.6699905218f, 0.9305681558f};
+constexpr std::array<float, LightPatch::nodes> gauss_weights{0.1739274226f, 0.3260725774f,
+                                                             0.3260725774f, 0.1739274226f};
+
+/// Places of a patch at one v: origin + u * step, each worth `area` times what `by_u` says.
+struct Row {
+  glm::vec3 origin, step;
+  float area = 0.0f;
+};
+
+Row row_of(const LightPatch& patch, float v) {
+  if (patch.kind == LightPatch::Kind::trapezoid) {
+    const float width = patch.width + v * patch.width_on;
+    return {patch.origin + (patch.left + v * patch.left_on) * patch.x +
+                (patch.foot + v * patch.height) * patch.y,
+            width * patch.x, width * patch.height};
+  }
+  const float angle = quarter * v;
+  return {patch.origin, std::cos(angle) * patch.x + std::sin(angle) * patch.y, quarter};
+}
+
+/// A direction of a cap, and the solid angle per du and turn.
+struct CapPlace {
+  glm::vec3 direction;
+  float solid_angle;
+};
+CapPlace cap_place(const LightPatch& patch, const Row& row, float u) {
+  const float drop = u * u * patch.one_less_cosine;
+  return {(1.0f - drop) * row.origin + std::sqrt(drop * (2.0f - drop)) * row.step,
+          2.0f * u * patch.one_less_cosine};
+}
+
+/// A patch whose vectors come in units of `unit`.
+LightPatch patch_of(const PreparedLight& light, glm::dvec3 position) {
+  const glm::dvec3 to_middle = light.position - position;
+  const double per_unit = 1.0 / glm::length(to_middle);
+  LightPatch patch;
+  patch.origin = glm::vec3(per_unit * to_middle);
+  patch.two_sided = light.two_sided;
+  return patch;
+}
+
+void add_trapezoids(const PreparedLight& light, glm::dvec3 position,
+                    std::vector<LightPatch>& patches) {
+  LightPatch patch = patch_of(light, position);
+  const double per_unit = 1.0 / glm::distance(light.position, position);
+  if (light.rectangle) {
+    patch.x = glm::vec3(per_unit * light.half_u);
+    patch.y = glm::vec3(per_unit * light.half_v);
+    patch.facing = glm::vec3(per_unit * per_unit * glm::cross(light.half_u, light.half_v));
+    patch.left = patch.foot = -1.0f;
+    patch.width = patch.height = 2.0f;
+    patches.push_back(patch);
+    return;
+  }
+  patch.x = glm::vec3(glm::normalize(light.half_u));
+  patch.y = glm::vec3(glm::normalize(light.half_v));
+  patch.facing = glm::vec3(light.towards);
+  for (const PolygonRows::Row& row : light.rows.rows) {
+    patch.foot = static_cast<float>(per_unit * row.y0);
+    patch.height = static_cast<float>(per_unit * (row.y1 - row.y0));
+    for (std::uint32_t i = row.first; i < row.first + row.count; ++i) {
+      const PolygonRows::Trapezoid& t = light.rows.trapezoids[i];
+      patch.left = static_cast<float>(per_unit * t.left0);
+      patch.left_on = static_cast<float>(per_unit * (t.left1 - t.left0));
+      patch.width = static_cast<float>(per_unit * (t.right0 - t.left0));
+      patch.width_on = static_cast<float>(per_unit * (t.right1 - t.left1)) - patch.width;
+      patches.push_back(patch);
+    }
+  }
+}
+
+void add_quarters(LightPatch patch, std::vector<LightPatch>& patches) {
+  for (int i = 0; i < 4; ++i) {
+    patches.push_back(patch);
+    const glm::vec3 x = patch.x;
+    patch.x = patch.y;
+    patch.y = -x;
+  }
+}
+
+void add_disk(const PreparedLight& light, glm::dvec3 position, std::vector<LightPatch>& patches) {
+  LightPatch patch = patch_of(light, position);
+  const double per_unit = 1.0 / glm::distance(light.position, position);
+  patch.kind = LightPatch::Kind::sector;
+  patch.x = glm::vec3(per_unit * light.half_u);
+  patch.y = glm::vec3(per_unit * light.half_v);
+  patch.facing = glm::vec3(per_unit * per_unit * glm::cross(light.half_u, light.half_v));
+  add_quarters(patch, patches);
+}
+
+void add_cap(glm::dvec3 axis, double one_less_cosine, std::vector<LightPatch>& patches) {
+  LightPatch patch;
+  patch.kind = LightPatch::Kind::cap;
+  const glm::dvec3 x = any_perpendicular(axis);
+  patch.origin = glm::vec3(axis);
+  patch.x = glm::vec3(x);
+  patch.y = glm::vec3(glm::cross(axis, x));
+  patch.one_less_cosine = static_cast<float>(one_less_cosine);
+  add_quarters(patch, patches);
+}
+
+double one_less_cosine(double sine) {
+  return sine * sine / (1.0 + std::sqrt((1.0 - sine) * (1.0 + sine)));
+}
+
+}  // namespace
+
+glm::vec3 LightPatch::direction(float u, float v) const {
+  const Row row = row_of(*this, v);
+  if (kind == Kind::cap) return cap_place(*this, row, u).direction;
+  const glm::vec3 offset = row.origin + u * row.step;
+  return offset / std::max(1e-30f, glm::length(offset));
+}
+
+LightPatch::Cell LightPatch::cell(const Square& square) const {
+  Cell cell;
+  const float side2 = square.side * square.side;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const Row row = row_of(*this, square.v + square.side * gauss_nodes[k]);
+    const float share = side2 * gauss_weights[k] * row.area;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const std::size_t at = nodes * k + i;
+      const float u = square.u + square.side * gauss_nodes[i];
+      if (kind == Kind::cap) {
+        const CapPlace place = cap_place(*this, row, u);
+        cell.x[at] = place.direction.x, cell.y[at] = place.direction.y;
+        cell.z[at] = place.direction.z;
+        cell.solid_angle[at] = share * gauss_weights[i] * place.solid_angle;
+      } else {
+        cell.x[at] = row.origin.x + u * row.step.x, cell.y[at] = row.origin.y + u * row.step.y;
+        cell.z[at] = row.origin.z + u * row.step.z;
+        cell.solid_angle[at] = share * gauss_weights[i] * (kind == Kind::sector ? u : 1.0f);
+      }
+    }
+  }
+  if (kind != Kind::cap) look_at_places(cell);
+  return cell;
+}
+
+// Offsets become directions, and areas solid angles.
+void LightPatch::look_at_places(Cell& cell) const {
+  const glm::vec3 f = facing;
+  const float behind = two_sided ? -1.0f : 0.0f;
+  for (std::size_t i = 0; i < cell_nodes; ++i) {
+    const float dx = cell.x[i], dy = cell.y[i], dz = cell.z[i];
+    const float square = dx * dx + dy * dy + dz * dz;
+    const float nearness2 = 1.0f / (square > 1e-20f ? square : 1e-20f);
+    const float nearness = std::sqrt(nearness2);
+    cell.x[i] = nearness * dx, cell.y[i] = nearness * dy, cell.z[i] = nearness * dz;
+    const float cosine = -nearness * (dx * f.x + dy * f.y + dz * f.z);
+    cell.solid_angle[i] *= nearness2 * (cosine > 0.0f ? cosine : behind * cosine);
+  }
+}
+
+void find_light_patches(const PreparedLight& light, const Receiver& receiver,
+                        std::vector<LightPatch>& patches) {
+  const glm::dvec3 position = receiver.position;
+  patches.clear();
+  if (light.shape == LightShape::sun) {
+    const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
+    add_cap(light.towards, one_less_cosine(light.radius * cosine), patches);
+    return;
+  }
+  const glm::dvec3 to_middle = light.position - position;
+  const double distance = glm::length(to_middle);
+  if (light.shape == LightShape::ball) {
+    if (distance > light.radius) {
+      add_cap(to_middle / distance, one_less_cosine(light.radius / distance), patches);
+    } else {
+      add_cap(receiver.normal, 1.0, patches);
+    }
+    return;
+  }
+  if (!(distance > 0.0)) return;
+  const double height = -glm::dot(to_middle, light.towards);
+  if (height == 0.0 || (height < 0.0 && !light.two_sided)) return;
+  if (light.shape == LightShape::disk) add_disk(light, position, patches);
+  if (light.shape == LightShape::polygon) add_trapezoids(light, position, patches);
+}
+
+}  // namespace asos

@@ -1,0 +1,173 @@
+#include "renderer/shading/light_quadrature.h"
+
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/viewed_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+// Cells are divided while they span more than this, in radians from their middle to a corner, or
+// than the larger of a share of the way to the mirrored view and the lobe.
+constexpr float widest_cell = 0.4f;
+constexpr float share_of_way = 0.7f;
+constexpr float share_of_lobe = 1.4f;
+// The integrand bends at the horizon.
+constexpr float share_across_horizon = 0.4f;
+constexpr int deepest = 10;
+constexpr int most_cells = 1024;
+
+}  // namespace
+
+LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness)
+    : receiver_(receiver),
+      normal_(receiver.normal),
+      geometric_(receiver.geometric),
+      to_viewer_(to_viewer),
+      mirrored_(glm::reflect(-to_viewer, receiver.normal)),
+      n_dot_v_(std::max(glm::dot(normal_, to_viewer_), grazing_cosine)) {
+  const auto rough = std::clamp(static_cast<float>(roughness), roughness_floor, 1.0f);
+  alpha2_ = rough * rough * rough * rough;
+  viewer_root_ = std::sqrt(n_dot_v_ * n_dot_v_ * (1.0f - alpha2_) + alpha2_);
+  // At grazing angles the lobe is narrower across the plane of view.
+  narrowest_ = share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
+}
+
+ReflectedIntegral LightQuadrature::operator()(const PreparedLight& light) {
+  sums_ = {};
+  cells_ = 0;
+  if (light.shape == PreparedLight::Shape::segment) {
+    add_segment(light);
+  } else {
+    find_light_patches(light, receiver_, patches_);
+    for (const LightPatch& patch : patches_) add_patch(patch, {}, 0);
+  }
+  double left = 1.0;
+  if (light.shape == PreparedLight::Shape::ball) left = attenuation(light, receiver_.position);
+  return {left * static_cast<double>(sums_.lobe), left * static_cast<double>(sums_.fresnel),
+          left * static_cast<double>(sums_.scattered)};
+}
+
+void LightQuadrature::add_patch(const LightPatch& patch, const LightPatch::Square& square,
+                                int depth) {
+  const float half = 0.5f * square.side;
+  const glm::vec3 middle = patch.direction(square.u + half, square.v + half);
+  float reach2 = 0.0f;
+  int above = 0;
+  for (const float u : {square.u, square.u + square.side}) {
+    for (const float v : {square.v, square.v + square.side}) {
+      const glm::vec3 corner = patch.direction(u, v);
+      const glm::vec3 across = corner - middle;
+      reach2 = std::max(reach2, glm::dot(across, across));
+      above += glm::dot(corner, normal_) > 0.0f;
+    }
+  }
+  const float way = share_of_way * glm::length(mirrored_ - middle);
+  float most = std::min(widest_cell, std::max(narrowest_, way));
+  if (above % 4 != 0) most *= share_across_horizon;
+  if (reach2 > most * most && depth < deepest && cells_ < most_cells) {
+    for (const float v : {square.v, square.v + half}) {
+      for (const float u : {square.u, square.u + half}) add_patch(patch, {u, v, half}, depth + 1);
+    }
+    return;
+  }
+  add_cell(patch.cell(square));
+}
+
+void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
+  ++cells_;
+  constexpr std::size_t count = LightPatch::cell_nodes;
+  std::array<float, count> form, lobe, fresnel, scattered;
+  const glm::vec3 n = normal_, g = geometric_, v = to_viewer_;
+  const float n_dot_v = glm::dot(n, v), clamped_n_dot_v = n_dot_v_;
+  const float a2 = alpha2_, rest = 1.0f - alpha2_, viewer_root = viewer_root_;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float cosine = n.x * cell.x[i] + n.y * cell.y[i] + n.z * cell.z[i];
+    form[i] = (cosine > 0.0f ? cosine : 0.0f) * cell.solid_angle[i];
+  }
+  if (g != n) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float cosine = g.x * cell.x[i] + g.y * cell.y[i] + g.z * cell.z[i];
+      form[i] = cosine > 0.0f ? form[i] : 0.0f;
+    }
+  }
+  // Plain enough for the compiler to take several nodes at a time.
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = cell.x[i], y = cell.y[i], z = cell.z[i];
+    const float n_dot_l = n.x * x + n.y * y + n.z * z;
+    const float v_dot_l = v.x * x + v.y * y + v.z * z;
+    const float nl = n_dot_l > grazing_cosine ? n_dot_l : grazing_cosine;
+    // The half vector's square, and its parts along the normal and across; the latter by itself,
+    // for a narrow lobe is a matter of its last bits.
+    const float square = 2.0f + 2.0f * v_dot_l;
+    const float half2 = square > 1e-12f ? square : 1e-12f;
+    const float hx = v.x + x, hy = v.y + y, hz = v.z + z;
+    const float cx = n.y * hz - n.z * hy, cy = n.z * hx - n.x * hz, cz = n.x * hy - n.y * hx;
+    const float along = n_dot_l + n_dot_v;
+    const float b = (cx * cx + cy * cy + cz * cz + a2 * along * along) / half2;
+    const float shadowing = nl * viewer_root + clamped_n_dot_v * std::sqrt(nl * nl * rest + a2);
+    const float m = 1.0f - 0.5f * std::sqrt(half2);
+    const float schlick = m * m * m * m * m;
+    lobe[i] = form[i] * a2 * 0.5f * std::numbers::inv_pi_v<float> / (b * b * shadowing);
+    fresnel[i] = lobe[i] * schlick;
+    scattered[i] = form[i] * schlick;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    sums_.lobe += lobe[i];
+    sums_.fresnel += fresnel[i];
+    sums_.scattered += scattered[i];
+  }
+}
+
+// By the angle at the receiver, which takes up the square of the distance; the sine of the angle to
+// the line is there the cosine to its foot.
+void LightQuadrature::add_segment(const PreparedLight& light) {
+  const glm::dvec3 to_middle = light.position - receiver_.position;
+  const double half = glm::length(light.half_u);
+  if (!(half > 0.0)) return;
+  const glm::dvec3 along = light.half_u / half;
+  const double s0 = glm::dot(to_middle, along) - half;
+  const glm::dvec3 foot = to_middle - glm::dot(to_middle, along) * along;
+  const double height = glm::length(foot);
+  if (!(height > 0.0)) return;
+  const double begin = std::atan2(s0, height), end = std::atan2(s0 + 2.0 * half, height);
+  const auto direction = [&](double angle) {
+    return std::cos(angle) * (foot / height) + std::sin(angle) * along;
+  };
+  constexpr std::array<double, 4> nodes{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                                        0.9305681557970263};
+  constexpr std::array<double, 4> weights{0.1739274225687269, 0.3260725774312731,
+                                          0.3260725774312731, 0.1739274225687269};
+  // Four parts to a cell.
+  LightPatch::Cell cell;
+  std::size_t used = 0;
+  double from = begin;
+  while (from < end) {
+    double part = std::min(end - from, static_cast<double>(widest_cell));
+    const double way =
+        static_cast<double>(share_of_way * glm::length(mirrored_ - glm::vec3(direction(from))));
+    const double least = static_cast<double>(narrowest_);
+    // No part may jump over the peak.
+    part = std::min(part, std::max(least, 0.5 * way));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double angle = from + part * nodes[i];
+      const glm::vec3 d(direction(angle));
+      cell.x[used] = d.x, cell.y[used] = d.y, cell.z[used] = d.z;
+      cell.solid_angle[used++] = static_cast<float>(weights[i] * part * std::cos(angle) / height);
+    }
+    from = part >= end - from ? end : from + part;
+    if (used == LightPatch::cell_nodes || from >= end) {
+      for (; used < LightPatch::cell_nodes; ++used) {
+        cell.x[used] = cell.x[0], cell.y[used] = cell.y[0], cell.z[used] = cell.z[0];
+        cell.solid_angle[used] = 0.0f;
+      }
+      add_cell(cell);
+      used = 0;
+    }
+  }
+}
+
+}  // namespace asos

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "renderer/lights/light_patches.h"
+#include "renderer/lights/prepared_light.h"
+#include "renderer/lights/receiver.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace asos {
+
+/// What a surface makes of a light with nothing in the way, per power of the PreparedLight: the
+/// specular part's radiance is f0 * lobe + (f90 - f0) * fresnel; what the diffuse part sends on is
+/// the irradiance less its falloff times `scattered`, each over pi.
+struct ReflectedIntegral {
+  double lobe = 0.0;
+  double fresnel = 0.0;
+  double scattered = 0.0;  ///< the irradiance times Schlick's (1 - v.h)^5
+};
+
+/// Sums of the BRDF itself over lights that have a size, by the physical rule, above both of a
+/// receiver's horizons. A light is divided until its parts are small beside their angle to the
+/// mirrored view, or beside the lobe there, and is summed up there at Gauss and Legendre's nodes:
+/// up to 75 degrees of view within 0.2 % on average over lights in all places. At 85 degrees lobes
+/// of roughness 0.1, bent and cut by the horizon, are off by up to 2 % on average.
+class LightQuadrature {
+ public:
+  /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine.
+  LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness);
+
+  /// 0 for a light that has no size.
+  [[nodiscard]] ReflectedIntegral operator()(const PreparedLight& light);
+
+  /// The cells that the light was summed up over, last.
+  [[nodiscard]] int cells() const { return cells_; }
+
+ private:
+  struct Sums {
+    float lobe = 0.0f, fresnel = 0.0f, scattered = 0.0f;
+  };
+  void add_patch(const LightPatch& patch, const LightPatch::Square& square, int depth);
+  void add_cell(const LightPatch::Cell& cell);
+  void add_segment(const PreparedLight& light);
+
+  Receiver receiver_;
+  glm::vec3 normal_, geometric_, to_viewer_, mirrored_;
+  float n_dot_v_;
+  float alpha2_;
+  float viewer_root_;  // of Smith's term
+  float narrowest_;    // the lobe's width
+  int cells_ = 0;
+  Sums sums_;
+  std::vector<LightPatch> patches_;
+};
+
+}  // namespace asos

@@ -1,0 +1,85 @@
+#include "renderer/shading/reflected_light.h"
+
+#include "renderer/shading/light_transport.h"
+#include "renderer/shading/lobe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+// What shading makes of a highlight in closed form.
+
+namespace asos::reflected_light_test {
+namespace {
+
+PreparedLight rectangle(glm::vec3 color) {
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = {1.0, 0.0, 1.0};
+  light.direction = {-1.0, 0.0, -1.0};
+  light.half_u = {0.0, 0.2, 0.0};
+  light.half_v = {0.1, 0.0, -0.1};
+  light.color = color;
+  light.intensity = 3.0f;
+  return prepare_light(light);
+}
+
+/// A point that is seen at 45 degrees, whose mirrored view meets the middle of the light.
+struct Seen {
+  Seen() {
+    point.geometric_normal = point.shading_normal = {0, 0, 1};
+    material.diffuse = glm::vec3(0.2f, 0.1f, 0.0f);
+    material.f0 = glm::vec3(0.9f, 0.5f, 0.04f);
+    material.roughness = 0.3f;
+  }
+  [[nodiscard]] glm::vec3 radiance(const PreparedLight& light) const {
+    const ViewedPoint view{point, glm::normalize(glm::vec3(-1, 0, 1)), std::sqrt(0.5f)};
+    const LitPoint lit{{}, view, material};
+    const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(point));
+    return ReflectedLights(lit).of(light, irradiance).reflected * irradiance;
+  }
+
+  SurfacePoint point;
+  ViewedMaterial material{};
+};
+
+TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
+  Seen seen;
+  seen.material.f90 = 0.7f;
+  seen.material.falloff = 0.6f;
+  // Also of a light that lacks a colour.
+  const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});
+  const Receiver receiver = receiver_at(seen.point);
+  const ReflectedIntegral all =
+      LightQuadrature(receiver, glm::normalize(glm::dvec3(-1, 0, 1)), 0.3)(light);
+  const glm::vec3 radiance = seen.radiance(light);
+  const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
+  for (int i = 0; i < 3; ++i) {
+    const double f0 = seen.material.f0[i];
+    const double diffuse = seen.material.diffuse[i] * std::numbers::inv_pi *
+                           (irradiance[i] - 0.6 * light.power[i] * all.scattered);
+    const double expected = diffuse + light.power[i] * (f0 * all.lobe + (0.7 - f0) * all.fresnel);
+    EXPECT_NEAR(radiance[i], expected, 1e-5 * expected) << i;
+  }
+  EXPECT_GT(radiance.x, 0.1f * light.power.x) << "the light is mirrored";
+}
+
+TEST(ReflectedLights, AreFainterWhereNormalsTurn) {
+  Seen seen;
+  const PreparedLight light = rectangle(glm::vec3(1.0f));
+  const glm::vec3 flat = seen.radiance(light);
+  seen.point.spread = {{0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, 0.0f};
+  const glm::vec3 turned = seen.radiance(light);
+  EXPECT_LT(turned.x, 0.9f * flat.x);
+  EXPECT_GT(turned.x, 0.2f * flat.x);
+  // As a rougher surface that is flat.
+  const PatchLobe lobe(seen.point.spread, 0.3f, seen.point.shading_normal);
+  ASSERT_TRUE(lobe.wider());
+  seen.point.spread = {};
+  seen.material.roughness = lobe.round_roughness();
+  EXPECT_NEAR(seen.radiance(light).x, turned.x, 1e-4f * turned.x);
+}
+
+}  // namespace
+}  // namespace asos::reflected_light_test

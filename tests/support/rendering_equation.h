@@ -1,0 +1,238 @@
+#pragma once
+
+#include "renderer/lights/prepared_light.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+// The rendering equation for direct light by quadrature over the lights' surfaces, with nothing of
+// the renderer's shading: what a surface of glTF's BRDF (appendix B) sends to a viewer.
+
+namespace asos::test {
+
+struct Reflector {
+  glm::dvec3 base{1.0};
+  double metallic = 1.0;
+  double roughness = 0.5;
+};
+
+/// A point of a surface, and where it is seen from; all unit but the position.
+struct SeenPoint {
+  glm::dvec3 position, normal, to_viewer;
+};
+
+/// Appendix B, for `to_light` above the horizon, in 1 / sr.
+[[nodiscard]] inline glm::dvec3 gltf_brdf(const Reflector& r, const SeenPoint& at,
+                                          glm::dvec3 to_light) {
+  const glm::dvec3 n = at.normal, v = at.to_viewer;
+  const glm::dvec3 h = glm::normalize(v + to_light);
+  const double a2 = std::pow(r.roughness, 4.0);
+  const double nl = glm::dot(n, to_light), nv = glm::dot(n, v), nh = glm::dot(n, h);
+  const glm::dvec3 across = glm::cross(n, h);
+  const double b = glm::dot(across, across) + a2 * nh * nh;
+  const auto root = [a2](double x) { return std::sqrt(a2 + (1.0 - a2) * x * x); };
+  const double specular = a2 / (std::numbers::pi * b * b) * 0.5 / (nl * root(nv) + nv * root(nl));
+  const double schlick = std::pow(1.0 - glm::dot(v, h), 5.0);
+  const double fresnel = 0.04 + 0.96 * schlick;
+  const glm::dvec3 dielectric =
+      (1.0 - fresnel) * std::numbers::inv_pi * r.base + glm::dvec3(fresnel * specular);
+  const glm::dvec3 metal = specular * (r.base + (1.0 - r.base) * schlick);
+  return glm::mix(dielectric, metal, r.metallic);
+}
+
+/// A part of a light by two parameters from 0 to 1.
+struct RadiantPatch {
+  struct Place {
+    glm::dvec3 to_light;     ///< unit
+    double solid_angle = 0;  ///< per du dv, signed: not seen from behind
+  };
+  std::function<Place(glm::dvec3 from, double u, double v)> at;
+};
+
+[[nodiscard]] inline RadiantPatch flat_patch(glm::dvec3 corner, glm::dvec3 u_edge,
+                                             glm::dvec3 v_edge) {
+  const glm::dvec3 facing = glm::cross(u_edge, v_edge);
+  return {[=](glm::dvec3 from, double u, double v) -> RadiantPatch::Place {
+    const glm::dvec3 d = corner + u * u_edge + v * v_edge - from;
+    const double distance = glm::length(d);
+    return {d / distance, -glm::dot(d, facing) / (distance * distance * distance)};
+  }};
+}
+
+/// A quarter of a disk, or of a cone's directions, between two axes at right angles.
+[[nodiscard]] inline RadiantPatch disk_patch(glm::dvec3 centre, glm::dvec3 x, glm::dvec3 y) {
+  const glm::dvec3 facing = glm::cross(x, y);
+  return {[=](glm::dvec3 from, double u, double v) -> RadiantPatch::Place {
+    const double angle = 0.5 * std::numbers::pi * v;
+    const glm::dvec3 d = centre + u * (std::cos(angle) * x + std::sin(angle) * y) - from;
+    const double distance = glm::length(d);
+    return {d / distance,
+            -0.5 * std::numbers::pi * u * glm::dot(d, facing) / (distance * distance * distance)};
+  }};
+}
+
+[[nodiscard]] inline glm::dvec3 across(glm::dvec3 axis) {
+  const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, other));
+}
+
+/// Four quarters that face along `facing` (unit).
+inline void add_disk(std::vector<RadiantPatch>& patches, glm::dvec3 centre, glm::dvec3 facing,
+                     double radius) {
+  const glm::dvec3 x = radius * across(facing);
+  const glm::dvec3 y = glm::cross(facing, x);
+  for (const auto& [a, b] : {std::pair{x, y}, {y, -x}, {-x, -y}, {-y, x}})
+    patches.push_back(disk_patch(centre, a, b));
+}
+
+/// Directions of a cone around a unit axis.
+inline void add_cone(std::vector<RadiantPatch>& patches, glm::dvec3 from, glm::dvec3 axis,
+                     double sine) {
+  add_disk(patches, from + std::sqrt((1.0 - sine) * (1.0 + sine)) * axis, -axis, sine);
+}
+
+/// What a viewer sees of the patches, of radiance 1 each, by way of a point. They are divided until
+/// each is small beside its angle to the mirrored view, or beside the lobe; `fineness` 1 is good
+/// for 1e-5 of the whole.
+class PatchQuadrature {
+ public:
+  PatchQuadrature(const Reflector& reflector, const SeenPoint& at, double fineness = 2.0)
+      : reflector_(reflector),
+        at_(at),
+        mirrored_(glm::reflect(-at.to_viewer, at.normal)),
+        lobe_(reflector.roughness * reflector.roughness *
+              std::clamp(glm::dot(at.normal, at.to_viewer), 0.1, 1.0)),
+        fineness_(fineness) {}
+
+  [[nodiscard]] glm::dvec3 operator()(const RadiantPatch& patch) const {
+    return integral(patch, 0.0, 0.0, 1.0, 0);
+  }
+
+ private:
+  [[nodiscard]] glm::dvec3 integral(const RadiantPatch& patch, double u, double v, double side,
+                                    int depth) const {
+    constexpr int deepest = 12;
+    const glm::dvec3 middle = patch.at(at_.position, u + 0.5 * side, v + 0.5 * side).to_light;
+    double reach = 0.0;
+    for (const double du : {0.0, 1.0}) {
+      for (const double dv : {0.0, 1.0}) {
+        const auto corner = patch.at(at_.position, u + du * side, v + dv * side);
+        reach = std::max(reach, glm::length(corner.to_light - middle));
+      }
+    }
+    const double to_peak = glm::length(mirrored_ - middle);
+    const double most = std::min(0.25, std::max(lobe_, 0.5 * to_peak)) / fineness_;
+    if (reach > most && depth < deepest) {
+      const double half = 0.5 * side;
+      return integral(patch, u, v, half, depth + 1) +
+             integral(patch, u + half, v, half, depth + 1) +
+             integral(patch, u, v + half, half, depth + 1) +
+             integral(patch, u + half, v + half, half, depth + 1);
+    }
+    constexpr std::array<double, 4> nodes{0.0694318442029737, 0.3300094782075719,
+                                          0.6699905217924281, 0.9305681557970263};
+    constexpr std::array<double, 4> weights{0.1739274225687269, 0.3260725774312731,
+                                            0.3260725774312731, 0.1739274225687269};
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto place = patch.at(at_.position, u + side * nodes[i], v + side * nodes[k]);
+        const double cosine = glm::dot(place.to_light, at_.normal);
+        if (!(cosine > 0.0) || !(place.solid_angle > 0.0)) continue;
+        sum += weights[i] * weights[k] * cosine * place.solid_angle *
+               gltf_brdf(reflector_, at_, place.to_light);
+      }
+    }
+    return side * side * sum;
+  }
+
+  Reflector reflector_;
+  SeenPoint at_;
+  glm::dvec3 mirrored_;
+  double lobe_;
+  double fineness_;
+};
+
+/// The same of a line of one candela a metre, a thin tube that shines like Lambert's.
+[[nodiscard]] inline glm::dvec3 line_quadrature(const Reflector& reflector, const SeenPoint& at,
+                                                glm::dvec3 begin, glm::dvec3 end) {
+  constexpr int parts = 400;
+  const glm::dvec3 step = (end - begin) / static_cast<double>(parts);
+  const glm::dvec3 along = glm::normalize(step);
+  const double third = 0.5 * std::sqrt(0.6);
+  glm::dvec3 sum(0.0);
+  for (int i = 0; i < parts; ++i) {
+    for (const double node : {-third, 0.0, third}) {
+      const glm::dvec3 d = begin + (i + 0.5 + node) * step - at.position;
+      const double distance = glm::length(d);
+      const glm::dvec3 to_light = d / distance;
+      const double cosine = glm::dot(to_light, at.normal);
+      if (!(cosine > 0.0)) continue;
+      const double sine = glm::length(glm::cross(to_light, along));
+      sum += (node == 0.0 ? 4.0 / 9.0 : 5.0 / 18.0) * cosine * sine / (distance * distance) *
+             gltf_brdf(reflector, at, to_light);
+    }
+  }
+  return glm::length(step) * sum;
+}
+
+/// Radiance that a viewer sees of the light by way of a point, with nothing in the way. Polygons:
+/// of rectangles within rectangles, each around the same middle.
+[[nodiscard]] inline glm::dvec3 reflected_radiance(const PreparedLight& light,
+                                                   const Reflector& reflector, const SeenPoint& at,
+                                                   double fineness = 2.0) {
+  using Shape = PreparedLight::Shape;
+  const glm::dvec3 power(light.power);
+  if (light.shape == Shape::segment) {
+    return power * line_quadrature(reflector, at, light.position - light.half_u,
+                                   light.position + light.half_u);
+  }
+  std::vector<RadiantPatch> patches;
+  if (light.shape == Shape::disk) {
+    add_disk(patches, light.position, light.towards, light.radius);
+  } else if (light.shape == Shape::ball) {
+    const glm::dvec3 to_middle = light.position - at.position;
+    const double distance = glm::length(to_middle);
+    add_cone(patches, at.position, to_middle / distance, light.radius / distance);
+  } else if (light.shape == Shape::sun) {
+    add_cone(patches, at.position, light.towards, std::sin(std::atan(light.radius)));
+  } else if (light.outlines.size() == 2) {
+    // A ring: the quadrangles between two outlines, which may run opposite ways.
+    const auto& outer = light.outlines[0];
+    std::vector<glm::dvec3> inner;
+    for (const glm::dvec3& corner : outer) {
+      inner.push_back(*std::min_element(
+          light.outlines[1].begin(), light.outlines[1].end(), [&](glm::dvec3 p, glm::dvec3 q) {
+            return glm::distance(p, corner) < glm::distance(q, corner);
+          }));
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t k = (i + 1) % 4;
+      const glm::dvec3 a = outer[i], b = outer[k], c = inner[k], d = inner[i];
+      const glm::dvec3 facing = light.towards;
+      patches.push_back({[=](glm::dvec3 from, double u, double v) -> RadiantPatch::Place {
+        const glm::dvec3 p = glm::mix(glm::mix(a, b, u), glm::mix(d, c, u), v);
+        const glm::dvec3 du = glm::mix(b - a, c - d, v), dv = glm::mix(d - a, c - b, u);
+        const glm::dvec3 to = p - from;
+        const double distance = glm::length(to);
+        return {to / distance, -glm::dot(to, facing) * glm::length(glm::cross(du, dv)) /
+                                   (distance * distance * distance)};
+      }});
+    }
+  } else {
+    patches.push_back(flat_patch(light.position - light.half_u - light.half_v, 2.0 * light.half_u,
+                                 2.0 * light.half_v));
+  }
+  const PatchQuadrature quadrature(reflector, at, fineness);
+  glm::dvec3 sum(0.0);
+  for (const RadiantPatch& patch : patches) sum += quadrature(patch);
+  return power * sum;
+}
+
+}  // namespace asos::test
