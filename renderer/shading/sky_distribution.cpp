@@ -17,27 +17,44 @@ double brightness(glm::vec3 radiance) {
   return static_cast<double>(std::max({radiance.x, radiance.y, radiance.z}));
 }
 
+// Of a texel as it is looked up, which mixes it with its neighbours: the mean of its four quarters'
+// middles.
+double brightness_in(const SkyRows& rows, std::size_t row, std::size_t column,
+                     std::size_t columns) {
+  double sum = 0.0;
+  for (const double down : {0.25, 0.75}) {
+    for (const double right : {0.25, 0.75}) {
+      const double u = (static_cast<double>(column) + right) / static_cast<double>(columns);
+      const double v = (static_cast<double>(row) + down) / static_cast<double>(rows.rows());
+      sum += brightness(rows.at(u, v));
+    }
+  }
+  return 0.25 * sum;
+}
+
 }  // namespace
 
 SkyDistribution::SkyDistribution(const SkyRows& rows) {
   const auto count = static_cast<std::size_t>(rows.rows());
   start_.assign(rows.start.begin(), rows.start.end());
+  std::vector<double> bright;
   double power = 0.0;
   for (std::size_t r = 0; r < count; ++r) {
     const double height =
         std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(count)) -
         std::cos(std::numbers::pi * static_cast<double>(r + 1) / static_cast<double>(count));
-    solid_angle_.push_back(2.0 * std::numbers::pi * height /
-                           static_cast<double>(start_[r + 1] - start_[r]));
-    for (std::size_t i = start_[r]; i < start_[r + 1]; ++i)
-      power += solid_angle_[r] * brightness(rows.texels[i]);
+    const std::size_t columns = start_[r + 1] - start_[r];
+    solid_angle_.push_back(2.0 * std::numbers::pi * height / static_cast<double>(columns));
+    for (std::size_t i = 0; i < columns; ++i) {
+      bright.push_back(brightness_in(rows, r, i, columns));
+      power += solid_angle_[r] * bright.back();
+    }
   }
   const double least = power > 0.0 ? least_share * power / (4.0 * std::numbers::pi) : 1.0;
   double sum = 0.0;
-  for (std::size_t r = 0; r < count; ++r) {
+  for (std::size_t r = 0; r < count; ++r)
     for (std::size_t i = start_[r]; i < start_[r + 1]; ++i)
-      cumulative_.push_back(sum += solid_angle_[r] * (brightness(rows.texels[i]) + least));
-  }
+      cumulative_.push_back(sum += solid_angle_[r] * (bright[i] + least));
   for (double& share : cumulative_) share /= sum;
   cumulative_.back() = 1.0;
 }
