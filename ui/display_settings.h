@@ -11,6 +11,7 @@ struct DisplaySettings {
   float exposure_ev = 0.0f;     ///< stops
   bool show_split_map = false;  ///< over the picture: the split pixels in colours
   float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
+  bool show_legend = true;      ///< of the split map, over the picture
   SplitMapColours split_colours = SplitMapColours::level;
 
   bool operator==(const DisplaySettings&) const = default;

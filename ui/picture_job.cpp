@@ -72,6 +72,11 @@ std::optional<PictureJob::State> PictureJob::state() const {
                fraction_ > enough ? seconds * (1.0 - fraction_) / fraction_ : -1.0};
 }
 
+bool PictureJob::pending() const {
+  const std::scoped_lock lock(mutex_);
+  return running_ || outcome_;
+}
+
 std::optional<Result<std::string>> PictureJob::take_outcome() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(outcome_, std::nullopt);

@@ -82,6 +82,7 @@ TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
   open("red");
   const std::uint64_t restarts = rig.previewer().render().restarts();
   rig.content().state().display.show_split_map = true;
+  rig.content().state().display.show_legend = false;
   rig.content().state().display.split_dimming = 1.0f;
   rig.frame();
   const int max_level = rig.previewer().edits().settings().asos.max_level;
@@ -97,6 +98,7 @@ TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
 TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
   open("red");
   rig.content().state().display.show_split_map = true;
+  rig.content().state().display.show_legend = false;
   rig.content().state().display.split_dimming = 0.25f;
   rig.frame();
   const int max_level = rig.previewer().edits().settings().asos.max_level;

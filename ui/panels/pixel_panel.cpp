@@ -30,7 +30,7 @@ std::uint32_t shown_colour(glm::vec3 radiance, float exposure_ev) {
 }
 
 std::string number(float value) {
-  return fmt::format("{:.4g}", value);
+  return number_words(static_cast<double>(value));
 }
 
 std::string colour_words(glm::vec3 c) {
