@@ -1,6 +1,8 @@
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <cmath>
 #include <filesystem>
@@ -223,6 +225,85 @@ TEST_F(PanelsTest, TheOpenDialogOpensWhatIsTyped) {
   ASSERT_TRUE(
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "second"; }));
   EXPECT_FALSE(rig.content().state().show_open);
+}
+
+TEST_F(PanelsTest, TheOpenDialogIsUsedByKeyboard) {
+  const test::TemporaryFolder folder;
+  folder.write("first.glb", "");
+  folder.write("second.glb", "");
+  std::filesystem::create_directories(folder.path() / "deep");
+  folder.write("deep/third.glb", "");
+  const auto open = [&] {
+    rig.content().state().browser.folder = folder.path();
+    rig.chord(Key::ctrl, Key::o);
+    for (int i = 0; i < 3; ++i) rig.frame();
+  };
+  const auto opened = [&](const std::string& name) {
+    for (int i = 0; i < 3; ++i) rig.frame();
+    EXPECT_FALSE(rig.content().state().show_open);
+    return rig.frames_until(
+        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+  };
+  open();
+  rig.key(Key::down);
+  rig.key(Key::down);
+  rig.key(Key::enter);
+  EXPECT_TRUE(opened("second.glb"));
+  open();
+  rig.type("DE");
+  rig.key(Key::tab);
+  EXPECT_EQ(rig.content().state().browser.typed, "deep/");
+  rig.key(Key::enter);
+  rig.frame();
+  EXPECT_EQ(rig.content().state().browser.folder, folder.path() / "deep");
+  EXPECT_EQ(rig.content().state().browser.typed, "");
+  rig.frame();
+  rig.type("thi");
+  rig.key(Key::enter);
+  EXPECT_TRUE(opened("deep/third.glb"));
+  open();
+  rig.click("Folder/deep");
+  rig.frame();
+  rig.click("Open");
+  EXPECT_TRUE(opened("deep/third.glb"));
+}
+
+TEST_F(PanelsTest, PagesThroughTheModelsOfTheFolder) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.glb", "b.glb", "c.glb"}) folder.write(name, "");
+  const auto opened = [&](const char* name) {
+    return rig.frames_until(
+        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+  };
+  rig.previewer().scene().open(folder.file("a.glb"));
+  ASSERT_TRUE(opened("a.glb"));
+  rig.key(Key::page_down);
+  EXPECT_TRUE(opened("b.glb"));
+  EXPECT_EQ(rig.content().state().message, "2 of 3: b.glb");
+  rig.key(Key::page_up);
+  EXPECT_TRUE(opened("a.glb"));
+  rig.key(Key::page_up);
+  EXPECT_TRUE(opened("c.glb"));
+}
+
+// F6 goes to the panel and back; there, arrows choose a control, and Space is the control's.
+TEST_F(PanelsTest, ThePanelIsUsedByKeyboard) {
+  rig.key(Key::f6);
+  rig.frame();
+  rig.key(Key::down);
+  rig.frame();
+  ASSERT_TRUE(ImGui::GetIO().NavVisible);
+  const bool before = rig.previewer().refinement().paused();
+  rig.key(Key::space);
+  EXPECT_EQ(rig.previewer().refinement().paused(), before) << "it is the panel's key now";
+  rig.key(Key::escape);
+  if (rig.content().state().show_open) rig.key(Key::escape);
+  rig.key(Key::f6);
+  rig.frame();
+  rig.key(Key::f6);
+  rig.frame();
+  rig.frame();
+  EXPECT_FALSE(rig.content().state().leaving.quit);
 }
 
 TEST_F(PanelsTest, TheOpenDialogOffersTheBuiltInScenes) {
