@@ -15,7 +15,7 @@ Result<std::unique_ptr<PictureWriter>> writer_of(const PictureOrder& order) {
   const PictureSizePx size{part.width, part.height};
   if (std::filesystem::path(order.path).extension() == ".exr")
     return make_exr_writer(order.path, size, order.text);
-  return make_png_writer(order.path, size, order.exposure_ev, order.text);
+  return make_png_writer(order.path, size, order.display, order.text);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace asos {
 struct PictureOrder {
   Snapshot snapshot;
   std::string path;  ///< an EXR where it ends in .exr, else a PNG
-  float exposure_ev = 0.0f;
+  DisplayTransform display;
   ImageText text;
 };
 

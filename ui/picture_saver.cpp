@@ -48,9 +48,10 @@ std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,
   }
   DisplaySettings plain;
   plain.exposure_ev = shown.exposure_ev;
+  plain.tone = shown.tone;
   const ImageText text =
       picture_text(describe(*snapshot.scene, snapshot.camera, snapshot.settings, described(plain)));
-  job_.start({std::move(snapshot), choice.path(), plain.exposure_ev, text});
+  job_.start({std::move(snapshot), choice.path(), plain.transform(), text});
   return std::nullopt;
 }
 

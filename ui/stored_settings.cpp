@@ -49,6 +49,10 @@ StoredSettings settings_of(const SettingsJson& json) {
   StoredSettings s;
   constexpr float ev = DisplaySettings::exposure_limit_ev;
   read(json, "exposure_ev", -ev, ev, s.display.exposure_ev);
+  if (const auto at = json.find("tone"); at != json.end() && at->is_string()) {
+    for (const NamedTone& named : tone_names)
+      if (at->get<std::string>() == named.name) s.display.tone = named.value;
+  }
   read(json, "split_dimming", 0.0f, 1.0f, s.display.split_dimming);
   read(json, "show_legend", s.display.show_legend);
   if (const auto at = json.find("split_colours"); at != json.end() && at->is_string()) {
@@ -139,6 +143,7 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
   if (error) return unexpected(Error{path.parent_path().string(), error.message()});
   const SettingsJson json{
       {"exposure_ev", settings.display.exposure_ev},
+      {"tone", name_in(tone_names, settings.display.tone)},
       {"split_dimming", settings.display.split_dimming},
       {"show_legend", settings.display.show_legend},
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},

@@ -82,6 +82,7 @@ inline const std::map<std::string, Part> parts{
     {"Divisions", Part::settings},
     {"Light rule", Part::settings},
     {"Exposure", Part::display},
+    {"Tone", Part::display},
     {"Split map", Part::display},
     {"Dimming", Part::display},
     {"Legend", Part::display},

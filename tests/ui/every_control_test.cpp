@@ -78,8 +78,8 @@ class EveryControlTest : public PanelsTest {
                        p.refinement().limits().seconds, p.refinement().limits().rmse,
                        p.render().restarts());
       case Part::display:
-        return numbers(d.exposure_ev, d.show_split_map, d.show_legend, d.split_dimming,
-                       static_cast<int>(d.split_colours));
+        return numbers(d.exposure_ev, static_cast<int>(d.tone), d.show_split_map, d.show_legend,
+                       d.split_dimming, static_cast<int>(d.split_colours));
       case Part::lights:
         return numbers(p.edits().state().look.lights_revision);
       case Part::camera:
@@ -315,6 +315,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().asos.rule = StoppingRule::published;
     settings().asos.detect = Detection::cone;
     settings().texture.filter = TextureFilter::point;
+    s.display.tone = ToneCurve::neutral;
     settings().shadow.light_rule = LightRule::published;
     s.study.reduction = 1;
     s.frames.store(rig.previewer().render().film(), "one");
@@ -325,6 +326,12 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.show_open = true;
     s.browser.folder = files_.path();
     s.recent = {"third"};
+  });
+  use_all("open dialog, filtered", [&] {
+    s.show_open = true;
+    s.browser.folder = files_.path();
+    rig.frame();
+    s.browser.typed = "boxes";
   });
   use_all("open dialog, folders", [&] {
     s.show_open = true;
@@ -367,7 +374,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     FAIL() << "no study is offered, only " << shown;
   }
   rig.click("Start study");
-  EXPECT_TRUE(rig.content().study().busy());
+  EXPECT_TRUE(rig.content().study().busy()) << s.study.error;
   rig.frame();
   rig.click("Stop study");
   EXPECT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));

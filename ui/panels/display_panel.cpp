@@ -20,6 +20,15 @@ constexpr std::array colour_options{
                      "rendered together share theirs evenly. Key: C."},
 };
 
+constexpr std::array tone_options{
+    Controls::Option{"None", "What is brighter than white is white."},
+    Controls::Option{"Neutral",
+                     "Khronos PBR Neutral: base colours come out as they are told, and what is "
+                     "brighter is compressed without a change of hue."},
+    Controls::Option{"AgX", "Like film: a soft contrast, and bright colours that fade to white."},
+};
+static_assert(tone_options.size() == tone_names.size());
+
 }  // namespace
 
 void display_panel(Controls& controls, DisplaySettings& display) {
@@ -32,6 +41,9 @@ void display_panel(Controls& controls, DisplaySettings& display) {
       display.exposure_ev,
       {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev, usual.exposure_ev},
       [](float ev) { return fmt::format("{:+.2f} EV", ev); });
+  int tone = static_cast<int>(display.tone);
+  if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
+    display.tone = static_cast<ToneCurve>(tone);
   controls.checkbox("Split map", "Show in colours which pixels were split. Key: M.",
                     display.show_split_map, usual.show_split_map);
   if (!display.show_split_map) return;
