@@ -19,6 +19,7 @@ void add_from_option(CLI::App& app, PictureArguments& arguments) {
     arguments.sky = read->sky;
     arguments.needs = read->needs;
     arguments.exposure_ev = read->display.exposure_ev;
+    arguments.tone = read->display.tone;
     arguments.from = *std::move(read);
   };
   app.add_option_function<std::string>(

@@ -26,7 +26,7 @@ Result<void> write_split_map(const std::string& path, const Film& film, const Re
                              SplitMapColours colours) {
   RenderReport of_map = report;
   PictureDisplay& display = of_map.description.display;
-  display = {display.exposure_ev, true, colours, 1.0f};
+  display = {display.exposure_ev, true, colours, 1.0f, display.tone};
   return write_split_map_png(path, film, {colours, report.description.settings.asos.max_level},
                              picture_metadata(of_map));
 }
@@ -52,7 +52,7 @@ Result<void> write_outputs(const OutputPlan& plan, const Film& film, const Rende
   Result<void> written = plan.picture.commit([&](const std::string& path) {
     return has_extension(path, ".exr")
                ? write_exr(path, film, text)
-               : write_png(path, film, report.description.display.exposure_ev, text);
+               : write_png(path, film, report.description.display.transform(), text);
   });
   if (written && plan.split_map)
     written = plan.split_map->commit([&](const std::string& path) {

@@ -251,6 +251,10 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
                     number(-32, 32),
                     [&](double ev) { arguments.exposure_ev = static_cast<float>(ev); })
       ->default_str("0");
+  add_choice(app, "--tone", "CURVE",
+             "How PNG pictures show what is brighter than white: none (clipped), neutral (Khronos "
+             "PBR Neutral: base colours stay) or agx (like film)",
+             tone_names, arguments.tone);
   add_parsed_option(
       app, "--crop", "x,y,w,h",
       "Only this part of the picture, in pixels from its top left corner [all]",

@@ -23,6 +23,7 @@ struct PictureArguments {
   CameraChoice camera;
   SkyChoice sky;  ///< until with_sky makes it settings.sky
   float exposure_ev = 0.0f;
+  ToneCurve tone = ToneCurve::none;
   NeedsChoice needs = NeedsChoice::scene;
 
   std::string from_file;                   ///< a picture whose settings these are; empty: none

@@ -155,7 +155,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   const Result<Camera> camera = choose_camera(ready.world(), wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
   report.description =
-      describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f});
+      describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f, wanted.tone});
   loading.reset();
   const std::optional<RenderedPicture> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);

@@ -21,12 +21,19 @@ bool has_display() {
   return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
 }
 
-int run_view(const PictureArguments& arguments, const Streams& streams) {
+struct Asked {
+  bool size = false;
+  bool method = false;
+};
+
+int run_view(const PictureArguments& arguments, Asked asked, const Streams& streams) {
   if (const Result<void> scene = check_scene_argument(arguments.scene); !scene)
     return fail(streams, scene.error());
   const Result<RenderSettings> settings = with_sky(arguments);
   if (!settings) return fail(streams, settings.error());
-  if (has_display()) return run_viewer({arguments.scene, *settings, forced_by(arguments.needs)});
+  if (has_display())
+    return run_viewer(
+        {arguments.scene, *settings, asked.size, asked.method, forced_by(arguments.needs)});
   streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";
   return exit_bad_input;
@@ -45,7 +52,10 @@ Command add_view_command(CLI::App& program) {
       "  asos\n"
       "  asos model.glb --eps 0.01 --max 4\n"
       "  asos builtin:fence --method stochastic --spp 16");
-  return {parser, [arguments](const Streams& streams) { return run_view(*arguments, streams); }};
+  return {parser, [arguments, parser](const Streams& streams) {
+            const Asked asked{parser->count("--size") > 0, parser->count("--method") > 0};
+            return run_view(*arguments, asked, streams);
+          }};
 }
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/split_map.h"
+#include "renderer/film/tone.h"
 
 namespace asos {
 
@@ -8,10 +9,14 @@ namespace asos {
 struct DisplaySettings {
   static constexpr float exposure_limit_ev = 10.0f;
 
-  float exposure_ev = 0.0f;     ///< stops
+  float exposure_ev = 0.0f;  ///< stops
+  ToneCurve tone = ToneCurve::none;
   bool show_split_map = false;  ///< over the picture: the split pixels in colours
   float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
+  bool show_legend = true;      ///< of the split map, over the picture
   SplitMapColours split_colours = SplitMapColours::level;
+
+  [[nodiscard]] DisplayTransform transform() const { return {exposure_ev, tone}; }
 
   bool operator==(const DisplaySettings&) const = default;
 };

@@ -1,5 +1,7 @@
 #include "ui/edited_light.h"
 
+#include "renderer/lights/prepared_light.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -171,6 +173,18 @@ void give_shape(Light& light, LightKind kind, const Basis& basis, double half) {
   }
 }
 
+/// The irradiance of a surface at `place` that faces the light's middle, nothing between.
+double arriving(const Light& light, glm::dvec3 place) {
+  const glm::dvec3 way =
+      light.type == Light::Type::directional ? -light.direction : light.position - place;
+  const glm::dvec3 normal = unit_or(way, {0, 1, 0});
+  Light white = light;
+  white.color = glm::vec3(1.0f);
+  const double e =
+      static_cast<double>(unshadowed_irradiance(prepare_light(white), {place, normal, normal}).x);
+  return std::isfinite(e) ? e : 0.0;
+}
+
 }  // namespace
 
 SceneSize SceneSize::of(const Box& bounds) {
@@ -219,9 +233,11 @@ Light as_kind(const Light& light, LightKind kind, const SceneSize& scene) {
   if (!has_direction(light)) other.direction = unit_or(scene.middle - other.position, {0, -1, 0});
   const double distance = std::max(glm::distance(other.position, scene.middle), 0.1 * scene.radius);
 
-  constexpr double usual_size = 0.1;  // radii of the scene
+  // A light of its own size keeps it; one of no size gets a small one, which leaves its distance
+  // much larger than itself.
+  constexpr double usual_size = 0.05, most_of_distance = 0.2;
   double half = half_size(light, distance);
-  if (!(half > 0.0)) half = usual_size * scene.radius;
+  if (!(half > 0.0)) half = std::min(usual_size * scene.radius, most_of_distance * distance);
   other.type = type_of(kind);
   Light facing = other;
   facing.type = Light::Type::spot;  // turned by its direction alone
@@ -232,6 +248,12 @@ Light as_kind(const Light& light, LightKind kind, const SceneSize& scene) {
     other.angular_diameter_rad = 2.0 * std::atan(half / distance);
   const double candela = static_cast<double>(light.intensity) * candela_per_unit(light, distance);
   other.intensity = static_cast<float>(candela / candela_per_unit(other, distance));
+  // That holds from afar; close by, or where the light shines elsewhere, what arrives decides.
+  const double before = arriving(light, scene.middle), after = arriving(other, scene.middle);
+  const double factor = after > 0.0 ? before / after : 1.0;
+  constexpr double most_factor = 16.0;  // a light that shines past the middle stays as it was
+  if (factor > 1.0 / most_factor && factor < most_factor)
+    other.intensity = static_cast<float>(factor * static_cast<double>(other.intensity));
   return other;
 }
 

@@ -25,7 +25,7 @@ inline constexpr std::size_t light_kind_count = 8;
 
 [[nodiscard]] LightKind kind_of(const Light& light);
 
-/// The scale by which sizes and distances are measured.
+/// The scale by which sizes and distances are measured: of the scene, or of what is looked at.
 struct SceneSize {
   glm::dvec3 middle{0.0};
   double radius = 1.0;  ///< above 0
@@ -34,8 +34,8 @@ struct SceneSize {
   [[nodiscard]] static SceneSize of(const Box& bounds);
 };
 
-/// The light as another kind: in the same place, turned the same way, of about the same size, and
-/// as bright as before in the scene's middle if that lies straight ahead of it.
+/// The light as another kind: in the same place, turned the same way, of the same size, and as
+/// bright as before in the middle of `scene`. One that had no size gets one of a twentieth of it.
 [[nodiscard]] Light as_kind(const Light& light, LightKind kind, const SceneSize& scene);
 
 /// Area of the side that shines: flat lights, 0 for others.

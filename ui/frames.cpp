@@ -35,8 +35,8 @@ const StoredFrame* Frames::compared() const {
   return &stored[static_cast<std::size_t>(chosen)];
 }
 
-float difference_of(glm::vec3 a, glm::vec3 b, float exposure_ev) {
-  const glm::vec3 d = glm::abs(display_rgb(a, exposure_ev) - display_rgb(b, exposure_ev));
+float difference_of(glm::vec3 a, glm::vec3 b, const DisplayTransform& display) {
+  const glm::vec3 d = glm::abs(display_rgb(a, display) - display_rgb(b, display));
   return std::max({d.x, d.y, d.z});
 }
 

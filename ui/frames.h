@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/film.h"
+#include "renderer/film/tone.h"
 
 #include <glm/glm.hpp>
 
@@ -50,8 +51,7 @@ struct Frames {
   [[nodiscard]] const StoredFrame* compared() const;
 };
 
-/// The largest difference of two colours in any channel, of display intensity at an exposure: 0 to
-/// 1.
-[[nodiscard]] float difference_of(glm::vec3 a, glm::vec3 b, float exposure_ev);
+/// The largest difference of two colours in any channel, as they are shown: 0 to 1.
+[[nodiscard]] float difference_of(glm::vec3 a, glm::vec3 b, const DisplayTransform& display);
 
 }  // namespace asos

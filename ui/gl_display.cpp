@@ -38,9 +38,13 @@ void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
 
   // Layers whose size, exposure or split map scale has changed are renewed as a whole.
   const bool resized = film.width != width_ || film.height != height_;
-  const bool exposed = display.exposure_ev != tone_.exposure_ev();
+  const bool exposed = display.transform() != shown_;
   const bool rescaled = max_level != max_level_ || display.split_colours != split_colours_;
-  if (exposed) tone_ = ToneTable(display.exposure_ev);
+  if (exposed) {
+    shown_ = display.transform();
+    // Of a curve, which mixes the channels, the table does the last step only.
+    tone_ = ToneTable(shown_.tone == ToneCurve::none ? shown_.exposure_ev : 0.0f);
+  }
   max_level_ = max_level;
   split_colours_ = display.split_colours;
   if (resized) {
@@ -66,7 +70,7 @@ void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, b
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
-      picture_.at(i) = glm::u8vec4(tone_.bytes(film.radiance[i]), 255);
+      picture_.at(i) = glm::u8vec4(bytes_of(film.radiance[i]), 255);
   }
   picture_.mark(rect);
 }
@@ -102,8 +106,8 @@ void GlDisplay::update_compared(const Film& film, std::span<const PixelRect> cha
     compared_ = {};
     return;
   }
-  const Compared wanted{frames.revision,    frames.chosen,       difference,
-                        frames.scale_stops, tone_.exposure_ev(), size};
+  const Compared wanted{frames.revision,    frames.chosen, difference,
+                        frames.scale_stops, shown_,        size};
   const PixelRect whole{0, 0, size.x, size.y};
   if (wanted != compared_) {
     if (wanted.size != compared_.size) compared_layer_.resize(size.x, size.y);
@@ -126,9 +130,9 @@ void GlDisplay::convert_compared(const Film& film, const StoredFrame& frame,
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
       const glm::vec3 stored = frame.film.radiance[i];
       const glm::u8vec3 colour =
-          compared_.difference ? heat_colour(per_scale * difference_of(stored, film.radiance[i],
-                                                                       compared_.exposure_ev))
-                               : tone_.bytes(stored);
+          compared_.difference
+              ? heat_colour(per_scale * difference_of(stored, film.radiance[i], compared_.shown))
+              : bytes_of(stored);
       compared_layer_.at(i) = glm::u8vec4(colour, 255);
     }
   }

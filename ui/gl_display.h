@@ -81,6 +81,7 @@ class GlDisplay {
   int height_ = 0;
   int max_level_ = -1;
   SplitMapColours split_colours_ = SplitMapColours::level;
+  DisplayTransform shown_;
   ToneTable tone_;
   Layer picture_;
   Layer overlay_;
@@ -91,10 +92,14 @@ class GlDisplay {
     int chosen = -1;
     bool difference = false;
     float scale_stops = 0.0f;
-    float exposure_ev = 0.0f;
+    DisplayTransform shown;
     glm::ivec2 size{0};
     bool operator==(const Compared&) const = default;
   };
+  /// The bytes that show a radiance.
+  [[nodiscard]] glm::u8vec3 bytes_of(glm::vec3 radiance) const {
+    return tone_.bytes(shown_.tone == ToneCurve::none ? radiance : tone_mapped(radiance, shown_));
+  }
   void convert_compared(const Film& film, const StoredFrame& frame, const PixelRect& rect);
   Compared compared_;
   Layer compared_layer_;

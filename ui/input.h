@@ -35,6 +35,7 @@ enum class Key : int {
   alt,
   super,
   f1,
+  f6,
   f12,
   question,
   plus,

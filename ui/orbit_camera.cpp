@@ -13,8 +13,6 @@ namespace {
 // Distances from the pivot, in radii of the scene.
 constexpr double nearest = 1e-4;
 constexpr double farthest = 1e3;
-// A frame around everything leaves this much room, so that outlines do not touch the rim.
-constexpr double frame_margin = 1.05;
 
 double positive_or_one(double value) {
   return std::isfinite(value) && value > 0.0 ? value : 1.0;
@@ -67,36 +65,6 @@ void OrbitCamera::dolly(double factor) {
   const double lo = std::min(size, nearest * scene_radius_);
   const double hi = std::max(size, farthest * scene_radius_);
   size = std::clamp(size * factor, lo, hi);
-  ++revision_;
-}
-
-void OrbitCamera::frame_all(const Box& bounds, double aspect_ratio) {
-  if (bounds.empty() || !std::isfinite(aspect_ratio) || aspect_ratio <= 0.0) return;
-  const glm::dvec3 lo(bounds.lo), hi(bounds.hi);
-  const Basis b = basis();
-  pivot_ = 0.5 * (lo + hi);
-  const double radius = positive_or_one(0.5 * glm::length(hi - lo));
-
-  // The least distance at which each corner is within the picture, and the orthographic height.
-  const double tan_y = std::tan(0.5 * lens_.fov_y_rad) / frame_margin;
-  const double tan_x = tan_y * aspect_ratio;
-  double least_distance = nearest * radius;
-  double least_height = nearest * radius;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p((corner & 1) ? hi.x : lo.x, (corner & 2) ? hi.y : lo.y,
-                       (corner & 4) ? hi.z : lo.z);
-    const glm::dvec3 d = p - pivot_;
-    const double x = std::abs(glm::dot(d, b.right)), y = std::abs(glm::dot(d, b.up));
-    const double towards_eye = glm::dot(d, b.back);
-    least_distance = std::max({least_distance, x / tan_x + towards_eye, y / tan_y + towards_eye});
-    least_height = std::max({least_height, 2.0 * y, 2.0 * x / aspect_ratio});
-  }
-  if (lens_.type == Camera::Type::perspective) {
-    distance_ = least_distance;
-  } else {
-    distance_ = 2.0 * radius;
-    lens_.height = least_height * frame_margin;
-  }
   ++revision_;
 }
 

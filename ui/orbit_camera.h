@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
-#include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
 
@@ -26,8 +25,6 @@ class OrbitCamera {
   void pan(double right, double down);
   /// Multiplies the distance (orthographic: the height seen), within the scene's range.
   void dolly(double factor);
-  /// Keeps the direction and moves so that all of `bounds` just fits a picture of this shape.
-  void frame_all(const Box& bounds, double aspect_ratio);
   /// Keeps the direction and puts the pivot into the picture's middle.
   void look_at(glm::dvec3 pivot);
   /// Turns the view where it stands: to the left and up; stops at straight up and straight down.

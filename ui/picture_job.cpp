@@ -15,7 +15,7 @@ Result<std::unique_ptr<PictureWriter>> writer_of(const PictureOrder& order) {
   const PictureSizePx size{part.width, part.height};
   if (std::filesystem::path(order.path).extension() == ".exr")
     return make_exr_writer(order.path, size, order.text);
-  return make_png_writer(order.path, size, order.exposure_ev, order.text);
+  return make_png_writer(order.path, size, order.display, order.text);
 }
 
 }  // namespace
@@ -70,6 +70,11 @@ std::optional<PictureJob::State> PictureJob::state() const {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   return State{path_, fraction_,
                fraction_ > enough ? seconds * (1.0 - fraction_) / fraction_ : -1.0};
+}
+
+bool PictureJob::pending() const {
+  const std::scoped_lock lock(mutex_);
+  return running_ || outcome_;
 }
 
 std::optional<Result<std::string>> PictureJob::take_outcome() {

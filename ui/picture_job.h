@@ -16,7 +16,7 @@ namespace asos {
 struct PictureOrder {
   Snapshot snapshot;
   std::string path;  ///< an EXR where it ends in .exr, else a PNG
-  float exposure_ev = 0.0f;
+  DisplayTransform display;
   ImageText text;
 };
 
@@ -36,6 +36,8 @@ class PictureJob {
   };
   /// The state of the picture that is under way.
   [[nodiscard]] std::optional<State> state() const;
+  /// Whether a picture is under way, or its outcome has not been taken.
+  [[nodiscard]] bool pending() const;
   /// The file that was written, or why it was not; once. Nothing of one that was cancelled.
   [[nodiscard]] std::optional<Result<std::string>> take_outcome();
 

@@ -60,6 +60,11 @@ void PreviewRender::stop() {
   if (rendered_.scene && !session_.progress().finished) refinement_.end();
 }
 
+void PreviewRender::start_again() {
+  refinement_.set_paused(false);
+  rendered_ = {};
+}
+
 PictureDescription PreviewRender::description(const PictureDisplay& display) const {
   return describe(*rendered_.scene, rendered_.camera, rendered_.settings, display);
 }

@@ -44,7 +44,8 @@ class PreviewRender {
 
   /// Ends the render as it is; `start_again` or a change begins anew.
   void stop();
-  void start_again() { rendered_ = {}; }
+  /// Goes on even if it was paused: who asks for a picture wants to see it.
+  void start_again();
 
   [[nodiscard]] const Film& film() const { return film_.film(); }
   /// The parts of the film that changed since the last call.

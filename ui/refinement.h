@@ -31,6 +31,12 @@ class Refinement {
   [[nodiscard]] const RefinementLimits& limits() const { return limits_; }
   [[nodiscard]] Rest rest() const { return rest_; }
 
+  /// Whether it rests at a limit.
+  [[nodiscard]] bool at_limit() const { return rest_ == Rest::time || rest_ == Rest::quality; }
+  /// Lets the render that rests at a limit go on: for as long again, or to the end where its
+  /// quality was reached. The limits stay, for the next render.
+  void go_on();
+
   /// When the limit of time is reached, in seconds; none: it will not be.
   [[nodiscard]] std::optional<double> seconds_to_limit(const Progress& progress) const;
   /// Decides whether a render that has come so far rests. True if `rest` has changed.
@@ -43,6 +49,8 @@ class Refinement {
  private:
   bool paused_ = false;
   RefinementLimits limits_;
+  int spans_ = 1;                // of the limit of time that this render is given
+  bool beyond_quality_ = false;  // this render goes on though its quality was reached
   Rest rest_ = Rest::none;
 };
 

@@ -42,13 +42,14 @@ ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& dis
 }
 
 PictureDisplay described(const DisplaySettings& display) {
-  return {display.exposure_ev, display.show_split_map, display.split_colours,
-          display.split_dimming};
+  return {display.exposure_ev, display.show_split_map, display.split_colours, display.split_dimming,
+          display.tone};
 }
 
 void show_as(const PictureDisplay& described, DisplaySettings& display) {
   constexpr float ev = DisplaySettings::exposure_limit_ev;
   display.exposure_ev = std::clamp(described.exposure_ev, -ev, ev);
+  display.tone = described.tone;
   display.show_split_map = described.split_map;
   if (!described.split_map) return;
   display.split_colours = described.split_colours;

@@ -145,7 +145,7 @@ SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
   return found;
 }
 
-void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm) {
+void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm, bool held) {
   const PreviewRender& render = previewer.render();
   const bool splits = in_object_space(render.settings().method);
   const Subject subject{render.restarts(), alarm};
@@ -153,15 +153,17 @@ void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm) {
                      !previewer.seconds_to_update(0.0);
   current_ = ready && subject_ == subject;
   if (!ready) findings_.reset();
-  if (!current_ && job_.busy()) {
+  if ((!current_ || held) && job_.busy()) {
+    cut_short_ |= current_ && !job_.stopping();
     job_.stop();
-    return;
+    if (!current_) return;
   }
   if (auto outcome = job_.take_outcome(); outcome && current_) findings_ = std::move(*outcome);
-  if (!ready || current_) return;
+  if (!ready || held || job_.busy() || (current_ && !cut_short_)) return;
+  if (!current_) findings_.reset();
   subject_ = subject;
   current_ = true;
-  findings_.reset();
+  cut_short_ = false;
   job_.start(
       [request = CheckRequest{{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
                                render.settings(), false},

@@ -60,8 +60,9 @@ class SplitCheck {
   static constexpr int samples_each = 4;
 
   /// Call once a frame. `wanted`: whether to check at all. A picture that changes is checked anew
-  /// once it is finished.
-  void update(const Previewer& previewer, bool wanted, double alarm);
+  /// once it is finished. `held`: other work needs the processors; what was found stays, and the
+  /// rest is found out afterwards.
+  void update(const Previewer& previewer, bool wanted, double alarm, bool held = false);
   /// The findings about the picture as it is; null: none yet.
   [[nodiscard]] const SplitFindings* findings() const {
     return current_ && findings_ ? &*findings_ : nullptr;
@@ -78,6 +79,7 @@ class SplitCheck {
 
   std::optional<Subject> subject_;  // of the job
   bool current_ = false;
+  bool cut_short_ = false;  // the job of the subject was held up
   std::optional<SplitFindings> findings_;
   StoppableJob<SplitFindings> job_;
 };

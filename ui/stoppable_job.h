@@ -35,6 +35,8 @@ class StoppableJob {
     });
   }
   void stop() { thread_.request_stop(); }
+  /// Whether it was asked to end.
+  [[nodiscard]] bool stopping() const { return thread_.get_stop_token().stop_requested(); }
   [[nodiscard]] bool busy() const {
     const std::scoped_lock lock(mutex_);
     return working_;

@@ -1,5 +1,6 @@
 #include "ui/stored_settings.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/files/read_file.h"
 #include "renderer/film/image_io.h"
 #include "renderer/settings/names.h"
@@ -31,12 +32,29 @@ void read(const SettingsJson& json, const char* key, float lo, float hi, float& 
     value = static_cast<float>(number);
 }
 
+glm::ivec2 size_of(const SettingsJson& json) {
+  constexpr int most = 1 << 15;
+  const auto at = json.find("window_size");
+  if (at == json.end() || !at->is_array() || at->size() != 2) return glm::ivec2(0);
+  glm::ivec2 size(0);
+  for (int k = 0; k < 2; ++k) {
+    const SettingsJson& side = (*at)[static_cast<std::size_t>(k)];
+    if (!side.is_number_integer()) return glm::ivec2(0);
+    size[k] = static_cast<int>(std::clamp<std::int64_t>(side.get<std::int64_t>(), 0, most));
+  }
+  return size;
+}
+
 StoredSettings settings_of(const SettingsJson& json) {
   StoredSettings s;
   constexpr float ev = DisplaySettings::exposure_limit_ev;
   read(json, "exposure_ev", -ev, ev, s.display.exposure_ev);
+  if (const auto at = json.find("tone"); at != json.end() && at->is_string()) {
+    for (const NamedTone& named : tone_names)
+      if (at->get<std::string>() == named.name) s.display.tone = named.value;
+  }
   read(json, "split_dimming", 0.0f, 1.0f, s.display.split_dimming);
-  read(json, "show_split_map", s.display.show_split_map);
+  read(json, "show_legend", s.display.show_legend);
   if (const auto at = json.find("split_colours"); at != json.end() && at->is_string()) {
     for (const auto& named : split_map_names)
       if (at->get<std::string>() == named.name) s.display.split_colours = named.value;
@@ -44,6 +62,11 @@ StoredSettings settings_of(const SettingsJson& json) {
   read(json, "show_panel", s.show_panel);
   read(json, "show_marks", s.show_marks);
   read(json, "watch", s.watch);
+  s.window_size = size_of(json);
+  if (const auto at = json.find("method"); at != json.end() && at->is_string()) {
+    for (const MethodRow& row : method_table())
+      if (at->get<std::string>() == row.name) s.method = row.value;
+  }
   const auto recent = json.find("recent");
   if (recent == json.end() || !recent->is_array()) return s;
   for (const SettingsJson& path : *recent) {
@@ -63,6 +86,30 @@ void StoredSettings::add_recent(const std::string& source) {
   std::erase(recent, name);
   recent.insert(recent.begin(), name);
   if (recent.size() > most_recent) recent.resize(most_recent);
+}
+
+StoredSettings merged(const StoredSettings& before, const StoredSettings& ours,
+                      const StoredSettings& theirs) {
+  StoredSettings all = ours;
+  const auto keep_theirs = [&](auto StoredSettings::*member) {
+    if (ours.*member == before.*member) all.*member = theirs.*member;
+  };
+  keep_theirs(&StoredSettings::display);
+  keep_theirs(&StoredSettings::show_panel);
+  keep_theirs(&StoredSettings::show_marks);
+  keep_theirs(&StoredSettings::watch);
+  keep_theirs(&StoredSettings::window_size);
+  keep_theirs(&StoredSettings::method);
+  const auto holds = [](const std::vector<std::string>& files, const std::string& file) {
+    return std::find(files.begin(), files.end(), file) != files.end();
+  };
+  // What was forgotten here stays forgotten.
+  for (const std::string& file : theirs.recent) {
+    if (!holds(ours.recent, file) && !holds(before.recent, file)) all.recent.push_back(file);
+  }
+  if (all.recent.size() > StoredSettings::most_recent)
+    all.recent.resize(StoredSettings::most_recent);
+  return all;
 }
 
 std::filesystem::path settings_path() {
@@ -96,12 +143,15 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
   if (error) return unexpected(Error{path.parent_path().string(), error.message()});
   const SettingsJson json{
       {"exposure_ev", settings.display.exposure_ev},
+      {"tone", name_in(tone_names, settings.display.tone)},
       {"split_dimming", settings.display.split_dimming},
-      {"show_split_map", settings.display.show_split_map},
+      {"show_legend", settings.display.show_legend},
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},
       {"show_panel", settings.show_panel},
       {"show_marks", settings.show_marks},
       {"watch", settings.watch},
+      {"window_size", {settings.window_size.x, settings.window_size.y}},
+      {"method", row_of(settings.method).name},
       {"recent", settings.recent}};
   // Paths need not be Unicode.
   const std::string text = json.dump(2, ' ', false, SettingsJson::error_handler_t::replace) + "\n";

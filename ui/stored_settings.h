@@ -1,7 +1,10 @@
 #pragma once
 
 #include "renderer/result.h"
+#include "renderer/settings/settings.h"
 #include "ui/display_settings.h"
+
+#include <glm/glm.hpp>
 
 #include <cstddef>
 #include <filesystem>
@@ -14,10 +17,12 @@ namespace asos {
 struct StoredSettings {
   static constexpr std::size_t most_recent = 10;
 
-  DisplaySettings display;
+  DisplaySettings display;  ///< but for the split map's being shown: that is of a picture
   bool show_panel = true;
-  bool show_marks = true;           ///< of lights
-  bool watch = false;               ///< load a file again when it changes
+  bool show_marks = true;     ///< of lights
+  bool watch = false;         ///< load a file again when it changes
+  glm::ivec2 window_size{0};  ///< in units of a plain screen; 0: not known
+  Method method = Method::asos;
   std::vector<std::string> recent;  ///< files, absolute, the newest first
 
   bool operator==(const StoredSettings&) const = default;
@@ -25,6 +30,11 @@ struct StoredSettings {
   /// Puts a file first. Built-in scenes, and what is no file, are left out.
   void add_recent(const std::string& source);
 };
+
+/// What is to be kept when several windows share the file: `ours`, but where nothing has changed
+/// here since `before`, `theirs`; and the recent files of both.
+[[nodiscard]] StoredSettings merged(const StoredSettings& before, const StoredSettings& ours,
+                                    const StoredSettings& theirs);
 
 /// asos/window.json in $XDG_CONFIG_HOME, or in ~/.config; empty where neither is known.
 [[nodiscard]] std::filesystem::path settings_path();

@@ -3,7 +3,9 @@
 #include "ui/display_settings.h"
 #include "ui/panels/check_panel.h"
 #include "ui/panels/equal_time_panel.h"
+#include "ui/panels/file_browser.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/quit_dialog.h"
 #include "ui/panels/reflections_panel.h"
 #include "ui/panels/sky_panel.h"
 #include "ui/panels/study_panel.h"
@@ -33,15 +35,19 @@ struct UiState {
   bool show_boundaries = false;  ///< of the hit list, in the picture
   Frames frames;
   bool show_panel = true;
+  bool focus_panel = false;         ///< the keyboard moves to the panel, or back from it
   bool watch = false;               ///< load the scene's file again when it changes
   std::vector<std::string> recent;  ///< see StoredSettings
   bool show_help = false;
   bool show_open = false;
-  std::string open_path;  ///< typed into the open dialog
+  FileBrowser browser;
   bool screenshot_requested = false;
   SaveChoice save;
-  bool quit = false;
-  std::string message;  ///< in the status line, until `message_until_seconds`
+  QuitChoice leaving;
+  bool popup_was_open = false;  ///< in the frame before: Escape closes that, and nothing else
+  bool forget = false;          ///< go back to how the window was at first
+  std::string said;             ///< by a key or a panel, to become the message
+  std::string message;          ///< in the status line, until `message_until_seconds`
   double message_until_seconds = 0.0;
 };
 

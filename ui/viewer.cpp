@@ -1,5 +1,7 @@
 #include "ui/viewer.h"
 
+#include "renderer/comparison/method.h"
+#include "ui/draw_schedule.h"
 #include "ui/previewer.h"
 #include "ui/screenshot.h"
 #include "ui/stored_settings.h"
@@ -9,23 +11,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 
 namespace asos {
 
 namespace {
-
-// The user's input is followed at once; tiles that arrive are shown less often, because showing
-// them takes time from rendering them.
-constexpr double input_frame_seconds = 1.0 / 60.0;
-constexpr double tiles_frame_seconds = 1.0 / 20.0;
-constexpr double never = std::numeric_limits<double>::infinity();
 
 double now_seconds() {
   using Clock = std::chrono::steady_clock;
@@ -47,22 +41,25 @@ class Loop {
         previewer_(previewer),
         content_(content),
         woken_(woken),
-        saved_(content.stored_settings()) {}
+        saved_(content.stored_settings()) {
+    saved_.window_size = window.plain_size();
+  }
 
   void run() {
-    while (!window_.should_close() && !content_.state().quit) {
+    while (!content_.state().leaving.quit) {
       // Frames may take longer than the time between them: who only drew would hear nothing.
       window_.wait(0.0);
       take_events();
       if (!window_.visible()) {
+        if (content_.state().leaving.quit) break;
         window_.wait(std::nullopt);
         continue;
       }
-      const double due = next_frame_seconds(), now = now_seconds();
+      const double due = schedule_.due(), now = now_seconds();
       if (now >= due) {
         draw(now);
       } else {
-        window_.wait(due == never ? std::nullopt : std::optional(due - now));
+        window_.wait(due == DrawSchedule::never ? std::nullopt : std::optional(due - now));
       }
     }
     save();
@@ -71,36 +68,24 @@ class Loop {
  private:
   void take_events() {
     Window::Happened happened = window_.take_happened();
-    interaction_ |= !happened.input.empty() || happened.needs_redraw;
+    if (!happened.input.empty() || happened.needs_redraw) schedule_.note_input();
     for (const InputEvent& event : happened.input) content_.input().add(event);
     if (!happened.dropped_files.empty()) {
       previewer_.scene().open(happened.dropped_files.front());
-      interaction_ = true;
+      schedule_.note_input();
     }
-  }
-
-  [[nodiscard]] double next_frame_seconds() const {
-    double due = never;
-    if (woken_) {
-      due = last_seconds_ + (previewer_.render().first_picture_pending() ? input_frame_seconds
-                                                                         : tiles_frame_seconds);
+    if (happened.asked_to_close) {
+      content_.state().leaving.asked = true;
+      schedule_.note_input();
     }
-    if (interaction_) due = std::min(due, last_seconds_ + input_frame_seconds);
-    if (settling_) due = std::min(due, last_seconds_ + tiles_frame_seconds);
-    if (const std::optional<double> wish = content_.seconds_to_redraw()) {
-      due = std::min(due, last_seconds_ + std::max(*wish, input_frame_seconds));
-    }
-    return due;
+    if (woken_.exchange(false)) schedule_.note_woken(previewer_.render().first_picture_pending());
   }
 
   void draw(double now) {
-    last_seconds_ = now;
-    // What an event shows may need a second frame to find its size.
-    settling_ = interaction_ || woken_;
-    interaction_ = false;
-    woken_ = false;
+    schedule_.begin_frame(now);
     content_.draw({window_.size(), window_.framebuffer_size(), window_.content_scale(), now});
     window_.present();
+    schedule_.end_frame(content_.seconds_to_redraw());
     if (const RenderScene* scene = previewer_.scene().get();
         scene && scene->geometry->source != titled_) {
       titled_ = scene->geometry->source;
@@ -112,8 +97,12 @@ class Loop {
   // Settings that cannot be kept are no reason to disturb anybody.
   void save() {
     StoredSettings now = content_.stored_settings();
+    if (const glm::ivec2 size = window_.plain_size(); size.x > 0) now.window_size = size;
     if (now == saved_) return;
-    if (save_settings(settings_path(), now)) saved_ = std::move(now);
+    // Another window may have saved its own meanwhile.
+    const Result<StoredSettings> theirs = load_settings(settings_path());
+    if (save_settings(settings_path(), theirs ? merged(saved_, now, *theirs) : now))
+      saved_ = std::move(now);
   }
 
   Window& window_;
@@ -122,9 +111,7 @@ class Loop {
   std::atomic<bool>& woken_;
   StoredSettings saved_;
   std::string titled_;
-  double last_seconds_ = -1.0;
-  bool interaction_ = true;
-  bool settling_ = false;
+  DrawSchedule schedule_;
 };
 
 }  // namespace
@@ -134,8 +121,14 @@ int run_viewer(const ViewerOptions& options) {
     std::fputs(fmt::format("asos: cannot open a window: {}\n", error.message()).c_str(), stderr);
     return 1;
   };
-  const Result<std::unique_ptr<Window>> window =
-      Window::open("ASOS", window_size_for(options.settings));
+  const Result<StoredSettings> stored = load_settings(settings_path());
+  RenderSettings settings = options.settings;
+  glm::ivec2 size = window_size_for(settings);
+  if (stored && !options.own_size && stored->window_size.x > 0) size = stored->window_size;
+  // A method that only some scenes can be rendered by would begin with an error.
+  if (stored && !options.own_method && !row_of(stored->method).limited())
+    settings.method = stored->method;
+  const Result<std::unique_ptr<Window>> window = Window::open("ASOS", size);
   if (!window) return fail(window.error());
 
   std::atomic<bool> woken = false;
@@ -143,11 +136,10 @@ int run_viewer(const ViewerOptions& options) {
     woken = true;
     Window::wake();
   };
-  Previewer previewer({{}, wake, options.forced}, options.settings);
+  Previewer previewer({{}, wake, options.forced}, settings);
   const Result<std::unique_ptr<WindowContent>> content = WindowContent::make(previewer);
   if (!content) return fail(content.error());
-  if (const Result<StoredSettings> stored = load_settings(settings_path()))
-    (*content)->apply(*stored);
+  if (stored) (*content)->apply(*stored);
   (*window)->connect_clipboard();
   previewer.scene().open(options.source);
   Loop(**window, previewer, **content, woken).run();

@@ -1,5 +1,7 @@
 #include "ui/viewpoint.h"
 
+#include "renderer/world/framing.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -44,10 +46,14 @@ Viewpoint::Viewpoint(const OpenScene& scene, RenderSettings& settings)
 void Viewpoint::choose_camera(int index) {
   if (!scene_) return;
   const World& world = scene_->world();
-  const bool from_file = index >= 0 && index < static_cast<int>(world.cameras.size());
-  const Camera camera = from_file ? world.cameras[static_cast<std::size_t>(index)]
-                                  : default_camera(world, aspect_ratio());
-  take_over(camera, from_file ? index : -1);
+  if (index >= 0 && index < static_cast<int>(world.cameras.size())) {
+    take_over(world.cameras[static_cast<std::size_t>(index)], index);
+    return;
+  }
+  framing_ = ++framings_;
+  frame(default_camera(world, aspect_ratio()));
+  chosen_camera_ = -1;
+  chosen_revision_ = camera_.revision();
 }
 
 void Viewpoint::take_over(const Camera& camera, int index) {
@@ -63,10 +69,25 @@ void Viewpoint::take_over(const Camera& camera, int index) {
     distance = glm::dot(middle - eye, -glm::dvec3(camera.world_from_camera[2]));
   }
   if (distance > 0.0) camera_.set(camera, distance, radius);
+  chosen_revision_ = camera_.revision();
 }
 
 void Viewpoint::frame_all() {
-  if (scene_) camera_.frame_all(scene_->world().bounds, aspect_ratio());
+  if (!scene_) return;
+  framing_ = ++framings_;
+  frame(camera_.camera());
+}
+
+void Viewpoint::frame(const Camera& camera) {
+  const FramedView framed = frame_world(scene_->world(), camera, aspect_ratio());
+  camera_.set(framed.camera, framed.subject_distance, radius_of(scene_->world().bounds));
+  framed_revision_ = camera_.revision();
+}
+
+void Viewpoint::frame_again() {
+  const bool left = left_chosen();
+  frame(camera_.camera());
+  if (!left) chosen_revision_ = camera_.revision();
 }
 
 void Viewpoint::set_picture_size(int width, int height, double now_seconds) {
@@ -90,6 +111,7 @@ void Viewpoint::settle_size(double now_seconds) {
   settings_.width = pending_size_->width;
   settings_.height = pending_size_->height;
   pending_size_.reset();
+  if (scene_ && framing() != 0) frame_again();
 }
 
 std::optional<double> Viewpoint::seconds_to_settle(double now_seconds) const {
@@ -113,14 +135,22 @@ void Viewpoint::set_pivot_at(double x, double y) {
   if (hit.valid()) camera_.look_at(glm::dvec3(view().ray(x, y).at(hit.t)));
 }
 
+// The same framing in a picture of another shape is no change that a person made.
 bool Viewpoint::same_as(const State& state) const {
-  return camera_.revision() == state.camera.revision();
+  return camera_.revision() == state.camera.revision() ||
+         (framing() != 0 && framing() == state.framing);
 }
 
 void Viewpoint::restore(const State& state) {
   if (same_as(state)) return;
   camera_.restore(state.camera);
   chosen_camera_ = state.chosen_camera;
+  const bool chosen = state.camera.revision() == state.chosen_revision;
+  chosen_revision_ = chosen ? camera_.revision() : state.chosen_revision;
+  if (state.framing == 0) return;
+  framing_ = state.framing;
+  framed_revision_ = camera_.revision();
+  frame_again();
 }
 
 double Viewpoint::aspect_ratio() const {

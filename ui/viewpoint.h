@@ -25,9 +25,13 @@ class Viewpoint {
   void choose_camera(int index);
   /// The scene's camera that was taken over last; -1: another one.
   [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
+  /// Whether the camera has been moved since then.
+  [[nodiscard]] bool left_chosen() const { return camera_.revision() != chosen_revision_; }
   /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
   /// scene.
   void take_over(const Camera& camera, int index = -1);
+  /// Keeps the direction and moves so that the whole scene fills the picture; orbits the scene's
+  /// middle from then on. Until the camera is moved, the scene fills pictures of other shapes, too.
   void frame_all();
 
   /// Asks for a picture of this size. The first one counts at once, later ones when the size has
@@ -51,8 +55,12 @@ class Viewpoint {
   struct State {
     OrbitCamera camera;
     int chosen_camera = -1;
+    std::uint64_t chosen_revision = 0;
+    std::uint64_t framing = 0;  ///< the framing that the camera still shows; 0: none
   };
-  [[nodiscard]] State state() const { return {camera_, chosen_camera_}; }
+  [[nodiscard]] State state() const {
+    return {camera_, chosen_camera_, chosen_revision_, framing()};
+  }
   [[nodiscard]] bool same_as(const State& state) const;
   void restore(const State& state);
 
@@ -62,11 +70,22 @@ class Viewpoint {
     double since_seconds;
   };
   [[nodiscard]] double aspect_ratio() const;
+  /// Takes over a camera that frames the scene from where `camera` looks from.
+  void frame(const Camera& camera);
+  /// Frames again, in a picture of another shape: the same framing.
+  void frame_again();
+  [[nodiscard]] std::uint64_t framing() const {
+    return camera_.revision() == framed_revision_ ? framing_ : 0;
+  }
 
   const OpenScene& scene_;
   RenderSettings& settings_;
   OrbitCamera camera_;
   int chosen_camera_ = -1;
+  std::uint64_t chosen_revision_ = 0;  // of the camera, when it was taken over
+  std::uint64_t framings_ = 0;         // counts them
+  std::uint64_t framing_ = 0;          // the last one
+  std::uint64_t framed_revision_ = 0;  // of the camera, when the scene was framed last
   bool sized_ = false;
   std::optional<PendingSize> pending_size_;
 };

@@ -48,6 +48,7 @@ constexpr std::pair<int, Key> named_keys[] = {
     {GLFW_KEY_LEFT_SUPER, Key::super},
     {GLFW_KEY_RIGHT_SUPER, Key::super},
     {GLFW_KEY_F1, Key::f1},
+    {GLFW_KEY_F6, Key::f6},
     {GLFW_KEY_F12, Key::f12},
     {GLFW_KEY_KP_ADD, Key::plus},
     {GLFW_KEY_KP_SUBTRACT, Key::minus},
@@ -80,6 +81,24 @@ gl::Function get_function(const char* name) {
   return glfwGetProcAddress(name);
 }
 
+// Of the screen that the system's bars leave. Only now is it known by how much the system has
+// scaled the window, and what its frame takes.
+void fit_on_screen(GLFWwindow* window) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return;
+  glm::ivec2 corner(0), room(0), size(0), at(0), before(0), after(0);
+  glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &room.x, &room.y);
+  glfwGetWindowFrameSize(window, &before.x, &before.y, &after.x, &after.y);
+  glfwGetWindowSize(window, &size.x, &size.y);
+  const glm::ivec2 most = room - before - after;
+  if (most.x <= 0 || most.y <= 0 || (size.x <= most.x && size.y <= most.y)) return;
+  size = glm::min(size, most);
+  glfwSetWindowSize(window, size.x, size.y);
+  glfwGetWindowPos(window, &at.x, &at.y);
+  at = glm::max(glm::min(at, corner + room - after - size), corner + before);
+  glfwSetWindowPos(window, at.x, at.y);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Window>> Window::open(const std::string& title, glm::ivec2 size) {
@@ -93,12 +112,6 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, glm::ivec
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "asos");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "asos");
 
-  // Leave some of the screen to its bars.
-  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
-    int x = 0, y = 0, width = 0, height = 0;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
-    if (width > 0 && height > 0) size = glm::min(size, glm::ivec2(width, height));
-  }
   GLFWwindow* handle = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!handle) {
     const Error error{"window", last_glfw_error()};
@@ -106,6 +119,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, glm::ivec
     return unexpected(error);
   }
   std::unique_ptr<Window> window(new Window(handle));
+  fit_on_screen(handle);
   glfwMakeContextCurrent(handle);
   glfwSwapInterval(1);
   if (const Result<void> loaded = gl::load(get_function); !loaded) {
@@ -157,6 +171,10 @@ void Window::install_callbacks() {
     owner(w)->happened_.dropped_files.insert(owner(w)->happened_.dropped_files.end(), paths,
                                              paths + count);
   });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+    owner(w)->happened_.asked_to_close = true;
+  });
   glfwSetWindowRefreshCallback(window_,
                                [](GLFWwindow* w) { owner(w)->happened_.needs_redraw = true; });
   glfwSetFramebufferSizeCallback(
@@ -205,10 +223,6 @@ void Window::hide() {
   glfwPollEvents();
 }
 
-bool Window::should_close() const {
-  return glfwWindowShouldClose(window_) != 0;
-}
-
 bool Window::visible() const {
   const glm::ivec2 pixels = framebuffer_size();
   return !glfwGetWindowAttrib(window_, GLFW_ICONIFIED) && pixels.x > 0 && pixels.y > 0;
@@ -218,6 +232,15 @@ glm::ivec2 Window::size() const {
   glm::ivec2 size(0);
   glfwGetWindowSize(window_, &size.x, &size.y);
   return size;
+}
+
+glm::ivec2 Window::plain_size() const {
+  if (glfwGetWindowAttrib(window_, GLFW_MAXIMIZED)) return glm::ivec2(0);
+  const glm::vec2 window(size()), framebuffer(framebuffer_size());
+  if (window.y <= 0.0f || framebuffer.y <= 0.0f) return glm::ivec2(0);
+  // Where windows are measured in pixels, a new one is made larger by the screen's scale.
+  const float scale = content_scale() * window.y / framebuffer.y;
+  return glm::ivec2(glm::round(window / (scale > 0.0f ? scale : 1.0f)));
 }
 
 glm::ivec2 Window::framebuffer_size() const {

@@ -36,9 +36,10 @@ class Window {
   void set_title(const std::string& title);
   void hide();
 
-  [[nodiscard]] bool should_close() const;
   [[nodiscard]] bool visible() const;  ///< neither minimised nor without area
   [[nodiscard]] glm::ivec2 size() const;
+  /// The size to ask `open` for to get this window again; 0 where it fills the screen.
+  [[nodiscard]] glm::ivec2 plain_size() const;
   [[nodiscard]] glm::ivec2 framebuffer_size() const;
   [[nodiscard]] float content_scale() const;
 
@@ -46,7 +47,8 @@ class Window {
   struct Happened {
     std::vector<InputEvent> input;
     std::vector<std::string> dropped_files;
-    bool needs_redraw = false;  ///< uncovered, resized, moved to another screen
+    bool needs_redraw = false;    ///< uncovered, resized, moved to another screen
+    bool asked_to_close = false;  ///< by the window's own button; it stays open
   };
   [[nodiscard]] Happened take_happened() { return std::exchange(happened_, {}); }
 

@@ -1,9 +1,7 @@
 #include "ui/window_content.h"
 
-#include "renderer/picture/picture_text.h"
 #include "ui/gl/read_framebuffer.h"
-#include "ui/panels/panels.h"
-#include "ui/panels/study_panel.h"
+#include "ui/panels/side_panel.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
 
@@ -13,7 +11,6 @@
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace asos {
@@ -22,11 +19,9 @@ namespace {
 
 constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-    ImGuiWindowFlags_NoNav;
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 constexpr double message_seconds = 6.0;
 constexpr int frames_to_settle = 3;
-constexpr double dialog_fades_seconds = 0.3;
 // Seldom: what drawing takes is counted as the study's.
 constexpr double study_redraw_seconds = 0.5;
 
@@ -34,6 +29,16 @@ void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flag
   ImGui::SetNextWindowPos({rect.lo.x, rect.lo.y});
   ImGui::SetNextWindowSize({rect.size.x, rect.size.y});
   ImGui::Begin(name, nullptr, fixed_flags | flags);
+}
+
+// Whether a key is held that repeats, which takes frames.
+bool keys_repeat() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.WantTextInput && !io.NavVisible) return false;
+  constexpr Key repeating[] = {Key::left,    Key::right,     Key::up,    Key::down,
+                               Key::page_up, Key::page_down, Key::erase, Key::backspace};
+  return std::any_of(std::begin(repeating), std::end(repeating),
+                     [](Key key) { return ImGui::IsKeyDown(static_cast<int>(key)); });
 }
 
 }  // namespace
@@ -51,10 +56,14 @@ Result<std::unique_ptr<WindowContent>> WindowContent::make(Previewer& previewer)
 }
 
 WindowContent::WindowContent(Previewer& previewer, GlDisplay display, ImGuiContext* context)
-    : previewer_(previewer), display_(std::move(display)), context_(context) {
+    : previewer_(previewer),
+      display_(std::move(display)),
+      context_(context),
+      saver_(previewer_, display_) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.ConfigInputTextCursorBlink = false;  // A blinking cursor would keep an idle window awake.
   InputQueue::map_keys(io);
 }
@@ -80,7 +89,12 @@ void WindowContent::draw(const FrameInput& in) {
   }
 
   follow_files(in.time_seconds);
+  unsaved_.update(previewer_);
   begin_frame(in);
+  // What has begun or ended changes the layout, which takes more than a frame to come to rest.
+  const std::uint32_t activity_now = activity();
+  if (std::exchange(shown_activity_, activity_now) != activity_now)
+    settling_frames_ = frames_to_settle;
   lay_out(in);
   ImGui::Render();
 
@@ -91,12 +105,13 @@ void WindowContent::draw(const FrameInput& in) {
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
-  check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm);
+  // A study's times count: what only checks the picture waits for it.
+  check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
+                study_.busy());
   const std::vector<PixelRect> changed = previewer_.render().take_changed();
   display_.update(previewer_.render().film(), changed, state_.display,
                   previewer_.edits().settings().asos.max_level);
   display_.update_compared(previewer_.render().film(), changed, state_.frames);
-  if (std::exchange(state_.screenshot_requested, false)) take_screenshot();
   keep_saving();
   present(in);
   save_window(in);
@@ -136,24 +151,19 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (!ImGui::GetIO().WantTextInput && shortcut_pressed(Key::z, true)) take_back();
   if (in.time_seconds >= state_.message_until_seconds) state_.message.clear();
 
-  // The panel stands beside the picture, never over it; in a narrow window the picture comes first.
   const glm::vec2 window(in.window_size);
   const float em = ImGui::GetFontSize();
-  const float panel_width =
-      state_.show_panel ? std::min(std::round(theme::panel_width_em * em), 0.5f * window.x) : 0.0f;
-  const float status_height = std::min(std::round(theme::status_height_em * em), 0.5f * window.y);
-  const glm::vec2 picture_size =
-      glm::floor(window - glm::vec2(std::floor(panel_width), status_height));
-  const WindowRect picture{{0.0f, 0.0f}, picture_size};
+  layout_ = WindowLayout::of(window, em, state_.show_panel);
+  const WindowRect& picture = layout_.picture;
   const glm::vec2 scale = glm::vec2(in.framebuffer_size) / window;
-  const glm::ivec2 pixels(glm::round(picture_size * scale));
+  const glm::ivec2 pixels(glm::round(picture.size * scale));
   picture_rect_ = {0, 0, pixels.x, pixels.y};
   state_.view.set_sizes(pixels, {display_.width(), display_.height()});
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   begin_fixed("picture area", picture,
               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                  ImGuiWindowFlags_NoScrollWithMouse);
+                  ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
   const PictureArea shown{picture, scale.y};
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
@@ -164,16 +174,19 @@ void WindowContent::lay_out(const FrameInput& in) {
   ImGui::PopStyleVar();
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8f * em, 0.42f * em});
-  begin_fixed("status", {{0.0f, picture_size.y}, {picture_size.x, window.y - picture_size.y}},
-              ImGuiWindowFlags_NoScrollbar);
+  begin_fixed("status", layout_.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
   progress_panel(controls_, previewer_, {state_.message, state_.view.zoom()});
   ImGui::End();
   ImGui::PopStyleVar();
 
-  if (panel_width > 0.0f)
-    panel_window({{picture_size.x, 0.0f}, {window.x - picture_size.x, window.y}});
+  if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
   pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
+  split_legend(controls_, state_.display, previewer_.edits().settings().asos.max_level, picture);
   notices(controls_, previewer_.scene(), picture);
+  dialogs(picture);
+}
+
+void WindowContent::dialogs(const WindowRect& picture) {
   help_overlay(state_, picture);
   open_dialog(controls_, state_, previewer_);
   const Film& film = previewer_.render().film();
@@ -181,11 +194,29 @@ void WindowContent::lay_out(const FrameInput& in) {
     state_.save.stem =
         free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
   save_dialog(controls_, state_.save, {film.width, film.height});
-  saving_notice(controls_, picture_job_, picture);
+  if (saving_notice(controls_, saver_.job(), picture)) say(saver_.stop());
+  const bool saving = saver_.job().pending();
+  if (!state_.said.empty()) say(std::exchange(state_.said, {}));
+  quit_dialog(controls_, state_.leaving, unsaved_.lines(previewer_, state_.frames, saver_.job()),
+              saving);
+  state_.popup_was_open =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+// The first row shows by its frame that the keyboard is there; from the panel it goes back.
+void WindowContent::focus_panel() {
+  const bool there = ImGui::IsWindowFocused() && ImGui::GetIO().NavVisible;
+  ImGui::SetWindowFocus(there ? "picture area" : "panel");
+  if (!there) ImGui::SetKeyboardFocusHere();
+  settling_frames_ = frames_to_settle;
 }
 
 StoredSettings WindowContent::stored_settings() const {
-  return {state_.display, state_.show_panel, state_.lights.show_marks, state_.watch, state_.recent};
+  StoredSettings stored{state_.display, state_.show_panel, state_.lights.show_marks,
+                        state_.watch,   glm::ivec2(0),     previewer_.edits().settings().method,
+                        state_.recent};
+  stored.display.show_split_map = false;
+  return stored;
 }
 
 void WindowContent::apply(const StoredSettings& stored) {
@@ -223,70 +254,10 @@ void WindowContent::take_back() {
 
 void WindowContent::panel_window(const WindowRect& rect) {
   begin_fixed("panel", rect);
-  const RenderScene* scene = previewer_.scene().get();
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(scene ? screenshot_stem(scene->geometry->source).c_str() : "ASOS");
-  ImGui::PopTextWrapPos();
-  if (scene) controls_.placed("Source", scene->geometry->source.c_str());
-
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (controls_.button("Open...", "Open another scene. Ctrl+O, or drop a file on the window.",
-                       width)) {
-    state_.show_open = true;
-  }
-  ImGui::SameLine();
-  if (controls_.button("Save picture",
-                       "Save the picture as PNG, with the split map where it is shown. Keys: P, "
-                       "F12.",
-                       width)) {
-    state_.screenshot_requested = true;
-  }
-  if (controls_.button("Save as...",
-                       "Save as EXR, at another size, or with the window. Key: Ctrl+S.", width))
-    state_.save.show = true;
-  // A built-in scene never changes.
-  if (scene && !scene->geometry->source.starts_with("builtin:")) {
-    if (controls_.button("Reload", "Load the file again; the view stays. Key: R.", width))
-      previewer_.scene().reload();
-    ImGui::SameLine();
-    ImGui::Checkbox("Watch file", &state_.watch);
-    controls_.placed("Watch file",
-                     "Load the file again whenever it changes: looked at once a second. A file "
-                     "that cannot be read leaves the scene as it is.",
-                     Controls::Use::edits);
-  }
-  if (scene) warnings_panel(controls_, notes_of(*scene));
-  antialiasing_panel(controls_, previewer_, forecast_);
-  refinement_panel(controls_, previewer_);
-  lights_panel(controls_, previewer_, state_.lights, state_.picked);
-  shadows_panel(controls_, previewer_.edits().settings(), scene);
-  reflections_panel(controls_, previewer_, state_.reflections, state_.picked);
-  sky_panel(controls_, previewer_.edits().settings(), state_.sky, sky_reader_);
-  compare_panel(controls_, previewer_, state_.frames);
-  equal_time_panel(controls_, previewer_, state_.equal_time, equal_time_, state_.frames);
-  check_panel(controls_, previewer_, state_.check, check_);
-  display_panel(controls_, state_.display, previewer_.edits().settings().asos.max_level);
-  camera_panel(controls_, previewer_);
-  if (scene) {
-    statistics_panel(controls_, previewer_.render().statistics(), previewer_.render().settings(),
-                     *scene, previewer_.render().progress().fraction);
-    study_panel(controls_, state_.study, study_, previewer_);
-    scene_panel(controls_, *scene, previewer_.render().settings(),
-                previewer_.scene().load_seconds());
-  }
-  ImGui::Spacing();
-  if (controls_.button("Reset scene settings",
-                       "Everything that the picture is rendered with back to how it was at first: "
-                       "method, lights, shadows, reflections, sky and materials. The view stays. "
-                       "Ctrl+Z brings it back.",
-                       -1.0f))
-    previewer_.edits().reset();
-  if (controls_.button("Forget settings",
-                       "Back to how the window was at first: display, panel, and no recent files. "
-                       "The scene and what it is rendered with stay.",
-                       -1.0f))
-    apply(StoredSettings{});
+  if (std::exchange(state_.focus_panel, false)) focus_panel();
+  side_panel(controls_, previewer_, state_, {forecast_, sky_reader_, equal_time_, check_, study_});
   ImGui::End();
+  if (std::exchange(state_.forget, false)) apply(StoredSettings{});
 }
 
 void WindowContent::present(const FrameInput& in) {
@@ -304,61 +275,52 @@ void WindowContent::present(const FrameInput& in) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void WindowContent::take_screenshot() {
-  const RenderScene* scene = previewer_.scene().get();
-  if (!scene || display_.width() <= 0) {
-    say("There is no picture to save yet");
-    return;
-  }
-  const RgbImage image{display_.width(), display_.height(), display_.seen_rgb(state_.display),
-                       screenshot_text(previewer_, state_.display)};
-  const Result<std::string> saved =
-      save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source));
-  say(saved ? "Saved " + *saved : "Not saved: " + saved.error().message());
-}
-
-// Begins what the dialog was asked for, and tells what has come of it.
+// Begins what was asked for, and tells what has come of it.
 void WindowContent::keep_saving() {
-  if (std::exchange(state_.save.asked, false)) begin_saving();
-  if (const auto outcome = picture_job_.take_outcome())
-    say(*outcome ? "Saved " + **outcome : "Not saved: " + outcome->error().message());
-}
-
-void WindowContent::begin_saving() {
-  const SaveChoice choice = state_.save;
-  state_.save.stem.clear();
-  if (!previewer_.scene() || display_.width() <= 0) {
-    say("There is no picture to save yet");
-    return;
-  }
-  if (choice.what != SaveChoice::What::picture) {
-    window_to_save_ = choice;
-    save_window_seconds_ = time_seconds_ + dialog_fades_seconds;
+  if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(state_.display));
+  if (std::exchange(state_.save.asked, false)) {
+    const SaveChoice choice = state_.save;
+    state_.save.stem.clear();
     settling_frames_ = frames_to_settle;
-    return;
+    if (auto words = saver_.begin(choice, state_.display, time_seconds_)) say(*words);
   }
-  Snapshot snapshot = previewer_.render().snapshot();
-  if (choice.size.x > 0) {
-    snapshot.settings.width = choice.size.x;
-    snapshot.settings.height = choice.size.y;
-  }
-  DisplaySettings plain;
-  plain.exposure_ev = state_.display.exposure_ev;
-  const ImageText text =
-      picture_text(describe(*snapshot.scene, snapshot.camera, snapshot.settings, described(plain)));
-  picture_job_.start({std::move(snapshot), choice.path(), plain.exposure_ev, text});
+  if (auto words = saver_.take_outcome()) say(*words);
+  if (std::exchange(saves_noted_, saver_.saved()) != saver_.saved())
+    unsaved_.note_saved(previewer_);
 }
 
 // Saves the framebuffer, once the dialog has faded from it.
 void WindowContent::save_window(const FrameInput& in) {
-  if (!window_to_save_ || in.time_seconds < save_window_seconds_) return;
-  const SaveChoice choice = *std::exchange(window_to_save_, std::nullopt);
+  const std::optional<SaveChoice> choice = saver_.take_due(in.time_seconds);
+  if (!choice) return;
   PixelRect area{0, 0, in.framebuffer_size.x, in.framebuffer_size.y};
-  if (choice.what == SaveChoice::What::seen) area = picture_rect_;
-  const RgbImage image{area.width, area.height, read_framebuffer(area, in.framebuffer_size.y),
-                       screenshot_text(previewer_, state_.display)};
-  const Result<void> written = write_png(choice.path(), image);
-  say(written ? "Saved " + choice.path() : "Not saved: " + written.error().message());
+  if (choice->what == SaveChoice::What::seen) area = picture_rect_;
+  say(saver_.save_read(
+      *choice,
+      {area.width, area.height, read_framebuffer(area, in.framebuffer_size.y), ImageText{}},
+      state_.display));
+}
+
+// A bit for each thing that goes on by itself and that the window tells of.
+std::uint32_t WindowContent::activity() const {
+  const Progress progress = previewer_.render().progress();
+  const bool going_on[] = {inspector_.busy(),
+                           sky_reader_.busy(),
+                           forecast_.busy(),
+                           check_.pending(),
+                           equal_time_.pending(),
+                           saver_.job().pending(),
+                           saver_.job().state().has_value(),
+                           previewer_.scene().loading().has_value(),
+                           previewer_.scene().error().has_value(),
+                           progress.running,
+                           progress.finished,
+                           study_.busy(),
+                           study_.state().resting,
+                           previewer_.scene() && previewer_.scene()->geometry->boundaries.known()};
+  std::uint32_t bits = 0;
+  for (const bool bit : going_on) bits = 2 * bits + (bit ? 1 : 0);
+  return bits;
 }
 
 void WindowContent::say(std::string message) {
@@ -368,18 +330,21 @@ void WindowContent::say(std::string message) {
 }
 
 std::optional<double> WindowContent::seconds_to_redraw() const {
-  if (settling_frames_ > 0 || !input_.empty()) return 0.0;
+  if (settling_frames_ > 0 || !input_.empty() || activity() != shown_activity_ ||
+      controls_.tooltip_changed())
+    return 0.0;
   std::optional<double> due = previewer_.seconds_to_update(time_seconds_);
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
   if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
   if (flying()) also(0.0);
   if (inspector_.busy() || sky_reader_.busy() || forecast_.busy()) also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
+  if (keys_repeat()) also(0.03);
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (previewer_.scene().loading() || picture_job_.state()) also(0.1);
-  if (window_to_save_) also(std::max(0.0, save_window_seconds_ - time_seconds_));
+  if (previewer_.scene().loading() || saver_.job().pending()) also(0.1);
+  if (const std::optional<double> save = saver_.seconds_to_due(time_seconds_)) also(*save);
   if (previewer_.render().progress().running) also(0.25);
   if (previewer_.scene() && !previewer_.scene()->geometry->boundaries.known()) also(0.25);
   if (study_.busy()) also(study_redraw_seconds);

@@ -8,13 +8,15 @@
 #include "ui/input.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/overlays.h"
-#include "ui/picture_job.h"
+#include "ui/picture_saver.h"
 #include "ui/previewer.h"
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
 #include "ui/stored_settings.h"
 #include "ui/ui_state.h"
+#include "ui/unsaved_work.h"
 #include "ui/view_study.h"
+#include "ui/window_layout.h"
 
 #include <glm/glm.hpp>
 
@@ -60,9 +62,10 @@ class WindowContent {
   void apply(const StoredSettings& stored);
   [[nodiscard]] const Controls& controls() const { return controls_; }
   [[nodiscard]] const ViewStudy& study() const { return study_; }
-  [[nodiscard]] const PictureJob& picture_job() const { return picture_job_; }
+  [[nodiscard]] const PictureJob& picture_job() const { return saver_.job(); }
   /// The area of the framebuffer that shows the picture, from the top left.
   [[nodiscard]] PixelRect picture_rect() const { return picture_rect_; }
+  [[nodiscard]] const WindowLayout& layout() const { return layout_; }
 
  private:
   WindowContent(Previewer& previewer, GlDisplay display, ImGuiContext* context);
@@ -71,10 +74,11 @@ class WindowContent {
   void lay_out(const FrameInput& in);
   void panel_window(const WindowRect& rect);
   void present(const FrameInput& in);
-  void take_screenshot();
+  void focus_panel();
+  void dialogs(const WindowRect& picture);
   void keep_saving();
-  void begin_saving();
   void save_window(const FrameInput& in);
+  [[nodiscard]] std::uint32_t activity() const;
   void take_back();
   void follow_files(double now_seconds);
   void say(std::string message);
@@ -93,11 +97,13 @@ class WindowContent {
   SplitCheck check_;
   EqualTimeJob equal_time_;
   FileWatch watch_;
-  PictureJob picture_job_;
-  std::optional<SaveChoice> window_to_save_;  // once the dialog is gone
-  double save_window_seconds_ = 0.0;
+  PictureSaver saver_;
+  UnsavedWork unsaved_;
+  int saves_noted_ = 0;
+  std::uint32_t shown_activity_ = 0;  // what went on when the frame was laid out
   std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;
+  WindowLayout layout_;
   glm::vec2 scales_{0.0f};  // the scales of text and of its raster that the font was made for
   double time_seconds_ = 0.0;
   int settling_frames_ = 0;  // Dear ImGui needs a few frames to come to rest after a change

@@ -3,6 +3,7 @@
 #include "renderer/film/film.h"
 #include "renderer/film/size_check.h"
 #include "renderer/film/split_map.h"
+#include "renderer/film/tone.h"
 #include "renderer/result.h"
 
 #include <cstdint>
@@ -30,9 +31,9 @@ struct RgbImage {
 /// printable ASCII characters and no spaces at their ends.
 [[nodiscard]] Result<void> write_png(const std::string& path, const RgbImage& image);
 
-/// The picture as the display shows it.
-[[nodiscard]] Result<void> write_png(const std::string& path, const Film& film, float exposure_ev,
-                                     const ImageText& text);
+/// The picture as `display` shows it.
+[[nodiscard]] Result<void> write_png(const std::string& path, const Film& film,
+                                     const DisplayTransform& display, const ImageText& text);
 
 /// The split map in the colours of `key`.
 [[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,

@@ -29,11 +29,10 @@ struct PictureSizePx {
   int height = 0;
 };
 
-/// A PNG of what the display shows at `exposure_ev`.
-[[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_png_writer(const std::string& path,
-                                                                     PictureSizePx size,
-                                                                     float exposure_ev,
-                                                                     const ImageText& text);
+/// A PNG of what `display` shows.
+[[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_png_writer(
+    const std::string& path, PictureSizePx size, const DisplayTransform& display,
+    const ImageText& text);
 /// An EXR of 32-bit floats.
 [[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path,
                                                                      PictureSizePx size,

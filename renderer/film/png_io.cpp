@@ -11,13 +11,13 @@ namespace {
 
 class PngWriter : public PictureWriter {
  public:
-  PngWriter(std::unique_ptr<PngRows> rows, float exposure_ev)
-      : rows_(std::move(rows)), exposure_ev_(exposure_ev) {}
+  PngWriter(std::unique_ptr<PngRows> rows, const DisplayTransform& display)
+      : rows_(std::move(rows)), display_(display) {}
 
   [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance) override {
     rgb_.clear();
     for (const glm::vec3& r : radiance) {
-      const glm::u8vec3 c = display_bytes(r, exposure_ev_);
+      const glm::u8vec3 c = display_bytes(r, display_);
       rgb_.insert(rgb_.end(), {c.x, c.y, c.z});
     }
     return rows_->add_rows(rgb_);
@@ -26,17 +26,18 @@ class PngWriter : public PictureWriter {
 
  private:
   std::unique_ptr<PngRows> rows_;
-  float exposure_ev_;
+  DisplayTransform display_;
   std::vector<std::uint8_t> rgb_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<PictureWriter>> make_png_writer(const std::string& path, PictureSizePx size,
-                                                       float exposure_ev, const ImageText& text) {
+                                                       const DisplayTransform& display,
+                                                       const ImageText& text) {
   return PngRows::create(path, size.width, size.height, text)
       .map([&](std::unique_ptr<PngRows> rows) -> std::unique_ptr<PictureWriter> {
-        return std::make_unique<PngWriter>(std::move(rows), exposure_ev);
+        return std::make_unique<PngWriter>(std::move(rows), display);
       });
 }
 
@@ -50,9 +51,9 @@ Result<void> write_png(const std::string& path, const RgbImage& image) {
   return (*rows)->add_rows(image.rgb).and_then([&] { return (*rows)->finish(); });
 }
 
-Result<void> write_png(const std::string& path, const Film& film, float exposure_ev,
+Result<void> write_png(const std::string& path, const Film& film, const DisplayTransform& display,
                        const ImageText& text) {
-  auto writer = make_png_writer(path, {film.width, film.height}, exposure_ev, text);
+  auto writer = make_png_writer(path, {film.width, film.height}, display, text);
   if (!writer) return unexpected(writer.error());
   return (*writer)->add_rows(film.radiance).and_then([&] { return (*writer)->finish(); });
 }

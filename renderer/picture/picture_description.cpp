@@ -58,6 +58,9 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   return fault.empty() ? fault : "camera: " + fault;
 }
 
+// Told only where there is a curve: pictures from before there were any are read as ever.
+constexpr const char* tone_key = "tone";
+
 template <typename Fields, typename Display>
 void each_display_value(Fields& fields, Display& display) {
   fields("exposure_ev", display.exposure_ev);
@@ -96,6 +99,8 @@ std::string read_fields(FieldReader& fields, PictureDescription& read) {
   if (const OrderedJson* at = fields.take("display")) {
     FieldReader display(*at, "display");
     each_display_value(display, read.display);
+    if (at->is_object() && at->contains(tone_key))
+      display.named(tone_key, tone_names, read.display.tone);
     if (std::string fault = display.fault(); !fault.empty()) return fault;
   }
   return fields.fault();
@@ -148,6 +153,8 @@ std::string description_text(const PictureDescription& description) {
   fields.other("dfrs", description.dfrs ? dfrs_json(*description.dfrs) : OrderedJson(nullptr));
   FieldWriter display;
   each_display_value(display, description.display);
+  if (description.display.tone != ToneCurve::none)
+    display.named(tone_key, tone_names, description.display.tone);
   fields.other("display", display.take());
   return fields.take().dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }

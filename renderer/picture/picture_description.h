@@ -2,6 +2,7 @@
 
 #include "renderer/film/image_io.h"
 #include "renderer/film/split_map.h"
+#include "renderer/film/tone.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
@@ -24,7 +25,9 @@ struct PictureDisplay {
   bool split_map = false;    ///< over the picture
   SplitMapColours split_colours = SplitMapColours::level;
   float split_dimming = 0.0f;
+  ToneCurve tone = ToneCurve::none;
 
+  [[nodiscard]] DisplayTransform transform() const { return {exposure_ev, tone}; }
   bool operator==(const PictureDisplay&) const = default;
 };
 

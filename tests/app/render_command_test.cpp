@@ -195,6 +195,23 @@ TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
   EXPECT_GT(values.size(), 20u);  // there is something to see
 }
 
+// A curve is of the PNG alone, its file says so, and from it comes the same picture again.
+TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
+  render("plain.exr", {});
+  const Film radiance = film("plain.exr");
+  for (const NamedTone& tone : tone_names) {
+    render("a.png", {"--exposure", "1", "--tone", tone.name});
+    const Result<RgbImage> png = read_png(path("a.png"));
+    ASSERT_TRUE(png);
+    for (std::size_t i = 0; i < radiance.radiance.size(); ++i) {
+      ASSERT_EQ(display_bytes(radiance.radiance[i], {1.0f, tone.value}),
+                glm::u8vec3(png->rgb[3 * i], png->rgb[3 * i + 1], png->rgb[3 * i + 2]))
+          << tone.name << " " << i;
+    }
+    EXPECT_EQ(read_description(path("a.png"))->display.tone, tone.value);
+  }
+}
+
 TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
   for (const char* method : {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted",
                              "mitchell", "ray-bound", "average", "beam"}) {

@@ -75,7 +75,8 @@ TEST_F(ComparePanelTest, AWipeShowsBoth) {
     rig.frame();
     const std::vector<glm::u8vec3> pixels = rig.pixels();
     int wrong = 0;
-    for (int y = 0; y < rig.previewer().render().film().height; ++y) {
+    constexpr int labels = 40;  // that name the sides
+    for (int y = labels; y < rig.previewer().render().film().height; ++y) {
       for (int x = 0; x < width; ++x) {
         if (std::abs(x - line) <= 2) continue;  // the line itself
         const std::size_t i = rig.previewer().render().film().index(x, y);

@@ -61,6 +61,30 @@ TEST(EditedLight, SizeIsKeptFromKindToKind) {
   EXPECT_EQ(as_kind(small_ball(), LightKind::point, unit_scene).radius, 0.0);
 }
 
+// A lamp among small things stays a lamp, whatever it is turned into; and what is looked at stays
+// as bright, though the light be near, and shine past it.
+TEST(EditedLight, ALampBecomesNoCeiling) {
+  Light lamp;
+  lamp.position = {0.3, 0.5, 0.2};
+  lamp.intensity = 185.0f;
+  const SceneSize looked_at{{0.1, 0.0, 0.0}, 0.5};
+  const auto arriving = [&](const Light& light) {
+    const glm::dvec3 way = light.type == Light::Type::directional
+                               ? -light.direction
+                               : glm::normalize(light.position - looked_at.middle);
+    return static_cast<double>(
+        unshadowed_irradiance(prepare_light(light), {looked_at.middle, way, way}).x);
+  };
+  const double before = arriving(lamp);
+  for (const LightKind kind : all_kinds) {
+    const Light other = as_kind(lamp, kind, looked_at);
+    EXPECT_NEAR(arriving(other), before, 1e-3 * before) << static_cast<int>(kind);
+    EXPECT_LT(std::sqrt(area_of(other)), 0.1) << static_cast<int>(kind);
+    EXPECT_NEAR(arriving(as_kind(other, LightKind::disk, looked_at)), before, 1e-3 * before)
+        << static_cast<int>(kind);
+  }
+}
+
 TEST(EditedLight, OutlinesHaveTheirAreas) {
   Light light = as_kind(small_ball(), LightKind::polygon, unit_scene);
   set_polygon_radius(light, 2.0);

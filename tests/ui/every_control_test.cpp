@@ -1,4 +1,5 @@
 #include "renderer/shading/sky.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/control_parts.h"
 #include "tests/ui/panels_fixture.h"
 
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
@@ -35,6 +37,8 @@ class EveryControlTest : public PanelsTest {
     EXPECT_TRUE(rig.settle());
     initial_ = settings();
     setenv("XDG_PICTURES_DIR", testing::TempDir().c_str(), 1);
+    files_.write("model.glb", "no model");
+    std::filesystem::create_directories(files_.path() / "deep" / "deeper");
   }
 
   /// What a control of this part changes.
@@ -74,15 +78,16 @@ class EveryControlTest : public PanelsTest {
                        p.refinement().limits().seconds, p.refinement().limits().rmse,
                        p.render().restarts());
       case Part::display:
-        return numbers(d.exposure_ev, d.show_split_map, d.split_dimming,
-                       static_cast<int>(d.split_colours));
+        return numbers(d.exposure_ev, static_cast<int>(d.tone), d.show_split_map, d.show_legend,
+                       d.split_dimming, static_cast<int>(d.split_colours));
       case Part::lights:
         return numbers(p.edits().state().look.lights_revision);
       case Part::camera:
         return numbers(p.viewpoint().camera().revision());
       case Part::view:
-        return numbers(s.show_open, ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
-                       ImGui::GetIO().WantTextInput);
+        return s.browser.folder.string() + numbers(s.show_open, s.leaving.quit,
+                                                   ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
+                                                   ImGui::GetIO().WantTextInput);
       case Part::choice:
         return numbers(s.lights.selected, s.lights.show_marks, s.watch, s.show_boundaries,
                        s.picked.has_value(), static_cast<int>(s.reflections.channel),
@@ -196,6 +201,7 @@ class EveryControlTest : public PanelsTest {
   std::set<std::string> tried_;
   std::set<std::string> used_;
   std::set<std::string> reached_;  // of the table
+  test::TemporaryFolder files_;
   std::string clipboard_;
 };
 
@@ -309,6 +315,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().asos.rule = StoppingRule::published;
     settings().asos.detect = Detection::cone;
     settings().texture.filter = TextureFilter::point;
+    s.display.tone = ToneCurve::neutral;
     settings().shadow.light_rule = LightRule::published;
     s.study.reduction = 1;
     s.frames.store(rig.previewer().render().film(), "one");
@@ -317,8 +324,22 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   use_all("open dialog", [&] {
     s.show_open = true;
-    s.open_path = "second";
+    s.browser.folder = files_.path();
     s.recent = {"third"};
+  });
+  use_all("open dialog, filtered", [&] {
+    s.show_open = true;
+    s.browser.folder = files_.path();
+    rig.frame();
+    s.browser.typed = "boxes";
+  });
+  use_all("open dialog, folders", [&] {
+    s.show_open = true;
+    s.browser.folder = files_.path() / "deep";
+  });
+  use_all("leaving", [&] {
+    s.frames.store(rig.previewer().render().film(), "one");
+    s.leaving.asked = true;
   });
   use_all("save dialog", [&] {
     s.save.show = true;
@@ -353,7 +374,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     FAIL() << "no study is offered, only " << shown;
   }
   rig.click("Start study");
-  EXPECT_TRUE(rig.content().study().busy());
+  EXPECT_TRUE(rig.content().study().busy()) << s.study.error;
   rig.frame();
   rig.click("Stop study");
   EXPECT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));

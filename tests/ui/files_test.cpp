@@ -29,7 +29,11 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   settings.display.exposure_ev = -1.5f;
   settings.display.split_colours = SplitMapColours::cause;
   settings.show_panel = false;
+  settings.display.show_legend = false;
+  settings.display.tone = ToneCurve::agx;
   settings.watch = true;
+  settings.window_size = {1234, 777};
+  settings.method = Method::sobol;
   settings.recent = {"/a/b.glb", "/ü ö.gltf"};
   ASSERT_TRUE(save_settings(path, settings).has_value());
   const auto loaded = load_settings(path);
@@ -37,12 +41,39 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   EXPECT_EQ(*loaded, settings);
 }
 
+// The split map is of a picture: a window that opened with it would not show what it opened.
+TEST(StoredSettings, TheSplitMapIsNotRemembered) {
+  const test::TemporaryFolder folder;
+  StoredSettings settings;
+  settings.display.show_split_map = true;
+  ASSERT_TRUE(save_settings(folder.path() / "window.json", settings).has_value());
+  EXPECT_FALSE(load_settings(folder.path() / "window.json")->display.show_split_map);
+}
+
+TEST(StoredSettings, TwoWindowsKeepWhatEachHasChanged) {
+  StoredSettings before;
+  before.recent = {"/old.glb", "/forgotten.glb"};
+  StoredSettings ours = before, theirs = before;
+  ours.watch = true;
+  ours.recent = {"/ours.glb", "/old.glb"};
+  theirs.show_panel = false;
+  theirs.window_size = {900, 600};
+  theirs.recent = {"/theirs.glb", "/old.glb", "/forgotten.glb"};
+  const StoredSettings all = merged(before, ours, theirs);
+  EXPECT_TRUE(all.watch);
+  EXPECT_FALSE(all.show_panel);
+  EXPECT_EQ(all.window_size, glm::ivec2(900, 600));
+  EXPECT_EQ(all.recent, (std::vector<std::string>{"/ours.glb", "/old.glb", "/theirs.glb"}));
+}
+
 TEST(StoredSettings, BadFilesAreNoHarm) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "window.json";
   EXPECT_EQ(load_settings(path).value(), StoredSettings{}) << "not there";
   EXPECT_EQ(load_settings({}).value(), StoredSettings{});
-  write(path, "{ \"exposure_ev\": 1e9, \"watch\": 7, \"recent\": [1, \"/x.glb\"], \"other\": [] }");
+  write(path,
+        "{ \"exposure_ev\": 1e9, \"watch\": 7, \"window_size\": [1e99, -3], \"method\": 4, "
+        "\"recent\": [1, \"/x.glb\"], \"other\": [] }");
   StoredSettings expected;
   expected.recent = {"/x.glb"};
   EXPECT_EQ(load_settings(path).value(), expected);

@@ -65,6 +65,49 @@ TEST_F(LightsPanelTest, TheTypeIsSwitchedAmongAllKinds) {
   EXPECT_EQ(features, &rig.previewer().scene()->features()) << "nothing was built again";
 }
 
+// A lamp of many faces is one row with one switch; among many lights one is found by its name.
+TEST_F(LightsPanelTest, TheLightsOfASurfaceAreOneRow) {
+  std::vector<EditedLight>& all = rig.previewer().edits().edit_lights();
+  EditedLight face = all[0];
+  face.light.own_part = 0;
+  face.light.name = "lamp";
+  all.assign(20, face);
+  all.push_back(face);
+  all.back().light.own_part = -1;
+  all.back().light.name = "Window";
+  rig.content().state().lights.selected = -1;
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const auto shown = [&](const char* name) {
+    return rig.content().controls().all().contains(name);
+  };
+  EXPECT_TRUE(shown("Surface/1"));
+  EXPECT_FALSE(shown("Light/2"));
+  EXPECT_TRUE(shown("Light/21"));
+  rig.click("Surface on/1");
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_FALSE(rig.previewer().edits().lights()[i].on) << i;
+  EXPECT_TRUE(rig.previewer().edits().lights()[20].on);
+  rig.click("Surface/1");
+  rig.frame();
+  EXPECT_TRUE(shown("Light/2"));
+  rig.content().state().lights.find = "wIn";
+  rig.frame();
+  EXPECT_FALSE(shown("Surface/1"));
+  EXPECT_TRUE(shown("Light/21"));
+}
+
+// What lies under the pointer stays there, whatever a click adds.
+TEST_F(LightsPanelTest, ButtonsStayWhereTheyAre) {
+  rig.content().state().lights.selected = -1;
+  rig.frame();
+  const glm::vec2 before = rig.control("Add light").lo;
+  rig.click("Face to light");
+  rig.frame();
+  EXPECT_EQ(rig.control("Add light").lo, before);
+  rig.click("Add light");
+  rig.frame();
+  EXPECT_EQ(rig.control("Add light").lo, before);
+}
+
 TEST_F(LightsPanelTest, NumbersAreDraggedAndTyped) {
   const float before = light().intensity;
   drag_number("Intensity", 40.0f);
@@ -175,7 +218,8 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   EXPECT_TRUE(lights().empty()) << "black, as asked for, and no rig";
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("Intensity"));
-  EXPECT_FALSE(rig.content().controls().all().contains("Remove light"));
+  rig.click("Remove light");
+  EXPECT_TRUE(rig.previewer().edits().lights().empty()) << "without effect";
   rig.click("Add light");
   EXPECT_TRUE(restarted());
   EXPECT_EQ(lights().size(), 1u);

@@ -83,7 +83,7 @@ TEST_F(PixelPanelTest, ItClosesByKeyAndByButton) {
   pick(pixel);
   rig.key(Key::escape);
   EXPECT_FALSE(rig.content().state().picked.has_value());
-  EXPECT_FALSE(rig.content().state().quit);
+  EXPECT_FALSE(rig.content().state().leaving.quit);
   pick(pixel);
   rig.click("Close pixel");
   EXPECT_FALSE(rig.content().state().picked.has_value());

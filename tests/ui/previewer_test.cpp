@@ -127,6 +127,51 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
   restarts_after([&] { previewer.viewpoint().choose_camera(-1); });
 }
 
+// What is framed stays in view while it is orbited, though its nearest surface lies far before its
+// middle; and it fills pictures of other shapes until the camera is moved.
+TEST_F(PreviewerTest, TheViewThatFramesEverythingOrbitsItsMiddle) {
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  previewer.viewpoint().choose_camera(-1);
+  OrbitCamera& camera = previewer.viewpoint().camera();
+  const Box& bounds = previewer.scene()->world().bounds;
+  const glm::dvec3 middle(0.5f * (bounds.lo + bounds.hi));
+  const double radius = 0.5 * static_cast<double>(glm::distance(bounds.lo, bounds.hi));
+  EXPECT_LT(glm::distance(camera.pivot(), middle), 0.3 * radius);
+
+  const glm::dvec3 eye = camera.eye();
+  previewer.viewpoint().set_picture_size(32, 48, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_GT(glm::distance(camera.eye(), eye), 0.1 * radius) << "framed in the other shape";
+  const glm::dvec3 framed = camera.eye();
+  camera.orbit(0.2, 0.0);
+  const glm::dvec3 orbited = camera.eye();
+  previewer.viewpoint().set_picture_size(48, 32, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_EQ(camera.eye(), orbited) << "it is the person's now";
+  EXPECT_NE(framed, orbited);
+}
+
+TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  previewer.viewpoint().choose_camera(-1);
+  const Viewpoint::State before = previewer.viewpoint().state();
+  previewer.viewpoint().set_picture_size(32, 48, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_TRUE(previewer.viewpoint().same_as(before));
+  const glm::dvec3 framed = previewer.viewpoint().camera().eye();
+  previewer.viewpoint().camera().orbit(1.0, 0.0);
+  EXPECT_FALSE(previewer.viewpoint().same_as(before));
+  EXPECT_TRUE(previewer.viewpoint().left_chosen());
+  previewer.viewpoint().restore(before);
+  EXPECT_FALSE(previewer.viewpoint().left_chosen());
+  EXPECT_LT(glm::distance(previewer.viewpoint().camera().eye(), framed), 1e-9)
+      << "in the picture's present shape";
+}
+
 // A drag changes the camera faster than a coarse picture takes: without the wait, only the middle
 // of the picture would ever follow.
 TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {

@@ -55,6 +55,38 @@ TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
   EXPECT_TRUE(finished());
 }
 
+TEST_F(RefinementTest, AtALimitItCanGoOn) {
+  rig.previewer().refinement().limits().seconds = 1e-6;
+  change();
+  ASSERT_TRUE(rests(Rest::time));
+  rig.click("section/Refinement");
+  const std::uint64_t restarts = rig.previewer().render().restarts();
+  int asked = 0;
+  ASSERT_TRUE(rig.frames_until([&] {
+    if (rig.previewer().refinement().rest() != Rest::time) return true;
+    if (asked < 2) rig.click("Go on");
+    if (asked == 2) rig.previewer().refinement().limits().seconds = 0.5;
+    if (asked++ > 2) rig.key(Key::space);
+    return false;
+  }));
+  EXPECT_FALSE(rig.previewer().refinement().paused());
+  rig.previewer().refinement().limits().seconds = 0.0;
+  EXPECT_TRUE(finished());
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+}
+
+TEST_F(RefinementTest, RenderAgainIsNotPaused) {
+  rig.click("section/Refinement");
+  rig.click("Pause");
+  change();
+  ASSERT_TRUE(rests(Rest::paused));
+  rig.click("Stop");
+  ASSERT_TRUE(rests(Rest::stopped));
+  rig.click("Render again");
+  EXPECT_TRUE(finished());
+  EXPECT_FALSE(rig.previewer().refinement().paused());
+}
+
 TEST_F(RefinementTest, AQualityIsEnough) {
   EXPECT_TRUE(rig.previewer().render().estimated_rmse().has_value());
   EXPECT_EQ(*rig.previewer().render().estimated_rmse(), 0.0) << "it is finished";

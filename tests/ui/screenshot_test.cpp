@@ -74,7 +74,9 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
     ASSERT_EQ(got, display_bytes(film.radiance[i], 0.0f)) << "pixel " << i;
   }
 
-  rig.content().state().display = {0.0f, true, 1.0f};
+  rig.content().state().display = {};
+  rig.content().state().display.show_split_map = true;
+  rig.content().state().display.split_dimming = 1.0f;
   rig.key(Key::f12);
   const Result<RgbImage> overlaid = read_png((folder / "seen-002.png").string());
   ASSERT_TRUE(overlaid) << overlaid.error().message();

@@ -57,6 +57,32 @@ class SplitCheckTest : public PanelsTest {
   }
 };
 
+// A study's times count: the check lets it have the processors, keeps what it found, and goes on
+// afterwards.
+TEST_F(SplitCheckTest, WaitsWhileOtherWorkIsMeasured) {
+  SplitCheck check;
+  const auto update = [&](bool held) { check.update(rig.previewer(), true, 1.0 / 64.0, held); };
+  ASSERT_TRUE(rig.frames_until([&] {
+    update(false);
+    return check.findings() != nullptr;
+  }));
+  const int passes = check.findings()->passes;
+  ASSERT_TRUE(rig.frames_until([&] {
+    update(true);
+    return !check.busy();
+  }));
+  for (int i = 0; i < 20; ++i) update(true);
+  EXPECT_FALSE(check.busy());
+  ASSERT_NE(check.findings(), nullptr) << "what was found stays";
+  EXPECT_GE(check.findings()->passes, passes);
+  const bool whole = check.findings()->passes == SplitCheck::most_passes;
+  EXPECT_TRUE(rig.frames_until([&] {
+    update(false);
+    return whole || check.busy();
+  }));
+  EXPECT_NE(check.findings(), nullptr);
+}
+
 TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothingIs) {
   SplitCheck check;
   const auto checked = [&] {

@@ -66,6 +66,7 @@ class SplitMapTest : public testing::Test {
 
   void show(SplitMapColours colours) {
     display().show_split_map = true;
+    display().show_legend = false;
     display().split_dimming = 1.0f;
     display().split_colours = colours;
     rig.frame();
@@ -143,13 +144,14 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
 
 TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
   show(SplitMapColours::cause);
-  rig.frame();
+  display().show_legend = true;
+  for (int i = 0; i < 3; ++i) rig.frame();
   const std::vector<std::string> names{"outline", "crease, seam", "crossing",
                                        "shadow",  "reflection",   "shading",
                                        "cut-out", "saturated",    "depth limit"};
   ASSERT_EQ(names.size() + 1, split_cause_count);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Controls::Placed entry = rig.control("Legend/" + names[i]);
+    const Controls::Placed entry = rig.control("Cause/" + names[i]);
     EXPECT_TRUE(entry.has_tooltip) << names[i];
     EXPECT_LT(entry.hi.x, static_cast<float>(rig.size().x)) << names[i];
     EXPECT_EQ(shown(glm::ivec2(entry.lo) + 4), split_cause_colour(static_cast<SplitCause>(i + 1)))

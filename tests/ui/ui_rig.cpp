@@ -32,14 +32,18 @@ RenderSettings small_settings() {
 
 UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale)
     : context_(value_or_throw(OsmesaContext::make(size.x, size.y))),
-      previewer_(
-          std::make_unique<Previewer>(Previewer::Hooks{std::move(load), {}}, small_settings())),
+      previewer_(std::make_unique<Previewer>(
+          Previewer::Hooks{std::move(load), [this] { woken_ = true; }}, small_settings())),
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
       content_scale_(content_scale) {}
 
 void UiRig::frame() {
   now_seconds_ += 1.0 / 60.0;
+  draw();
+}
+
+void UiRig::draw() {
   if (blind_) gl::glEnable(GL_RASTERIZER_DISCARD);
   content_->draw({size_, size_, content_scale_, now_seconds_});
   if (blind_) gl::glDisable(GL_RASTERIZER_DISCARD);
@@ -57,6 +61,29 @@ bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return true;
+}
+
+bool UiRig::sleeps(double limit_seconds) {
+  schedule_ = {};
+  const auto start = std::chrono::steady_clock::now();
+  const double first = now_seconds_;
+  double seconds = 0.0;
+  while (seconds < limit_seconds * (sanitized ? 10.0 : 1.0)) {
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    now_seconds_ = std::max(now_seconds_, first + seconds);
+    if (woken_.exchange(false)) schedule_.note_woken(false);
+    if (!content_->input().empty()) schedule_.note_input();
+    // Nothing that runs would be left that could end the sleep.
+    if (schedule_.due() == DrawSchedule::never && previewer_->render().progress().running == false)
+      return true;
+    if (now_seconds_ >= schedule_.due()) {
+      schedule_.begin_frame(now_seconds_);
+      draw();
+      schedule_.end_frame(content_->seconds_to_redraw());
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return false;
 }
 
 bool UiRig::settle() {
@@ -133,16 +160,18 @@ void UiRig::type(const std::string& ascii) {
 
 Controls::Placed UiRig::control(const std::string& name) {
   const auto& all = content_->controls().all();
-  const auto height = static_cast<float>(size_.y);
   constexpr int most_turns = 100;
   for (int turn = 0;; ++turn) {
     const auto found = all.find(name);
     if (found == all.end()) throw std::runtime_error("no control named " + name);
     const Controls::Placed at = found->second;
-    const bool above = at.lo.y<0.0f, below = at.hi.y> height;
+    const WindowRect& panel = content_->layout().panel;
+    const auto height = static_cast<float>(size_.y);
+    const bool in_panel = at.centre().x > panel.lo.x && panel.size.x > 0.0f;
+    const bool above = at.lo.y<(in_panel ? panel.lo.y : 0.0f), below = at.hi.y> height;
     if ((!above && !below) || turn == most_turns) return at;
     // The panel is longer than the window: turn the wheel over it, as a person would.
-    wheel({static_cast<float>(size_.x) - 20.0f, 0.5f * height}, above ? 1.0f : -1.0f);
+    wheel(panel.lo + glm::vec2(panel.size.x - 20.0f, 0.5f * panel.size.y), above ? 1.0f : -1.0f);
   }
 }
 

@@ -2,11 +2,13 @@
 
 #include "renderer/film/film.h"
 #include "tests/ui/osmesa_context.h"
+#include "ui/draw_schedule.h"
 #include "ui/previewer.h"
 #include "ui/window_content.h"
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -27,6 +29,9 @@ class UiRig {
   /// Draws frames until `done`; false after `limit_seconds` of real time, ten times that under the
   /// sanitizers.
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 60.0);
+  /// Draws as the window does: only frames that are due. True once none is any more; false after
+  /// `limit_seconds` of the rig's time, which goes on as real time does.
+  [[nodiscard]] bool sleeps(double limit_seconds = 60.0);
   /// Frames until the render is finished and shown and the input is used up.
   [[nodiscard]] bool settle();
   void resize(glm::ivec2 size);
@@ -53,6 +58,7 @@ class UiRig {
 
  private:
   void run_input();
+  void draw();
 
   std::unique_ptr<OsmesaContext> context_;
   std::unique_ptr<Previewer> previewer_;
@@ -60,6 +66,8 @@ class UiRig {
   glm::ivec2 size_;
   float content_scale_;
   double now_seconds_ = 0.0;
+  DrawSchedule schedule_;
+  std::atomic<bool> woken_ = false;
   bool blind_ = false;
 };
 

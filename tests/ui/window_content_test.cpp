@@ -78,10 +78,32 @@ TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
+// Each curve's own bytes, and back; with the exposure, which the curve comes after.
+TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
+  open("red");
+  DisplaySettings& display = rig.content().state().display;
+  const Film& film = rig.previewer().render().film();
+  const std::uint64_t restarts = rig.previewer().render().restarts();
+  for (const float ev : {0.0f, 1.0f}) {
+    for (const NamedTone& tone : tone_names) {
+      display.exposure_ev = ev;
+      display.tone = tone.value;
+      rig.frame();
+      const std::vector<glm::u8vec3> pixels = rig.pixels();
+      for (const glm::ivec2 at : {glm::ivec2(5, 5), glm::ivec2(film.width, film.height) / 2})
+        EXPECT_EQ(pixels[static_cast<std::size_t>(at.y * rig.size().x + at.x)],
+                  display_bytes(film.radiance[film.index(at.x, at.y)], display.transform()))
+            << tone.name << " " << ev;
+    }
+  }
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+}
+
 TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
   open("red");
   const std::uint64_t restarts = rig.previewer().render().restarts();
   rig.content().state().display.show_split_map = true;
+  rig.content().state().display.show_legend = false;
   rig.content().state().display.split_dimming = 1.0f;
   rig.frame();
   const int max_level = rig.previewer().edits().settings().asos.max_level;
@@ -97,6 +119,7 @@ TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
 TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
   open("red");
   rig.content().state().display.show_split_map = true;
+  rig.content().state().display.show_legend = false;
   rig.content().state().display.split_dimming = 0.25f;
   rig.frame();
   const int max_level = rig.previewer().edits().settings().asos.max_level;

@@ -73,15 +73,15 @@ bool is_held() {
 void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast& forecast) {
   std::string words = "drag EPS or MAX";
   if (const Forecast* told = forecast.of(previewer)) {
-    words = fmt::format("{:.1f} \u00b1 {:.1f} %, {}", 100.0 * told->split_share,
+    words = fmt::format("{:.1f} \u00b1 {:.1f} % split, {} to wait", 100.0 * told->split_share,
                         100.0 * told->split_error,
                         told->seconds < 10.0 ? fmt::format("{:.1f} s", told->seconds)
                                              : fmt::format("{:.0f} s", told->seconds));
   }
   controls.row(
       "Forecast", words,
-      "The share of pixels that would be split and how long the render would take, told by blocks "
-      "all over the picture, before it is rendered.");
+      "The share of pixels that would be split, and how many seconds of the clock the render would "
+      "take on all its threads; told by blocks all over the picture, before it is rendered.");
 }
 
 void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {

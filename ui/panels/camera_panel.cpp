@@ -15,8 +15,11 @@ void camera_list(Controls& controls, Viewpoint& viewpoint, const std::vector<Cam
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     names.push_back(cameras[i].name.empty() ? fmt::format("Camera {}", i + 1) : cameras[i].name);
   }
-  int chosen = viewpoint.chosen_camera() + 1;
-  if (controls.list("View", "The cameras of the file, and a view that frames the whole scene.",
+  // A camera that was left is not shown any more, and may be chosen again.
+  int chosen = viewpoint.left_chosen() ? -1 : viewpoint.chosen_camera() + 1;
+  if (controls.list("View",
+                    "The cameras of the file, and a view that frames the whole scene. Empty: the "
+                    "camera has been moved.",
                     names, chosen)) {
     viewpoint.choose_camera(chosen - 1);
   }

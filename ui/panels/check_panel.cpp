@@ -30,16 +30,23 @@ std::string share_of(std::size_t part, std::size_t whole) {
                      100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-void finding_rows(Controls& controls, const SplitFindings& found, const Film& film) {
-  const std::size_t whole =
-      film.radiance.size() - std::min(found.split_pixels, film.radiance.size());
-  controls.row("Missed splits", share_of(found.missed_pixels, whole),
+// There from the start, so that nothing moves when they are known.
+void finding_rows(Controls& controls, const SplitFindings* found, const Film& film) {
+  std::string missed = "not known yet", wasted = missed, rmse = missed;
+  if (found) {
+    const std::size_t whole =
+        film.radiance.size() - std::min(found->split_pixels, film.radiance.size());
+    missed = share_of(found->missed_pixels, whole);
+    wasted = share_of(found->wasted_pixels, found->split_pixels);
+    rmse = fmt::format("{:.2g}, noise {:.2g}", found->rmse, found->noise);
+  }
+  controls.row("Missed splits", missed,
                "Pixels that were not split and are off the reference by more than the alarm and "
                "than its noise explains; as a share of those that were not split.");
-  controls.row("Wasted splits", share_of(found.wasted_pixels, found.split_pixels),
+  controls.row("Wasted splits", wasted,
                "Pixels that were split and came out as a single sample would have shown them, "
                "within a quarter of a step of an 8-bit picture; as a share of the split ones.");
-  controls.row("RMSE", fmt::format("{:.2g}, noise {:.2g}", found.rmse, found.noise),
+  controls.row("RMSE", rmse,
                "Root mean square error of the picture against the reference, linear values clipped "
                "to 0 to 1, and how much of that is the reference's own.");
 }
@@ -74,7 +81,7 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
     return;
   const CheckChoice usual;
   controls.checkbox(
-      "Alarm",
+      "Find missed",
       "Sample the finished picture's view in the background, with up to 256 samples a "
       "pixel, and mark where splitting was missed or wasted.",
       choice.check, usual.check);
@@ -95,7 +102,7 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
                         check.busy() ? ", going on" : "");
   controls.row("Reference", words,
                "What the picture is compared with, and how many samples of each pixel.");
-  if (found) finding_rows(controls, *found, previewer.render().film());
+  finding_rows(controls, found, previewer.render().film());
 }
 
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,

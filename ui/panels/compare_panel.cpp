@@ -66,7 +66,8 @@ void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
   const PreviewRender& render = previewer.render();
   const Film& film = render.film();
   const bool same = frame.film.width == film.width && frame.film.height == film.height;
-  std::string words = "another size";
+  std::string words = fmt::format("none: the frame is {} x {}, the picture {} x {}",
+                                  frame.film.width, frame.film.height, film.width, film.height);
   if (same && !render.progress().finished) words = "when finished";
   if (same && render.progress().finished) {
     const Frames::Measured now{render.restarts(), frames.revision, frames.chosen};

@@ -41,9 +41,10 @@ void paint_slider(float from, float to, const std::string& text) {
   draw->AddRectFilled({x_at(low), lo.y}, {x_at(high), hi.y}, theme::packed(theme::accent),
                       rounding);
   // A mark at the value, below the text, keeps an empty bar from looking like a text field.
-  const float mark = std::round(0.2f * ImGui::GetFontSize());
+  const float mark = std::round(0.3f * ImGui::GetFontSize());
   const float left = std::clamp(x_at(to) - 0.5f * mark, lo.x, hi.x - mark);
-  draw->AddRectFilled({left, hi.y - 2.0f * mark}, {left + mark, hi.y},
+  const float thin = std::max(2.0f, std::round(0.13f * ImGui::GetFontSize()));
+  draw->AddRectFilled({left, hi.y - thin}, {left + mark, hi.y},
                       theme::packed(theme::accent_bright));
 
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -117,11 +118,20 @@ std::size_t longest_row(std::span<const Controls::Option> options) {
 
 }  // namespace
 
+std::string number_words(double value) {
+  const double size = std::abs(value);
+  constexpr double digits = 1e4, most = 1e7;
+  return size >= digits && size < most ? fmt::format("{:.0f}", value)
+                                       : fmt::format("{:.4g}", value);
+}
+
 void Controls::begin_frame(double now_seconds) {
-  now_seconds_ = now_seconds;
   placed_.clear();
-  if (hovered_ != hovered_before_) hovered_since_seconds_ = now_seconds;
+  // What was first under the pointer in the frame before has been there since then.
+  if (hovered_ != hovered_before_) hovered_since_seconds_ = now_seconds_;
+  now_seconds_ = now_seconds;
   hovered_before_ = hovered_;
+  tooltip_before_ = std::exchange(tooltip_now_, false);
   hovered_.clear();
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) resetting_.clear();
 }
@@ -146,6 +156,7 @@ void Controls::explain(const std::string& name, const char* tooltip) {
     return;
   }
   show_tooltip(tooltip);
+  tooltip_now_ = true;
 }
 
 // The name tells what the widget does, too, and a double click on it resets the widget.
@@ -256,7 +267,7 @@ bool Controls::vector(const char* name, const char* tooltip, glm::dvec3& value, 
     ImGui::SetNextItemWidth(width);
     const std::string id = std::string(name) + "/" + axes[static_cast<std::size_t>(k)];
     drag("##" + id, value[k], {{-limit, limit, std::nullopt}, step, false});
-    paint_number(fmt::format("{:.4g}", value[k]));
+    paint_number(number_words(value[k]));
     placed(id, tooltip, Use::edits);
   }
   reset(name, value, std::optional(to));

@@ -10,6 +10,10 @@
 
 namespace asos {
 
+/// Four digits, and powers of ten only where a person would write them, too: "14050", "0.000123",
+/// "1.5e+09".
+[[nodiscard]] std::string number_words(double value);
+
 /// The panels' widgets: a label at the left, the widget beside it, a tooltip that says what it
 /// means. Remembers where each was drawn, so that tests can aim at it, and which have a tooltip.
 /// Values stay within the given ranges, typed ones too. A double click on a control's name, or on a
@@ -97,6 +101,9 @@ class Controls {
   void placed(const std::string& name, const char* tooltip, Use use = Use::shows);
 
   [[nodiscard]] const std::map<std::string, Placed>& all() const { return placed_; }
+  /// Whether this frame has a tooltip that the one before had not, or the other way round: it has
+  /// to be drawn again, because a tooltip finds its size in its first frame.
+  [[nodiscard]] bool tooltip_changed() const { return tooltip_now_ != tooltip_before_; }
   /// When a tooltip is due, in seconds from the frame's time.
   [[nodiscard]] std::optional<double> seconds_to_tooltip() const;
 
@@ -114,6 +121,7 @@ class Controls {
   double now_seconds_ = 0.0;
   std::string hovered_, hovered_before_;
   double hovered_since_seconds_ = 0.0;
+  bool tooltip_now_ = false, tooltip_before_ = false;
 };
 
 }  // namespace asos

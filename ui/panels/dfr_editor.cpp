@@ -96,7 +96,7 @@ void draw_dfr_axes(const DfrPlot& plot) {
     plot_text({x, plot.hi.y + 0.25f * em}, 0.5f, fmt::format("{}\u00b0", 30 * i), theme::dim_text);
   }
   plot_text({plot.lo.x, plot.lo.y - 1.35f * em}, 0.0f, "DFR", theme::text);
-  plot_text({plot.hi.x, plot.lo.y - 1.35f * em}, 1.0f, "widening of 2\u00b0, dashed",
+  plot_text({plot.hi.x, plot.lo.y - 1.35f * em}, 1.0f, "dashed: widening at 2\u00b0",
             theme::dim_text);
 }
 

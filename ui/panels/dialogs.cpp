@@ -1,13 +1,13 @@
-#include "renderer/scene/load.h"
 #include "ui/input.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
-#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <optional>
 
 namespace asos {
 
@@ -36,13 +36,16 @@ constexpr std::array help_lines{
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
     HelpLine{"Tab", "hide or show the panel"},
+    HelpLine{"F6, arrows, Space, Enter", "use the panel by keyboard"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + O, drop a file", "open a scene"},
+    HelpLine{"Page Up, Page Down", "the previous, the next model of the folder"},
     HelpLine{"R", "load the file again"},
     HelpLine{"P, F12", "save the picture as PNG"},
     HelpLine{"Ctrl + S", "save it as EXR, larger, or with the window"},
     HelpLine{"F1, ?", "this help"},
-    HelpLine{"Esc, Ctrl + Q", "quit"},
+    HelpLine{"Esc", "close what is open"},
+    HelpLine{"Ctrl + Q", "quit"},
 };
 
 }  // namespace
@@ -72,117 +75,53 @@ void help_overlay(UiState& state, const WindowRect& area) {
   ImGui::PopStyleVar(3);
 }
 
-void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
-  constexpr const char* title = "Open a scene";
-  if (state.show_open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.4f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(46.0f * em, 0.9f * window.x), 0.0f});
-  if (!ImGui::BeginPopupModal(title, nullptr,
-                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                  ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_AlwaysAutoResize)) {
-    return;
-  }
-  std::string chosen;
-  ImGui::TextDisabled("Path of a .gltf or .glb file");
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool entered =
-      ImGui::InputText("##path", &state.open_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  controls.placed("Path", "Of a .gltf or .glb file, or builtin:NAME.");
-
-  if (!state.recent.empty()) {
-    ImGui::Spacing();
-    ImGui::TextDisabled("or one that was open before");
-  }
-  for (std::size_t i = 0; i < state.recent.size(); ++i) {
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(state.recent[i].c_str(), false, ImGuiSelectableFlags_DontClosePopups))
-      chosen = state.recent[i];
-    ImGui::PopID();
-    controls.placed("Recent/" + std::to_string(i + 1), "Open this file.", Controls::Use::edits);
-  }
-
-  ImGui::Spacing();
-  ImGui::TextDisabled("or a built-in scene");
-  // What lies above and below stays within the window.
-  const auto& builtins = builtin_scenes();
-  constexpr float others = 9.0f, fewest = 5.0f;
-  const float line = ImGui::GetTextLineHeightWithSpacing();
-  const float room = window.y / line - others - static_cast<float>(state.recent.size());
-  const float shown = std::clamp(room, fewest, static_cast<float>(builtins.size()));
-  ImGui::BeginChild("built-in", {0.0f, shown * line});
-  for (const BuiltinScene& scene : builtins) {
-    if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) {
-      chosen = "builtin:" + scene.name;
-    }
-    controls.placed("Built-in/" + scene.name, scene.summary.c_str(), Controls::Use::edits);
-    ImGui::SameLine(11.0f * em);
-    ImGui::TextDisabled("%s", scene.summary.c_str());
-  }
-  ImGui::EndChild();
-
-  ImGui::Spacing();
-  if ((controls.button("Open", "Open the path that was typed. Key: Enter.", 6.0f * em) ||
-       entered) &&
-      !state.open_path.empty()) {
-    chosen = state.open_path;
-  }
-  ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", "Open nothing. Key: Esc.", 6.0f * em) ||
-                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
-  if (!chosen.empty()) previewer.scene().open(chosen);
-  if (!chosen.empty() || cancelled) {
-    state.show_open = false;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
-}
-
 namespace {
 
 // Shows the stored frame in place of the picture, or no longer.
-void flip(Frames& frames) {
-  if (frames.stored.empty()) return;
+void flip(UiState& state, const Film& film) {
+  Frames& frames = state.frames;
+  if (frames.stored.empty()) {
+    state.said = "No frame is stored yet: S stores one";
+    return;
+  }
   frames.flipped = !(frames.comparison == Comparison::flip && frames.flipped);
   frames.comparison = Comparison::flip;
+  const StoredFrame& frame = *frames.compared();
+  state.said = frames.flipped ? "Frame " + frame.name : std::string("The picture");
+  if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
+    state.said += " is of another size: it cannot be shown in the picture's place";
 }
 
-}  // namespace
+void store(UiState& state, const Previewer& previewer) {
+  state.said = store_frame(state.frames, previewer)
+                   ? "Stored as frame " + state.frames.stored.back().name
+                   : std::string("There are eight frames already: remove one first");
+}
 
-void handle_shortcuts(UiState& state, Previewer& previewer) {
-  if (shortcut_pressed(Key::q, true)) state.quit = true;
-  if (state.show_open || state.save.show) return;
-  if (shortcut_pressed(Key::o, true)) state.show_open = true;
-  if (shortcut_pressed(Key::s, true)) state.save.show = true;
-  if (shortcut_pressed(Key::f1) || shortcut_pressed(Key::question)) {
-    state.show_help = !state.show_help;
+// To another model of the folder.
+void page(UiState& state, Previewer& previewer, int step) {
+  const RenderScene* scene = previewer.scene().get();
+  if (!scene) return;
+  const std::optional<NextModel> next = next_model(scene->geometry->source, step);
+  if (!next) {
+    state.said = "There is no other model in this folder";
+    return;
   }
-  if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
-  if (shortcut_pressed(Key::home) || shortcut_pressed(Key::f)) previewer.viewpoint().frame_all();
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
-    store_frame(state.frames, previewer);
-  if (shortcut_pressed(Key::r)) previewer.scene().reload();
-  if (shortcut_pressed(Key::x)) flip(state.frames);
-  if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
-  if (shortcut_pressed(Key::c)) {
-    SplitMapColours& colours = state.display.split_colours;
-    colours = colours == SplitMapColours::time
-                  ? SplitMapColours::level
-                  : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
-  }
-  if (shortcut_pressed(Key::space))
-    previewer.refinement().set_paused(!previewer.refinement().paused());
-  if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
-  if (shortcut_pressed(Key::one)) state.view.reset();
-  const glm::vec2 middle = state.view.area_middle();
-  if (shortcut_pressed(Key::plus)) state.view.zoom_at(middle, 1);
-  if (shortcut_pressed(Key::minus)) state.view.zoom_at(middle, -1);
+  previewer.scene().open(next->path);
+  state.said = fmt::format("{} of {}: {}", next->number, next->count,
+                           std::filesystem::path(next->path).filename().string());
+}
 
-  // Escape closes what is open before it quits.
-  if (!shortcut_pressed(Key::escape)) return;
+void pause_or_go_on(Refinement& refinement) {
+  if (refinement.at_limit() && !refinement.paused()) {
+    refinement.go_on();
+  } else {
+    refinement.set_paused(!refinement.paused());
+  }
+}
+
+// Escape closes, one thing after the other, and never quits.
+void close_something(UiState& state, Previewer& previewer) {
   if (state.show_help) {
     state.show_help = false;
   } else if (previewer.scene().error()) {
@@ -191,9 +130,46 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     state.picked.reset();
   } else if (state.lights.selected >= 0) {
     state.lights.selected = -1;
-  } else {
-    state.quit = true;
   }
+}
+
+}  // namespace
+
+void handle_shortcuts(UiState& state, Previewer& previewer) {
+  if (shortcut_pressed(Key::q, true)) state.leaving.asked = true;
+  if (state.show_open || state.save.show || state.popup_was_open) return;
+  // While the panel is used by keyboard, some keys are its own.
+  const bool in_panel = ImGui::GetIO().NavVisible;
+  if (shortcut_pressed(Key::o, true)) state.show_open = true;
+  if (shortcut_pressed(Key::s, true)) state.save.show = true;
+  if (shortcut_pressed(Key::f1) || shortcut_pressed(Key::question)) {
+    state.show_help = !state.show_help;
+  }
+  if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
+  if (shortcut_pressed(Key::f) || (!ImGui::GetIO().NavVisible && shortcut_pressed(Key::home)))
+    previewer.viewpoint().frame_all();
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
+    store(state, previewer);
+  if (shortcut_pressed(Key::r)) previewer.scene().reload();
+  if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
+  if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
+  if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());
+  if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
+  if (shortcut_pressed(Key::c)) {
+    SplitMapColours& colours = state.display.split_colours;
+    colours = colours == SplitMapColours::time
+                  ? SplitMapColours::level
+                  : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
+  }
+  if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());
+  if (shortcut_pressed(Key::f6)) state.focus_panel = true;
+  if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
+  if (shortcut_pressed(Key::one)) state.view.reset();
+  const glm::vec2 middle = state.view.area_middle();
+  if (shortcut_pressed(Key::plus)) state.view.zoom_at(middle, 1);
+  if (shortcut_pressed(Key::minus)) state.view.zoom_at(middle, -1);
+
+  if (shortcut_pressed(Key::escape)) close_something(state, previewer);
 }
 
 }  // namespace asos

@@ -1,13 +1,9 @@
-#include "renderer/film/split_map.h"
 #include "ui/panels/panels.h"
-#include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
-#include <span>
 #include <string>
 
 namespace asos {
@@ -24,120 +20,18 @@ constexpr std::array colour_options{
                      "rendered together share theirs evenly. Key: C."},
 };
 
-struct CauseWords {
-  const char* name;
-  const char* tooltip;
+constexpr std::array tone_options{
+    Controls::Option{"None", "What is brighter than white is white."},
+    Controls::Option{"Neutral",
+                     "Khronos PBR Neutral: base colours come out as they are told, and what is "
+                     "brighter is compressed without a change of hue."},
+    Controls::Option{"AgX", "Like film: a soft contrast, and bright colours that fade to white."},
 };
-constexpr std::array<CauseWords, split_cause_count> cause_words{{
-    {"not split", "Pixels that one sample, or one leaf, stands for."},
-    {"outline", "Where a surface ends: an open edge, or where it turns away from the eye."},
-    {"crease, seam", "A kink of a surface, or where its material or its texture changes."},
-    {"crossing", "A line in which surfaces pass through each other."},
-    {"shadow", "The edge of a shadow. A hard one may cut a pixel that is not split otherwise."},
-    {"reflection", "The edge of something that the surface mirrors."},
-    {"shading", "No boundary: shaded too unevenly for one sample."},
-    {"cut-out", "No boundary was found; split by what its samples show."},
-    {"saturated", "So many boundaries that the finest samples were taken at once."},
-    {"depth limit", "Boundaries still passed through its cells at level MAX: not resolved."},
-}};
-
-// The split map's colours on their absolute scale: a level keeps its colour whatever the picture
-// holds.
-void split_legend(Controls& controls, int max_level) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float em = ImGui::GetFontSize();
-  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
-  const float step = width / static_cast<float>(max_level + 1);
-  for (int level = 0; level <= max_level; ++level) {
-    const glm::u8vec3 c = split_colour(level, max_level);
-    const float left = corner.x + step * static_cast<float>(level);
-    draw->AddRectFilled({left, corner.y}, {left + step, corner.y + height},
-                        IM_COL32(c.x, c.y, c.z, 255));
-    const std::string number = level == 0 ? std::string("not split") : std::to_string(level);
-    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
-    const float middle = left + 0.5f * (step - size.x);
-    draw->AddText({level == 0 ? std::max(left, middle) : middle, corner.y + height + 0.15f * em},
-                  theme::packed(theme::dim_text),
-                  level == 0 && size.x > step ? "0" : number.c_str());
-  }
-  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
-  ImGui::Dummy({width, height + 1.3f * em});
-  controls.placed("Legend",
-                  "The deepest level that a pixel was split to, from 0 to MAX. A level keeps its "
-                  "colour whatever the picture shows.");
-}
-
-struct CostTick {
-  double value;
-  const char* text;
-};
-constexpr std::array ray_ticks{CostTick{1, "1"},      CostTick{4, "4"},     CostTick{16, "16"},
-                               CostTick{64, "64"},    CostTick{256, "256"}, CostTick{1024, ""},
-                               CostTick{4096, "4096"}};
-constexpr std::array time_ticks{CostTick{1e-7, "0.1"},  CostTick{1e-6, "1 \u00b5s"},
-                                CostTick{1e-5, "10"},   CostTick{1e-4, "100"},
-                                CostTick{1e-3, "1 ms"}, CostTick{1e-2, "10"}};
-
-// The logarithmic scale of rays or time.
-void cost_legend(Controls& controls, SplitMapColours colours) {
-  const SplitMapKey key{colours, 0};
-  const std::span<const CostTick> ticks = colours == SplitMapColours::rays
-                                              ? std::span<const CostTick>(ray_ticks)
-                                              : std::span<const CostTick>(time_ticks);
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float em = ImGui::GetFontSize();
-  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
-  const auto x_at = [&](float share) { return corner.x + share * width; };
-  constexpr int steps = 127;
-  for (int i = 0; i < steps; ++i) {
-    const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(1 + 2 * i));
-    draw->AddRectFilled({x_at(static_cast<float>(i) / steps), corner.y},
-                        {x_at(static_cast<float>(i + 1) / steps), corner.y + height},
-                        IM_COL32(c.x, c.y, c.z, 255));
-  }
-  for (const CostTick& tick : ticks) {
-    const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
-    draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
-                  theme::packed(theme::dim_text));
-    const float text = ImGui::CalcTextSize(tick.text).x;
-    draw->AddText({std::clamp(x - 0.5f * text, corner.x, corner.x + width - text),
-                   corner.y + height + 0.25f * em},
-                  theme::packed(theme::dim_text), tick.text);
-  }
-  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
-  ImGui::Dummy({width, height + 1.4f * em});
-  controls.placed("Legend",
-                  colours == SplitMapColours::rays
-                      ? "Rays of all kinds for a pixel, from 1 to 4096 and above, "
-                        "logarithmic. The scale does not depend on the picture."
-                      : "Seconds of one processor for a pixel, from 0.1 microseconds to 10 "
-                        "milliseconds and above, logarithmic. The scale does not depend "
-                        "on the picture.");
-}
-
-// One swatch a cause, in two columns.
-void cause_legend(Controls& controls) {
-  const float em = ImGui::GetFontSize();
-  const float column = 0.5f * ImGui::GetContentRegionAvail().x;
-  for (std::size_t i = 1; i < split_cause_count; ++i) {
-    if (i % 2 == 0) ImGui::SameLine(column + ImGui::GetStyle().WindowPadding.x);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(i));
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em},
-                        IM_COL32(c.x, c.y, c.z, 255));
-    draw->AddText({corner.x + 2.0f * em, corner.y - 0.05f * em}, theme::packed(theme::dim_text),
-                  cause_words[i].name);
-    ImGui::Dummy({column - em, 1.1f * em});
-    controls.placed(std::string("Legend/") + cause_words[i].name, cause_words[i].tooltip);
-  }
-}
+static_assert(tone_options.size() == tone_names.size());
 
 }  // namespace
 
-void display_panel(Controls& controls, DisplaySettings& display, int max_level) {
+void display_panel(Controls& controls, DisplaySettings& display) {
   const DisplaySettings usual;
   if (!controls.section("Display")) return;
   controls.slider(
@@ -147,6 +41,9 @@ void display_panel(Controls& controls, DisplaySettings& display, int max_level) 
       display.exposure_ev,
       {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev, usual.exposure_ev},
       [](float ev) { return fmt::format("{:+.2f} EV", ev); });
+  int tone = static_cast<int>(display.tone);
+  if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
+    display.tone = static_cast<ToneCurve>(tone);
   controls.checkbox("Split map", "Show in colours which pixels were split. Key: M.",
                     display.show_split_map, usual.show_split_map);
   if (!display.show_split_map) return;
@@ -154,22 +51,12 @@ void display_panel(Controls& controls, DisplaySettings& display, int max_level) 
                   "How dark the pixels that are not split become under the split map, 0 to 100 %.",
                   display.split_dimming, {0.0f, 1.0f, usual.split_dimming},
                   [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
+  controls.checkbox("Legend", "Say over the picture what the split map's colours mean.",
+                    display.show_legend, usual.show_legend);
   int colours = static_cast<int>(display.split_colours);
   if (controls.options("Colours", colour_options, colours,
                        {true, static_cast<int>(usual.split_colours)}))
     display.split_colours = static_cast<SplitMapColours>(colours);
-  switch (display.split_colours) {
-    case SplitMapColours::level:
-      split_legend(controls, max_level);
-      break;
-    case SplitMapColours::cause:
-      cause_legend(controls);
-      break;
-    case SplitMapColours::rays:
-    case SplitMapColours::time:
-      cost_legend(controls, display.split_colours);
-      break;
-  }
 }
 
 }  // namespace asos

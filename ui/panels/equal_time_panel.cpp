@@ -65,10 +65,11 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
     });
   }
   std::string words = "when finished";
-  if (render.progress().finished) words = fmt::format("{:.3g} s", processor_seconds(render.film()));
+  if (render.progress().finished)
+    words = fmt::format("{:.3g} s of one processor", processor_seconds(render.film()));
   if (frames.stored.size() >= Frames::most) words = "remove a frame first";
   if (job.busy()) words = "rendering";
-  controls.row("Time", words,
+  controls.row("Processor time", words,
                "Processor time of all workers together that the picture's final pixels took, "
                "which the other method gets.");
 }

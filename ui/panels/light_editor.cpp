@@ -54,19 +54,20 @@ const char* intensity_unit(LightKind kind) {
 }
 
 std::string metres(double length) {
-  return fmt::format("{:.4g} m", length);
+  return number_words(length) + " m";
 }
 
 /// One light's controls. Each returns nothing and notes whether it changed the light.
 class LightEditor {
  public:
-  LightEditor(Controls& controls, EditedLight& edited, const SceneSize& scene, glm::dvec3 origin)
+  LightEditor(Controls& controls, EditedLight& edited, const LightSurroundings& around)
       : controls_(controls),
         edited_(edited),
         light_(edited.light),
         same_kind_(kind_of(edited.original) == kind_of(edited.light)),
-        scene_(scene),
-        origin_(origin) {}
+        scene_(around.scene),
+        looked_at_(around.looked_at),
+        origin_(around.origin) {}
 
   /// Whether anything was changed.
   bool run() {
@@ -88,7 +89,7 @@ class LightEditor {
   void kind() {
     int chosen = static_cast<int>(kind_of(light_));
     if (!controls_.options("Type", kind_options, chosen, {false, std::nullopt})) return;
-    light_ = as_kind(light_, static_cast<LightKind>(chosen), scene_);
+    light_ = as_kind(light_, static_cast<LightKind>(chosen), looked_at_);
     changed_ = true;
   }
 
@@ -108,7 +109,7 @@ class LightEditor {
             "a value.",
             intensity,
             {{0.0, most, original(static_cast<double>(edited_.original.intensity))}, step, true},
-            [&](double value) { return fmt::format("{:.4g} {}", value, unit); })) {
+            [&](double value) { return number_words(value) + " " + unit; })) {
       light_.intensity = static_cast<float>(intensity);
       changed_ = true;
     }
@@ -252,6 +253,7 @@ class LightEditor {
   Light& light_;
   bool same_kind_;
   const SceneSize& scene_;
+  const SceneSize& looked_at_;
   glm::dvec3 origin_;
   bool changed_ = false;
 };
@@ -262,9 +264,8 @@ const char* light_kind_name(LightKind kind) {
   return kind_options[static_cast<std::size_t>(kind)].name;
 }
 
-bool edit_light(Controls& controls, EditedLight& edited, const SceneSize& scene,
-                glm::dvec3 origin) {
-  return LightEditor(controls, edited, scene, origin).run();
+bool edit_light(Controls& controls, EditedLight& edited, const LightSurroundings& around) {
+  return LightEditor(controls, edited, around).run();
 }
 
 }  // namespace asos

@@ -9,8 +9,15 @@ namespace asos {
 
 [[nodiscard]] const char* light_kind_name(LightKind kind);
 
-/// One light's controls: its kind, brightness, size, place and direction. `origin` is the world's.
-/// Whether anything was changed.
-bool edit_light(Controls& controls, EditedLight& edited, const SceneSize& scene, glm::dvec3 origin);
+/// What a light is edited in.
+struct LightSurroundings {
+  SceneSize scene;
+  SceneSize looked_at;     ///< where a light of another kind is to be as bright as before
+  glm::dvec3 origin{0.0};  ///< the world's
+};
+
+/// One light's controls: its kind, brightness, size, place and direction. Whether anything was
+/// changed.
+bool edit_light(Controls& controls, EditedLight& edited, const LightSurroundings& around);
 
 }  // namespace asos

@@ -177,6 +177,22 @@ void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
   }
 }
 
+namespace {
+
+// On a ground of its own, because what it lies on may have any colour. `align` 1: it ends at `at`.
+void side_label(const std::string& text, glm::vec2 at, float align) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 lo{std::round(at.x - align * size.x), at.y + 0.5f * em};
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled({lo.x - 0.35f * em, lo.y - 0.15f * em},
+                     {lo.x + size.x + 0.35f * em, lo.y + size.y + 0.15f * em},
+                     theme::packed(theme::panel, 0.8f), 0.25f * em);
+  draw.AddText(lo, theme::packed(theme::text), text.c_str());
+}
+
+}  // namespace
+
 void wipe_line(Controls& controls, Frames& frames, const PictureView& view, const Film& film,
                const PictureArea& area) {
   const float width = view.scale() * static_cast<float>(film.width) / area.scale;
@@ -193,6 +209,8 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
   const bool lit = held || ImGui::IsItemHovered();
   ImGui::GetWindowDrawList()->AddLine({x, top}, {x, bottom},
                                       theme::packed(lit ? theme::accent_bright : 0xffffff), 1.5f);
+  side_label("the picture", {x - 1.5f * grip, top}, 1.0f);
+  side_label("frame " + frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
 }
 
 }  // namespace asos

@@ -4,10 +4,15 @@
 #include "ui/theme.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace asos {
 
@@ -15,37 +20,138 @@ namespace {
 
 constexpr float most_lights_shown = 6.5f;  // before the list scrolls; the half one says so
 
-/// A row a light: on or off, its name and its kind.
-void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
-  const std::vector<EditedLight>& lights = edits.lights();
-  const float line = ImGui::GetFrameHeightWithSpacing();
-  const float rows = std::min(static_cast<float>(lights.size()), most_lights_shown);
-  ImGui::BeginChild("lights", {0.0f, rows * line});
+/// What the picture's height shows at the depth of what the camera circles.
+SceneSize looked_at(const Viewpoint& viewpoint) {
+  const OrbitCamera& camera = viewpoint.camera();
+  const Camera lens = camera.camera();
+  const double half_height = lens.type == Camera::Type::perspective
+                                 ? camera.distance() * std::tan(0.5 * lens.fov_y_rad)
+                                 : 0.5 * lens.height;
+  return {camera.pivot(), half_height > 0.0 ? half_height : 1.0};
+}
+
+constexpr std::size_t many_lights = 12;  // from which on they are looked for by their names
+
+std::string name_of(const EditedLight& edited, std::size_t index) {
+  const std::string& own = edited.light.name;
+  return own.empty() ? "light " + std::to_string(index + 1) : own;
+}
+
+/// The lights that stand for faces of one shining surface, or one light of its own.
+struct LightGroup {
+  std::size_t first = 0, count = 1;
+};
+
+/// In the list's order. Only what comes from the scene is grouped: edited lights stay where they
+/// are.
+std::vector<LightGroup> groups_of(const std::vector<EditedLight>& lights) {
+  std::vector<LightGroup> groups;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    ImGui::PushID(static_cast<int>(i));
-    const std::string number = std::to_string(i + 1);
-    bool on = lights[i].on;
-    if (ImGui::Checkbox("##on", &on)) edits.edit_lights()[i].on = on;
-    controls.placed("Light on/" + number, "Whether the light shines.", Controls::Use::edits);
-    ImGui::SameLine();
-    const std::string& own_name = lights[i].light.name;
-    const std::string name = own_name.empty() ? "light " + number : own_name;
-    ImGui::AlignTextToFramePadding();
-    const bool selected = choice.selected == static_cast<int>(i);
-    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyle().Colors[ImGuiCol_SliderGrab]);
-    const bool pressed = ImGui::Selectable(name.c_str(), selected);
-    ImGui::PopStyleColor();
-    if (pressed) choice.selected = selected ? -1 : static_cast<int>(i);
-    controls.placed("Light/" + number,
-                    lights[i].light.own_part >= 0
-                        ? "Stands for a surface that shines. Click to edit it, and again to be "
-                          "done; the surface itself looks as before."
-                        : "Click to edit this light, and again to be done.",
-                    Controls::Use::edits);
-    const char* kind = light_kind_name(kind_of(lights[i].light));
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(kind).x);
-    ImGui::TextDisabled("%s", kind);
-    ImGui::PopID();
+    const bool joins = i > 0 && lights[i].light.own_part >= 0 &&
+                       lights[i].light.own_part == lights[i - 1].light.own_part;
+    if (joins) {
+      ++groups.back().count;
+    } else {
+      groups.push_back({i, 1});
+    }
+  }
+  return groups;
+}
+
+bool named_like(const std::string& name, const std::string& letters) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  return letters.empty() ||
+         std::search(name.begin(), name.end(), letters.begin(), letters.end(), same) != name.end();
+}
+
+void right_aligned(const std::string& text) {
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+  ImGui::TextDisabled("%s", text.c_str());
+}
+
+/// A row: on or off, its name and its kind.
+void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::size_t i) {
+  const EditedLight& edited = edits.lights()[i];
+  ImGui::PushID(static_cast<int>(i));
+  const std::string number = std::to_string(i + 1), name = name_of(edited, i);
+  const char* kind = light_kind_name(kind_of(edited.light));
+  bool on = edited.on;
+  const bool stands_for_surface = edited.light.own_part >= 0;
+  if (ImGui::Checkbox("##on", &on)) edits.edit_lights()[i].on = on;
+  controls.placed("Light on/" + number, "Whether the light shines.", Controls::Use::edits);
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const bool selected = choice.selected == static_cast<int>(i);
+  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyle().Colors[ImGuiCol_SliderGrab]);
+  const bool pressed = ImGui::Selectable(name.c_str(), selected);
+  ImGui::PopStyleColor();
+  if (pressed) choice.selected = selected ? -1 : static_cast<int>(i);
+  controls.placed("Light/" + number,
+                  stands_for_surface
+                      ? "Stands for a surface that shines. Click to edit it, and again to be "
+                        "done; the surface itself looks as before."
+                      : "Click to edit this light, and again to be done.",
+                  Controls::Use::edits);
+  right_aligned(kind);
+  ImGui::PopID();
+}
+
+/// One switch for all lights of a surface, which unfold below it.
+void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
+               const LightGroup& group) {
+  ImGui::PushID(static_cast<int>(group.first));
+  const auto of_group = [&](const std::vector<EditedLight>& lights) {
+    return std::span(lights).subspan(group.first, group.count);
+  };
+  const auto shining = of_group(edits.lights());
+  bool on = std::any_of(shining.begin(), shining.end(), [](const auto& light) { return light.on; });
+  const std::string number = std::to_string(group.first + 1);
+  const std::string name = name_of(edits.lights()[group.first], group.first);
+  if (ImGui::Checkbox("##all", &on)) {
+    std::vector<EditedLight>& lights = edits.edit_lights();
+    for (std::size_t i = 0; i < group.count; ++i) lights[group.first + i].on = on;
+  }
+  controls.placed("Surface on/" + number, "Whether the surface's lights shine, all of them.",
+                  Controls::Use::edits);
+  ImGui::SameLine();
+  const bool open = ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  controls.placed("Surface/" + number,
+                  "A surface that shines, by so many lights: one for each of its flat pieces. "
+                  "Click to see them.",
+                  Controls::Use::edits);
+  right_aligned(std::to_string(group.count) + " lights");
+  ImGui::PopID();
+  if (!open) return;
+  ImGui::Indent();
+  for (std::size_t i = 0; i < group.count; ++i) light_row(controls, edits, choice, group.first + i);
+  ImGui::Unindent();
+}
+
+void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
+  if (edits.lights().size() >= many_lights) {
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##find light", "find a light by its name", &choice.find);
+    controls.placed("Find light", "Only lights whose names hold these letters are listed.");
+  } else {
+    choice.find.clear();
+  }
+  const std::vector<LightGroup> groups = groups_of(edits.lights());
+  const float line = ImGui::GetFrameHeightWithSpacing();
+  // What unfolds makes the list no longer: it scrolls.
+  const float rows = groups.size() < edits.lights().size()
+                         ? most_lights_shown
+                         : std::min(static_cast<float>(groups.size()), most_lights_shown);
+  ImGui::BeginChild("lights", {0.0f, rows * line});
+  for (const LightGroup& group : groups) {
+    if (!named_like(name_of(edits.lights()[group.first], group.first), choice.find)) continue;
+    if (group.count > 1) {
+      group_row(controls, edits, choice, group);
+    } else {
+      light_row(controls, edits, choice, group.first);
+    }
   }
   ImGui::EndChild();
 }
@@ -81,25 +187,26 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
   add(previewer.edits(), choice, std::move(*light));
 }
 
+/// Above the list, whose growth would move them from under the pointer.
 void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
              std::optional<glm::ivec2> picked) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
-  const bool any_selected = choice.selected >= 0;
   if (controls.button("Add light",
                       "Add a ball between the viewer and the middle of what the camera circles.",
-                      any_selected ? width : -1.0f)) {
+                      width)) {
     const SceneSize size = SceneSize::of(previewer.scene()->world().bounds);
     const OrbitCamera& camera = previewer.viewpoint().camera();
     add(previewer.edits(), choice, new_light(camera.eye(), camera.pivot(), size.radius));
   }
-  if (any_selected) ImGui::SameLine();
-  if (any_selected &&
-      controls.button("Remove light", "Remove the selected light. Ctrl+Z brings it back.", width)) {
+  ImGui::SameLine();
+  ImGui::BeginDisabled(choice.selected < 0);
+  if (controls.button("Remove light", "Remove the selected light. Ctrl+Z brings it back.", width)) {
     std::vector<EditedLight>& lights = previewer.edits().edit_lights();
     lights.erase(lights.begin() + choice.selected);
     choice.selected = std::min(choice.selected, static_cast<int>(lights.size()) - 1);
   }
+  ImGui::EndDisabled();
   if (controls.button("Face to light",
                       "Turn the flat piece of surface that was clicked in the picture into a light "
                       "of that outline. The surface itself looks as before.",
@@ -110,6 +217,9 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
     previewer.edits().reset_lights();
     choice.selected = -1;
   }
+}
+
+void error_line(Controls& controls, const LightChoice& choice) {
   if (choice.error.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
   ImGui::TextWrapped("%s", choice.error.c_str());
@@ -125,16 +235,17 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
   SceneEdits& edits = previewer.edits();
   const int count = static_cast<int>(edits.lights().size());
   choice.selected = std::min(choice.selected, count - 1);
-  if (count > 0) light_list(controls, edits, choice);
   buttons(controls, previewer, choice, picked);
+  if (!edits.lights().empty()) light_list(controls, edits, choice);
+  error_line(controls, choice);
   if (choice.selected < 0 || choice.selected >= static_cast<int>(edits.lights().size())) return;
 
   ImGui::Spacing();
   const auto index = static_cast<std::size_t>(choice.selected);
   EditedLight edited = edits.lights()[index];
   const World& world = previewer.scene()->world();
-  const SceneSize size = SceneSize::of(world.bounds);
-  if (edit_light(controls, edited, size, world.origin))
+  if (edit_light(controls, edited,
+                 {SceneSize::of(world.bounds), looked_at(previewer.viewpoint()), world.origin}))
     edits.edit_lights()[index] = std::move(edited);
   controls.checkbox("Marks",
                     "Show the lights in the picture: the selected one with its outline. Drag its "

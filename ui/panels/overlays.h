@@ -7,15 +7,11 @@
 #include "ui/previewer.h"
 #include "ui/save_choice.h"
 #include "ui/ui_state.h"
+#include "ui/window_layout.h"
 
 #include <glm/glm.hpp>
 
 namespace asos {
-
-/// A rectangle of the window, in window coordinates, y down.
-struct WindowRect {
-  glm::vec2 lo, size;
-};
 
 /// Where the picture is shown.
 struct PictureArea {
@@ -51,6 +47,10 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
 /// to open something.
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 
+/// What the split map's colours mean, over the picture while the map is shown.
+void split_legend(Controls& controls, const DisplaySettings& display, int max_level,
+                  const WindowRect& area);
+
 void help_overlay(UiState& state, const WindowRect& area);
 /// Asks for a path or a built-in scene and opens it.
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer);
@@ -58,8 +58,8 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer);
 /// Asks what of the picture to save, how large and where; `shown` is the size of the picture in the
 /// window.
 void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown);
-/// How far the picture is that is being saved in the background.
-void saving_notice(Controls& controls, PictureJob& job, const WindowRect& area);
+/// How far the picture is that is being saved in the background. True: it is to be stopped.
+[[nodiscard]] bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& area);
 
 /// Keys that work while no text is typed.
 void handle_shortcuts(UiState& state, Previewer& previewer);

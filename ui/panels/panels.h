@@ -28,6 +28,7 @@ void refinement_panel(Controls& controls, Previewer& previewer);
 struct LightChoice {
   int selected = -1;       ///< -1: none
   bool show_marks = true;  ///< in the picture, while one is selected
+  std::string find;        ///< letters that the names of listed lights hold
   std::string error;       ///< why no light could be made of a face
 };
 /// `picked`: the pixel that was clicked in the picture.
@@ -39,7 +40,7 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
 /// False where there are enough already.
 bool store_frame(Frames& frames, const Previewer& previewer);
 
-void display_panel(Controls& controls, DisplaySettings& display, int max_level);
+void display_panel(Controls& controls, DisplaySettings& display);
 void camera_panel(Controls& controls, Previewer& previewer);
 void scene_panel(Controls& controls, const RenderScene& scene, const RenderSettings& settings,
                  double load_seconds);

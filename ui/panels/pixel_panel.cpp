@@ -24,13 +24,13 @@ std::uint32_t kind_colour(FeatureKind kind) {
   return IM_COL32(c.x, c.y, c.z, 255);
 }
 
-std::uint32_t shown_colour(glm::vec3 radiance, float exposure_ev) {
-  const glm::u8vec3 c = display_bytes(radiance, exposure_ev);
+std::uint32_t shown_colour(glm::vec3 radiance, const DisplayTransform& display) {
+  const glm::u8vec3 c = display_bytes(radiance, display);
   return IM_COL32(c.x, c.y, c.z, 255);
 }
 
 std::string number(float value) {
-  return fmt::format("{:.4g}", value);
+  return number_words(static_cast<double>(value));
 }
 
 std::string colour_words(glm::vec3 c) {
@@ -41,7 +41,7 @@ void values(Controls& controls, const Film& film, const Frames& frames,
             const DisplaySettings& display, glm::ivec2 pixel) {
   const std::size_t i = film.index(pixel.x, pixel.y);
   const glm::vec3 radiance = film.radiance[i];
-  const glm::u8vec3 bytes = display_bytes(radiance, display.exposure_ev);
+  const glm::u8vec3 bytes = display_bytes(radiance, display.transform());
   controls.row("Linear", colour_words(radiance),
                "Red, green and blue of the pixel as rendered: 1 is white at exposure 0.");
   controls.row("As shown", fmt::format("{} {} {}", bytes.x, bytes.y, bytes.z),
@@ -92,7 +92,7 @@ struct PixelCanvas {
 struct ShownPyray {
   const std::vector<TracedCell>& cells;
   const std::vector<glm::vec3>& seen;
-  float exposure_ev = 0.0f;
+  DisplayTransform display;
 };
 
 void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
@@ -105,7 +105,7 @@ void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& sh
       int end = begin + 1;
       while (end < grid && shown.seen[static_cast<std::size_t>(y * grid + end)] == seen) ++end;
       draw.AddRectFilled(canvas.at(place(begin, y)), canvas.at(place(end, y + 1)),
-                         shown_colour(seen, shown.exposure_ev));
+                         shown_colour(seen, shown.display));
       begin = end;
     }
   }
@@ -139,7 +139,7 @@ void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray&
       draw.AddCircleFilled(canvas.at(sample.at), radius + 1.5f, IM_COL32(0, 0, 0, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius + 0.7f, IM_COL32(255, 255, 255, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius - 0.8f,
-                           shown_colour(sample.radiance, shown.exposure_ev), 12);
+                           shown_colour(sample.radiance, shown.display), 12);
     }
   }
 }
@@ -177,7 +177,8 @@ void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport
   }
 }
 
-void tree(Controls& controls, const PixelReport& report, int shown_pyray, float exposure_ev) {
+void tree(Controls& controls, const PixelReport& report, int shown_pyray,
+          const DisplayTransform& display) {
   const bool own = shown_pyray < 0;
   const TracedPyray* pyray =
       own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
@@ -186,7 +187,7 @@ void tree(Controls& controls, const PixelReport& report, int shown_pyray, float 
   const ShownPyray shown{
       own ? report.trace.cells : pyray->cells,
       own ? report.seen : report.pyray_seen[static_cast<std::size_t>(shown_pyray)],
-      shadow ? 0.0f : exposure_ev};
+      shadow ? DisplayTransform{} : display};
   const float side = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const PixelCanvas canvas{corner, side};
@@ -295,7 +296,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   if (report && !report->trace.cells.empty()) {
     int& shown = state.picked_pyray;
     if (shown >= static_cast<int>(report->trace.pyrays.size())) shown = -1;
-    tree(controls, *report, shown, state.display.exposure_ev);
+    tree(controls, *report, shown, state.display.transform());
     pyray_list(controls, *report, shown);
     ImGui::TextWrapped("%s", report->verdict().c_str());
     controls.placed("Verdict", nullptr);

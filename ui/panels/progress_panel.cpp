@@ -58,7 +58,7 @@ std::string words(const Progress& progress, Rest rest, bool without_boundaries) 
   std::string text = fmt::format("{} {:.0f} %   {}", doing(rest), 100.0 * progress.fraction,
                                  duration(progress.seconds));
   if (progress.seconds_left >= 0.0) {
-    text += fmt::format("   about {} left", rough_duration(progress.seconds_left));
+    text += fmt::format("   about {} to wait", rough_duration(progress.seconds_left));
   }
   return text;
 }
@@ -89,7 +89,9 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   } else {
     ImGui::TextDisabled("%s", previewer.scene().loading() ? "Loading" : "No scene");
   }
-  controls.placed("Progress", nullptr);
+  controls.placed("Progress",
+                  "Seconds of the clock, which is what you wait. All threads together take more of "
+                  "their processors' time; \"Equal time\" and the split map by time count that.");
 
   const std::string right = fmt::format(
       "{}   F1 help", status.zoom > 1 ? fmt::format("zoom {}x", status.zoom) : std::string());

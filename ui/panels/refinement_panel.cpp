@@ -14,12 +14,20 @@ void refinement_panel(Controls& controls, Previewer& previewer) {
   Refinement& refinement = previewer.refinement();
   PreviewRender& render = previewer.render();
   const bool paused = refinement.paused();
-  if (controls.button(paused ? "Resume" : "Pause",
-                      paused ? "Go on from where it rests. Key: Space."
-                             : "Let the render rest. Changes still show their coarse picture. Key: "
-                               "Space.",
-                      width))
+  if (refinement.at_limit() && !paused) {
+    if (controls.button("Go on",
+                        "Refine beyond the limit: for as long again, or to the end where the "
+                        "quality was reached. Key: Space.",
+                        width))
+      refinement.go_on();
+  } else if (controls.button(
+                 paused ? "Resume" : "Pause",
+                 paused ? "Go on from where it rests. Key: Space."
+                        : "Let the render rest. Changes still show their coarse picture. Key: "
+                          "Space.",
+                 width)) {
     refinement.set_paused(!paused);
+  }
   ImGui::SameLine();
   const bool going = !render.progress().finished && refinement.rest() != Rest::stopped;
   if (controls.button(going ? "Stop" : "Render again",
@@ -41,7 +49,9 @@ void refinement_panel(Controls& controls, Previewer& previewer) {
       [](double e) { return e > 0.0 ? fmt::format("RMSE {:.3g}", e) : "to the end"; });
   const std::optional<double> rmse = render.estimated_rmse();
   controls.row("Estimated error",
-               rmse ? fmt::format("RMSE {:.2g}", *rmse) : std::string("not known yet"),
+               render.progress().finished ? std::string("n/a: finished")
+               : rmse                     ? fmt::format("RMSE {:.2g}", *rmse)
+                                          : std::string("not known yet"),
                "How far the picture is from the finished one, taking the pixels that are left for "
                "as wrong as those that are finished were in the coarse picture.");
 }

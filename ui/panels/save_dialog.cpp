@@ -49,6 +49,21 @@ void choose_format(Controls& controls, SaveChoice& choice) {
   if (controls.options("Format", options, format)) choice.exr = format == 1;
 }
 
+// What a picture of another shape shows. The line is always there, so that nothing moves.
+void shape_words(Controls& controls, glm::ivec2 size, glm::ivec2 shown) {
+  const glm::dvec2 wanted(size), window(shown);
+  if (shown.x <= 0 || shown.y <= 0) return;
+  const double wider = wanted.x / wanted.y / (window.x / window.y);
+  constexpr double visibly = 0.005;
+  std::string words = "The same view as in the window.";
+  if (wider > 1.0 + visibly)
+    words = fmt::format("Shows {:.0f} % more at the sides than the window.", 100.0 * (wider - 1.0));
+  if (wider < 1.0 - visibly)
+    words = fmt::format("Shows {:.0f} % less at the sides than the window.", 100.0 * (1.0 - wider));
+  ImGui::TextDisabled("%s", words.c_str());
+  controls.placed("Shape", nullptr);
+}
+
 void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
   std::array<Controls::Option, named_sizes.size()> options{};
   int chosen = -1;
@@ -68,6 +83,7 @@ void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
                                     "view stays.",
                                     typed.y, drag, words);
   if (across || down) choice.size = glm::ivec2(glm::round(typed));
+  shape_words(controls, choice.size.x > 0 ? choice.size : shown, shown);
 }
 
 // The path, and what would go.
@@ -123,9 +139,9 @@ void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
   ImGui::EndPopup();
 }
 
-void saving_notice(Controls& controls, PictureJob& job, const WindowRect& area) {
+bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& area) {
   const std::optional<PictureJob::State> state = job.state();
-  if (!state || area.size.x < 1.0f || area.size.y < 1.0f) return;
+  if (!state || area.size.x < 1.0f || area.size.y < 1.0f) return false;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({area.lo.x + 0.5f * area.size.x, area.lo.y + 0.97f * area.size.y},
                           ImGuiCond_Always, {0.5f, 1.0f});
@@ -151,9 +167,10 @@ void saving_notice(Controls& controls, PictureJob& job, const WindowRect& area) 
       corner, {corner.x + width * static_cast<float>(state->fraction), corner.y + 0.2f * em},
       theme::packed(theme::accent_bright));
   ImGui::Dummy({width, 0.2f * em});
-  if (controls.button("Stop saving", "Stop rendering it; no file is left.")) job.cancel();
+  const bool stop = controls.button("Stop saving", "Stop rendering it; no file is left.");
   ImGui::End();
   ImGui::PopStyleVar(2);
+  return stop;
 }
 
 }  // namespace asos

@@ -16,7 +16,8 @@ std::string grouped(std::uint64_t number) {
   const std::string digits = std::to_string(number);
   std::string text;
   for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
+    if (i > 0 && (digits.size() - i) % 3 == 0)
+      text += "\u00a0";  // so that a number stays in its line
     text += digits[i];
   }
   return text;

@@ -100,6 +100,11 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
                       "Read the picture and put it around the scene. Key: Enter.", -1.0f) ||
       entered) {
     choice.error.clear();
+    choice.reading = FileStamp::of(choice.path);
+    // The same sky again would only begin the render anew.
+    const bool shown =
+        settings.sky && settings.sky->is_picture() && settings.sky->choice().file == choice.path;
+    if (shown && choice.reading->state && choice.reading == choice.read) return;
     reader.read(choice.path);
   }
   if (!choice.error.empty()) {
@@ -125,6 +130,7 @@ void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader) {
   if (*outcome) {
     settings.sky = std::move(**outcome);
     choice.file = false;
+    choice.read = std::exchange(choice.reading, std::nullopt);
   } else {
     choice.error = outcome->error().message();
   }

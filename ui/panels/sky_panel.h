@@ -1,9 +1,11 @@
 #pragma once
 
 #include "renderer/settings/settings.h"
+#include "ui/file_watch.h"
 #include "ui/panels/controls.h"
 #include "ui/sky_reader.h"
 
+#include <optional>
 #include <string>
 
 namespace asos {
@@ -13,7 +15,10 @@ struct SkyEdit {
   bool gradient = false;  ///< a sky of one colour is a gradient whose colours are the same
   bool file = false;      ///< a picture is asked for and none is there yet
   std::string path;       ///< typed
-  std::string error;      ///< why it could not be read
+  /// The file that the sky was read from, as it was then: read again, it is no other sky.
+  std::optional<FileStamp> read;
+  std::optional<FileStamp> reading;
+  std::string error;  ///< why it could not be read
 };
 
 /// Call once a frame, whether the panel is shown or not: takes over what was read.

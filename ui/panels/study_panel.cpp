@@ -91,7 +91,7 @@ std::string words(const ViewStudy::State& state) {
     case ViewStudy::Phase::none:
       return "";
     case ViewStudy::Phase::running:
-      if (state.resting) return "Rests while the window renders";
+      if (state.resting) return "Rests while other work takes the processors";
       return state.points_run < state.points ? "Now: " + state.doing
                                              : "Refining the reference: " + state.doing;
     case ViewStudy::Phase::stopped:
@@ -118,7 +118,7 @@ void progress(Controls& controls, const ViewStudy::State& state) {
 std::string median_text(const Verdict& verdict) {
   if (verdict.measured() == 0 && verdict.extrapolated > 0)
     return fmt::format("~{:.2f}", verdict.beyond_median);
-  if (verdict.measured() == 0) return "not measured";
+  if (verdict.measured() == 0) return "n/a";
   return fmt::format("{:.2f}", verdict.median);
 }
 
@@ -153,10 +153,11 @@ void speed_table(Controls& controls, const SceneStudy& study) {
     ImGui::TextUnformatted(range_text(row).c_str());
   }
   ImGui::EndTable();
-  controls.placed("Slower",
-                  "Over the settings of ASOS that no other one of its settings beats, above the "
-                  "floor: the median, the least and the most. Beyond: settings whose error the "
-                  "method did not reach as far as it was measured.");
+  controls.placed(
+      "Slower",
+      "Over the settings of ASOS that no other one of its settings beats, above the "
+      "floor: the median, the least and the most. Not reached: settings whose error the "
+      "method did not reach as far as it was measured.");
 }
 
 }  // namespace
@@ -188,7 +189,10 @@ void update_study(ViewStudy& study, const Previewer& previewer, bool other_work)
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
                  const Previewer& previewer) {
   if (!controls.section("Error against run time", false) || !previewer.scene()) return;
-  if (!study.busy()) choice_controls(controls, choice);
+  // Shown while a study runs, too: what would come back at its end would move the rest.
+  ImGui::BeginDisabled(study.busy());
+  choice_controls(controls, choice);
+  ImGui::EndDisabled();
   buttons(controls, choice, study, previewer);
   const ViewStudy::State state = study.state();
   if (state.phase == ViewStudy::Phase::none) return;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace asos {
+
+/// How radiance becomes what a screen can show. `none` clips at white. `neutral` is Khronos PBR
+/// Neutral (2024): base colours come out as they are told, and what is brighter is compressed
+/// without a change of hue. `agx` is Sobotka's AgX, after Wrensch's fit: film-like, with colours
+/// that fade towards white.
+enum class ToneCurve : std::uint8_t { none, neutral, agx };
+
+/// How a picture is shown: what its bytes follow from. An exposure alone is one, too.
+struct DisplayTransform {
+  float exposure_ev;  ///< stops
+  ToneCurve tone;
+
+  DisplayTransform(float ev = 0.0f, ToneCurve curve = ToneCurve::none)
+      : exposure_ev(ev), tone(curve) {}
+
+  bool operator==(const DisplayTransform&) const = default;
+};
+
+struct NamedTone {
+  ToneCurve value;
+  const char* name;
+};
+inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
+                                       NamedTone{ToneCurve::neutral, "neutral"},
+                                       NamedTone{ToneCurve::agx, "agx"}};
+
+/// The linear colour, 0 to 1, that a screen shows for `radiance`. Its luminance never falls as all
+/// channels rise together (agx: but for less than a tenth of an 8-bit step near white, which is the
+/// fit's). With `none` it is the exposed radiance as it is. What is no number shows as black.
+[[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display);
+
+/// As `display_rgb` and `display_bytes` (film.h), by any curve.
+[[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display);
+[[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, const DisplayTransform& display);
+
+}  // namespace asos

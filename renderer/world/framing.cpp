@@ -1,0 +1,128 @@
+#include "renderer/world/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace asos {
+
+namespace {
+
+// Beyond so many triangles the corners of objects have to do: looking at all corners of all
+// triangles would be felt.
+constexpr std::size_t most_triangles = 4'000'000;
+
+/// The largest and smallest value of a function of the points seen.
+struct Extent {
+  double lo = std::numeric_limits<double>::infinity();
+  double hi = -std::numeric_limits<double>::infinity();
+
+  void grow(double value) {
+    lo = std::min(lo, value);
+    hi = std::max(hi, value);
+  }
+};
+
+/// How far points reach in a camera's axes: right, up, and back to the eye; and the planes through
+/// them that lie as the sides of a picture whose half sides are `tangent` do.
+class Reach {
+ public:
+  Reach(const Camera& camera, glm::dvec3 middle, glm::dvec2 tangent)
+      : right_(camera.world_from_camera[0]),
+        up_(camera.world_from_camera[1]),
+        back_(camera.world_from_camera[2]),
+        middle_(middle),
+        tangent_(tangent) {}
+
+  void add(glm::dvec3 point) {
+    const glm::dvec3 d = point - middle_;
+    const double x = glm::dot(d, right_), y = glm::dot(d, up_), z = glm::dot(d, back_);
+    x_.grow(x);
+    y_.grow(y);
+    z_.grow(z);
+    right_plane_ = std::max(right_plane_, x + tangent_.x * z);
+    left_plane_ = std::max(left_plane_, -x + tangent_.x * z);
+    upper_plane_ = std::max(upper_plane_, y + tangent_.y * z);
+    lower_plane_ = std::max(lower_plane_, -y + tangent_.y * z);
+  }
+  void add_corners(const Box& box) {
+    for (int corner = 0; corner < 8; ++corner)
+      add({(corner & 1) ? box.hi.x : box.lo.x, (corner & 2) ? box.hi.y : box.lo.y,
+           (corner & 4) ? box.hi.z : box.lo.z});
+  }
+  [[nodiscard]] bool any() const { return x_.lo <= x_.hi; }
+
+  /// The nearest eye from which all points lie between the four planes, in the camera's axes about
+  /// the middle: two opposite planes meet in a line where both touch a point, and the farther one
+  /// of the two lines decides. In the other direction the planes are equally far from the points.
+  [[nodiscard]] glm::dvec3 perspective_eye(double least_gap) const {
+    const double across = 0.5 * (right_plane_ + left_plane_) / tangent_.x;
+    const double down = 0.5 * (upper_plane_ + lower_plane_) / tangent_.y;
+    return {0.5 * (right_plane_ - left_plane_), 0.5 * (upper_plane_ - lower_plane_),
+            std::max({across, down, z_.hi + least_gap})};
+  }
+  /// Before all points, opposite their middle.
+  [[nodiscard]] glm::dvec3 parallel_eye(double gap) const {
+    return {0.5 * (x_.lo + x_.hi), 0.5 * (y_.lo + y_.hi), z_.hi + gap};
+  }
+  [[nodiscard]] double height(double aspect_ratio) const {
+    return std::max(y_.hi - y_.lo, (x_.hi - x_.lo) / aspect_ratio);
+  }
+
+ private:
+  glm::dvec3 right_, up_, back_, middle_;
+  glm::dvec2 tangent_;
+  Extent x_, y_, z_;
+  double right_plane_ = -std::numeric_limits<double>::infinity();
+  double left_plane_ = right_plane_, upper_plane_ = right_plane_, lower_plane_ = right_plane_;
+};
+
+// What is seen decides, not the bounds, whose corners are empty in most scenes.
+void add_surfaces(const World& world, Reach& reach) {
+  const bool each_triangle = world.triangles.size() <= most_triangles;
+  if (each_triangle) {
+    for (const glm::uvec3& triangle : world.triangles)
+      for (int k = 0; k < 3; ++k) reach.add(glm::dvec3(world.positions[triangle[k]]));
+  }
+  for (const Part& part : world.parts) {
+    if ((part.face_count > 0 || !each_triangle) && !part.bounds.empty())
+      reach.add_corners(part.bounds);
+  }
+}
+
+}  // namespace
+
+FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio) {
+  const double aspect = std::isfinite(aspect_ratio) && aspect_ratio > 0.0 ? aspect_ratio : 1.0;
+  Box bounds = world.bounds;
+  if (bounds.empty()) bounds.grow(glm::vec3(0.0f));
+  const glm::dvec3 lo(bounds.lo), hi(bounds.hi), middle = 0.5 * (lo + hi);
+  double radius = 0.5 * glm::length(hi - lo);
+
+  const double tan_y = framed_share * std::tan(0.5 * camera.fov_y_rad);
+  Reach reach(camera, middle, {tan_y * aspect, tan_y});
+  if (radius > 0.0) {
+    add_surfaces(world, reach);
+    if (!reach.any()) reach.add_corners(bounds);
+  } else {
+    radius = 0.5 * std::sqrt(3.0);
+    for (int corner = 0; corner < 8; ++corner)
+      reach.add(middle + glm::dvec3((corner & 1) ? 0.5 : -0.5, (corner & 2) ? 0.5 : -0.5,
+                                    (corner & 4) ? 0.5 : -0.5));
+  }
+
+  FramedView framed{camera, 1.0};
+  const bool perspective = camera.type == Camera::Type::perspective;
+  constexpr double least_gap = 1e-3;  // radii; for a line that is seen end on
+  const glm::dvec3 eye =
+      perspective ? reach.perspective_eye(least_gap * radius) : reach.parallel_eye(radius);
+  if (!perspective)
+    framed.camera.height = std::max(reach.height(aspect), least_gap * radius) / framed_share;
+  const glm::dmat3 axes(camera.world_from_camera);
+  framed.camera.world_from_camera[3] = glm::dvec4(middle + axes * eye, 1.0);
+  framed.subject_distance = std::max(eye.z, least_gap * radius);
+  return framed;
+}
+
+}  // namespace asos

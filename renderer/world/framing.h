@@ -1,0 +1,22 @@
+#pragma once
+
+#include "renderer/world/world.h"
+
+namespace asos {
+
+/// The share of the tighter of its two directions that a scene takes in a picture that frames it.
+inline constexpr double framed_share = 0.9;
+
+/// A camera that frames a whole scene.
+struct FramedView {
+  Camera camera;
+  double subject_distance = 1.0;  ///< from its eye to the depth of the scene's middle; above 0
+};
+
+/// Moves `camera`, without turning it, so that what its picture of this shape shows of all of
+/// `world` is in the picture's middle and takes `framed_share` of it across or down, whichever is
+/// tighter. An orthographic camera gets the height that does it, too. A scene without extent is
+/// framed as if it were a unit cube; an aspect ratio that is none counts as 1.
+[[nodiscard]] FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio);
+
+}  // namespace asos

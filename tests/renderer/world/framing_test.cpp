@@ -1,0 +1,134 @@
+#include "renderer/world/framing.h"
+
+#include "renderer/geometry/view.h"
+#include "renderer/scene/load.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+namespace asos {
+namespace {
+
+/// What a picture of this shape shows of the scene, as shares of its width and height.
+struct Shown {
+  glm::dvec2 lo{std::numeric_limits<double>::infinity()};
+  glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
+
+  Shown(const World& world, const Camera& camera, glm::ivec2 size) {
+    const Frame frame = View(camera, size.x, size.y).frame(0, 0, size.x, size.y);
+    for (const glm::uvec3& triangle : world.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 h = frame.homogeneous(glm::dvec3(world.positions[triangle[k]]));
+        EXPECT_GT(h.z, 0.0) << "behind the camera";
+        const glm::dvec2 at = glm::dvec2(h) / (frame.parallel() ? 1.0 : h.z);
+        lo = glm::min(lo, at);
+        hi = glm::max(hi, at);
+      }
+    }
+  }
+  [[nodiscard]] double tighter() const { return std::max(hi.x - lo.x, hi.y - lo.y); }
+};
+
+World world_of(const std::string& source) {
+  const Result<Scene> scene = load_scene(source);
+  EXPECT_TRUE(scene) << source;
+  Result<FlattenedScene> flat = flatten(*scene);
+  EXPECT_TRUE(flat) << source;
+  return std::move(flat->world);
+}
+
+void expect_framed(const World& world, const Camera& camera, glm::ivec2 size,
+                   const std::string& name) {
+  const double aspect = static_cast<double>(size.x) / size.y;
+  const FramedView framed = frame_world(world, camera, aspect);
+  const Shown shown(world, framed.camera, size);
+  EXPECT_GT(shown.tighter(), 0.88) << name << ", " << size.x << " x " << size.y;
+  EXPECT_LT(shown.tighter(), 0.92) << name << ", " << size.x << " x " << size.y;
+  // In the middle of the tighter direction, and inside of the other.
+  const int tight = shown.hi.x - shown.lo.x > shown.hi.y - shown.lo.y ? 0 : 1;
+  EXPECT_NEAR(0.5 * (shown.lo[tight] + shown.hi[tight]), 0.5, 1e-6) << name;
+  EXPECT_GT(std::min(shown.lo.x, shown.lo.y), 0.0) << name;
+  EXPECT_LT(std::max(shown.hi.x, shown.hi.y), 1.0) << name;
+  EXPECT_GT(framed.subject_distance, 0.0) << name;
+}
+
+constexpr glm::ivec2 sizes[] = {{1280, 720}, {300, 900}, {500, 500}};
+
+TEST(Framing, BuiltInScenesFillThePicture) {
+  for (const char* source : {"builtin:boxes", "builtin:house-mirror"}) {
+    const World world = world_of(source);
+    for (const glm::ivec2 size : sizes) {
+      Camera camera = default_camera(world, 1.0);
+      expect_framed(world, camera, size, source);
+      camera.type = Camera::Type::orthographic;
+      expect_framed(world, camera, size, source);
+    }
+  }
+}
+
+// Where the shared scenes are there: each that has no camera of its own.
+TEST(Framing, SharedScenesFillThePicture) {
+  const char* shared = std::getenv("ASOS_SHARED");
+  const std::filesystem::path folder =
+      std::filesystem::path(shared ? shared : "../shared") / "scenes";
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no shared scenes";
+  int framed = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".gltf" && ending != ".glb") continue;
+    const Result<Scene> scene = load_scene(entry.path().string());
+    if (!scene) continue;  // models of what is refused
+    const Result<FlattenedScene> flat = flatten(*scene);
+    if (!flat || flat->world.triangles.empty() || !flat->world.cameras.empty()) continue;
+    ++framed;
+    for (const glm::ivec2 size : sizes)
+      expect_framed(flat->world, default_camera(flat->world, 1.0), size, entry.path().string());
+  }
+  EXPECT_GT(framed, 10);
+}
+
+// The eye keeps its direction, and nothing depends on units.
+TEST(Framing, ScalesWithTheScene) {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    World world;
+    world.positions = {glm::vec3(-size, 0, 0), glm::vec3(2 * size, 0, size),
+                       glm::vec3(0, size, 0.5 * size)};
+    world.triangles = {{0, 1, 2}};
+    for (const glm::vec3& p : world.positions) world.bounds.grow(p);
+    const Camera camera = default_camera(world, 1.5);
+    expect_framed(world, camera, {600, 400}, std::to_string(size));
+    const FramedView framed = frame_world(world, camera, 1.5);
+    EXPECT_LT(framed.subject_distance, 10.0 * size);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(framed.camera.world_from_camera[axis], camera.world_from_camera[axis]);
+  }
+}
+
+TEST(Framing, SceneWithoutExtentStaysFinite) {
+  World empty, point;
+  point.bounds.grow(glm::vec3(2, 3, 4));
+  for (const World& world : {empty, point}) {
+    for (const double aspect : {1.5, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+      const FramedView framed = frame_world(world, default_camera(world, aspect), aspect);
+      EXPECT_TRUE(std::isfinite(glm::length(glm::dvec3(framed.camera.world_from_camera[3]))));
+      EXPECT_GT(framed.subject_distance, 0.0);
+    }
+  }
+}
+
+// A line that is seen end on has no width that would tell a distance.
+TEST(Framing, ALineSeenEndOnLiesAheadOfTheEye) {
+  World world;
+  world.positions = {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 0)};
+  world.triangles = {{0, 1, 2}};
+  for (const glm::vec3& p : world.positions) world.bounds.grow(p);
+  const FramedView framed = frame_world(world, Camera{}, 1.0);
+  EXPECT_GT(framed.camera.world_from_camera[3].z, 1.0);
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,56 @@
+#include "ui/draw_schedule.h"
+
+#include <gtest/gtest.h>
+
+namespace asos {
+namespace {
+
+// Draws the frame that is due at `now`.
+void draw(DrawSchedule& schedule, double now, std::optional<double> wish = std::nullopt) {
+  ASSERT_GE(now, schedule.due());
+  schedule.begin_frame(now);
+  schedule.end_frame(wish);
+}
+
+TEST(DrawSchedule, SleepsWhileNothingHappens) {
+  DrawSchedule schedule;
+  EXPECT_LE(schedule.due(), 0.0) << "the first frame";
+  draw(schedule, 0.0);
+  EXPECT_EQ(schedule.due(), DrawSchedule::never);
+}
+
+TEST(DrawSchedule, InputIsFollowedAtOnceAndSettles) {
+  DrawSchedule schedule;
+  draw(schedule, 0.0);
+  schedule.note_input();
+  EXPECT_NEAR(schedule.due(), 1.0 / 60.0, 1e-9);
+  draw(schedule, 5.0);
+  EXPECT_NEAR(schedule.due(), 5.05, 1e-9) << "a new layout needs a second frame";
+  draw(schedule, 5.05);
+  EXPECT_EQ(schedule.due(), DrawSchedule::never);
+}
+
+TEST(DrawSchedule, TilesAreShownSeldomUnlessTheyAreWaitedFor) {
+  DrawSchedule schedule;
+  draw(schedule, 1.0);
+  schedule.note_woken(false);
+  EXPECT_NEAR(schedule.due(), 1.05, 1e-9);
+  schedule.note_woken(true);
+  EXPECT_NEAR(schedule.due(), 1.0 + 1.0 / 60.0, 1e-9);
+}
+
+// A job that is looked after every tenth of a second may end in between: then nothing wishes for a
+// frame any more, but its end has to be shown.
+TEST(DrawSchedule, AWishHoldsThoughItsReasonBeOver) {
+  DrawSchedule schedule;
+  draw(schedule, 0.0, 0.1);
+  EXPECT_NEAR(schedule.due(), 0.1, 1e-9);
+  draw(schedule, 0.1, std::nullopt);
+  EXPECT_EQ(schedule.due(), DrawSchedule::never);
+  schedule.note_input();
+  draw(schedule, 3.0, 0.5);
+  EXPECT_NEAR(schedule.due(), 3.05, 1e-9) << "the earliest counts";
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,157 @@
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cstdlib>
+
+// How the window is left: never by Escape, and never without a word about what would be lost.
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+class LeavingTest : public PanelsTest {
+ protected:
+  LeavingTest() { setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1); }
+  [[nodiscard]] UiState& state() { return rig.content().state(); }
+  [[nodiscard]] bool shown(const char* control) {
+    return rig.content().controls().all().contains(control);
+  }
+  void ask() {
+    rig.chord(Key::ctrl, Key::q);
+    rig.frame();
+    rig.frame();
+  }
+  test::TemporaryFolder folder;
+};
+
+TEST_F(LeavingTest, EscapeClosesOneThingAfterTheOtherAndNeverQuits) {
+  rig.key(Key::f1);
+  EXPECT_TRUE(state().show_help);
+  rig.key(Key::escape);
+  EXPECT_FALSE(state().show_help);
+  rig.previewer().scene().open("missing");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  rig.key(Key::escape);
+  EXPECT_FALSE(rig.previewer().scene().error().has_value());
+  for (int i = 0; i < 3; ++i) rig.key(Key::escape);
+  EXPECT_FALSE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, EscapeClosesAListAndLeavesTheRest) {
+  state().show_help = true;
+  rig.click("View");
+  rig.frame();
+  ASSERT_TRUE(shown("View/front"));
+  rig.key(Key::escape);
+  rig.frame();
+  EXPECT_FALSE(shown("View/front")) << "the list";
+  EXPECT_TRUE(state().show_help) << "one thing at a time";
+  EXPECT_FALSE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, EscapeAfterAClickOnASliderQuitsNothing) {
+  rig.click("Exposure");
+  rig.key(Key::escape);
+  rig.press(MouseButton::left);
+  rig.key(Key::escape);
+  rig.release(MouseButton::left);
+  EXPECT_FALSE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, CtrlQQuitsWhereNothingWouldBeLost) {
+  ask();
+  EXPECT_TRUE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, EditedLightsAreAskedAbout) {
+  rig.click("Add light");
+  ask();
+  EXPECT_FALSE(state().leaving.quit);
+  ASSERT_TRUE(shown("Quit"));
+  rig.key(Key::escape);
+  rig.frame();
+  EXPECT_FALSE(shown("Quit"));
+  EXPECT_FALSE(state().leaving.quit);
+  ask();
+  rig.click("Stay");
+  EXPECT_FALSE(state().leaving.quit);
+  ask();
+  rig.click("Quit");
+  EXPECT_TRUE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, AskingTwiceIsMeant) {
+  rig.click("Add light");
+  ask();
+  ask();
+  EXPECT_TRUE(state().leaving.quit);
+}
+
+// A saved picture holds the lights.
+TEST_F(LeavingTest, WhatASavedPictureHoldsIsNotLost) {
+  rig.click("Add light");
+  EXPECT_TRUE(restarted());
+  rig.key(Key::p);
+  ask();
+  EXPECT_TRUE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, StoredFramesAreAskedAbout) {
+  rig.key(Key::s);
+  EXPECT_EQ(state().frames.stored.size(), 1u);
+  rig.frame();
+  EXPECT_EQ(state().message, "Stored as frame A");
+  state().leaving.asked = true;  // the window's own button
+  rig.frame();
+  rig.frame();
+  EXPECT_TRUE(shown("Quit"));
+  EXPECT_FALSE(state().leaving.quit);
+}
+
+TEST_F(LeavingTest, APictureThatIsBeingSavedIsWaitedFor) {
+  rig.chord(Key::ctrl, Key::s);
+  rig.frame();
+  state().save.size = {1200, 900};
+  rig.frame();
+  rig.click("Save");
+  ASSERT_TRUE(rig.content().picture_job().pending());
+  ask();
+  if (rig.content().picture_job().state()) {
+    ASSERT_TRUE(shown("Quit when saved"));
+    rig.click("Quit when saved");
+  }
+  ASSERT_TRUE(rig.frames_until([&] { return state().leaving.quit; }));
+  EXPECT_FALSE(rig.content().picture_job().state().has_value());
+  EXPECT_TRUE(std::filesystem::exists(folder.file("scene-001.png")));
+}
+
+// The notice of a save is not left standing when nothing else happens.
+TEST_F(LeavingTest, AFinishedSaveIsShownThoughNobodyMoves) {
+  rig.chord(Key::ctrl, Key::s);
+  rig.frame();
+  rig.click("Save");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.content().picture_job().pending(); }));
+  ASSERT_TRUE(rig.sleeps());
+  EXPECT_FALSE(shown("Stop saving"));
+  EXPECT_FALSE(rig.content().picture_job().pending());
+}
+
+// The panel about a pixel is laid out in full though nobody moves while it is found out.
+TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
+  rig.move_to({170, 300});
+  rig.press(MouseButton::left);
+  rig.release(MouseButton::left);
+  rig.move_to({2, 900});
+  ASSERT_TRUE(rig.sleeps());
+  const std::vector<glm::u8vec3> asleep = rig.pixels();
+  EXPECT_TRUE(shown("Subdivision"));
+  for (int i = 0; i < 5; ++i) rig.frame();
+  EXPECT_EQ(rig.pixels(), asleep) << "nothing was left to be drawn";
+}
+
+}  // namespace
+}  // namespace asos

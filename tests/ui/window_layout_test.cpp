@@ -1,0 +1,39 @@
+#include "ui/window_layout.h"
+
+#include "ui/theme.h"
+
+#include <gtest/gtest.h>
+
+namespace asos {
+namespace {
+
+float area(const WindowRect& rect) {
+  return rect.size.x * rect.size.y;
+}
+
+TEST(WindowLayout, CoversEveryWindow) {
+  for (const glm::vec2 window : {glm::vec2(1600, 900), glm::vec2(420, 700), glm::vec2(1, 1),
+                                 glm::vec2(3, 2), glm::vec2(483, 20), glm::vec2(20, 900)}) {
+    for (const bool show_panel : {true, false}) {
+      const WindowLayout layout = WindowLayout::of(window, 15.0f, show_panel);
+      EXPECT_NEAR(area(layout.picture) + area(layout.status) + area(layout.panel),
+                  window.x * window.y, 1e-2f)
+          << window.x << " x " << window.y;
+      for (const WindowRect& rect : {layout.picture, layout.status, layout.panel})
+        EXPECT_GE(std::min(rect.size.x, rect.size.y), 0.0f);
+    }
+  }
+}
+
+// Below its width, names of methods and rows of numbers are cut.
+TEST(WindowLayout, ThePanelIsNeverNarrowerThanItsTexts) {
+  constexpr float em = 15.0f;
+  for (float width = theme::panel_width_em * em; width < 2000.0f; width += 7.0f) {
+    const WindowLayout layout = WindowLayout::of({width, 800.0f}, em, true);
+    EXPECT_GE(layout.panel.size.x + 1.0f, theme::panel_width_em * em) << width;
+    EXPECT_GT(area(layout.picture), 0.2f * width * 800.0f) << width;
+  }
+}
+
+}  // namespace
+}  // namespace asos

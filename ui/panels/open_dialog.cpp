@@ -1,0 +1,129 @@
+#include "renderer/files/printable.h"
+#include "renderer/scene/load.h"
+#include "ui/input.h"
+#include "ui/panels/overlays.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace asos {
+
+namespace {
+
+// Where the open scene lies, or the program was started.
+std::filesystem::path first_folder(const Previewer& previewer) {
+  std::error_code error;
+  const RenderScene* scene = previewer.scene().get();
+  if (scene && std::filesystem::is_regular_file(scene->geometry->source, error))
+    return std::filesystem::path(scene->geometry->source).parent_path();
+  return std::filesystem::current_path(error);
+}
+
+// Whether the name holds the letters, whatever their case.
+bool holds(const std::string& name, const std::string& letters) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(name.begin(), name.end(), letters.begin(), letters.end(), same) !=
+             name.end() ||
+         letters.empty();
+}
+
+std::string recent_list(Controls& controls, const std::vector<std::string>& recent,
+                        const std::string& filter) {
+  std::string chosen;
+  ImGui::TextDisabled("Open before");
+  if (recent.empty()) ImGui::TextDisabled("nothing yet");
+  for (std::size_t i = 0; i < recent.size(); ++i) {
+    const std::string name = printable(std::filesystem::path(recent[i]).filename().string());
+    if (!holds(name, filter)) continue;
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
+      chosen = recent[i];
+    ImGui::PopID();
+    controls.placed("Recent/" + std::to_string(i + 1), recent[i].c_str(), Controls::Use::edits);
+  }
+  return chosen;
+}
+
+std::string builtin_list(Controls& controls, const std::string& filter) {
+  std::string chosen;
+  ImGui::TextDisabled("Built in");
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    if (!holds(scene.name, filter)) continue;
+    if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
+      chosen = "builtin:" + scene.name;
+    controls.placed("Built-in/" + scene.name, scene.summary.c_str(), Controls::Use::edits);
+  }
+  return chosen;
+}
+
+// Both lists, side by side, by what is typed.
+std::string known_scenes(Controls& controls, const UiState& state, float height) {
+  std::string chosen;
+  const std::string filter = state.browser.filter();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  ImGui::BeginChild("recent", {width, height});
+  chosen = recent_list(controls, state.recent, filter);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("built-in", {width, height});
+  if (const std::string builtin = builtin_list(controls, filter); !builtin.empty())
+    chosen = builtin;
+  ImGui::EndChild();
+  return chosen;
+}
+
+}  // namespace
+
+void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
+  constexpr const char* title = "Open a scene";
+  if (state.show_open && !ImGui::IsPopupOpen(title)) {
+    ImGui::OpenPopup(title);
+    state.browser.begin(first_folder(previewer));
+  }
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(52.0f * em, 0.94f * window.x), 0.0f});
+  if (!ImGui::BeginPopupModal(title, nullptr,
+                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_AlwaysAutoResize)) {
+    return;
+  }
+  // All of it stays within the window.
+  constexpr float others_em = 14.0f, least_em = 3.0f, most_em = 34.0f, known_share = 0.35f;
+  const float room = std::clamp(window.y - others_em * em, least_em * em, most_em * em);
+  std::string chosen = browse_files(controls, state.browser, (1.0f - known_share) * room);
+  if (const std::string known = known_scenes(controls, state, known_share * room); !known.empty())
+    chosen = known;
+
+  ImGui::Spacing();
+  if (controls.button("Open", "Open what is chosen, or the path that was typed. Key: Enter.",
+                      6.0f * em))
+    chosen = state.browser.take_entered();
+  ImGui::SameLine();
+  const bool cancelled = controls.button("Cancel", "Open nothing. Key: Esc.", 6.0f * em) ||
+                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  if (!chosen.empty()) {
+    std::error_code ignored;
+    const std::filesystem::path file = chosen;
+    if (std::filesystem::is_regular_file(file, ignored)) state.browser.folder = file.parent_path();
+    previewer.scene().open(chosen);
+  }
+  if (!chosen.empty() || cancelled) {
+    state.show_open = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace asos

@@ -1,0 +1,96 @@
+#include "ui/panels/side_panel.h"
+
+#include "ui/screenshot.h"
+#include "ui/split_check.h"
+#include "ui/view_study.h"
+
+#include <imgui.h>
+
+namespace asos {
+
+namespace {
+
+void headline(Controls& controls, const RenderScene* scene) {
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(scene ? screenshot_stem(scene->geometry->source).c_str() : "ASOS");
+  ImGui::PopTextWrapPos();
+  if (scene) controls.placed("Source", scene->geometry->source.c_str());
+}
+
+void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
+  const RenderScene* scene = previewer.scene().get();
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (controls.button("Open...", "Open another scene. Ctrl+O, or drop a file on the window.",
+                      width)) {
+    state.show_open = true;
+  }
+  ImGui::SameLine();
+  if (controls.button("Save picture",
+                      "Save the picture as PNG, with the split map where it is shown. Keys: P, "
+                      "F12.",
+                      width)) {
+    state.screenshot_requested = true;
+  }
+  if (controls.button("Save as...",
+                      "Save as EXR, at another size, or with the window. Key: Ctrl+S.", width))
+    state.save.show = true;
+  // A built-in scene never changes.
+  if (scene && !scene->geometry->source.starts_with("builtin:")) {
+    if (controls.button("Reload", "Load the file again; the view stays. Key: R.", width))
+      previewer.scene().reload();
+    ImGui::SameLine();
+    ImGui::Checkbox("Watch file", &state.watch);
+    controls.placed("Watch file",
+                    "Load the file again whenever it changes: looked at once a second. A file "
+                    "that cannot be read leaves the scene as it is.",
+                    Controls::Use::edits);
+  }
+}
+
+void sections(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
+  const RenderScene* scene = previewer.scene().get();
+  if (scene) warnings_panel(controls, notes_of(*scene));
+  antialiasing_panel(controls, previewer, jobs.forecast);
+  refinement_panel(controls, previewer);
+  lights_panel(controls, previewer, state.lights, state.picked);
+  shadows_panel(controls, previewer.edits().settings(), scene);
+  reflections_panel(controls, previewer, state.reflections, state.picked);
+  sky_panel(controls, previewer.edits().settings(), state.sky, jobs.sky_reader);
+  compare_panel(controls, previewer, state.frames);
+  equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
+  check_panel(controls, previewer, state.check, jobs.check);
+  display_panel(controls, state.display);
+  camera_panel(controls, previewer);
+  if (scene) {
+    statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(),
+                     *scene, previewer.render().progress().fraction);
+    study_panel(controls, state.study, jobs.study, previewer);
+    scene_panel(controls, *scene, previewer.render().settings(), previewer.scene().load_seconds());
+  }
+}
+
+void reset_buttons(Controls& controls, Previewer& previewer, UiState& state) {
+  ImGui::Spacing();
+  if (controls.button("Reset scene settings",
+                      "Everything that the picture is rendered with back to how it was at first: "
+                      "method, lights, shadows, reflections, sky and materials. The view stays. "
+                      "Ctrl+Z brings it back.",
+                      -1.0f))
+    previewer.edits().reset();
+  if (controls.button("Forget settings",
+                      "Back to how the window was at first: display, panel, and no recent files. "
+                      "The scene and what it is rendered with stay.",
+                      -1.0f))
+    state.forget = true;
+}
+
+}  // namespace
+
+void side_panel(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
+  headline(controls, previewer.scene().get());
+  file_buttons(controls, previewer, state);
+  sections(controls, previewer, state, jobs);
+  reset_buttons(controls, previewer, state);
+}
+
+}  // namespace asos

@@ -1,0 +1,180 @@
+#include "renderer/film/split_map.h"
+#include "ui/panels/overlays.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+
+namespace asos {
+
+namespace {
+
+constexpr float legend_width_em = 24.0f;
+
+struct CauseWords {
+  const char* name;
+  const char* tooltip;
+};
+constexpr std::array<CauseWords, split_cause_count> cause_words{{
+    {"not split", "Pixels that one sample, or one leaf, stands for."},
+    {"outline", "Where a surface ends: an open edge, or where it turns away from the eye."},
+    {"crease, seam", "A kink of a surface, or where its material or its texture changes."},
+    {"crossing", "A line in which surfaces pass through each other."},
+    {"shadow", "The edge of a shadow. A hard one may cut a pixel that is not split otherwise."},
+    {"reflection", "The edge of something that the surface mirrors."},
+    {"shading", "No boundary: shaded too unevenly for one sample."},
+    {"cut-out", "No boundary was found; split by what its samples show."},
+    {"saturated", "So many boundaries that the finest samples were taken at once."},
+    {"depth limit", "Boundaries still passed through its cells at level MAX: not resolved."},
+}};
+
+// The split map's colours on their absolute scale: a level keeps its colour whatever the picture
+// holds.
+void level_legend(Controls& controls, int max_level) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float em = ImGui::GetFontSize();
+  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
+  const float step = width / static_cast<float>(max_level + 1);
+  for (int level = 0; level <= max_level; ++level) {
+    const glm::u8vec3 c = split_colour(level, max_level);
+    const float left = corner.x + step * static_cast<float>(level);
+    draw->AddRectFilled({left, corner.y}, {left + step, corner.y + height},
+                        IM_COL32(c.x, c.y, c.z, 255));
+    const std::string number = level == 0 ? std::string("not split") : std::to_string(level);
+    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
+    const float middle = left + 0.5f * (step - size.x);
+    draw->AddText({level == 0 ? std::max(left, middle) : middle, corner.y + height + 0.15f * em},
+                  theme::packed(theme::dim_text),
+                  level == 0 && size.x > step ? "0" : number.c_str());
+  }
+  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
+  ImGui::Dummy({width, height + 1.3f * em});
+  controls.placed("Scale",
+                  "The deepest level that a pixel was split to, from 0 to MAX. A level keeps its "
+                  "colour whatever the picture shows.");
+}
+
+struct CostTick {
+  double value;
+  const char* text;
+};
+constexpr std::array ray_ticks{CostTick{1, "1"},      CostTick{4, "4"},     CostTick{16, "16"},
+                               CostTick{64, "64"},    CostTick{256, "256"}, CostTick{1024, ""},
+                               CostTick{4096, "4096"}};
+constexpr std::array time_ticks{CostTick{1e-7, "0.1"},  CostTick{1e-6, "1 \u00b5s"},
+                                CostTick{1e-5, "10"},   CostTick{1e-4, "100"},
+                                CostTick{1e-3, "1 ms"}, CostTick{1e-2, "10"}};
+
+// The logarithmic scale of rays or time.
+void cost_legend(Controls& controls, SplitMapColours colours) {
+  const SplitMapKey key{colours, 0};
+  const std::span<const CostTick> ticks = colours == SplitMapColours::rays
+                                              ? std::span<const CostTick>(ray_ticks)
+                                              : std::span<const CostTick>(time_ticks);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float em = ImGui::GetFontSize();
+  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
+  const auto x_at = [&](float share) { return corner.x + share * width; };
+  constexpr int steps = 127;
+  for (int i = 0; i < steps; ++i) {
+    const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(1 + 2 * i));
+    draw->AddRectFilled({x_at(static_cast<float>(i) / steps), corner.y},
+                        {x_at(static_cast<float>(i + 1) / steps), corner.y + height},
+                        IM_COL32(c.x, c.y, c.z, 255));
+  }
+  for (const CostTick& tick : ticks) {
+    const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
+    draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
+                  theme::packed(theme::dim_text));
+    const float text = ImGui::CalcTextSize(tick.text).x;
+    draw->AddText({std::clamp(x - 0.5f * text, corner.x, corner.x + width - text),
+                   corner.y + height + 0.25f * em},
+                  theme::packed(theme::dim_text), tick.text);
+  }
+  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
+  ImGui::Dummy({width, height + 1.4f * em});
+  controls.placed("Scale",
+                  colours == SplitMapColours::rays
+                      ? "Rays of all kinds for a pixel, from 1 to 4096 and above, "
+                        "logarithmic. The scale does not depend on the picture."
+                      : "Seconds of one processor for a pixel, from 0.1 microseconds to 10 "
+                        "milliseconds and above, logarithmic. The scale does not depend "
+                        "on the picture.");
+}
+
+// One swatch a cause, in two columns.
+void cause_legend(Controls& controls) {
+  const float em = ImGui::GetFontSize();
+  const float column = 0.5f * ImGui::GetContentRegionAvail().x;
+  for (std::size_t i = 1; i < split_cause_count; ++i) {
+    if (i % 2 == 0) ImGui::SameLine(column + ImGui::GetStyle().WindowPadding.x);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(i));
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em},
+                        IM_COL32(c.x, c.y, c.z, 255));
+    draw->AddText({corner.x + 2.0f * em, corner.y - 0.05f * em}, theme::packed(theme::dim_text),
+                  cause_words[i].name);
+    ImGui::Dummy({column - em, 1.1f * em});
+    controls.placed(std::string("Cause/") + cause_words[i].name, cause_words[i].tooltip);
+  }
+}
+
+std::string headline(SplitMapColours colours, int max_level) {
+  switch (colours) {
+    case SplitMapColours::cause:
+      return "Why pixels were split";
+    case SplitMapColours::rays:
+      return "Rays of all kinds for each pixel";
+    case SplitMapColours::time:
+      return "Time of one processor for each pixel";
+    case SplitMapColours::level:
+      break;
+  }
+  return fmt::format("Deepest level of each pixel, 0 to MAX = {}", max_level);
+}
+
+}  // namespace
+
+void split_legend(Controls& controls, const DisplaySettings& display, int max_level,
+                  const WindowRect& area) {
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(legend_width_em * em, area.size.x - em);
+  if (!display.show_split_map || !display.show_legend || width < 8.0f * em ||
+      area.size.y < 8.0f * em)
+    return;
+  ImGui::SetNextWindowPos({area.lo.x + 0.5f * em, area.lo.y + area.size.y - 0.5f * em},
+                          ImGuiCond_Always, {0.0f, 1.0f});
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
+  ImGui::Begin("legend", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::TextUnformatted(headline(display.split_colours, max_level).c_str());
+  switch (display.split_colours) {
+    case SplitMapColours::level:
+      level_legend(controls, max_level);
+      break;
+    case SplitMapColours::cause:
+      cause_legend(controls);
+      break;
+    case SplitMapColours::rays:
+    case SplitMapColours::time:
+      cost_legend(controls, display.split_colours);
+      break;
+  }
+  ImGui::TextDisabled("Split map   M: hide   C: other colours");
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace asos

@@ -1,0 +1,45 @@
+#include "ui/unsaved_work.h"
+
+#include "ui/frames.h"
+#include "ui/picture_job.h"
+#include "ui/previewer.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace asos {
+
+UnsavedWork::Edits UnsavedWork::edits_of(const Previewer& previewer) {
+  const SceneEdits::State& state = previewer.edits().state();
+  return {state.look.lights_revision, state.look.dfrs_revision, state.settings.sky.get()};
+}
+
+void UnsavedWork::update(const Previewer& previewer) {
+  if (scene_ == previewer.scene().times_opened()) return;
+  scene_ = previewer.scene().times_opened();
+  saved_ = edits_of(previewer);
+}
+
+void UnsavedWork::note_saved(const Previewer& previewer) {
+  saved_ = edits_of(previewer);
+}
+
+std::vector<std::string> UnsavedWork::lines(const Previewer& previewer, const Frames& frames,
+                                            const PictureJob& saving) const {
+  std::vector<std::string> lines;
+  const Edits now = edits_of(previewer);
+  if (now.lights != saved_.lights) lines.emplace_back("The lights that you edited");
+  if (now.dfrs != saved_.dfrs) lines.emplace_back("How you made mirrors blur");
+  if (now.sky != saved_.sky) lines.emplace_back("The sky that you chose");
+  if (const std::size_t count = frames.stored.size(); count > 0)
+    lines.push_back(count == 1 ? std::string("A frame that you stored")
+                               : fmt::format("{} frames that you stored", count));
+  if (const auto state = saving.state())
+    lines.push_back(fmt::format("The picture that is being saved: {}, {:.0f} %",
+                                std::filesystem::path(state->path).filename().string(),
+                                100.0 * state->fraction));
+  return lines;
+}
+
+}  // namespace asos

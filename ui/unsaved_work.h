@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+class PictureJob;
+class Previewer;
+struct Frames;
+
+/// Knows what of a person's work would be lost if the window closed. Edits of lights, of mirrors'
+/// blur and of the sky count until a picture is saved, which holds them. One thread.
+class UnsavedWork {
+ public:
+  /// Call once a frame: what a scene came with is no edit.
+  void update(const Previewer& previewer);
+  /// A picture was saved, with the edits as they are.
+  void note_saved(const Previewer& previewer);
+
+  /// What would be lost, a line each; empty: nothing.
+  [[nodiscard]] std::vector<std::string> lines(const Previewer& previewer, const Frames& frames,
+                                               const PictureJob& saving) const;
+
+ private:
+  struct Edits {
+    std::uint64_t lights = 0;  // revisions
+    std::uint64_t dfrs = 0;
+    const void* sky = nullptr;
+  };
+  [[nodiscard]] static Edits edits_of(const Previewer& previewer);
+
+  std::uint64_t scene_ = 0;
+  Edits saved_;
+};
+
+}  // namespace asos

@@ -1,0 +1,31 @@
+#include "ui/window_layout.h"
+
+#include "ui/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+
+WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel) {
+  // Beside the panel, the picture has half of the panel's width at least.
+  constexpr float least_picture = 0.5f;
+  const float panel_width = std::round(theme::panel_width_em * em);
+  const bool beside = window.x >= std::round((1.0f + least_picture) * panel_width);
+  const float taken_across = show_panel && beside ? panel_width : 0.0f;
+  const float taken_down = show_panel && !beside ? std::round(0.5f * window.y) : 0.0f;
+  const float status = std::min(std::round(theme::status_height_em * em),
+                                std::round(0.5f * (window.y - taken_down)));
+  const glm::vec2 picture =
+      glm::floor(glm::vec2(window.x - taken_across, window.y - taken_down - status));
+
+  WindowLayout layout;
+  layout.picture = {{0.0f, 0.0f}, picture};
+  layout.status = {{0.0f, picture.y}, {picture.x, window.y - taken_down - picture.y}};
+  layout.panel = {{0.0f, 0.0f}, {0.0f, 0.0f}};
+  if (show_panel && beside) layout.panel = {{picture.x, 0.0f}, {window.x - picture.x, window.y}};
+  if (show_panel && !beside) layout.panel = {{0.0f, window.y - taken_down}, {window.x, taken_down}};
+  return layout;
+}
+
+}  // namespace asos

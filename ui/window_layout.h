@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace asos {
+
+/// A rectangle of the window, in window coordinates, y down.
+struct WindowRect {
+  glm::vec2 lo, size;
+};
+
+/// Where the parts of the window lie. They cover it without overlapping.
+struct WindowLayout {
+  WindowRect picture, status;
+  WindowRect panel;  ///< without area where it is not shown
+
+  /// The panel stands beside the picture, as wide as its texts need; below it in a window that is
+  /// too narrow for both. `em`: the height of text.
+  [[nodiscard]] static WindowLayout of(glm::vec2 window, float em, bool show_panel);
+};
+
+}  // namespace asos
