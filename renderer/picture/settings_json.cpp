@@ -35,7 +35,6 @@ void each_setting(Fields& fields, Settings& s) {
   fields.named("texture_filter", texture_filter_names, s.texture.filter);
   fields("texture_resolution", s.texture.resolution);
   fields("shadows", s.shadow.cast);
-  fields("sky_shadows", s.shadow.sky);
   fields.named("shadow_quality", shadow_quality_names, s.shadow.quality);
   fields("shadow_divisions", s.shadow.divisions);
   fields.named("light_rule", light_rule_names, s.shadow.light_rule);
@@ -46,6 +45,9 @@ void each_setting(Fields& fields, Settings& s) {
   fields("cull", s.cull);
   fields("seed", s.seed);
 }
+
+// Only written where it is on: pictures from before there was such a choice have none.
+constexpr const char* sky_shadows_key = "sky_shadows";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -114,6 +116,7 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   fields.other("crop", crop_json(settings.crop));
   fields.other("dfr", dfr_json(settings.mirror.dfr));
   fields.other("sky", sky_json(sky));
+  if (settings.shadow.sky) fields(sky_shadows_key, true);
   return fields.take();
 }
 
@@ -124,6 +127,8 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
   read_crop(fields, read.settings.crop);
   read_dfr(fields, read.settings.mirror.dfr);
   read_sky_choice(fields, read.sky);
+  if (json.is_object() && json.contains(sky_shadows_key))
+    fields(sky_shadows_key, read.settings.shadow.sky);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)
