@@ -30,7 +30,7 @@ class Sky;
 
 /// The choice of what is shaded and what is left out.
 struct ShadingSettings {
-  bool shadows = true;  ///< lights cast shadows
+  bool shadows = true;       ///< lights cast shadows
   bool sky_shadows = false;  ///< and so does the sky; else it is open
   LightRule light_rule = LightRule::physical;
   Culling faces = Culling::none;  ///< which surfaces lie behind blended ones

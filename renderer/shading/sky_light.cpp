@@ -44,8 +44,8 @@ glm::vec3 by_cosine(glm::vec2 place) {
   return {r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0f, 1.0f - place.x))};
 }
 
-/// The mean of Schlick's weight over all directions to the light by their cosine, by n.v: a table with
-/// a value for each 64th of it, within 1e-4.
+/// The mean of Schlick's weight over all directions to the light by their cosine, by n.v: a table
+/// with a value for each 64th of it, within 1e-4.
 float mean_schlick(float n_dot_v) {
   constexpr int steps = 64;
   static const std::array<float, steps + 1> table = [] {
@@ -56,9 +56,9 @@ float mean_schlick(float n_dot_v) {
       double sum = 0.0;
       for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j)
-          sum += static_cast<double>(schlick_weight(
-              viewer, by_cosine({(static_cast<float>(i) + 0.5f) / steps,
-                                 (static_cast<float>(j) + 0.5f) / steps})));
+          sum += static_cast<double>(
+              schlick_weight(viewer, by_cosine({(static_cast<float>(i) + 0.5f) / steps,
+                                                (static_cast<float>(j) + 0.5f) / steps})));
       means[static_cast<std::size_t>(k)] = static_cast<float>(sum / (steps * steps));
     }
     return means;

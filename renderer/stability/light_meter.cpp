@@ -9,8 +9,7 @@
 namespace asos::stability {
 namespace {
 
-/// So bright that what gloss adds is below its rounding: the sky and Fresnel's term reflect at most
-/// all of the light, the floor a million times that.
+/// So bright that faint lights are above the smallest numbers of float32.
 constexpr float albedo = 1 << 20;
 
 Light sun() {
@@ -25,7 +24,9 @@ Light sun() {
 Result<Outcome> LightMeter::measure(const Measure& measure, double lux) const {
   const double h = floor_half;
   Scene scene = scene_of({}, parallel({0, 8, 0}, {0, 0, 0}, 1e-9));
-  place(scene, mesh_of({{-h, 0, h}, {h, 0, h}, {h, 0, -h}, {-h, 0, -h}}), matte(albedo));
+  Material chalk = matte(albedo);
+  chalk.specular = 0.0f;  // which would take from what is reflected diffusely
+  place(scene, mesh_of({{-h, 0, h}, {h, 0, h}, {h, 0, -h}, {-h, 0, -h}}), chalk);
   RenderSettings settings = settings_of(1, 1, max_level);
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));  // a faint light is all there is
   if (change) settings = change(settings);
