@@ -2,11 +2,11 @@
 
 #include "renderer/geometry/view.h"
 #include "renderer/scene/load.h"
+#include "tests/support/shared_dir.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
@@ -72,10 +72,9 @@ TEST(Framing, BuiltInScenesFillThePicture) {
 
 // Where the shared scenes are there: each that has no camera of its own.
 TEST(Framing, SharedScenesFillThePicture) {
-  const char* shared = std::getenv("ASOS_SHARED");
-  const std::filesystem::path folder =
-      std::filesystem::path(shared ? shared : "../shared") / "scenes";
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no shared scenes";
+  const auto shared = test::shared_dir();
+  if (!shared) GTEST_SKIP() << "no folder of shared scenes: see ASOS_SHARED";
+  const std::filesystem::path folder = *shared / "scenes";
   int framed = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     const std::string ending = entry.path().extension().string();
