@@ -226,15 +226,15 @@ TEST(RenderSession, RestartsAThousandTimes) {
 // A worker asks between its samples whether to stop: what is spent until it does, in processor
 // time, since a busy machine stretches all others, is a small part of what a block would take.
 TEST(RenderSession, CancelKeepsWhatWasPublishedAndIsQuick) {
-  Snapshot block = snapshot_of(Method::stochastic, 1280, 720, 1);
-  block.settings.crop = {640, 360, block_size, block_size};
-  block.settings.sampling.spp = 4096;
+  Snapshot block = snapshot_of(Method::stochastic, 320, 184, 1);
+  block.settings.crop = {160, 96, block_size, block_size};
+  block.settings.sampling.spp = 1024;
   const double before = test::processor_seconds();
   ASSERT_FALSE(render_to_end(block).film.radiance.empty());
   constexpr int spp = 65536;
-  const double block_seconds = (test::processor_seconds() - before) * spp / 4096;
+  const double block_seconds = (test::processor_seconds() - before) * spp / 1024;
 
-  Snapshot snapshot = snapshot_of(Method::stochastic, 1280, 720, 2);
+  Snapshot snapshot = snapshot_of(Method::stochastic, 320, 184, 2);
   snapshot.settings.sampling.spp = spp;  // hours of work
   RenderSession session;
   std::vector<double> seconds;
