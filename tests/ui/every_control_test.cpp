@@ -227,6 +227,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("soft shadows, divided", [&] {
     select_kind(LightKind::sphere);
     settings().shadow.quality = ShadowQuality::extended_divided;
+    // What the lights need comes from another thread.
+    (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
   });
   for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})
     use_all("split map", [&] {
