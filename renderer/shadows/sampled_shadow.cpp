@@ -19,6 +19,9 @@ constexpr std::uint32_t least_rays = 8;
 // Rays of a part that deserves few of them.
 constexpr std::uint32_t fewest_rays = 4;
 constexpr double rays_a_finest_cell = 4.0;
+// Points drawn at most for each ray that is asked for: where parts and lights fill less of their
+// boxes, what was found stands.
+constexpr std::uint32_t most_points_a_ray = 16;
 
 // The cosines of both ends over the squared distance, as far as they change across the window.
 double weight_of(const PreparedLight& light, const Receiver& receiver, glm::dvec3 to_light) {
@@ -143,17 +146,23 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
   work.weights.clear();
   work.transmittances.clear();
   WeighedVisibility found;
-  for (std::uint32_t first = 0, end = first_round; end <= most; first = end, end *= 2) {
-    // Aim the round's rays.
-    look_at_patch(block, query, points, first, end, counts);
+  std::uint32_t drawn = 0;
+  for (std::uint32_t wanted = first_round; wanted <= most; wanted *= 2) {
+    // Aim the round's rays, and others instead of those that miss the patch or the light: a mean
+    // over those of a fixed number of points that hit would favour the parts that they hit surely.
     work.rays.clear();
-    for (std::uint32_t i = first; i < end; ++i) {
-      const auto& from = work.receivers[i - first];
-      if (!from) continue;
-      const std::optional<WeighedRay> ray = aim(points.light(i, light), *from);
-      if (!ray || !(ray->weight > 0.0)) continue;
-      work.rays.push_back(ray->ray);
-      work.weights.push_back(ray->weight);
+    while (work.weights.size() < wanted && drawn < most_points_a_ray * wanted) {
+      const std::uint32_t first = drawn;
+      drawn += wanted - static_cast<std::uint32_t>(work.weights.size());
+      look_at_patch(block, query, points, first, drawn, counts);
+      for (std::uint32_t i = first; i < drawn; ++i) {
+        const auto& from = work.receivers[i - first];
+        if (!from) continue;
+        const std::optional<WeighedRay> ray = aim(points.light(i, light), *from);
+        if (!ray || !(ray->weight > 0.0)) continue;
+        work.rays.push_back(ray->ray);
+        work.weights.push_back(ray->weight);
+      }
     }
     // Trace them.
     const std::size_t before = work.transmittances.size();
@@ -161,9 +170,9 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
     block.scene->rays.transmittance(work.rays, std::span(work.transmittances).subspan(before),
                                     query.lit.light.own_part);
     counts.shadow_rays += work.rays.size();
-    // End once the mean is known well enough.
+    // End once the mean is known well enough, or too few points hit.
     found = WeighedVisibility::of(work.weights, work.transmittances);
-    if (found.standard_error <= error) break;
+    if (found.standard_error <= error || work.weights.size() < wanted) break;
   }
   return work.weights.empty() ? ray_visibility(block, query, counts) : found.mean;
 }

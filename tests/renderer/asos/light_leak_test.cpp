@@ -1,3 +1,4 @@
+#include "renderer/shading/sky.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -70,7 +72,8 @@ void expect_dark_room(const std::vector<Light>& lights, Camera::Type eye) {
     for (const bool in_parts : {false, true}) {
       World room;
       add_box(room, s * glm::vec3(-1, 0, -1), s * glm::vec3(1, 1, 1), in_parts);
-      const RenderSettings settings = small(24, 16);
+      RenderSettings settings = small(24, 16);
+      settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
       for (const glm::dvec3 target : {glm::dvec3(0, 0, 1), glm::dvec3(-1, 1, -1)}) {
         Camera camera = look_at(scale * glm::dvec3(0.5, 0.6, -0.7), scale * target, 1.2);
         camera.type = eye;
