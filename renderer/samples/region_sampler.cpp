@@ -11,6 +11,19 @@ namespace {
 // angles in squares as large as that.
 constexpr float footprint_share = 0.25f;
 
+/// Which `count` samples of its pixel those of a square are: squares of one pixel have others of
+/// the same sequence, or their errors would be the same and add up. Z-order, so that neighbours'
+/// are well distributed together; `count` is a power of two.
+std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
+  constexpr double cells = 256.0;  // a side, of a pixel
+  const glm::dvec2 at = cells * (middle - glm::floor(middle));
+  const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
+  std::uint32_t number = 0;
+  for (std::uint32_t bit = 0; bit < 8; ++bit)
+    number |= ((x >> bit & 1u) << (2 * bit)) | ((y >> bit & 1u) << (2 * bit + 1));
+  return number * count;
+}
+
 }  // namespace
 
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
@@ -78,9 +91,12 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const glm::vec2 size = (bounds.hi - bounds.lo) * static_cast<float>(width);
   const std::uint32_t end = waiting.taken > 0 ? 2 * waiting.taken : waiting.goal.least;
   const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
+  const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
+  const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
   places_.start_pixel(x, y);
   for (std::uint32_t i = waiting.taken; i < end; ++i) {
-    places_.start_sample(static_cast<int>(i));
+    const auto index = static_cast<int>(first + i);
+    places_.start_sample(index);
     const PixelPoint p = places_.in_pixel();
     glm::vec2 at = glm::mix(bounds.lo, bounds.hi, glm::vec2(p.x, p.y));
     if (!part.holds(at)) continue;
@@ -90,7 +106,7 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
       ++waiting.masked;
       continue;
     }
-    if (sums_.add({origin + width * glm::dvec2(at), side, x, y, static_cast<int>(i),
+    if (sums_.add({origin + width * glm::dvec2(at), side, x, y, index,
                    waiting.first_sum + i / waiting.per_sum}))
       places_.start_pixel(x, y);
   }

@@ -42,8 +42,9 @@ class RegionSampler {
   /// Samples all regions that wait, and none waits then. Their estimates, by number, are valid
   /// until the next call. Four samples at a time, twice as many each round, until the four quarters
   /// of a region's tell that its goal is met; the rays of all regions in a round share packets. The
-  /// samples are a function of the region, and of the pixel that its square starts in. With a
-  /// `kernel`, squares are sampled as it is distributed there.
+  /// samples are a function of the region, and of the pixel that its square starts in: squares
+  /// within a pixel have other samples of one sequence. With a `kernel`, squares are sampled as it
+  /// is distributed there.
   std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
   /// One region alone.
   [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
