@@ -84,7 +84,8 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     return radiance;
   }
   if (eye_->mask && eye_->mask->blur) {
-    const auto light = viewer.shader.nearest_light_without_geometry(ray);
+    const auto light = viewer.sees_bare_lights() ? viewer.shader.nearest_light_without_geometry(ray)
+                                                 : std::nullopt;
     blurred_->add(leaf.region, 1.0, glm::dvec3(radiance),
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;

@@ -3,11 +3,13 @@
 #include "renderer/asos/light_counts.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/shadow_ray.h"
 #include "renderer/shading/unevenness.h"
 #include "renderer/shadows/penumbra.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asos {
@@ -101,7 +103,8 @@ float Refinement::shading_error(SampleId sample, double share, const LeafRegion&
   const Hit& hit = samples_->hit(sample);
   const Ray& ray = samples_->ray(sample);
   const Patch patch = samples_->patch(sample, share);
-  return midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch) +
+  return midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
+                        eye_->settings->shadow.light_rule) +
          normal_error(sample, region) + light_error(sample, region);
 }
 
@@ -130,6 +133,56 @@ float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
     if (extended_lights_ && lights[i].extended())
       error += falloff_error(lights[i], receiver, patch);
     error += cone_error(lights[i], receiver, patch);
+  }
+  return error + highlights_error(sample, patch);
+}
+
+// Whether nothing lies before the point of a light that a highlight shows most of.
+bool Refinement::shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const {
+  const PreparedLight& prepared = eye_->viewer.shader.lights()[light];
+  if (!prepared.casts_shadows) return true;
+  const SurfacePoint& point = glossy.point;
+  const glm::dvec3 mirrored(glm::reflect(-glossy.to_viewer, point.shading_normal));
+  const Highlight nearest = highlight_of(prepared, glm::dvec3(point.position), mirrored);
+  if (!(nearest.distance > 0.0f)) return true;
+  eye_->counts->count_shadow_ray(light);
+  LightSample sample;
+  sample.direction = glm::dvec3(nearest.direction);
+  sample.distance = static_cast<double>(nearest.distance);
+  return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) > 0.0f;
+}
+
+// The highlights of lights that have a size, but for those that a reflection shows.
+float Refinement::highlights_error(SampleId sample, const Patch& patch) const {
+  if (!extended_lights_ || eye_->settings->shadow.light_rule != LightRule::physical) return 0.0f;
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = samples_->hit(sample);
+  // Textures make roughness less only.
+  const Material& material = scene.world().material_of(hit.triangle);
+  if (material.roughness >= least_broad_roughness && !material.metallic_roughness_texture.used())
+    return 0.0f;
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
+  if (seen.roughness < roughness_floor || seen.roughness >= least_broad_roughness ||
+      eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle))
+    return 0.0f;
+  const SurfacePoint point = samples_->point(sample);
+  const PixelSpacing& spacing = eye_->viewer.spacing;
+  const GlossyPatch glossy{
+      point,
+      normal_turn(scene.world(), hit, patch, point.shading_normal),
+      patch,
+      -samples_->ray(sample).direction,
+      spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity(),
+      std::max({seen.f0.x, seen.f0.y, seen.f0.z}),
+      seen.roughness};
+  const auto lights = eye_->viewer.shader.lights();
+  const float tolerance = eye_->budget.tolerance;
+  const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
+  float error = 0.0f;
+  for (std::size_t i = 0; i < lights.size() && !(error > tolerance); ++i) {
+    if (weak_lights_->holds(i)) continue;
+    const float one = highlight_error(lights[i], glossy, negligible);
+    if (one > 0.0f && shows_highlight(static_cast<std::uint32_t>(i), glossy)) error += one;
   }
   return error;
 }

@@ -5,6 +5,7 @@
 #include "renderer/asos/normal_variation.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/shading/highlight_unevenness.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -59,6 +60,8 @@ class Refinement {
   [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] float highlights_error(SampleId sample, const Patch& patch) const;
+  [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
   [[nodiscard]] bool mirrors_too_widely(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;

@@ -43,9 +43,10 @@ void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
 }
 
 // Lights that are seen in mirrors only have no edges among the scene's.
-void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const Shader& shader) {
-  for (const std::uint32_t i : shader.lights_without_geometry()) {
-    const PreparedLight& light = shader.lights()[i];
+void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const Viewer& viewer) {
+  if (!viewer.sees_bare_lights()) return;
+  for (const std::uint32_t i : viewer.shader.lights_without_geometry()) {
+    const PreparedLight& light = viewer.shader.lights()[i];
     const auto apex = frame.parallel() ? std::nullopt : std::optional(frame.apex());
     for (const auto& light_outline : light_outlines(light, apex, frame.direction())) {
       for (std::size_t k = 0; k < light_outline.size(); ++k) {
@@ -137,7 +138,8 @@ std::optional<MirroredSight> mirrored_sight(const EyeContext& eye, const Reflect
 }
 
 // The radiance that a pyray may show: a picture's white, or a light's.
-double brightest_in(const PyrayPicture& picture, const Shader& shader) {
+double brightest_in(const PyrayPicture& picture, const Reflection& reflection,
+                    const Shader& shader) {
   double brightest = 1.0;
   const glm::dvec3 middle = glm::normalize(picture.corner + 0.5 * (picture.right + picture.down));
   const double half_angle =
@@ -145,7 +147,8 @@ double brightest_in(const PyrayPicture& picture, const Shader& shader) {
   for (const PreparedLight& light : shader.lights()) {
     const auto radiance =
         static_cast<double>(std::max({light.power.x, light.power.y, light.power.z}));
-    if (radiance > brightest && may_show(light, picture.apex, middle, half_angle))
+    const bool shown = reflection.shows_lights || light.patterned;
+    if (shown && radiance > brightest && may_show(light, picture.apex, middle, half_angle))
       brightest = radiance;
   }
   return brightest;
@@ -183,21 +186,21 @@ MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const
 // Boundaries that are no edges of the scene: the leaf's own, the horizon, and lights without
 // geometry.
 std::vector<BorderEdge> outlines_in(const MirroredMask& mask, const Frame& frame,
-                                    const Shader& shader) {
+                                    const Viewer& viewer) {
   std::vector<BorderEdge> outline;
   for (const BorderEdge& s : mask.outline)
     add_line(outline, {s.from.x, s.from.y, 0.0f, s.to.x, s.to.y, 0.0f});
   if (mask.horizon) {
     if (const auto line = mask.horizon->line()) outline.push_back({line->first, line->second});
   }
-  add_lights(outline, frame, shader);
+  add_lights(outline, frame, viewer);
   return outline;
 }
 
 // Traces the mirrored pyray; whether it was split. Tells observers.
 bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafContext& leaf,
                     EyeCaster& caster, int bounce) {
-  const std::vector<BorderEdge> outline = outlines_in(*eye.mask, *eye.frame, eye.viewer.shader);
+  const std::vector<BorderEdge> outline = outlines_in(*eye.mask, *eye.frame, eye.viewer);
   Pyray pyray{*eye.frame};
   pyray.bounds.within = {&sight.pyray.picture.beyond, 1};
   pyray.bounds.beyond_first = 2.0 * sight.surface.clearance;
@@ -236,11 +239,12 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
                       eye.viewer.width + width,
                       eye.viewer.bounces + 1,
                       reflection.throughput(),
+                      !reflection.shows_lights,
                       plane_of(sight->surface)};
   RenderStatistics own;
   EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
-  mirrored_eye.budget = reflected_budget(eye, reflection, leaf,
-                                         brightest_in(sight->pyray.picture, eye.viewer.shader));
+  mirrored_eye.budget = reflected_budget(
+      eye, reflection, leaf, brightest_in(sight->pyray.picture, reflection, eye.viewer.shader));
   mirrored_eye.seed = static_cast<int>(leaf.seed >> 33);
   mirrored_eye.mask = &mask;
   mirrored_eye.work = eye.work;

@@ -1,5 +1,6 @@
 #include "renderer/asos/sky_shares.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/sky_light.h"
 
 #include <algorithm>
@@ -13,17 +14,11 @@ namespace {
 constexpr double first_rays = 8.0;
 constexpr std::uint32_t fewest_rays = 2;
 constexpr std::uint32_t most_rays = 1024;
-// Which of a place's lobes tells the directions.
-constexpr std::uint32_t lobe_of_sky = 0x1001;
 // What all of a block see is worth so many rays of a leaf's own.
 constexpr double rays_of_neighbours = 8.0;
 
 bool finite(glm::vec3 v) {
   return std::isfinite(v.x + v.y + v.z);
-}
-
-double largest(glm::dvec3 v) {
-  return std::max({v.x, v.y, v.z});
 }
 
 }  // namespace

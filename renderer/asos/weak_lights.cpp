@@ -168,7 +168,7 @@ void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext
     ViewedPoint view{seen_[k], lit.view.to_viewer, lit.view.n_dot_v, lit.view.patch,
                      lit.view.distance};
     places_.start_sample(static_cast<int>(number_[k]));
-    (void)lights_.gather({lit.lights, view, lit.material, lit.mirrors, lit.share, lit.shadows},
+    (void)lights_.gather({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
                          {x, y, static_cast<int>(number_[k])}, {share, weight});
   }
 }

@@ -4,6 +4,7 @@
 #include "renderer/shading/reflected_light.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asos {
@@ -36,6 +37,11 @@ glm::vec3 unit_or_zero(glm::dvec3 v) {
   return length > 0.0 ? glm::vec3(v / length) : glm::vec3(0.0f);
 }
 
+float least_mirror(const PreparedLight& light) {
+  const auto least = shown_from(light);
+  return least ? static_cast<float>(*least) : std::numeric_limits<float>::infinity();
+}
+
 }  // namespace
 
 LightConstants::LightConstants(const PreparedLight& prepared)
@@ -54,7 +60,7 @@ LightConstants::LightConstants(const PreparedLight& prepared)
       v_length(static_cast<float>(glm::length(prepared.half_v))),
       area(static_cast<float>(prepared.area)),
       two_sided(prepared.two_sided),
-      shown_by_mirrors(asos::shown_by_mirrors(prepared)),
+      shown_from(least_mirror(prepared)),
       lambertian(prepared.rule == LightRule::physical),
       representative(prepared.rule == LightRule::published),
       attenuates(prepared.inverse_range != 0.0 || prepared.cone_scale != 0.0),

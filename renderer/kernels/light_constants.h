@@ -30,7 +30,8 @@ struct LightConstants {
   float area = 0.0f;              ///< polygon, disk
   float highlight_radius = 0.0f;  ///< of what stands for it in a highlight
   bool two_sided = false;
-  bool shown_by_mirrors = false;
+  float shown_from =
+      0.0f;  ///< in a reflection of LitBatch::shows_lights at least this; infinite: in none
   bool lambertian = true;       ///< segment
   bool representative = false;  ///< one point of it is the highlight of all: the published rule
   bool attenuates = false;

@@ -69,8 +69,7 @@ HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& 
   const auto n_dot_l = dot(normal, shown.direction);
   auto mirrors = hn::Gt(n_dot_l, zero);
   // Reflections show the lights that have an area: those are their highlights.
-  if (light.shown_by_mirrors)
-    mirrors = hn::And(mirrors, hn::Eq(loaded(points.shows_lights, i), zero));
+  mirrors = hn::And(mirrors, hn::Lt(loaded(points.shows_lights, i), all_lanes(light.shown_from)));
 
   SightLanes at;
   at.normal = normal;

@@ -23,7 +23,7 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   f90_less_f0.set(i, share * (material.f90 - material.f0));
   const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
   alpha[i] = roughness * roughness;
-  shows_lights[i] = lit.mirrors ? 1.0f : 0.0f;
+  set_mirrored(i, lit.mirrored);
 
   const Patch& patch = lit.view.patch;
   const bool is_point = patch.right == glm::vec3(0.0f) && patch.down == glm::vec3(0.0f);

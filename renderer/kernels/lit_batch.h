@@ -36,7 +36,7 @@ struct LitBatch {
   Vectors f0;
   Vectors f90_less_f0;
   Floats alpha{};            ///< squared roughness, floored
-  Floats shows_lights{};     ///< 1: a reflection shows the lights that mirrors show; else 0
+  Floats shows_lights{};     ///< MirroredLights as a number
   Floats turns{};            ///< 0 where what follows is 0; else 1
   Floats viewer_nearness{};  ///< 1 / distance
   Vectors patch_right, patch_down;
@@ -46,6 +46,9 @@ struct LitBatch {
   [[nodiscard]] bool full() const { return count == size; }
   /// A point that counts by `weight` in its sum. The batch must not be full.
   void add(const LitPoint& point, glm::vec3 weight);
+  void set_mirrored(std::size_t i, MirroredLights shown) {
+    shows_lights[i] = static_cast<float>(shown);
+  }
 };
 
 }  // namespace asos

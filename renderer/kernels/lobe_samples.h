@@ -32,8 +32,7 @@ HWY_INLINE LaneMask samples_lobe(const LitBatch& points, const LightConstants& l
   auto samples =
       hn::And(hn::Lt(loaded(points.alpha, i), all_lanes(broad)),
               hn::Gt(dot(normal, loaded(points.to_viewer, i)), all_lanes(grazing_cosine)));
-  if (light.shown_by_mirrors)
-    samples = hn::And(samples, hn::Eq(loaded(points.shows_lights, i), hn::Zero(FloatTag())));
+  samples = hn::And(samples, hn::Lt(loaded(points.shows_lights, i), all_lanes(light.shown_from)));
   return samples;
 }
 

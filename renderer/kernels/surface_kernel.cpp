@@ -6,6 +6,7 @@
 // After it, for what it defines.
 #include "renderer/kernels/lanes.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <hwy/highway.h>
@@ -239,50 +240,43 @@ void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& 
   }
 }
 
-/// 2^x for -126 <= x <= 0, by Taylor's series of its fraction to the seventh power: the error is
-/// below 2e-7 of the result.
-HWY_INLINE Lanes exp2_of(Lanes x) {
-  static constexpr float terms[] = {
-      1.0f,           0.693147180f,   0.240226507f,    0.0555041087f,
-      0.00961812911f, 0.00133335581f, 0.000154035304f, 1.52527338e-5f};
+/// lobe_norms'.
+struct NormLanes {
+  Lanes lobe, fresnel;
+};
+HWY_INLINE NormLanes lobe_norms(const LobeNormTable& table, Lanes n_dot_v, Lanes roughness) {
   const FloatTag d;
   const hn::RebindToSigned<FloatTag> di;
-  const auto whole = hn::Floor(hn::Add(x, all_lanes(0.5f)));
-  const auto power = polynomial(d, hn::Sub(x, whole), terms);
-  const auto exponent = hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127));
-  return hn::Mul(power, hn::BitCast(d, hn::ShiftLeft<23>(exponent)));
-}
-
-/// environment_specular's two weights, of f0 and of f90, for a roughness of at least the floor.
-struct SpecularWeights {
-  Lanes of_f0, of_f90;
-};
-HWY_INLINE SpecularWeights environment_weights(Lanes roughness, Lanes n_dot_v) {
-  const auto along = [&](float slope, float offset) HWY_ATTR {
-    return hn::Add(hn::Mul(roughness, all_lanes(slope)), all_lanes(offset));
+  constexpr auto last_c = static_cast<float>(LobeNormTable::cosines - 1);
+  constexpr auto last_r = static_cast<float>(LobeNormTable::roughnesses - 1);
+  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
+  const auto c = hn::Mul(hn::Sqrt(clamped(n_dot_v, zero, one)), all_lanes(last_c));
+  const auto r = hn::Mul(clamped(roughness, zero, one), all_lanes(last_r));
+  // What is no number must not become a place in memory.
+  const auto place = [&](Lanes x, float last) HWY_ATTR {
+    return hn::IfThenElseZero(hn::Ge(x, zero), hn::Min(hn::Floor(x), all_lanes(last - 1.0f)));
   };
-  const auto x = along(-1.0f, 1.0f), y = along(-0.0275f, 0.0425f);
-  const auto z = along(-0.572f, 1.04f), w = along(0.022f, -0.04f);
-  const auto steep = exp2_of(hn::Mul(all_lanes(-9.28f), n_dot_v));
-  const auto a004 = hn::Add(hn::Mul(hn::Min(hn::Mul(x, x), steep), x), y);
-  const auto part = hn::Mul(all_lanes(1.04f), a004);
-  return {hn::Add(hn::Neg(part), z), hn::Add(part, w)};
+  const auto column = place(c, last_c), row = place(r, last_r);
+  constexpr auto row_length = static_cast<std::int32_t>(LobeNormTable::cosines);
+  const auto first =
+      hn::Add(hn::Mul(hn::ConvertTo(di, row), hn::Set(di, row_length)), hn::ConvertTo(di, column));
+  const auto by_c = hn::Sub(c, column), by_r = hn::Sub(r, row);
+  const auto between = [&](const float* values) HWY_ATTR {
+    const auto along = [&](std::int32_t offset) HWY_ATTR {
+      const auto at = hn::Add(first, hn::Set(di, offset));
+      const auto low = hn::GatherIndex(d, values, at);
+      const auto high = hn::GatherIndex(d, values, hn::Add(at, hn::Set(di, 1)));
+      return hn::Add(low, hn::Mul(hn::Sub(high, low), by_c));
+    };
+    const auto low = along(0);
+    return hn::Add(low, hn::Mul(hn::Sub(along(row_length), low), by_r));
+  };
+  return {between(table.lobe.data()), between(table.fresnel.data())};
 }
 
-/// What environment_specular mixes by.
-struct EnvironmentLanes {
-  SpecularWeights rough;
-  Lanes fresnel;  ///< Schlick's (1 - n.v)^5
-  Lanes rougher;  ///< 1 at the floor of roughness and above it, 0 for a mirror
-};
-
-HWY_INLINE Lanes environment_specular(const EnvironmentLanes& by, Lanes f0, Lanes f90) {
-  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
-  const auto rough =
-      clamped(hn::Add(hn::Mul(f0, by.rough.of_f0), hn::Mul(f90, by.rough.of_f90)), zero, one);
-  const auto mirror = clamped(hn::Add(f0, hn::Mul(hn::Sub(f90, f0), by.fresnel)), zero, one);
-  const auto mixed = hn::Add(hn::Mul(mirror, hn::Sub(one, by.rougher)), hn::Mul(rough, by.rougher));
-  return hn::IfThenElse(hn::Lt(by.rougher, one), mixed, rough);
+HWY_INLINE Lanes environment_specular(const NormLanes& norms, Lanes f0, Lanes f90) {
+  const auto all = hn::Add(hn::Mul(f0, norms.lobe), hn::Mul(hn::Sub(f90, f0), norms.fresnel));
+  return clamped(all, hn::Zero(FloatTag()), all_lanes(1.0f));
 }
 
 /// What LitBatch knows of materials but the diffuse part.
@@ -313,7 +307,7 @@ HWY_INLINE Lanes sum_of(const Vectors& v) {
   return hn::Add(hn::Add(v.x, v.y), v.z);
 }
 
-bool view(MaterialBatch& materials, LitBatch& points) {
+bool view(const LobeNormTable& table, MaterialBatch& materials, LitBatch& points) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   auto all_finite = true;
@@ -323,14 +317,10 @@ bool view(MaterialBatch& materials, LitBatch& points) {
     store(n_dot_v, points.n_dot_v, i);
     const auto roughness = loaded(materials.roughness, i), f90 = loaded(materials.f90, i);
     const Vectors f0 = loaded(materials.f0, i);
-    EnvironmentLanes by;
-    by.rough = environment_weights(clamped(roughness, all_lanes(roughness_floor), one), n_dot_v);
-    const auto m = clamped(hn::Sub(one, n_dot_v), zero, one);
-    const auto m2 = hn::Mul(m, m);
-    by.fresnel = hn::Mul(hn::Mul(m2, m2), m);
-    by.rougher = clamped(hn::Div(roughness, all_lanes(roughness_floor)), zero, one);
-    const Vectors shine{environment_specular(by, f0.x, f90), environment_specular(by, f0.y, f90),
-                        environment_specular(by, f0.z, f90)};
+    const NormLanes norms = lobe_norms(table, n_dot_v, roughness);
+    const Vectors shine{environment_specular(norms, f0.x, f90),
+                        environment_specular(norms, f0.y, f90),
+                        environment_specular(norms, f0.z, f90)};
     store(shine, materials.specular, i);
     const auto largest = hn::Max(shine.x, hn::Max(shine.y, shine.z));
     const Vectors albedo =
@@ -370,7 +360,7 @@ void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, Surf
 }
 
 bool view_materials(MaterialBatch& materials, LitBatch& points) {
-  return HWY_DYNAMIC_DISPATCH(view)(materials, points);
+  return HWY_DYNAMIC_DISPATCH(view)(lobe_norm_table(), materials, points);
 }
 
 }  // namespace asos

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asos {
@@ -56,6 +57,7 @@ Highlight towards_point(glm::dvec3 to_point, double radius, glm::dvec3 ray) {
   const double distance = glm::length(to_point);
   Highlight highlight;
   highlight.direction = glm::vec3(distance > 0.0 ? to_point / distance : ray);
+  highlight.distance = static_cast<float>(distance);
   // As at the surface of a ball of that radius for whoever is nearer.
   highlight.half_angle_tangent =
       radius > 0.0 ? static_cast<float>(radius / std::max(distance, radius)) : 0.0f;
@@ -64,10 +66,11 @@ Highlight towards_point(glm::dvec3 to_point, double radius, glm::dvec3 ray) {
 
 Highlight ball_highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
   const double distance = glm::length(to_middle);
-  if (distance <= light.radius) return {glm::vec3(ray), 1.0f};
+  if (distance <= light.radius) return {glm::vec3(ray), 1.0f, 0.0f};
   Highlight highlight =
       towards_point(nearest_of_ball(to_middle, light.radius, ray), light.radius, ray);
   highlight.half_angle_tangent = static_cast<float>(light.radius / distance);
+  highlight.distance = static_cast<float>(distance - light.radius);
   return highlight;
 }
 
@@ -84,6 +87,7 @@ Highlight highlight_of(const PreparedLight& light, glm::dvec3 position, glm::dve
       Highlight highlight = towards_point(
           nearest_of_ball(light.towards, light.radius, mirrored_view), 0.0, mirrored_view);
       highlight.half_angle_tangent = static_cast<float>(light.radius);
+      highlight.distance = std::numeric_limits<float>::infinity();
       return highlight;
     }
     case LightShape::ball:

@@ -15,6 +15,27 @@ std::vector<PreparedLight> prepared_by(std::span<const Light> lights, LightRule 
   return prepared;
 }
 
+/// Whether a light's own part is painted by a texture.
+bool patterned(const World& world, const Light& light) {
+  if (light.own_part < 0) return false;
+  const Part& part = world.parts[static_cast<std::size_t>(light.own_part)];
+  return world.materials[part.material].emissive_texture.used();
+}
+
+std::vector<std::uint8_t> parts_that_show(const World& world, std::span<const Light> lights) {
+  std::vector<std::uint8_t> shows(world.parts.size(), 0);
+  for (const Light& light : lights) {
+    if (light.own_part >= 0) {
+      if (!patterned(world, light)) shows[static_cast<std::size_t>(light.own_part)] = 1;
+      continue;
+    }
+    for (std::size_t i = 0; i < shows.size(); ++i) {
+      if (stands_in(world.parts[i], light)) shows[i] = 1;
+    }
+  }
+  return shows;
+}
+
 }  // namespace
 
 Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
@@ -23,13 +44,17 @@ Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
       lights.begin(), lights.end(), [](const Light& light) { return light.own_part >= 0; }));
   lighting.needs = find_needs(lights);
   lighting.lights_without_geometry = find_lights_without_geometry(world, lights);
+  lighting.shows_even_light = parts_that_show(world, lights);
   for (const LightRule rule : {LightRule::physical, LightRule::published})
     lighting.by_rule[static_cast<std::size_t>(rule)] = prepared_by(lights, rule);
   // Where the intersections are does not depend on the rule.
   const LightIntersections intersections =
       find_light_intersections(world, lighting.prepared(LightRule::physical));
   for (std::vector<PreparedLight>& prepared : lighting.by_rule) {
-    for (std::size_t i = 0; i < prepared.size(); ++i) prepared[i].intersections = intersections[i];
+    for (std::size_t i = 0; i < prepared.size(); ++i) {
+      prepared[i].intersections = intersections[i];
+      prepared[i].patterned = patterned(world, lights[i]);
+    }
   }
   lighting.lights = std::move(lights);
   return lighting;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Lighting {
   bool default_rig = false;         ///< next to no light came from the scene: they end in a rig
   SceneNeeds needs;                 ///< those of the lights alone
   LightsWithoutGeometry lights_without_geometry;
+  /// By index in World::parts: 1 for surfaces that shine as evenly as the lights that they show.
+  std::vector<std::uint8_t> shows_even_light;
   std::array<std::vector<PreparedLight>, 2> by_rule;  ///< see prepared
 
   /// In the order of `lights`, with their intersections (find_light_intersections).

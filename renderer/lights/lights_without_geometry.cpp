@@ -23,14 +23,6 @@ bool has_area(const Light& light) {
   }
 }
 
-bool stands_in(const Part& part, const Light& light) {
-  if (!part.shows_light || part.bounds.empty()) return false;
-  const glm::dvec3 lo(part.bounds.lo), hi(part.bounds.hi);
-  const double margin = 0.01 * glm::length(hi - lo);
-  return glm::all(glm::greaterThan(light.position, lo - margin)) &&
-         glm::all(glm::lessThan(light.position, hi + margin));
-}
-
 bool odd_winding(const std::vector<std::vector<glm::dvec3>>& outlines, const PreparedLight& light,
                  glm::dvec3 p) {
   const glm::dvec3 u = glm::normalize(light.half_u), v = glm::normalize(light.half_v);
@@ -66,6 +58,14 @@ std::vector<glm::dvec3> circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
 }
 
 }  // namespace
+
+bool stands_in(const Part& part, const Light& light) {
+  if (!part.shows_light || part.bounds.empty()) return false;
+  const glm::dvec3 lo(part.bounds.lo), hi(part.bounds.hi);
+  const double margin = 0.01 * glm::length(hi - lo);
+  return glm::all(glm::greaterThan(light.position, lo - margin)) &&
+         glm::all(glm::lessThan(light.position, hi + margin));
+}
 
 LightsWithoutGeometry find_lights_without_geometry(const World& world,
                                                    std::span<const Light> lights) {

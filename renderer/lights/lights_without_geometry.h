@@ -20,6 +20,9 @@ using LightsWithoutGeometry = std::vector<std::uint32_t>;
 [[nodiscard]] LightsWithoutGeometry find_lights_without_geometry(const World& world,
                                                                  std::span<const Light> lights);
 
+/// Whether a part that shows a light of the file shows this one.
+[[nodiscard]] bool stands_in(const Part& part, const Light& light);
+
 /// Where a ray meets a light, and the radiance that it sends back.
 struct LightHit {
   float t = 0.0f;

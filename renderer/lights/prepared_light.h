@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace asos {
@@ -52,6 +53,7 @@ struct PreparedLight {
   double cone_scale = 0.0;  ///< spot: (scale * cos + offset)^2, clamped to 0..1
   double cone_offset = 1.0;
   std::int32_t own_part = -1;
+  bool patterned = false;  ///< its own part does not shine evenly: it is the mean
   std::vector<LightIntersection>
       intersections;  ///< polygon, disk: where surfaces of the world pass through it
 
@@ -100,6 +102,8 @@ struct LightSample {
 struct Highlight {
   glm::vec3 direction{0, 1, 0};
   float half_angle_tangent = 0.0f;
+  /// To the point, or a ball's surface; 0 within one.
+  float distance = std::numeric_limits<float>::infinity();
 };
 /// `mirrored_view` is unit and leads away from the surface.
 [[nodiscard]] Highlight highlight_of(const PreparedLight& light, glm::dvec3 position,

@@ -14,11 +14,17 @@ struct Viewer {
   const View& view;
   const Shader& shader;
   PixelSpacing spacing;  ///< of the view
-  float width = 0.0f;    ///< these three: see ViewedRay
+  float width = 0.0f;    ///< these four: see ViewedRay
   int bounces = 0;
   float throughput = 1.0f;
+  bool hides_lights = false;
   std::optional<MirrorPlane> mirror = std::nullopt;  ///< that its rays leave, if it is flat
   float pixel = 1.0f;  ///< side of the square that a pixel is the mean of, in pixels
+
+  /// Whether its rays may meet lights that no surface shows.
+  [[nodiscard]] bool sees_bare_lights() const {
+    return bounces > 0 && !hides_lights && !shader.lights_without_geometry().empty();
+  }
 
   /// A camera whose picture is the shader's.
   [[nodiscard]] static Viewer camera(const View& view, const Shader& shader,
@@ -30,7 +36,7 @@ struct Viewer {
   }
   [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side,
                                  const PartShape& shape = square_part) const {
-    return {ray, hit, side, &spacing, width, bounces, throughput, shape};
+    return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, shape};
   }
 };
 

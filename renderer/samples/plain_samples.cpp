@@ -19,16 +19,14 @@ PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
       mips_(viewer.shader.settings().mips),
       sky_(viewer.shader.settings().sky),
       usable_(SampledLights::takes_all(viewer.shader.lights(), viewer.shader.settings().shadows) &&
-              !world_.normals.empty() &&
-              (viewer.bounces == 0 || viewer.shader.lights_without_geometry().empty())),
+              !world_.normals.empty() && !viewer.sees_bare_lights()),
       reflections_(viewer.bounces < viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       same_sky_(!sky_ || sky_->constant()) {
   if (!same_sky_) return;
   constexpr glm::vec3 any(0.0f, 1.0f, 0.0f);
   ambient_ = sky_ ? sky_->ambient(any) : glm::vec3(ambient_radiance);
-  if (viewer.bounces == 0 || viewer.shader.lights_without_geometry().empty())
-    background_ = asos::background(sky_, any, nullptr, 0.0f);
+  if (!viewer.sees_bare_lights()) background_ = asos::background(sky_, any, nullptr, 0.0f);
 }
 
 bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
@@ -58,9 +56,13 @@ bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float 
     arrays_->looked_up[arrays_->looked_up_count++] = i;
   } else {
     arrays_->materials.set(i, material.surface);
-    arrays_->emission[i] = material.surface.emission;
+    arrays_->emission[i] = shown(material.surface.emission, hit.triangle);
   }
   return true;
+}
+
+glm::vec3 PlainSamples::shown(glm::vec3 emission, std::uint32_t triangle) const {
+  return viewer_.shader.shows_emission(viewer_.hides_lights, triangle) ? emission : glm::vec3(0.0f);
 }
 
 bool PlainSamples::shade(LitBatch& points) {
@@ -88,7 +90,7 @@ void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
   const SurfaceMaterial found =
       surface_material(world_, needs_, hit, footprint_at(arrays_->hits, arrays_->rest, i), mips);
   arrays_->materials.set(i, found);
-  arrays_->emission[i] = found.emission;
+  arrays_->emission[i] = shown(found.emission, hit.triangle);
 }
 
 bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& points,
@@ -101,7 +103,8 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& point
   if (!viewer_.shader.reflect(seen, point, material, arrays_->materials.specular.at(i), transport,
                               later, counts))
     return false;
-  points.shows_lights[i] = 1.0f;
+  points.set_mirrored(i,
+                      viewer_.shader.mirrored_lights(arrays_->hit[i].triangle, material.roughness));
   return true;
 }
 

@@ -59,6 +59,8 @@ class PlainSamples {
                std::size_t target, RenderStatistics& counts) const;
 
  private:
+  /// What the viewer's rays show of it.
+  [[nodiscard]] glm::vec3 shown(glm::vec3 emission, std::uint32_t triangle) const;
   struct Arrays {
     TriangleBatch hits;
     SurfaceRest rest;

@@ -10,10 +10,10 @@
 namespace asos {
 namespace {
 
-// Which of a pixel's lobes tells which lights its samples pick: none that reflections use.
+// Which of a pixel's lobes tells which lights its samples pick: none that reflections or the sky
+// use.
 constexpr int lobe_of_picks = 0x1000;
-// And which directions to the sky.
-constexpr int lobe_of_sky = 0x1001;
+static_assert(lobe_of_picks != lobe_of_sky);
 // Of the places on lights, the ones by which samples choose directions of the surface's own lobe.
 constexpr std::uint32_t place_in_lobe = 0x3000;
 

@@ -10,7 +10,7 @@
 namespace asos {
 
 ViewedRay ReflectedSample::viewed(const Hit& hit) const {
-  return {ray, hit, side, &spacing, width, bounces, throughput};
+  return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights};
 }
 
 void SampledReflections::add(const Reflection& reflection, const PointSample& sample,
@@ -21,6 +21,7 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
   start.side = reflection.seen.side > 0.0f ? reflection.seen.side : 1.0f;
   start.bounces = reflection.seen.bounces + 1;
   start.throughput = reflection.throughput();
+  start.hides_lights = !reflection.shows_lights;
   if (reflection.one_width()) {
     add_ray(reflection, start, reflection.width.x, glm::vec3(1.0f), shader);
     return;

@@ -35,6 +35,7 @@ struct ReflectedSample {
   float width = 0.0f;  ///< see ViewedRay
   int bounces = 0;
   float throughput = 1.0f;
+  bool hides_lights = false;
   std::optional<MirrorPlane> mirror;  ///< that the ray leaves, if it is flat
 
   [[nodiscard]] ViewedRay viewed(const Hit& hit) const;

@@ -1,5 +1,8 @@
 #include "renderer/shading/brdf.h"
 
+#include "renderer/geometry/largest.h"
+#include "renderer/shading/lobe_norms.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,10 +24,6 @@ glm::vec3 fresnel_schlick(glm::vec3 f0, float f90, float v_dot_h) {
   return f0 + (f90 - f0) * schlick_of(v_dot_h);
 }
 
-float largest(glm::vec3 v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 }  // namespace
 
 float ggx_lobe(float roughness, const BrdfAngles& angles) {
@@ -40,15 +39,8 @@ float ggx_lobe(float roughness, const BrdfAngles& angles) {
 }
 
 glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, float f90) {
-  if (roughness < roughness_floor) {
-    const glm::vec3 mirror = glm::clamp(fresnel_schlick(f0, f90, n_dot_v), 0.0f, 1.0f);
-    return glm::mix(mirror, environment_specular(f0, roughness_floor, n_dot_v, f90),
-                    std::max(0.0f, roughness) / roughness_floor);
-  }
-  const glm::vec4 r = floored(roughness) * glm::vec4(-1.0f, -0.0275f, -0.572f, 0.022f) +
-                      glm::vec4(1.0f, 0.0425f, 1.04f, -0.04f);
-  const float a004 = std::min(r.x * r.x, std::exp2(-9.28f * n_dot_v)) * r.x + r.y;
-  return glm::clamp(f0 * (-1.04f * a004 + r.z) + f90 * (1.04f * a004 + r.w), 0.0f, 1.0f);
+  const LobeNorms norms = lobe_norms(n_dot_v, roughness);
+  return glm::clamp(f0 * norms.lobe + (f90 - f0) * norms.fresnel, 0.0f, 1.0f);
 }
 
 ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {

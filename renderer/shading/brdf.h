@@ -58,9 +58,8 @@ struct ViewedMaterial {
 /// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);
 
-/// The share of a constant environment that the lobe returns: the split-sum integral in its
-/// analytic form (Karis 2014 after Lazarov 2013); of a mirror, whose roughness is 0, Schlick's
-/// Fresnel term, and in between up to roughness_floor their mean.
+/// The share of a constant environment that the lobe returns: its integral times the cosine over
+/// all directions (lobe_norms); of a mirror, whose roughness is 0, Schlick's Fresnel term.
 [[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v,
                                              float f90 = 1.0f);
 

@@ -22,12 +22,19 @@ class Sky;
           glm::dvec3(point.geometric_normal)};
 }
 
+/// The lights that a reflection of a point shows: there the lobe has no highlights of them.
+enum class MirroredLights {
+  none,       ///< it shows none, or there is no reflection
+  patterned,  ///< those whose surface does not shine evenly
+  all,        ///< all that have a surface
+};
+
 /// A point and all lights that may shine on it, before any of them was looked at.
 struct LitPoint {
   std::span<const PreparedLight> lights;  ///< the same for all points of a picture
   const ViewedPoint& view;
   const ViewedMaterial& material;
-  bool mirrors = false;   ///< a reflection shows the lights that mirrors show
+  MirroredLights mirrored = MirroredLights::none;
   glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
   bool shadows = true;    ///< the same for all points of a picture: whether lights cast any
 };
@@ -70,6 +77,7 @@ struct Reflection {
   glm::vec3 width{0.0f};      ///< of the square, one unit ahead, by colour; 0: a mirror
   glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per mean radiance
   int layer = 0;              ///< surfaces that are seen through before the point
+  bool shows_lights = true;   ///< also those that shine evenly
 
   /// ViewedRay's, of what is mirrored.
   [[nodiscard]] float throughput() const {

@@ -1,5 +1,6 @@
 #include "renderer/shading/reflected_light.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/lobe.h"
 
 #include <algorithm>
@@ -23,6 +24,24 @@ PatchLobe lobe_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3
           view.point.shading_normal};
 }
 
+/// The same of what shows a light with a size: a highlight that is wider than the patch is seen by
+/// parts of it where it is uneven, and has not the tails that widening would give it.
+PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
+                           const Highlight& highlight, float light_distance, bool line) {
+  constexpr float widest = 0.5f;  // the patch's share of the highlight that needs no widening
+  const LobeSight sight{view.to_viewer, view.distance, highlight.direction, light_distance};
+  NormalSpread spread = spread_about_half(view.point.spread, view.patch, sight);
+  const float alpha =
+      std::max(seen.roughness, roughness_floor) * std::max(seen.roughness, roughness_floor);
+  // A line is as narrow as the lobe across itself.
+  const float light_width = line ? 0.0f : 0.5f * highlight.half_angle_tangent;
+  const float shown = widest * (alpha + light_width);
+  if (std::max(glm::dot(spread.right, spread.right), glm::dot(spread.down, spread.down)) <
+      shown * shown)
+    spread.right = spread.down = glm::vec3(0.0f);
+  return {spread, seen.roughness, view.point.shading_normal};
+}
+
 /// The specular part, below whose horizon there is none.
 glm::vec3 shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l,
                    float light_distance) {
@@ -40,10 +59,6 @@ glm::vec3 shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec
 
 glm::vec3 diffuse_towards(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l) {
   return diffuse_brdf(seen, schlick_weight(view.to_viewer, l));
-}
-
-float largest(glm::vec3 v) {
-  return std::max({v.x, v.y, v.z});
 }
 
 }  // namespace
@@ -70,16 +85,18 @@ glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample) {
   if (!lit.lit || lit.light.rule == LightRule::published) return lit.reflected;
   const LitPoint& point = *lit.lit;
   const glm::vec3 to_light(sample.direction);
-  if (point.mirrors && shown_by_mirrors(lit.light))
+  if (shows(point.mirrored, lit.light))
     return point.share * diffuse_towards(point.material, point.view, to_light);
   return point.share * reflected_towards(point.material, point.view, to_light,
                                          static_cast<float>(sample.distance));
 }
 
-bool shown_by_mirrors(const PreparedLight& light) {
+std::optional<MirroredLights> shown_from(const PreparedLight& light) {
   using LightShape = PreparedLight::Shape;
-  return light.shape == LightShape::ball || light.shape == LightShape::polygon ||
-         light.shape == LightShape::disk;
+  if (light.patterned) return MirroredLights::patterned;
+  const bool surface = light.own_part >= 0 || light.shape == LightShape::ball ||
+                       light.shape == LightShape::polygon || light.shape == LightShape::disk;
+  return surface ? std::optional(MirroredLights::all) : std::nullopt;
 }
 
 ReflectedLights::ReflectedLights(const LitPoint& point)
@@ -102,7 +119,7 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   Share share;
   if (light.extended() && light.rule == LightRule::physical) {
     share = of_extended(light, highlight, irradiance);
-  } else if (point_.mirrors && shown_by_mirrors(light)) {
+  } else if (shows(point_.mirrored, light)) {
     // Reflections show the lights that have an area: those are their highlights.
     share.reflected = diffuse_towards(point_.material, point_.view, highlight.direction);
   } else {
@@ -116,7 +133,7 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
                                                     const Highlight& highlight,
                                                     glm::vec3 irradiance) {
   const ViewedMaterial& seen = point_.material;
-  const bool mirrored = point_.mirrors && shown_by_mirrors(light);
+  const bool mirrored = shows(point_.mirrored, light);
   if (mirrored && seen.falloff == 0.0f) return {diffuse_brdf(seen, 0.0f)};
   // Power over irradiance is the same for all colours: that of the strongest has the most digits.
   int strongest = 0;
@@ -126,8 +143,9 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
   const double per_irradiance =
       static_cast<double>(light.power[strongest]) / static_cast<double>(irradiance[strongest]);
   if (!(per_irradiance > 0.0)) return {};
-  const PatchLobe lobe = lobe_of(seen, point_.view, highlight.direction,
-                                 distance_of(light, point_.view.point.position));
+  const PatchLobe lobe =
+      lobe_of_extended(seen, point_.view, highlight, distance_of(light, point_.view.point.position),
+                       light.shape == PreparedLight::Shape::segment);
   const ReflectedIntegral all =
       quadrature(lobe.wider() ? lobe.round_roughness() : seen.roughness)(light);
   const double schlick = std::clamp(all.scattered * per_irradiance, 0.0, 1.0);

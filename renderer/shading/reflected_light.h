@@ -28,8 +28,13 @@ namespace asos {
 /// of the whole light.
 [[nodiscard]] glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample);
 
-/// Whether a reflection shows the light: lines and points are too thin, and suns too bright.
-[[nodiscard]] bool shown_by_mirrors(const PreparedLight& light);
+/// The least that a reflection shows for the light to be among it; nothing for a light without a
+/// surface: lines and points are too thin, and suns too bright.
+[[nodiscard]] std::optional<MirroredLights> shown_from(const PreparedLight& light);
+[[nodiscard]] inline bool shows(MirroredLights mirrored, const PreparedLight& light) {
+  const auto least = shown_from(light);
+  return least && mirrored >= *least;
+}
 
 /// What one point makes of its lights, with nothing in the way.
 class ReflectedLights {

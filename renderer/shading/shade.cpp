@@ -85,6 +85,12 @@ std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const Surfa
   return width;
 }
 
+MirroredLights Shader::mirrored_lights(std::uint32_t triangle, float roughness) const {
+  const bool by_roughness = !settings_.dfr && !own_dfr(triangle) && roughness >= roughness_floor &&
+                            settings_.light_rule == LightRule::physical;
+  return by_roughness ? MirroredLights::patterned : MirroredLights::all;
+}
+
 bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
                           const SurfaceMaterial& material, const Layer& layer, glm::vec3 specular,
                           LightTransport& transport, glm::vec3& radiance,
@@ -93,8 +99,10 @@ bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
   const glm::vec3 reflected = layer.share * specular;
   const auto width = mirror_width(seen, point, material, reflected);
   if (!width) return false;
-  return transport.reflect({seen, point, layer.hit, *width, reflected, layer.number}, radiance,
-                           counts);
+  const bool shows_lights =
+      mirrored_lights(point.triangle, material.roughness) == MirroredLights::all;
+  return transport.reflect({seen, point, layer.hit, *width, reflected, layer.number, shows_lights},
+                           radiance, counts);
 }
 
 void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
@@ -122,7 +130,9 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
                         viewed_ray.shape);
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
-  const LitPoint lit_point{lights_, view, seen, mirrors, layer.share, settings_.shadows};
+  const MirroredLights mirrored =
+      mirrors ? mirrored_lights(point.triangle, material.roughness) : MirroredLights::none;
+  const LitPoint lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
   const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
@@ -165,7 +175,8 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   Hit hit = seen.hit;
   std::uint32_t last = Hit::none;
   const glm::vec3 to_viewer = -seen.ray.direction;
-  const auto light = seen.bounces > 0 ? nearest_light_without_geometry(ray) : std::nullopt;
+  const auto light =
+      seen.bounces > 0 && !seen.hides_lights ? nearest_light_without_geometry(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {
     if (light && !(hit.valid() && hit.t < light->t)) return sum + share * light->radiance;
@@ -186,7 +197,8 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
         if (material.unlit) {
           sum += here.share * material.base_color * (1.0f - material.transmission);
         } else {
-          sum += here.share * material.emission;
+          if (shows_emission(seen.hides_lights, hit.triangle))
+            sum += here.share * material.emission;
           add_lit(seen, point, material, here, transport, sum, counts);
         }
       }

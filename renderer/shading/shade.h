@@ -85,6 +85,17 @@ class Shader {
                                                       const SurfaceMaterial& material,
                                                       glm::vec3 reflected) const;
 
+  /// What the reflection of a material shows of lights. Where it blurs by the material's roughness,
+  /// lobes have highlights that follow the rendering equation, which a square of directions does
+  /// not: they show the lights, down to roughness_floor. By a defocusing ratio, and by the
+  /// published rule, highlights are the mirrored lights (CGF'98 section 5.1).
+  [[nodiscard]] MirroredLights mirrored_lights(std::uint32_t triangle, float roughness) const;
+
+  /// Whether a ray shows what a surface emits; `hides_lights` is ViewedRay's.
+  [[nodiscard]] bool shows_emission(bool hides_lights, std::uint32_t triangle) const {
+    return !(hides_lights && lighting_.shows_even_light[world_.triangle_part[triangle]] != 0);
+  }
+
   /// Hands what the nearest surface on a ray mirrors to `transport`, where it is followed;
   /// `specular` is ViewedMaterial's.
   [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point,

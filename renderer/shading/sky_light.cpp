@@ -1,7 +1,8 @@
 #include "renderer/shading/sky_light.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/environment.h"
-#include "renderer/shading/ltc.h"
+#include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sky.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 
 namespace asos {
 namespace {
-
-float largest(glm::vec3 v) {
-  return std::max({v.x, v.y, v.z});
-}
 
 /// A tangent frame of any direction (Duff et al. 2017).
 struct Tangents {
@@ -161,10 +158,8 @@ std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
       material.diffuse * (1.0f - material.falloff * mean_schlick(point.view.n_dot_v));
   if (shiny) {
     const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-    const LtcNorms norms =
-        ltc_norms(static_cast<double>(point.view.n_dot_v), static_cast<double>(roughness));
-    reflected += material.f0 * static_cast<float>(norms.lobe) +
-                 (material.f90 - material.f0) * static_cast<float>(norms.fresnel);
+    const LobeNorms norms = lobe_norms(point.view.n_dot_v, roughness);
+    reflected += material.f0 * norms.lobe + (material.f90 - material.f0) * norms.fresnel;
   }
   return point.share * radiance * reflected;
 }

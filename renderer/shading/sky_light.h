@@ -9,6 +9,9 @@
 
 namespace asos {
 
+/// Which of a sample's lobes tells the directions to the sky.
+inline constexpr int lobe_of_sky = 0x1001;
+
 /// A direction in which a point looks at the sky.
 struct SkySample {
   glm::vec3 direction{0.0f};  ///< unit
@@ -23,7 +26,7 @@ struct SkySample {
 [[nodiscard]] std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place);
 
 /// The mean of `carried` of all samples, hidden ones too, where a closed form is known: of skies
-/// that are the same all over (the lobe's part within 1e-3 of itself, ltc_norms), and of what is
+/// that are the same all over (the lobe's part as exact as lobe_norms), and of what is
 /// not shiny under gradients.
 [[nodiscard]] std::optional<glm::vec3> open_sky(const SkyLitPoint& point);
 

@@ -83,6 +83,18 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   return std::min(peak * fall * fall, 1.0f) * std::min(1.0f, bend.turn2 / (6.0f * width2));
 }
 
+bool has_size(const Light& light) {
+  switch (light.type) {
+    case Light::Type::point:
+    case Light::Type::spot:
+      return light.radius > 0.0;
+    case Light::Type::directional:
+      return light.angular_diameter_rad > 0.0;
+    default:
+      return true;
+  }
+}
+
 // The patch's squared size over the squared distance of the nearest light that has a place.
 float nearness2(std::span<const Light> lights, glm::vec3 position, const Patch& patch) {
   const float size2 = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
@@ -98,7 +110,7 @@ float nearness2(std::span<const Light> lights, glm::vec3 position, const Patch& 
 }  // namespace
 
 float midpoint_error(const World& world, std::span<const Light> lights, const Ray& ray,
-                     const Hit& hit, const Patch& patch) {
+                     const Hit& hit, const Patch& patch, LightRule rule) {
   const Material& material = world.material_of(hit.triangle);
   const glm::vec3 size = glm::abs(patch.right) + glm::abs(patch.down);
   if (material.unlit || !std::isfinite(size.x + size.y + size.z)) return 0.0f;
@@ -110,8 +122,10 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   if (!(bend.turn2 > 0.0f)) return std::min(1.0f, error);
   const Gloss gloss = gloss_of(world, hit, material);
   if (gloss.roughness < least_broad_roughness) {
-    for (const Light& light : lights)
-      error += highlight_error(light, gloss, bend, position, -ray.direction);
+    for (const Light& light : lights) {
+      if (rule == LightRule::published || !has_size(light))
+        error += highlight_error(light, gloss, bend, position, -ray.direction);
+    }
   }
   return error < 1.0f ? error : 1.0f;
 }

@@ -19,7 +19,10 @@ struct ViewedRay {
   float width = 0.0f;
   int bounces = 0;          ///< reflections on its way
   float throughput = 1.0f;  ///< the most that the picture gets of its radiance, by colour
-  PartShape shape = {};     ///< of the part that it stands for, beside the square
+  /// Lights that shine evenly, and the surfaces that show them, are dark: what reflects the ray has
+  /// highlights of them (MirroredLights).
+  bool hides_lights = false;
+  PartShape shape = {};  ///< of the part that it stands for, beside the square
 };
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #include "renderer/shadows/shadow_context.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/sampling/random.h"
 
 #include <algorithm>
@@ -15,10 +16,6 @@ constexpr int most_pieces = 64;
 constexpr int most_groups = 400;
 // Outlines are drawn at least as finely as in a pixel at MAX 3, so that they can be cut along.
 constexpr int finest_detail = 3;
-
-float largest(glm::vec3 v) {
-  return std::max({v.x, v.y, v.z});
-}
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+#include "renderer/prepared/own_lights.h"
 #include "renderer/shading/sky.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/rendering_equation.h"
@@ -195,8 +196,10 @@ Errors errors_of(const Film& film, const std::vector<std::optional<glm::dvec3>>&
   for (std::size_t i = 0; i < exact.size(); ++i) {
     if (!exact[i]) continue;
     for (int c = 0; c < 3; ++c) {
-      const double off = static_cast<double>(film.radiance[i][c]) - (*exact[i])[c];
-      e.mean += (*exact[i])[c];
+      // More than white is white.
+      const double truth = std::min(1.0, (*exact[i])[c]);
+      const double off = std::min(1.0, static_cast<double>(film.radiance[i][c])) - truth;
+      e.mean += truth;
       e.bias += off;
       square += off * off;
       e.worst = std::max(e.worst, std::abs(off));
@@ -212,29 +215,31 @@ Errors errors_of(const Film& film, const std::vector<std::optional<glm::dvec3>>&
 
 const std::array<const char*, 6> kinds{"rectangle", "disk", "ball", "line", "polygon", "sun"};
 
-/// What ASOS may be off at most, RMSE over the mean: at these roughnesses.
-constexpr std::array roughnesses{0.3, 0.45, 0.6, 1.0};
+/// What ASOS may be off at most: RMSE over the mean, where lobes are broad enough that the mean
+/// says something; and of display intensity under narrow ones, beside an EPS of 0.0039.
+constexpr std::array roughnesses{0.1, 0.2, 0.3, 0.45, 0.6, 1.0};
+constexpr double least_relative = 0.25;
 using Bounds = std::array<double, roughnesses.size()>;
 
-// Highlights of all that has a size, at MAX 3 and the usual EPS. (A metal of roughness 0.1 has
-// highlights narrower than these pixels, whose lobes PatchLobe widens into tails that a plane does
-// not have: three tenths of what the darkest pixels show.)
+// Highlights of all that has a size, at MAX 3 and the usual EPS, with reflections followed as
+// usual: what mirrors shows lights by its lobe.
 void expect_true(Subject subject, double metallic, const Bounds& bounds) {
   for (std::size_t i = 0; i < roughnesses.size(); ++i) {
     double worst = 0.0, worst_bias = 0.0;
     for (const char* kind : kinds) {
       const Light light = light_of(kind);
       const Reflector reflector{{0.9, 0.6, 0.3}, metallic, roughnesses[i]};
-      const auto exact = truth(subject, reflector, prepare_light(light), 2);
+      const auto exact =
+          truth(subject, reflector, prepare_light(light), roughnesses[i] < 0.25 ? 6 : 2);
       const auto scene = make_render_scene(world_of(subject, reflector), {light});
       RenderSettings settings = settings_for(Method::asos);
-      settings.mirror.bounces = 0;
       const Picture picture = render_picture(*scene, camera_for(subject), settings);
       const Errors e = errors_of(picture.film, exact);
       EXPECT_GT(e.mean, 1e-4);
-      EXPECT_LT(e.rmse, bounds[i])
-          << kind << ' ' << roughnesses[i] << ", bias " << e.bias << ", mean " << e.mean;
-      worst = std::max(worst, e.rmse);
+      const double off = roughnesses[i] < least_relative ? e.rmse * e.mean : e.rmse;
+      EXPECT_LT(off, bounds[i]) << kind << ' ' << roughnesses[i] << ", bias " << e.bias << ", mean "
+                                << e.mean;
+      worst = std::max(worst, off);
       worst_bias = std::max(worst_bias, std::abs(e.bias));
     }
     testing::Test::RecordProperty(
@@ -244,27 +249,53 @@ void expect_true(Subject subject, double metallic, const Bounds& bounds) {
 }
 
 TEST(TrueLight, OnAMetalSphere) {
-  expect_true(Subject::sphere, 1.0, {0.25, 0.016, 0.018, 0.018});
+  expect_true(Subject::sphere, 1.0, {0.008, 0.0045, 0.055, 0.012, 0.016, 0.016});
 }
 
 TEST(TrueLight, OnASphere) {
-  expect_true(Subject::sphere, 0.0, {0.011, 0.009, 0.008, 0.012});
+  expect_true(Subject::sphere, 0.0, {0.027, 0.0006, 0.011, 0.011, 0.0065, 0.011});
 }
 
 TEST(TrueLight, OnAMetalPlane) {
-  expect_true(Subject::plane, 1.0, {0.0028, 0.0006, 0.0003, 0.0003});
+  expect_true(Subject::plane, 1.0, {0.0005, 0.0007, 0.0022, 0.0004, 0.0002, 0.0003});
 }
 
 TEST(TrueLight, OnAPlane) {
-  expect_true(Subject::plane, 0.0, {0.0004, 0.0004, 0.0004, 0.0004});
+  expect_true(Subject::plane, 0.0, {0.0002, 0.0001, 0.0004, 0.0003, 0.0003, 0.0003});
 }
 
 TEST(TrueLight, OnAMetalBox) {
-  expect_true(Subject::box, 1.0, {0.01, 0.0014, 0.0014, 0.006});
+  expect_true(Subject::box, 1.0, {0.0002, 0.0001, 0.004, 0.0011, 0.0013, 0.0055});
 }
 
 TEST(TrueLight, OnABox) {
-  expect_true(Subject::box, 0.0, {0.0009, 0.0009, 0.0009, 0.0009});
+  expect_true(Subject::box, 0.0, {0.0001, 0.0001, 0.0007, 0.0007, 0.0007, 0.0007});
+}
+
+// A glossy floor under a panel that shines, as a mesh: the lobe shows it and the reflection does
+// not, nor is it lost. What a texture paints is left to the reflection.
+TEST(TrueLight, ShowsAPanelThatShinesOnce) {
+  const Reflector reflector{{0.9, 0.6, 0.3}, 1.0, 0.3};
+  const Light panel = light_of("rectangle");
+  const auto exact = truth(Subject::plane, reflector, prepare_light(panel), 2);
+  World world = world_of(Subject::plane, reflector);
+  Material shining = matte(glm::vec3(0.0f));
+  shining.emissive = glm::vec3(1.0f);
+  shining.emissive_strength = panel.intensity;
+  const glm::vec3 u(panel.half_u), v(panel.half_v);
+  // It faces the way that u x v leads.
+  ASSERT_GT(glm::dot(glm::cross(u, v), glm::vec3(panel.direction)), 0.0f);
+  add_quad(world, glm::vec3(panel.position) - u - v, 2.0f * u, 2.0f * v, shining);
+  std::vector<Light> lights = lights_of_meshes(world);
+  ASSERT_EQ(lights.size(), 1u);
+  const auto scene = make_render_scene(std::move(world), std::move(lights));
+  for (const Method method : {Method::asos, Method::sobol}) {
+    RenderSettings settings = settings_for(method);
+    settings.sampling.spp = 256;
+    const Picture picture = render_picture(*scene, camera_for(Subject::plane), settings);
+    const Errors e = errors_of(picture.film, exact);
+    EXPECT_LT(e.rmse, method == Method::asos ? 0.003 : 0.05) << "bias " << e.bias;
+  }
 }
 
 // Where a light sets, what is left of it above the horizon is seen: a look at its other part finds

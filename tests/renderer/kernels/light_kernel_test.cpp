@@ -71,10 +71,10 @@ struct Subject {
   std::unique_ptr<SurfacePoint> point = std::make_unique<SurfacePoint>();
   ViewedMaterial material{};
   std::unique_ptr<ViewedPoint> view;
-  bool mirrors = false;
+  MirroredLights mirrored = MirroredLights::none;
   glm::vec3 share{1.0f};
 
-  [[nodiscard]] LitPoint lit() const { return {{}, *view, material, mirrors, share}; }
+  [[nodiscard]] LitPoint lit() const { return {{}, *view, material, mirrored, share}; }
 };
 
 Subject subject(RandomSpace& space, int kind, double scale, glm::dvec3 offset) {
@@ -95,7 +95,7 @@ Subject subject(RandomSpace& space, int kind, double scale, glm::dvec3 offset) {
   // Rougher than a mirror: next to one's reflection the last bits of a direction are all there is.
   s.material = {{unit(), unit(), unit()}, {},     glm::vec3(unit()),
                 0.3f + 0.7f * unit(),     unit(), unit()};
-  s.mirrors = kind % 5 == 0;
+  s.mirrored = kind % 5 == 0 ? MirroredLights::all : MirroredLights::none;
   s.share = {unit(), unit(), unit()};
   if (kind % 2 == 0) {
     const auto edge = [&](double length) {
@@ -133,7 +133,7 @@ double share_of_light(const PreparedLight& light, const Subject& s, const LightS
   const bool narrow = s.material.roughness < least_broad_roughness &&
                       glm::dot(n, glm::dvec3(s.view->to_viewer)) > 1.0 / 512.0;
   const double form = static_cast<double>(sample.irradiance.x) / static_cast<double>(light.power.x);
-  if (!area || !narrow || (s.mirrors && shown_by_mirrors(light)) || !(form > 0.0)) return 1.0;
+  if (!area || !narrow || shows(s.mirrored, light) || !(form > 0.0)) return 1.0;
   const double density = glm::dot(n, sample.direction) / form;
   return density / (density + lobe_density(s, sample.direction));
 }

@@ -22,7 +22,7 @@ namespace {
 class OnePoint final : public LightTransport {
  public:
   TakenLights gather(const LitPoint& point) override {
-    mirrors = point.mirrors;
+    mirrors = point.mirrored != MirroredLights::none;
     lit->add(point, glm::vec3(1.0f));
     return {{}, true};
   }

@@ -7,9 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -126,31 +124,6 @@ TEST(LightQuadrature, AgreesLessWellAtGrazingAngles) {
       add_errors(kind, roughness, 85.0 * std::numbers::pi / 180.0, metal, dielectric, cells);
       EXPECT_LT(metal.mean_share(), 0.05) << kind << ' ' << roughness;
       EXPECT_LT(dielectric.mean_share(), 0.05) << kind << ' ' << roughness;
-    }
-  }
-}
-
-TEST(LightQuadrature, DISABLED_Times) {
-  for (const char* kind : kinds) {
-    for (const double roughness : roughnesses) {
-      for (const double distance : {1.0, 4.0}) {
-        const glm::dvec3 up(0, 0, 1);
-        const PreparedLight light = light_at(kind, direction(0.6, 0.0), distance, 0.6);
-        double sum = 0.0;
-        int cells = 0, rounds = 0;
-        const auto begin = std::chrono::steady_clock::now();
-        for (; rounds < 2000; ++rounds) {
-          const double angle = 0.1 + 1.2 * rounds / 2000.0;
-          LightQuadrature quadrature({glm::dvec3(0.0), up, up}, direction(angle, std::numbers::pi),
-                                     roughness);
-          sum += quadrature(light).lobe;
-          cells += quadrature.cells();
-        }
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        std::printf("%-9s r %.2f at %g: %6.2f us, %5.1f cells (%g)\n", kind, roughness, distance,
-                    1e6 * seconds / rounds, static_cast<double>(cells) / rounds, sum);
-      }
     }
   }
 }

@@ -44,6 +44,21 @@ struct Seen {
   ViewedMaterial material{};
 };
 
+TEST(MirroredLights, AreThoseThatHaveASurface) {
+  Light line;
+  line.type = Light::Type::linear;
+  line.half_u = {1.0, 0.0, 0.0};
+  PreparedLight tube = prepare_light(line);
+  EXPECT_FALSE(shows(MirroredLights::all, tube)) << "a line has none";
+  tube.own_part = 0;
+  EXPECT_TRUE(shows(MirroredLights::all, tube)) << "the tube that it stands for is mirrored";
+  EXPECT_FALSE(shows(MirroredLights::patterned, tube)) << "where the lobe shows it";
+  tube.patterned = true;
+  EXPECT_TRUE(shows(MirroredLights::patterned, tube)) << "the lobe would not show its texture";
+  EXPECT_FALSE(shows(MirroredLights::none, tube));
+  EXPECT_TRUE(shows(MirroredLights::all, rectangle(glm::vec3(1.0f))));
+}
+
 TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
   seen.material.f90 = 0.7f;

@@ -1,0 +1,84 @@
+#include "renderer/shading/highlight_unevenness.h"
+
+#include "renderer/geometry/largest.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/light_quadrature.h"
+#include "renderer/shading/lobe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+float light_distance(const PreparedLight& light, glm::vec3 position) {
+  if (light.shape == PreparedLight::Shape::sun) return std::numeric_limits<float>::infinity();
+  return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
+}
+
+/// What the patch shows of the light so far from its middle, its normal turned by `turn`.
+float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 offset,
+            glm::vec3 turn) {
+  const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
+  const Receiver receiver{glm::dvec3(glossy.point.position + offset), glm::dvec3(normal),
+                          glm::dvec3(glossy.point.geometric_normal)};
+  const glm::vec3 to_viewer =
+      std::isfinite(glossy.viewer_distance)
+          ? glm::normalize(glossy.to_viewer - offset / glossy.viewer_distance)
+          : glossy.to_viewer;
+  LightQuadrature quadrature(receiver, glm::dvec3(to_viewer),
+                             static_cast<double>(glossy.roughness));
+  const ReflectedIntegral found = quadrature(light);
+  const double f0 = static_cast<double>(glossy.f0);
+  const double radiance =
+      static_cast<double>(largest(light.power)) * (f0 * found.lobe + (1.0 - f0) * found.fresnel);
+  return static_cast<float>(std::min(1.0, radiance));
+}
+
+}  // namespace
+
+float highlight_error(const PreparedLight& light, const GlossyPatch& glossy, float negligible) {
+  if (!light.extended() || light.rule != LightRule::physical) return 0.0f;
+  const glm::vec3 n = glossy.point.shading_normal;
+  const glm::vec3 mirrored = glm::reflect(-glossy.to_viewer, n);
+  const Highlight nearest =
+      highlight_of(light, glm::dvec3(glossy.point.position), glm::dvec3(mirrored));
+  const glm::vec3 sum = nearest.direction + glossy.to_viewer;
+  const float length = glm::length(sum);
+  if (!(length > 0.0f)) return 0.0f;
+  // Bound it by the lobe where the patch is nearest to the light.
+  const glm::vec3 half = sum / length;
+  const float rough = std::max(glossy.roughness, roughness_floor);
+  const float alpha = rough * rough;
+  const LobeSight sight{glossy.to_viewer, glossy.viewer_distance, nearest.direction,
+                        light_distance(light, glossy.point.position)};
+  const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
+  const float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
+  const float away = std::sqrt(std::max(0.0f, 2.0f - 2.0f * glm::dot(n, half)));
+  const float least_away = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
+  const float width2 = alpha * alpha + least_away * least_away;
+  const float m = 1.0f - std::clamp(glm::dot(half, glossy.to_viewer), 0.0f, 1.0f);
+  const float fresnel = glossy.f0 + (1.0f - glossy.f0) * m * m * m * m * m;
+  // A segment's power is candela a metre: it looks as bright as one as wide as the lobe.
+  const float brightest =
+      light.shape == PreparedLight::Shape::segment
+          ? largest(light.power) / (alpha * light_distance(light, glossy.point.position))
+          : largest(light.power);
+  const float bound = std::min(1.0f, brightest * fresnel * alpha * alpha / width2) *
+                      std::min(1.0f, spread2 / (6.0f * width2));
+  if (!(bound >= negligible)) return 0.0f;
+  const bool line = light.shape == PreparedLight::Shape::segment;
+  const float highlight = alpha + (line ? 0.0f : 0.5f * nearest.half_angle_tangent);
+  if (spread2 > highlight * highlight) return bound;
+
+  const float middle = shown(light, glossy, glm::vec3(0.0f), glm::vec3(0.0f));
+  const auto bend = [&](glm::vec3 edge, glm::vec3 turn) {
+    const float ends = shown(light, glossy, 0.5f * edge, 0.5f * turn) +
+                       shown(light, glossy, -0.5f * edge, -0.5f * turn);
+    return std::abs(ends - 2.0f * middle) / 6.0f;
+  };
+  return bend(glossy.patch.right, glossy.turn.right) + bend(glossy.patch.down, glossy.turn.down);
+}
+
+}  // namespace asos

@@ -1,0 +1,102 @@
+#include "renderer/shading/lobe_norms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+struct Norms {
+  double lobe = 0.0;
+  double fresnel = 0.0;
+};
+
+double fifth(double x) {
+  return x * x * x * x * x;
+}
+
+/// Integrates over normals as the viewer sees them, by spherical caps (Dupuy and Benyoub 2023):
+/// then only the masking of the light's side and Fresnel's term are left, which are smooth.
+Norms integrate(double n_dot_v, double alpha) {
+  constexpr int caps = 40;
+  constexpr int turns = 10;  // of a half turn: both sides of the plane of view are the same
+  if (alpha == 0.0) return {1.0, fifth(1.0 - n_dot_v)};
+  const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
+  const double a2 = alpha * alpha;
+  const auto root = [a2](double cosine) { return std::sqrt(cosine * cosine * (1.0 - a2) + a2); };
+  const double scale = std::hypot(alpha * sine, n_dot_v);
+  const double view_x = alpha * sine / scale;
+  const double view_z = n_dot_v / scale;
+  Norms sum;
+  for (int i = 0; i < caps; ++i) {
+    // Closer together where the normals are steep: there a narrow lobe's light is cut off.
+    const double t = (i + 0.5) / caps;
+    const double weight = 2.0 * t;
+    const double z = t * t * (1.0 + view_z) - view_z;
+    const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
+    for (int k = 0; k < turns; ++k) {
+      const double angle = std::numbers::pi * (k + 0.5) / turns;
+      // The normal, what it mirrors, and how much of that is masked.
+      const double hx = alpha * (radius * std::cos(angle) + view_x);
+      const double hy = alpha * radius * std::sin(angle);
+      const double hz = z + view_z;
+      const double length = std::sqrt(hx * hx + hy * hy + hz * hz);
+      const double v_dot_h = std::clamp((sine * hx + n_dot_v * hz) / length, 0.0, 1.0);
+      const double n_dot_l = 2.0 * v_dot_h * hz / length - n_dot_v;
+      if (!(n_dot_l > 0.0)) continue;
+      const double left =
+          n_dot_l * (n_dot_v + root(n_dot_v)) / (n_dot_l * root(n_dot_v) + n_dot_v * root(n_dot_l));
+      sum.lobe += weight * left;
+      sum.fresnel += weight * left * fifth(1.0 - v_dot_h);
+    }
+  }
+  return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
+}
+
+LobeNormTable make_table() {
+  constexpr auto step = [](std::size_t i, std::size_t count) {
+    return static_cast<double>(i) / static_cast<double>(count - 1);
+  };
+  LobeNormTable table;
+  for (std::size_t r = 0; r < LobeNormTable::roughnesses; ++r) {
+    const double roughness = step(r, LobeNormTable::roughnesses);
+    for (std::size_t c = 0; c < LobeNormTable::cosines; ++c) {
+      const double root = std::max(step(c, LobeNormTable::cosines), 1e-4);
+      const Norms norms = integrate(root * root, roughness * roughness);
+      table.lobe[r * LobeNormTable::cosines + c] = static_cast<float>(norms.lobe);
+      table.fresnel[r * LobeNormTable::cosines + c] = static_cast<float>(norms.fresnel);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+const LobeNormTable& lobe_norm_table() {
+  static const LobeNormTable table = make_table();
+  return table;
+}
+
+LobeNorms lobe_norms(float n_dot_v, float roughness) {
+  const LobeNormTable& table = lobe_norm_table();
+  constexpr auto last_c = static_cast<float>(LobeNormTable::cosines - 1);
+  constexpr auto last_r = static_cast<float>(LobeNormTable::roughnesses - 1);
+  if (std::isnan(n_dot_v + roughness)) return {n_dot_v + roughness, n_dot_v + roughness};
+  const float c = std::sqrt(std::clamp(n_dot_v, 0.0f, 1.0f)) * last_c;
+  const float r = std::clamp(roughness, 0.0f, 1.0f) * last_r;
+  const float column = std::min(std::floor(c), last_c - 1.0f);
+  const float row = std::min(std::floor(r), last_r - 1.0f);
+  const auto first =
+      static_cast<std::size_t>(row) * LobeNormTable::cosines + static_cast<std::size_t>(column);
+  const auto between = [&](const auto& values) {
+    const auto along = [&](std::size_t i) {
+      return values[i] + (values[i + 1] - values[i]) * (c - column);
+    };
+    const float low = along(first);
+    return low + (along(first + LobeNormTable::cosines) - low) * (r - row);
+  };
+  return {between(table.lobe), between(table.fresnel)};
+}
+
+}  // namespace asos
