@@ -167,6 +167,11 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
       "Whether surfaces hide the sky from each other (on), or all see a constant share of it "
       "(off: faster)",
       on_off_names, settings.shadow.sky);
+  add_parsed_option(app, "--bounces", "N",
+                    "Diffuse bounces of light between surfaces that are followed, 0 or 1, with the "
+                    "sky's shadows: what hides the sky sends light (slower)",
+                    whole(0, 1), [&](int n) { settings.shadow.bounces = n; })
+      ->default_str(std::to_string(settings.shadow.bounces));
   add_choice(
       app, "--shadow-quality", "NAME",
       "How soft shadows are found over the patch that a leaf shows: refined (split where one "

@@ -23,6 +23,13 @@ bool finite(glm::vec3 v) {
 
 }  // namespace
 
+SkyShares::SkyShares(const EyeContext& eye)
+    : eye_(&eye),
+      bounces_(eye.viewer.shader.settings().bounces),
+      places_(eye.seed),
+      lights_(eye.scene->rays(), places_),
+      bounced_(*eye.scene, eye.viewer.shader, places_) {}
+
 double SkyShares::Lit::seen() const {
   return largest(sent) > 0.0 ? std::min(1.0, largest(arrived) / largest(sent)) : 1.0;
 }
@@ -66,14 +73,13 @@ void SkyShares::send(std::size_t index, std::uint32_t end) {
     lit.sent += glm::dvec3(sample->carried);
     if (!sample->above) continue;
     ++eye_->counts->sky_rays;
-    Ray& ray = rays_.emplace_back();
-    ray.direction = sample->direction;
-    ray.origin = spawn_origin(lit.point, ray.direction);
-    sent_.push_back({index, sample->carried});
+    rays_.push_back(sky_ray(lit.point, *sample));
+    sent_.push_back({index, sample->carried, sample->weight, lit.rays});
   }
 }
 
 void SkyShares::trace() {
+  if (bounces_) return trace_bounces();
   passed_.resize(rays_.size());
   eye_->scene->rays().transmittance(rays_, passed_);
   for (std::size_t i = 0; i < sent_.size(); ++i)
@@ -82,29 +88,62 @@ void SkyShares::trace() {
   sent_.clear();
 }
 
-// So many that their mean errs by no more than the leaf's weight allows: by the share of the sky
-// that is seen, as its own rays and its neighbours' tell it. The error falls with the power 3/4 of
-// their number.
-std::uint32_t SkyShares::rays_of(const Lit& lit, double seen_by_all) const {
-  const double sent = largest(lit.sent);
-  if (!(sent > 0.0)) return 0;
-  const double seen =
-      (lit.rays * lit.seen() + rays_of_neighbours * seen_by_all) / (lit.rays + rays_of_neighbours);
-  const double spread = std::sqrt(std::max(0.0, seen * (1.0 - seen)));
+// What a ray brings takes the place of the sky's share; its sum is of its own, for their spread.
+void SkyShares::trace_bounces() {
+  sky_rays_.clear();
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    const std::uint64_t seed = lit_[sent_[i].lit].seed;
+    const SampleIndex sample{static_cast<int>(seed >> 32), static_cast<int>(seed),
+                             static_cast<int>(sent_[i].number)};
+    sky_rays_.push_back({rays_[i], sent_[i].weight, sample, i});
+  }
+  brought_.assign(sent_.size(), glm::dvec3(0.0));
+  bounced_.follow(sky_rays_, lights_, brought_, *eye_->counts);
+  lights_.trace(brought_, *eye_->counts);
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    Lit& lit = lit_[sent_[i].lit];
+    lit.arrived += brought_[i];
+    glm::dvec3 off = brought_[i];
+    if (lit.open) off -= glm::dvec3(sent_[i].carried);
+    const double error = std::min(1.0, (off.x + off.y + off.z) / 3.0);
+    lit.error += error;
+    lit.error2 += error * error;
+  }
+  rays_.clear();
+  sent_.clear();
+}
+
+// Of what one ray brings: as its own rays and its neighbours' tell it.
+double SkyShares::spread(const Lit& lit, const Neighbours& neighbours) const {
+  const double all = lit.rays + rays_of_neighbours;
+  if (bounces_) {
+    const double own = lit.error2 - lit.error * lit.error / lit.rays;
+    return std::sqrt(std::max(0.0, (own + rays_of_neighbours * neighbours.variance) / all));
+  }
+  const double seen = (lit.rays * lit.seen() + rays_of_neighbours * neighbours.seen) / all;
+  return std::min(1.0, largest(lit.sent) / lit.rays) *
+         std::sqrt(std::max(0.0, seen * (1.0 - seen)));
+}
+
+// So many that their mean errs by no more than the leaf's weight allows. The error falls with the
+// power 3/4 of their number.
+std::uint32_t SkyShares::rays_of(const Lit& lit, const Neighbours& neighbours) const {
+  if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return 0;
   const double error = eye_->budget.standard_error(shares_[lit.share].weight);
-  const double off = std::min(1.0, sent / lit.rays) * spread / error;
-  const double rays = std::pow(off, 4.0 / 3.0);
+  const double rays = std::pow(spread(lit, neighbours) / error, 4.0 / 3.0);
   return std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, double{most_rays})));
 }
 
 // As one ray more would have it that is half hidden.
-double SkyShares::seen_by_all() const {
-  double rays = 1.0, seen = 0.5;
+SkyShares::Neighbours SkyShares::neighbours() const {
+  double rays = 1.0, seen = 0.5, squares = 0.0;
   for (const Lit& lit : lit_) {
+    if (lit.rays == 0) continue;
     rays += lit.rays;
     seen += lit.rays * lit.seen();
+    squares += lit.error2 - lit.error * lit.error / lit.rays;
   }
-  return seen / rays;
+  return {seen / rays, squares / rays};
 }
 
 std::span<const SkyShares::Share> SkyShares::run() {
@@ -113,9 +152,9 @@ std::span<const SkyShares::Share> SkyShares::run() {
     if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));
   }
   trace();
-  const double seen = seen_by_all();
+  const Neighbours all = neighbours();
   for (std::size_t i = 0; i < lit_.size(); ++i)
-    if (held(lit_[i])) send(i, rays_of(lit_[i], seen));
+    if (held(lit_[i])) send(i, rays_of(lit_[i], all));
   trace();
   for (const Lit& lit : lit_) {
     if (!held(lit)) continue;

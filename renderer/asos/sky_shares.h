@@ -2,6 +2,9 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/samples/bounced_light.h"
+#include "renderer/samples/sampled_lights.h"
+#include "renderer/samples/sobol_places.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/leaf_context.h"
@@ -18,12 +21,12 @@ namespace asos {
 
 /// What the leaves of a block get of the sky: by rays in directions that are well distributed over
 /// each leaf's hemisphere, first a few, then as many as its share of the sky makes worth while.
-/// Where all of the sky's light is known in closed form, rays find out what is hidden of it. The
-/// rays of all leaves share packets.
+/// Where all of the sky's light is known in closed form, rays find out what is hidden of it. With
+/// bounces, they bring what hides it instead (BouncedLight). The rays of all leaves share packets.
 class SkyShares {
  public:
   /// `eye` has to outlive this.
-  explicit SkyShares(const EyeContext& eye) : eye_(&eye) {}
+  explicit SkyShares(const EyeContext& eye);
   SkyShares(const SkyShares&) = delete;
   SkyShares& operator=(const SkyShares&) = delete;
 
@@ -64,6 +67,8 @@ class SkyShares {
     std::uint32_t rays = 0;
     glm::dvec3 arrived{0.0};  ///< of all rays
     glm::dvec3 sent{0.0};     ///< if nothing were in the way
+    double error = 0.0;       ///< of one ray, whose sum is `mean`'s: their sum and that of squares
+    double error2 = 0.0;
 
     /// The share of what its rays would carry that arrives; 1 where they carry nothing.
     [[nodiscard]] double seen() const;
@@ -73,12 +78,21 @@ class SkyShares {
   struct Sent {
     std::size_t lit = 0;
     glm::vec3 carried{0.0f};
+    glm::vec3 weight{0.0f};
+    std::uint32_t number = 0;  // of the surface's rays
   };
   [[nodiscard]] bool held(const Lit& lit) const { return shares_[lit.share].sample != no_sample; }
   void send(std::size_t index, std::uint32_t end);
   void trace();
-  [[nodiscard]] std::uint32_t rays_of(const Lit& lit, double seen_by_all) const;
-  [[nodiscard]] double seen_by_all() const;
+  void trace_bounces();
+  /// What a block's surfaces tell of each other.
+  struct Neighbours {
+    double seen = 0.5;       ///< share of the sky
+    double variance = 0.25;  ///< of what a ray brings, with bounces
+  };
+  [[nodiscard]] Neighbours neighbours() const;
+  [[nodiscard]] double spread(const Lit& lit, const Neighbours& neighbours) const;
+  [[nodiscard]] std::uint32_t rays_of(const Lit& lit, const Neighbours& neighbours) const;
 
   const EyeContext* eye_;
   std::vector<Share> shares_;
@@ -88,6 +102,13 @@ class SkyShares {
   std::vector<Ray> rays_;
   std::vector<Sent> sent_;
   std::vector<float> passed_;
+  // With bounces, what they bring.
+  bool bounces_;
+  SobolPlaces places_;
+  SampledLights lights_;
+  BouncedLight bounced_;
+  std::vector<SkyRay> sky_rays_;
+  std::vector<glm::dvec3> brought_;
 };
 
 }  // namespace asos

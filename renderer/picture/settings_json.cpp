@@ -46,8 +46,9 @@ void each_setting(Fields& fields, Settings& s) {
   fields("seed", s.seed);
 }
 
-// Only written where it is on: pictures from before there was such a choice have none.
+// Only written where they are on: pictures from before there was such a choice have none.
 constexpr const char* sky_shadows_key = "sky_shadows";
+constexpr const char* bounces_key = "bounces";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -117,6 +118,7 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   fields.other("dfr", dfr_json(settings.mirror.dfr));
   fields.other("sky", sky_json(sky));
   if (settings.shadow.sky) fields(sky_shadows_key, true);
+  if (settings.shadow.bounces > 0) fields(bounces_key, settings.shadow.bounces);
   return fields.take();
 }
 
@@ -129,6 +131,8 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
   read_sky_choice(fields, read.sky);
   if (json.is_object() && json.contains(sky_shadows_key))
     fields(sky_shadows_key, read.settings.shadow.sky);
+  if (json.is_object() && json.contains(bounces_key))
+    fields(bounces_key, read.settings.shadow.bounces);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

@@ -63,7 +63,7 @@ struct RenderScene {
   const bool mirrors = needs_of(scene, settings).mirrors;
   return Shader(
       scene.world(), scene.needs, scene.rays(), *scene.lighting,
-      {settings.shadow.cast, settings.shadow.cast && settings.shadow.sky,
+      {settings.shadow.cast, settings.shadow.shades_sky(), settings.shadow.follows_bounces(),
        settings.shadow.light_rule, culling_of(settings), filtered ? &scene.mips() : nullptr,
        PixelSpacing::of(view), settings.sky.get(), mirrors ? settings.mirror.bounces : 0,
        static_cast<float>(settings.mirror.roughest),

@@ -121,8 +121,7 @@ glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bo
 }
 
 void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
-                           SampledLights& lights, std::size_t target,
-                           RenderStatistics& counts) const {
+                           LightTransport& transport, RenderStatistics& counts) const {
   const glm::vec3 f0 = points.f0.at(i);
   ViewedMaterial seen{};
   seen.diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
@@ -134,7 +133,8 @@ void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
   const ViewedPoint view{point, points.to_viewer.at(i), points.n_dot_v[i]};
-  lights.add_sky({sky_, view, seen, mirrors}, {target}, counts);
+  glm::vec3 later(0.0f);
+  (void)transport.add_sky({sky_, view, seen, mirrors}, later, counts);
 }
 
 }  // namespace asos

@@ -54,9 +54,9 @@ class PlainSamples {
   [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const;
   /// What it sends out itself.
   [[nodiscard]] glm::vec3 emission(std::size_t i) const { return arrays_->emission[i]; }
-  /// Adds a ray to the sky, of the sample that the lights' places are at.
-  void add_sky(std::size_t i, const LitBatch& points, bool mirrors, SampledLights& lights,
-               std::size_t target, RenderStatistics& counts) const;
+  /// Adds a ray to the sky, or to what hides it, by `transport`.
+  void add_sky(std::size_t i, const LitBatch& points, bool mirrors, LightTransport& transport,
+               RenderStatistics& counts) const;
 
  private:
   /// What the viewer's rays show of it.

@@ -27,7 +27,12 @@ class OneSample final : public LightTransport {
   }
   bool add_sky(const SkyLitPoint& point, glm::vec3& /*radiance*/,
                RenderStatistics& counts) override {
-    lights_.add_sky(point, {sample_.target, weight_}, counts);
+    const SampleShare share{sample_.target, weight_};
+    if (shader_.settings().bounces) {
+      lights_.add_sky_ray(point, {sample_.x, sample_.y, sample_.index}, share, counts);
+    } else {
+      lights_.add_sky(point, share, counts);
+    }
     return true;
   }
   bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
@@ -54,6 +59,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       places_(&places),
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
+      bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
       faces_(culling_of(settings)) {}
 
@@ -64,6 +70,7 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       places_(&places),
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
+      bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
       faces_(culling_of(settings)) {}
 
@@ -83,6 +90,7 @@ void SampleSums::trace() {
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
   shade_batch();
   follow_reflections();
+  bounced_.follow(lights_.take_sky_rays(), lights_, radiance_, statistics_);
   lights_.trace(radiance_, statistics_);
   used_ = 0;
 }
@@ -133,14 +141,14 @@ bool SampleSums::shade_plain() {
       places_->start_sample(sample.index);
     }
     if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
+    OneSample transport(lights_, reflections_, shader, sample, glm::vec3(1.0f));
     if (plain_.may_mirror(i)) {
-      OneSample transport(lights_, reflections_, shader, sample, glm::vec3(1.0f));
       mirrors = plain_.reflect(i, viewer_.viewed(rays_[index], hits_[index], sample.side),
                                gathered.points, transport, statistics_);
     }
     if (sky_rays) {
       radiance_[sample.target] += glm::dvec3(plain_.emission(i));
-      plain_.add_sky(i, gathered.points, mirrors, lights_, sample.target, statistics_);
+      plain_.add_sky(i, gathered.points, mirrors, transport, statistics_);
     } else {
       radiance_[sample.target] += glm::dvec3(plain_.unlit_radiance(i, gathered.points, mirrors));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/viewer.h"
+#include "renderer/samples/bounced_light.h"
 #include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
@@ -86,6 +87,7 @@ class SampleSums {
   SamplePlaces* places_;
   SampledLights lights_;
   SampledReflections reflections_;
+  BouncedLight bounced_;
   PlainSamples plain_;
   Culling faces_;
   std::vector<glm::dvec3> radiance_;

@@ -2,7 +2,6 @@
 
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
-#include "renderer/shading/sky_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +47,8 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
 }
 
 void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
-                            RenderStatistics& counts) {
-  const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
+                            RenderStatistics& counts, int lobe) {
+  const auto sample = sample_sky(point, places_->in_lobe(lobe));
   if (!sample || !sample->above) return;
   const glm::vec3 carried = share.weight * sample->carried;
   if (carried == glm::vec3(0.0f)) return;
@@ -58,10 +57,21 @@ void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
     ++counts.rejected_samples;
     return;
   }
-  Ray ray;
-  ray.direction = sample->direction;
-  ray.origin = spawn_origin(point.view.point, ray.direction);
-  pending_.push_back({ray, carried, share.target, -1});
+  pending_.push_back({sky_ray(point.view.point, *sample), carried, share.target, -1});
+}
+
+void SampledLights::add_sky_ray(const SkyLitPoint& point, const SampleIndex& index,
+                                const SampleShare& share, RenderStatistics& counts) {
+  const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
+  if (!sample || !sample->above) return;
+  const glm::vec3 weight = share.weight * sample->weight;
+  if (weight == glm::vec3(0.0f)) return;
+  ++counts.sky_rays;
+  if (!std::isfinite(weight.x + weight.y + weight.z)) {
+    ++counts.rejected_samples;
+    return;
+  }
+  sky_rays_.push_back({sky_ray(point.view.point, *sample), weight, index, share.target});
 }
 
 SampledLights::Gathered& SampledLights::first_points() {
@@ -108,6 +118,7 @@ TakenLights SampledLights::gather(const LitPoint& point, const SampleIndex& samp
 void SampledLights::forget_since(const Waiting& then) {
   points_ = then.points;
   pending_.resize(then.rays);
+  sky_rays_.resize(then.sky_rays);
 }
 
 void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {

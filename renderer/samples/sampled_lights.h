@@ -5,6 +5,7 @@
 #include "renderer/samples/light_picks.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/shading/light_transport.h"
+#include "renderer/shading/sky_light.h"
 
 #include <glm/glm.hpp>
 
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -51,6 +53,14 @@ class LightPlaces {
 struct SampleShare {
   std::size_t target = 0;  ///< index of the sum
   glm::vec3 weight{1.0f};
+};
+
+/// A ray that looks for the sky, or for what lies in its way.
+struct SkyRay {
+  Ray ray;
+  glm::vec3 weight{1.0f};  ///< of the radiance along it in that of its sample
+  SampleIndex sample;
+  std::size_t target = 0;  ///< index of the sample's sum
 };
 
 /// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
@@ -96,15 +106,22 @@ class SampledLights {
   /// One light, by a shadow ray of a sample of that share, which the places are at.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
-  /// The sky, by a ray of a sample of that share in one direction (sample_sky).
-  void add_sky(const SkyLitPoint& point, const SampleShare& share, RenderStatistics& counts);
+  /// The sky, by a ray of a sample of that share in one direction (sample_sky), that of the sample
+  /// under way in this lobe: what lies there hides it.
+  void add_sky(const SkyLitPoint& point, const SampleShare& share, RenderStatistics& counts,
+               int lobe = lobe_of_sky);
+  /// The same ray, but it waits for who looks what lies there.
+  void add_sky_ray(const SkyLitPoint& point, const SampleIndex& sample, const SampleShare& share,
+                   RenderStatistics& counts);
+  [[nodiscard]] std::vector<SkyRay> take_sky_rays() { return std::exchange(sky_rays_, {}); }
 
   /// How much waits; `forget_since` drops what has come since.
   struct Waiting {
     std::size_t points = 0;
     std::size_t rays = 0;
+    std::size_t sky_rays = 0;
   };
-  [[nodiscard]] Waiting waiting() const { return {points_, pending_.size()}; }
+  [[nodiscard]] Waiting waiting() const { return {points_, pending_.size(), sky_rays_.size()}; }
   void forget_since(const Waiting& then);
 
   /// Shades and traces what waits and adds what arrives. The places are at other samples then.
@@ -146,6 +163,7 @@ class SampledLights {
   LobeBatch lobes_;
   LightPicks picks_;
   std::vector<Pending> pending_;
+  std::vector<SkyRay> sky_rays_;
   std::vector<Ray> batch_;
   std::vector<float> shares_;
 };

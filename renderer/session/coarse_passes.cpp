@@ -110,6 +110,7 @@ void CoarsePasses::work_centres(const PlannedRender& render, TileCollector& tile
   settings.method = Method::uniform;
   settings.sampling.spp = 1;
   settings.shadow.sky = false;  // one ray to it is noise
+  settings.shadow.bounces = 0;
   while (!stop.stop_requested()) {
     const std::size_t index = next_centres_++;
     if (index >= render.plan.groups.size()) return;

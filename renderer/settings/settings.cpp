@@ -52,6 +52,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
                          {"fat", s.asos.fat, 2, 16},
                          {"tr", s.texture.resolution, 1, TextureSettings::max_resolution},
                          {"shadow-divisions", s.shadow.divisions, 1, 16},
+                         {"bounces", s.shadow.bounces, 0, 1},
                          {"reflections", s.mirror.bounces, 0, MirrorSettings::max_bounces},
                          {"seed", s.seed, 0, std::numeric_limits<int>::max()}}) {
     if (r.value < r.lo || r.value > r.hi) {

@@ -66,9 +66,16 @@ struct ShadowSettings {
   /// The sky's light is shaded, too; else, or where lights cast none, it is open, less a constant
   /// share (sky_visibility).
   bool sky = false;
+  /// Diffuse bounces of light between surfaces that are followed, 0 or 1, where lights cast
+  /// shadows: what hides the sky from a surface sends it light then, so that the sky is shaded,
+  /// too.
+  int bounces = 0;
   ShadowQuality quality = ShadowQuality::refined;
   int divisions = 2;  ///< n of the qualities that divide a patch into n x n, 1 to 16
   LightRule light_rule = LightRule::physical;
+
+  [[nodiscard]] bool follows_bounces() const { return cast && bounces > 0; }
+  [[nodiscard]] bool shades_sky() const { return cast && (sky || bounces > 0); }
 
   bool operator==(const ShadowSettings&) const = default;
 };

@@ -58,6 +58,13 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   return seen;
 }
 
+ViewedMaterial diffuse_part(ViewedMaterial material) {
+  material.specular = material.f0 = glm::vec3(0.0f);
+  material.f90 = 0.0f;
+  material.roughness = 1.0f;
+  return material;
+}
+
 float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light) {
   const glm::vec3 sum = to_viewer + to_light;
   return schlick_of(0.5f * std::sqrt(glm::dot(sum, sum)));

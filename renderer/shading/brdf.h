@@ -41,6 +41,9 @@ struct ViewedMaterial {
 /// through.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
 
+/// The same without its specular lobe, which keeps what it takes from the diffuse part.
+[[nodiscard]] ViewedMaterial diffuse_part(ViewedMaterial material);
+
 /// Schlick's (1 - v.h)^5 between two unit directions.
 [[nodiscard]] float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light);
 

@@ -112,7 +112,8 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
   const glm::vec3 to_viewer = -viewed_ray.ray.direction;
   const float n_dot_v = std::max(glm::dot(n, to_viewer), grazing_cosine);
 
-  const ViewedMaterial seen = viewed(material, n_dot_v);
+  ViewedMaterial seen = viewed(material, n_dot_v);
+  if (viewed_ray.diffuse) seen = diffuse_part(seen);
   const bool mirrors =
       add_mirrored(viewed_ray, point, material, layer, seen.specular, transport, radiance, counts);
   ViewedPoint view{point, to_viewer, n_dot_v};
@@ -197,7 +198,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
         if (material.unlit) {
           sum += here.share * material.base_color * (1.0f - material.transmission);
         } else {
-          if (shows_emission(seen.hides_lights, hit.triangle))
+          if (!seen.diffuse && shows_emission(seen.hides_lights, hit.triangle))
             sum += here.share * material.emission;
           add_lit(seen, point, material, here, transport, sum, counts);
         }

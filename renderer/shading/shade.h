@@ -32,6 +32,7 @@ class Sky;
 struct ShadingSettings {
   bool shadows = true;       ///< lights cast shadows
   bool sky_shadows = false;  ///< and so does the sky; else it is open
+  bool bounces = false;      ///< what hides the sky sends light instead; only with sky_shadows
   LightRule light_rule = LightRule::physical;
   Culling faces = Culling::none;  ///< which surfaces lie behind blended ones
   /// The mip chains by which textures, and highlights on surfaces that turn, are averaged over the

@@ -141,8 +141,16 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
     density += share[2] * static_cast<float>(point.sky->bright_density(sample.direction));
   const glm::vec3 radiance =
       point.sky ? point.sky->radiance(sample.direction) : background_radiance;
-  sample.carried = point.share * reflected * radiance * (direction.z / density);
+  sample.weight = point.share * reflected * (direction.z / density);
+  sample.carried = sample.weight * radiance;
   return sample;
+}
+
+Ray sky_ray(const SurfacePoint& point, const SkySample& sample) {
+  Ray ray;
+  ray.direction = sample.direction;
+  ray.origin = spawn_origin(point, ray.direction);
+  return ray;
 }
 
 std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {

@@ -15,6 +15,7 @@ inline constexpr int lobe_of_sky = 0x1001;
 /// A direction in which a point looks at the sky.
 struct SkySample {
   glm::vec3 direction{0.0f};  ///< unit
+  glm::vec3 weight{0.0f};     ///< of the radiance from there in that towards the viewer
   glm::vec3 carried{0.0f};    ///< radiance towards the viewer, if nothing lies in the direction
   bool above = true;          ///< the surface itself does not lie there
 };
@@ -24,6 +25,9 @@ struct SkySample {
 /// cosine, by the lobe (visible normals: Heitz 2018) and of pictures by their radiance, weighed by
 /// the balance heuristic (Veach and Guibas 1995). None: it carries nothing.
 [[nodiscard]] std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place);
+
+/// From the surface in the sample's direction.
+[[nodiscard]] Ray sky_ray(const SurfacePoint& point, const SkySample& sample);
 
 /// The mean of `carried` of all samples, hidden ones too, where a closed form is known: of skies
 /// that are the same all over (the lobe's part as exact as lobe_norms), and of what is

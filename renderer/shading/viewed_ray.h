@@ -23,6 +23,9 @@ struct ViewedRay {
   /// highlights of them (MirroredLights).
   bool hides_lights = false;
   PartShape shape = {};  ///< of the part that it stands for, beside the square
+  /// Shows only what surfaces reflect diffusely, nothing of what they send out themselves: a ray
+  /// that brings their light to another surface, which sees lights by itself.
+  bool diffuse = false;
 };
 
 }  // namespace asos

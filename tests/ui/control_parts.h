@@ -78,6 +78,7 @@ inline const std::map<std::string, Part> parts{
     {"Wasted", Part::check},
     {"Culling", Part::settings},
     {"Shadows", Part::settings},
+    {"Bounced light", Part::settings},
     {"Quality", Part::view},
     {"Divisions", Part::settings},
     {"Light rule", Part::settings},

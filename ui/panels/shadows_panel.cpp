@@ -59,6 +59,14 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
                       "Surfaces hide the sky from each other, which grounds what stands on them. "
                       "Off: all see a constant share of it, which is faster.",
                       settings.shadow.sky, usual.shadow.sky);
+  if (settings.shadow.cast) {
+    bool bounces = settings.shadow.bounces > 0;
+    controls.checkbox("Bounced light",
+                      "Surfaces light each other: one diffuse bounce, and the sky's shadows with "
+                      "it. Slower.",
+                      bounces, usual.shadow.bounces > 0);
+    settings.shadow.bounces = bounces ? 1 : 0;
+  }
   // The published method chooses its own quality and rule.
   const bool soft = scene && scene->needs.soft_shadows;
   if (settings.method == Method::asos && settings.shadow.cast && soft)

@@ -26,7 +26,7 @@ RenderSettings odd_settings() {
   const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
   const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
   const auto& [filter, resolution] = texture;
-  const auto& [cast, sky_shadows, quality, divisions, light_rule] = shadow;
+  const auto& [cast, sky_shadows, light_bounces, quality, divisions, light_rule] = shadow;
   const auto& [bounces, roughest, dfr, curved, widest_angle_deg] = mirror;
   (void)threads, (void)jitter, (void)contrast_scale, (void)resolution, (void)light_rule;
   (void)widest_angle_deg;
@@ -52,6 +52,7 @@ RenderSettings odd_settings() {
   s.texture.resolution = 4;
   s.shadow.cast = false;
   s.shadow.sky = true;
+  s.shadow.bounces = 1;
   s.shadow.quality = ShadowQuality::extended_divided;
   s.shadow.divisions = 7;
   s.shadow.light_rule = LightRule::published;
