@@ -1,6 +1,7 @@
 #include "renderer/scene/remarks.h"
 
 #include "renderer/files/printable.h"
+#include "renderer/scene/extension_remarks.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,8 @@ std::vector<std::string> remarks(const SceneNotes& notes) {
   std::vector<std::string> lines;
   for (const std::string& warning : notes.warnings) lines.push_back(printable(warning));
   for (const std::string& extension : notes.unsupported_extensions)
-    lines.push_back("not supported: " + printable(extension));
+    lines.push_back(unsupported_line(extension));
+  for (const std::string& line : notes.not_shown) lines.push_back(printable(line));
   if (notes.points_not_drawn > 0)
     lines.push_back(fmt::format("{} points are not drawn", notes.points_not_drawn));
   if (notes.lines_not_drawn > 0)

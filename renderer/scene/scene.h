@@ -2,12 +2,14 @@
 
 #include "renderer/geometry/camera.h"
 #include "renderer/geometry/shape.h"
+#include "renderer/scene/contents.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -163,9 +165,12 @@ struct SceneNotes {
   std::vector<std::string> warnings;                ///< repaired or ignored, with the reason
   std::uint64_t warnings_dropped = 0;               ///< that the last of them counts
   std::vector<std::string> unsupported_extensions;  ///< optional ones that are not honoured
+  std::vector<std::string> not_shown;               ///< parts that another choice would show
   std::uint64_t points_not_drawn = 0;               ///< POINTS primitives' vertices
   std::uint64_t lines_not_drawn = 0;                ///< segments of LINES, LINE_STRIP, LINE_LOOP
 };
+
+class Rig;
 
 struct Scene {
   std::string name;    ///< of the glTF scene, or the built-in scene
@@ -179,6 +184,9 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   SceneNotes notes;
+  SceneContents contents;
+  std::optional<ClipTime> time;  ///< of what moves; none: everything is where its nodes place it
+  std::shared_ptr<Rig> rig;  ///< poses the scene at other times; null: nothing moves, or not kept
 
   /// The triangles of all instances: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;

@@ -43,6 +43,9 @@ class Accessors {
   [[nodiscard]] Checked<std::vector<std::uint32_t>> integers(
       int accessor, int components, const Selection& selection = std::nullopt);
 
+  /// Data that the file does not have counts from here again, as for another reading of the whole.
+  void forget_zeros() { zeros_ = 0; }
+
   /// A buffer view's bytes, decompressed where EXT_meshopt_compression says so.
   [[nodiscard]] Checked<Bytes> view(int buffer_view);
   /// Bytes of a buffer. Faults: out of range, or the buffer is missing.

@@ -49,6 +49,20 @@ std::string text_of(const json& object, const char* name) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// The names that KHR_materials_variants gives to the file's variants.
+std::vector<std::string> variants_of(const json& root) {
+  std::vector<std::string> names;
+  const auto list = root.find("extensions");
+  if (list == root.end() || !list->is_object()) return names;
+  const auto extension = list->find("KHR_materials_variants");
+  if (extension == list->end() || !extension->is_object()) return names;
+  const auto variants = extension->find("variants");
+  if (variants == extension->end() || !variants->is_array()) return names;
+  for (const json& variant : *variants)
+    names.push_back(variant.is_object() ? text_of(variant, "name") : std::string());
+  return names;
+}
+
 Buffer missing(std::string reason) {
   return Buffer{{}, std::move(reason)};
 }
@@ -169,6 +183,7 @@ Checked<Document> read_document(const std::filesystem::path& path) {
   Checked<std::vector<std::string>> optional = check_header(*root, doc.warnings);
   if (!optional) return fault(optional.error());
   doc.unsupported_extensions = std::move(*optional);
+  doc.variants = variants_of(*root);
   if (auto done = tidy(*root, doc.warnings); !done) return fault(done.error());
   if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
   if (auto done = take_images(*root, doc); !done) return fault(done.error());

@@ -38,6 +38,7 @@ struct Document {
   std::vector<ImageSource> images;
   std::vector<Buffer> buffers;
   std::vector<std::string> unsupported_extensions;
+  std::vector<std::string> variants;  ///< names by KHR_materials_variants
   /// Bytes of the file and of all that it brought along: bounds what an import may allocate.
   std::uint64_t honest_bytes = 0;
   Warnings warnings;

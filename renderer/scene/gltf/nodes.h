@@ -21,9 +21,8 @@ struct NodePose {
   [[nodiscard]] glm::dmat4 parent_from_node() const;
 };
 
-/// The pose of every node at time 0 of the file's first animation; nodes that it does not move,
-/// and all nodes of files without animations, are where the file puts them.
-[[nodiscard]] std::vector<NodePose> pose_at_start(Document& document, Accessors& accessors);
+/// The pose of every node where the file itself puts it.
+[[nodiscard]] std::vector<NodePose> poses_at_rest(Document& document);
 
 /// Rotates and scales as the numbers say, or repairs them with a warning.
 [[nodiscard]] glm::dquat unit_rotation(glm::dquat q, const std::string& place, Warnings& warnings);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
-#include <utility>
 
 namespace asos::gltf {
 
@@ -64,68 +62,6 @@ NodePose pose_at_rest(const tinygltf::Node& node, const std::string& place, Warn
   return pose;
 }
 
-std::size_t morph_target_count(const Document& doc, const tinygltf::Node& node) {
-  if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= doc.model.meshes.size()) return 0;
-  const tinygltf::Mesh& mesh = doc.model.meshes[static_cast<std::size_t>(node.mesh)];
-  return mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
-}
-
-/// The first key's value: `count` groups of `components` numbers. Key times are at least 0, and
-/// before the first key an animation holds its value.
-Checked<std::vector<float>> first_value(const tinygltf::AnimationSampler& sampler,
-                                        Accessors& accessors, std::uint32_t count, int components) {
-  if (auto times = accessors.floats(sampler.input, 1, std::vector<std::uint32_t>{0}); !times) {
-    return times;
-  } else if (!(times->front() >= 0.0f)) {
-    return fault("its first key is before time 0");
-  }
-  // A cubic spline's key is its in-tangent, its value and its out-tangent.
-  const std::uint32_t first = sampler.interpolation == "CUBICSPLINE" ? count : 0;
-  std::vector<std::uint32_t> wanted;
-  for (std::uint32_t i = 0; i < count; ++i) wanted.push_back(first + i);
-  auto values = accessors.floats(sampler.output, components, wanted);
-  if (!values) return values;
-  for (const float v : *values) {
-    if (!std::isfinite(v)) return fault("its first value is not finite");
-  }
-  return values;
-}
-
-Checked<void> apply_channel(const tinygltf::AnimationChannel& channel,
-                            const tinygltf::Animation& animation, Document& doc,
-                            Accessors& accessors, std::vector<NodePose>& poses) {
-  const auto node = static_cast<std::size_t>(channel.target_node);
-  if (channel.target_node < 0) return {};  // glTF: such channels are to be ignored
-  if (node >= poses.size()) return fault("its node does not exist");
-  if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= animation.samplers.size())
-    return fault("its sampler does not exist");
-  const auto& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
-  NodePose& pose = poses[node];
-  const std::string& path = channel.target_path;
-  if (path == "weights") {
-    const std::size_t count = morph_target_count(doc, doc.model.nodes[node]);
-    if (count == 0) return fault("its node has nothing to morph");
-    const auto v = first_value(sampler, accessors, static_cast<std::uint32_t>(count), 1);
-    if (!v) return fault(v.error());
-    pose.weights.assign(v->begin(), v->end());
-    return {};
-  }
-  if (path != "translation" && path != "rotation" && path != "scale") {
-    return fault(fmt::format("its path '{}' is not supported", path));
-  }
-  if (pose.matrix) return fault("its node has a matrix, which cannot be animated");
-  const auto v = first_value(sampler, accessors, 1, path == "rotation" ? 4 : 3);
-  if (!v) return fault(v.error());
-  const auto at = [&](std::size_t i) { return static_cast<double>((*v)[i]); };
-  if (path == "translation") pose.translation = {at(0), at(1), at(2)};
-  if (path == "scale") pose.scale = {at(0), at(1), at(2)};
-  if (path == "rotation") {
-    pose.rotation = unit_rotation(glm::dquat(at(3), at(0), at(1), at(2)),
-                                  fmt::format("node {} in animation 0", node), doc.warnings);
-  }
-  return {};
-}
-
 }  // namespace
 
 glm::dquat unit_rotation(glm::dquat q, const std::string& place, Warnings& warnings) {
@@ -138,24 +74,11 @@ glm::dquat unit_rotation(glm::dquat q, const std::string& place, Warnings& warni
   return q * (1.0 / length);
 }
 
-std::vector<NodePose> pose_at_start(Document& doc, Accessors& accessors) {
+std::vector<NodePose> poses_at_rest(Document& doc) {
   std::vector<NodePose> poses;
   poses.reserve(doc.model.nodes.size());
   for (std::size_t i = 0; i < doc.model.nodes.size(); ++i) {
     poses.push_back(pose_at_rest(doc.model.nodes[i], fmt::format("node {}", i), doc.warnings));
-  }
-  if (doc.model.animations.empty()) return poses;
-  const tinygltf::Animation& animation = doc.model.animations.front();
-  if (animation.channels.empty()) doc.warnings.add("animation 0 has no channels");
-  std::set<std::pair<int, std::string>> targets;
-  for (std::size_t i = 0; i < animation.channels.size(); ++i) {
-    const tinygltf::AnimationChannel& channel = animation.channels[i];
-    Checked<void> done = fault("another channel moves the same target");
-    if (channel.target_node < 0 || targets.emplace(channel.target_node, channel.target_path).second)
-      done = apply_channel(channel, animation, doc, accessors, poses);
-    if (!done) {
-      doc.warnings.add(fmt::format("animation 0, channel {}: {}; ignored", i, done.error()));
-    }
   }
   return poses;
 }

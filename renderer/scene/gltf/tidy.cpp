@@ -1,6 +1,7 @@
 #include "renderer/scene/gltf/tidy.h"
 
 #include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/tidy_animations.h"
 #include "renderer/scene/gltf/tidy_lights.h"
 
 #include <climits>
@@ -17,13 +18,14 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 18> supported = {
+constexpr std::array<std::string_view, 19> supported = {
     "KHR_lights_punctual",        "EXT_lights_area",         "KHR_lights_area",
     "KHR_materials_unlit",        "KHR_materials_ior",       "KHR_materials_emissive_strength",
     "KHR_materials_transmission", "KHR_texture_transform",   "KHR_mesh_quantization",
     "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
     "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod",
-    "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape"};
+    "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape",
+    "KHR_animation_pointer"};
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {
@@ -300,6 +302,7 @@ Checked<void> tidy(json& root, Warnings& warnings) {
   Tidier tidier(warnings, strings_of(root, "extensionsUsed", warnings));
   if (auto done = tidier.visit(root, ""); !done) return done;
   tidy_meshes(root, warnings);
+  tidy_animations(root, warnings);
   tidy_area_lights(root);
   return {};
 }

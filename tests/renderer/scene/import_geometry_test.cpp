@@ -240,24 +240,6 @@ TEST(ImportGeometry, MorphsByTheNodesWeightsOrElseTheMeshes) {
   EXPECT_NEAR(author(world, world.positions[4]).z, 2.0, 1e-6);
 }
 
-TEST(ImportGeometry, AnimationsAreShownAtTimeZero) {
-  for (const bool cubic : {false, true}) {
-    GltfBuilder b = GltfBuilder::square();
-    const int times = b.scalars({0.0f, 1.0f});
-    std::vector<glm::vec3> values{{7, 0, 0}, {8, 0, 0}};
-    if (cubic) values = {{1, 1, 1}, {7, 0, 0}, {2, 2, 2}, {3, 3, 3}, {8, 0, 0}, {4, 4, 4}};
-    const int output = b.vec3(values);
-    b.json["animations"] = {
-        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
-         {"samplers",
-          {{{"input", times},
-            {"output", output},
-            {"interpolation", cubic ? "CUBICSPLINE" : "LINEAR"}}}}}};
-    const World world = world_of(b);
-    expect_near(author(world, world.positions[0]), {7, 0, 0});
-  }
-}
-
 TEST(ImportGeometry, InstancesAreCopiesOfOneMesh) {
   GltfBuilder b = GltfBuilder::square();
   const int at = b.vec3({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}});

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// A moment of one of a file's animations. Before its first key and after its last one everything
+/// that it moves stands still.
+struct ClipTime {
+  int animation = 0;     ///< index into SceneContents::animations
+  double seconds = 0.0;  ///< at least 0
+
+  bool operator==(const ClipTime&) const = default;
+};
+
+/// What a file holds beside what one picture of it shows: what moves, and what there is a choice
+/// of. Names may be empty and are as the file has them.
+struct SceneContents {
+  struct Animation {
+    std::string name;
+    double seconds = 0.0;      ///< from time 0 to its last key
+    std::size_t channels = 0;  ///< that the file declares
+    std::size_t moving = 0;    ///< of these, those that are read
+  };
+  struct Skin {
+    std::string name;
+    std::size_t joints = 0;
+  };
+  /// A mesh with morph targets.
+  struct Morph {
+    std::string mesh;
+    std::size_t targets = 0;
+  };
+
+  std::vector<Animation> animations;
+  std::vector<Skin> skins;
+  std::vector<Morph> morphs;
+  std::vector<std::string> scenes;     ///< the file's
+  int shown_scene = -1;                ///< index into `scenes`; -1: all nodes
+  std::vector<std::string> variants;   ///< KHR_materials_variants
+  std::size_t cameras_not_placed = 0;  ///< of the file's cameras, those that no shown node has
+};
+
+}  // namespace asos

@@ -1,0 +1,55 @@
+#include "renderer/scene/extension_remarks.h"
+
+#include "renderer/files/printable.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asos {
+
+namespace {
+
+struct Lack {
+  std::string_view extension;
+  std::string_view instead;  ///< what is seen
+};
+
+constexpr std::array<Lack, 24> lacks{{
+    {"KHR_materials_clearcoat", "coated surfaces look as below their coat"},
+    {"KHR_materials_sheen", "cloth looks without its sheen"},
+    {"KHR_materials_anisotropy", "highlights are round that should be drawn out"},
+    {"KHR_materials_iridescence", "films show no colours of interference"},
+    {"KHR_materials_volume", "glass does not bend light, and is not tinted by its depth"},
+    {"KHR_materials_volume_scatter", "light does not spread inside of bodies"},
+    {"KHR_materials_dispersion", "glass does not part colours"},
+    {"KHR_materials_diffuse_transmission", "leaves and paper let no light through"},
+    {"KHR_materials_variants", "materials are as without variants"},
+    {"KHR_materials_pbrSpecularGlossiness",
+     "materials of that kind look as their metallic-roughness part says, or white"},
+    {"KHR_texture_basisu", "textures that are only KTX2 are missing"},
+    {"EXT_texture_webp", "textures that are only WebP are missing"},
+    {"EXT_texture_avif", "textures that are only AVIF are missing"},
+    {"MSFT_texture_dds", "textures that are only DDS are missing"},
+    {"EXT_lights_image_based", "the file's own surroundings do not light it"},
+    {"EXT_lights_ies", "lights with a measured profile are missing"},
+    {"KHR_gaussian_splatting", "splats are missing"},
+    {"KHR_audio_emitter", "sounds are not played"},
+    {"KHR_interactivity", "nothing reacts to a person"},
+    {"KHR_xmp_json_ld", "it says nothing of how things look"},
+    {"KHR_physics_rigid_bodies", "nothing falls or collides"},
+    {"EXT_mesh_manifold", "it says nothing of how things look"},
+    {"EXT_primitive_voxels", "voxels are missing"},
+    {"MSFT_screencoverage", "the finest level of detail is drawn, however far away"},
+}};
+
+}  // namespace
+
+std::string unsupported_line(std::string_view extension) {
+  std::string line = "not supported: " + printable(extension);
+  const auto* found = std::find_if(lacks.begin(), lacks.end(),
+                                   [&](const Lack& lack) { return lack.extension == extension; });
+  if (found != lacks.end()) line += " (" + std::string(found->instead) + ")";
+  return line;
+}
+
+}  // namespace asos

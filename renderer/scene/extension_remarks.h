@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asos {
+
+/// A glTF extension that is not supported, in a line: its name, and what a picture without it looks
+/// like where that is known.
+[[nodiscard]] std::string unsupported_line(std::string_view extension);
+
+}  // namespace asos

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "renderer/scene/contents.h"
+#include "renderer/scene/gltf/clips.h"
+#include "renderer/scene/gltf/document.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos::gltf {
+
+/// What the file holds; `shown` are the nodes of the scene that is shown.
+[[nodiscard]] SceneContents contents_of(const Document& document, const std::vector<Clip>& clips,
+                                        const std::vector<int>& shown, int shown_scene);
+
+/// A line for each sort of thing of which a picture at `time` shows one, or none, and others are
+/// there: what they are, and what is seen instead.
+[[nodiscard]] std::vector<std::string> not_shown(const SceneContents& contents,
+                                                 const std::optional<ClipTime>& time);
+
+}  // namespace asos::gltf
