@@ -267,6 +267,18 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
       [&](PixelRect crop) { arguments.settings.crop = crop; });
 }
 
+void add_clip_options(CLI::App& app, ClipChoice& clip) {
+  app.add_option(
+         "--animation", clip.animation,
+         "Which of the file's animations moves it, by its name or its number from 0 [the "
+         "first, where a time is asked for; else none: all stands where its nodes place it]")
+      ->type_name("NAME|N");
+  add_parsed_option(app, "--time", "SECONDS",
+                    "When in the animation; before its first key and after its last one it stands "
+                    "still [0]",
+                    number(0, 1e6), [&](double seconds) { clip.seconds = seconds; });
+}
+
 void add_needs_option(CLI::App& app, NeedsChoice& needs) {
   add_choice(app, "--needs", "WHAT",
              "What is kept and done: scene (what the scene needs) or all (everything, which takes "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/camera_choice.h"
+#include "app/clip_choice.h"
 #include "app/values.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
@@ -21,6 +22,7 @@ struct PictureArguments {
   std::string scene = "builtin:office";
   RenderSettings settings;
   CameraChoice camera;
+  ClipChoice clip;
   SkyChoice sky;  ///< until with_sky makes it settings.sky
   float exposure_ev = 0.0f;
   ToneCurve tone = ToneCurve::none;
@@ -37,6 +39,8 @@ struct PictureArguments {
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required);
 /// Where it is seen from, how bright it is shown, and which part of it.
 void add_camera_options(CLI::App& app, PictureArguments& arguments);
+/// Which moment of the file's animations it shows.
+void add_clip_options(CLI::App& app, ClipChoice& clip);
 /// The option for what is kept of a scene and done although the scene does not need it.
 void add_needs_option(CLI::App& app, NeedsChoice& needs);
 /// Those of the options above that decide on the true picture of a scene, and TR: for commands that

@@ -41,6 +41,19 @@ std::string progress_line(const Progress& progress, int columns) {
   return fmt::format("[{:#<{}}{:.<{}}]{}", "", done, "", width - done, text);
 }
 
+Progress progress_of_all(const Progress& now, const PicturesDone& done) {
+  Progress all = now;
+  all.fraction = (done.finished + std::clamp(now.fraction, 0.0, 1.0)) / done.count;
+  const int to_come = done.count - done.finished - 1;
+  const double mean = done.rendered > 0 ? done.seconds / done.rendered : -1.0;
+  const double left =
+      now.seconds_left >= 0.0 || mean < 0.0 ? now.seconds_left : std::max(0.0, mean - now.seconds);
+  if (left < 0.0) return all;
+  const double a_picture = (done.seconds + now.seconds + left) / (done.rendered + 1);
+  all.seconds_left = left + to_come * a_picture;
+  return all;
+}
+
 ProgressBar::ProgressBar(std::ostream& stream, bool is_terminal)
     : stream_(stream), is_terminal_(is_terminal) {}
 
@@ -59,7 +72,13 @@ void ProgressBar::say(const std::string& words) {
 
 void ProgressBar::show(const Progress& progress) {
   // One column stays free: some terminals wrap when the last one is written.
-  if (is_terminal_) say(progress_line(progress, terminal_columns() - 1));
+  if (!is_terminal_) return;
+  const int columns = terminal_columns() - 1;
+  const std::string which =
+      done_.count > 1 ? fmt::format("{}/{} ", done_.finished + 1, done_.count) : std::string();
+  const int room = columns - static_cast<int>(which.size());
+  say(room < 4 ? progress_line(progress_of_all(progress, done_), columns)
+               : which + progress_line(progress_of_all(progress, done_), room));
 }
 
 void ProgressBar::wipe() {

@@ -13,8 +13,10 @@ namespace asos {
 struct RenderArguments {
   PictureArguments picture;
   std::string output;
-  std::optional<FrameRange> frames;  ///< of a turn around the scene, one file each
-  std::string split_map;             ///< empty: not asked for
+  std::string frames;                     ///< as typed; empty: one picture
+  std::optional<FrameRange> turn;         ///< of a turn around the scene, one file each
+  std::optional<ClipFrames> clip_frames;  ///< of an animation, one file each
+  std::string split_map;                  ///< empty: not asked for
   SplitMapColours split_map_by = SplitMapColours::level;
   std::string stats_file;                    ///< empty: not asked for
   std::optional<double> time_limit_seconds;  ///< of rendering

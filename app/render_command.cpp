@@ -1,17 +1,20 @@
 #include "app/camera_choice.h"
 #include "app/command.h"
 #include "app/exit_code.h"
+#include "app/frame_list.h"
 #include "app/from_option.h"
 #include "app/interrupt.h"
+#include "app/kept_picture.h"
+#include "app/opened_scene.h"
 #include "app/option.h"
 #include "app/picture_files.h"
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
 #include "app/render_job.h"
 #include "app/render_report.h"
-#include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
 #include "renderer/scene/remarks.h"
+#include "renderer/scene/source_files.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -38,14 +41,33 @@ constexpr const char* render_footer =
     "  asos render --from office.png -o larger.png --size 3840x2160\n"
     "  asos render builtin:office -o soon.png --time-limit 10\n"
     "  asos render builtin:boxes -o turn.png --frames 0-29/120   # a quarter of a turn\n"
+    "  asos render fox.glb -o fox.png --animation Run --time 0.5\n"
+    "  asos render fox.glb -o fox.png --animation Run --frames 0-23/24   # its first second\n"
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
 constexpr const char* nothing_written = "asos: interrupted, nothing was written\n";
+constexpr const char* frames_kept =
+    "asos: interrupted; the same command goes on with the first frame that is not there\n";
 constexpr double most_time_limit_seconds = 1e6;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Whether frames are of a turn or of an animation is known when all options are.
+void read_frames(RenderArguments& arguments) {
+  const auto read = [&](auto parse, auto& frames) {
+    const auto parsed = parse(arguments.frames);
+    if (!parsed) throw CLI::ValidationError("--frames", parsed.error().message());
+    frames = *parsed;
+  };
+  if (arguments.frames.empty()) return;
+  const ClipChoice& clip = arguments.picture.clip;
+  if (!clip.animation) return read(parse_frames, arguments.turn);
+  if (clip.seconds)
+    throw CLI::ValidationError("--time", "frames of an animation have times of their own");
+  read(parse_clip_frames, arguments.clip_frames);
 }
 
 // Everything about the command line that can be wrong without opening anything.
@@ -72,6 +94,10 @@ void check(const RenderArguments& arguments) {
     throw CLI::ValidationError(
         "--crop", fmt::format("{},{},{},{} reaches beyond the picture of {}x{} pixels", crop.x,
                               crop.y, crop.width, crop.height, settings.width, settings.height));
+}
+
+const char* last_words(const RenderArguments& arguments) {
+  return arguments.frames.empty() ? nothing_written : frames_kept;
 }
 
 tl::unexpected<Error> interrupted_error() {
@@ -110,53 +136,74 @@ void say_warnings(const RenderReport& report, std::ostream& err) {
     err << fmt::format("asos: warning: and {} more\n", report.warning_count - said);
 }
 
-Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& outputs,
-                            ProgressBar& bar, const InterruptGuard& interrupt) {
-  std::optional<AbandonableWork> loading(std::in_place, nothing_written);
-  PictureArguments wanted = arguments.picture;
-  Result<RenderSettings> settings = with_sky(wanted);
-  if (!settings) return tl::unexpected(settings.error());
-  wanted.settings = *std::move(settings);
-  RenderReport report;
-  report.scene = wanted.scene;
+/// Everything that lasts over the pictures of one command line.
+struct Work {
+  OpenedScene scene;
+  double load_seconds = 0.0;
+  std::vector<std::string> sources;  ///< files that pictures are of
+};
 
-  // Open the scene
+Result<Work> open(const PictureArguments& wanted, ProgressBar& bar,
+                  const InterruptGuard& interrupt) {
+  const AbandonableWork loading(nothing_written);
   bar.say(fmt::format("Loading {} ...", wanted.scene));
   const auto started = std::chrono::steady_clock::now();
-  Result<Scene> scene = open_scene_argument(wanted.scene);
+  Result<OpenedScene> scene = OpenedScene::open(wanted);
   if (!scene) return tl::unexpected(scene_error(wanted, scene.error()));
-  report.load_seconds = seconds_since(started);
-  report.warnings = remarks(scene->notes);
-  report.warning_count = remark_count(scene->notes);
   if (interrupt.interrupted()) return interrupted_error();
+  return Work{*std::move(scene), seconds_since(started), {}};
+}
 
-  // Make it ready to render; what the author wrote is not needed any more
-  bar.say("Building ...");
-  const auto loaded = std::chrono::steady_clock::now();
-  const PictureDescription picture = wanted_picture(wanted);
-  auto prepared = prepare(*scene, picture);
-  *scene = Scene{};
-  // With a limit of time the picture begins with what rays alone can tell.
-  const bool at_once = arguments.time_limit_seconds || !needs_boundaries(wanted.settings.method);
-  if (!at_once) prepared = std::move(prepared).and_then(with_boundaries);
-  if (!prepared) return tl::unexpected(prepared.error());
-  const RenderScene& ready = **prepared;
-  if (ready.world().surface_count() == 0 && !arguments.allow_empty)
-    return tl::unexpected(nothing_drawn(report));
-  if (const auto fits = check_method(ready, wanted.settings); !fits)
-    return tl::unexpected(fits.error());
-  report.build_seconds = seconds_since(loaded);
+RenderReport report_of(const RenderArguments& arguments, const RenderScene& ready,
+                       const Camera& camera) {
+  const PictureArguments& wanted = arguments.picture;
+  RenderReport report;
+  report.scene = wanted.scene;
+  report.warnings = remarks(ready.geometry->notes);
+  report.warning_count = remark_count(ready.geometry->notes);
   report.triangles = ready.world().triangles.size();
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
+  report.description =
+      describe(ready, camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f, wanted.tone});
+  report.time_limit_seconds = arguments.time_limit_seconds;
+  return report;
+}
+
+/// Renders one picture, or, of several, finds that it is there; `arguments` are its own.
+Result<RenderReport> render(const RenderArguments& arguments, const FrameRequest& frame, Work& work,
+                            ProgressBar& bar, const InterruptGuard& interrupt) {
+  const Result<OutputPlan> outputs = plan_outputs(arguments);
+  if (!outputs) return tl::unexpected(outputs.error());
+  std::optional<AbandonableWork> building(std::in_place, last_words(arguments));
+  const PictureArguments& wanted = arguments.picture;
+  const PictureDescription picture = wanted_picture(wanted);
+
+  // Make it ready to render; with a limit of time the picture begins with what rays alone can tell
+  if (bar.pictures() == 1) bar.say("Building ...");
+  const auto started = std::chrono::steady_clock::now();
+  const auto prepared = work.scene.at(frame.time, picture);
+  if (!prepared) return tl::unexpected(prepared.error());
+  const RenderScene& ready = **prepared;
+  if (const auto fits = check_method(ready, wanted.settings); !fits)
+    return tl::unexpected(fits.error());
+  CameraChoice choice = wanted.camera;
+  if (wanted.from) choice.given = picture.camera_from(ready.world().origin);
+  const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
+  const Result<Camera> camera = work.scene.camera(ready, choice, aspect);
+  if (!camera) return tl::unexpected(camera.error());
+  RenderReport report = report_of(arguments, ready, *camera);
+  if (ready.world().surface_count() == 0 && !arguments.allow_empty)
+    return tl::unexpected(nothing_drawn(report));
+  report.kept = bar.pictures() > 1 && is_rendered(arguments, report.description, work.sources);
+  if (report.kept) return report;
+  const bool at_once = arguments.time_limit_seconds || !needs_boundaries(wanted.settings.method);
+  if (const auto found = at_once ? prepared : with_boundaries(*prepared); !found)
+    return tl::unexpected(found.error());
+  report.load_seconds = work.load_seconds;
+  report.build_seconds = seconds_since(started);
+  building.reset();
 
   // Render
-  const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
-  if (wanted.from) wanted.camera.given = picture.camera_from(ready.world().origin);
-  const Result<Camera> camera = choose_camera(ready.world(), wanted.camera, aspect);
-  if (!camera) return tl::unexpected(camera.error());
-  report.description =
-      describe(ready, *camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f, wanted.tone});
-  loading.reset();
   const std::optional<RenderedPicture> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
   if (interrupt.interrupted()) return interrupted_error();
@@ -166,70 +213,87 @@ Result<RenderReport> render(const RenderArguments& arguments, const OutputPlan& 
   report.threads = rendered->threads;
   report.statistics = rendered->statistics;
   report.render_seconds = rendered->seconds;
-  report.time_limit_seconds = arguments.time_limit_seconds;
   report.stopped_at = rendered->stopped_at;
   report.memory_mb = peak_memory_mb();
 
-  const Result<void> written = write_outputs(outputs, rendered->film, report);
+  const Result<void> written = write_outputs(*outputs, rendered->film, report);
   if (!written) return tl::unexpected(written.error());
   return report;
 }
 
-int run_picture(const RenderArguments& arguments, const Streams& streams, bool first = true) {
-  const InterruptGuard interrupt;
-  ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
-  const std::optional<Error>& no_picture = arguments.picture.from_error;
-  const Result<void> given =
-      no_picture ? Result<void>(tl::unexpected(*no_picture)) : Result<void>();
-  const Result<RenderReport> report =
-      given.and_then([&] { return check_picture_fits(arguments.picture.settings); })
-          .and_then([&] { return plan_outputs(arguments); })
-          .and_then([&](const OutputPlan& outputs) {
-            return render(arguments, outputs, bar, interrupt);
-          });
-  bar.wipe();
-  if (!report) {
-    if (interrupt.interrupted()) {
-      streams.err << nothing_written;
-      return exit_interrupted;
-    }
-    return fail(streams, report.error());
+void say_written(const RenderArguments& arguments, const RenderReport& report, std::ostream& out) {
+  if (report.kept) {
+    out << fmt::format("Kept {}, which is of these settings.\n", printable(arguments.output));
+    return;
   }
-  if (first) say_warnings(*report, streams.err);
-  const auto& from = arguments.picture.from;
-  if (!arguments.quiet && from && from->display.split_map)
-    streams.err << "asos: note: " << printable(arguments.picture.from_file)
-                << " shows the split map over the picture, which is rendered without it\n";
-  if (!arguments.quiet)
-    streams.out << fmt::format(
-        "Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
-        printable(arguments.output), report->triangles, report->load_seconds, report->build_seconds,
-        report->render_seconds,
-        report->stopped_at
-            ? fmt::format(", stopped by --time-limit: {}", reached_text(*report->stopped_at))
-            : "");
-  return exit_ok;
+  out << fmt::format("Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
+                     printable(arguments.output), report.triangles, report.load_seconds,
+                     report.build_seconds, report.render_seconds,
+                     report.stopped_at ? fmt::format(", stopped by --time-limit: {}",
+                                                     reached_text(*report.stopped_at))
+                                       : "");
 }
 
-std::string path_of_frame(const std::string& path, const CameraTurn& turn) {
-  return path.empty() ? path : frame_path(path, turn.frame, turn.count);
+void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>& frames,
+               const OpenedScene& scene, std::ostream& err) {
+  const auto& from = arguments.picture.from;
+  if (from && from->display.split_map)
+    err << "asos: note: " << printable(arguments.picture.from_file)
+        << " shows the split map over the picture, which is rendered without it\n";
+  if (const std::size_t beyond = beyond_the_end(frames, scene.contents()); beyond > 0)
+    err << fmt::format(
+        "asos: note: {} of {} are of times after the animation's end, where it "
+        "stands still\n",
+        beyond, frames.size() == 1 ? "1 picture" : fmt::format("{} pictures", frames.size()));
 }
 
 // Each as if it were asked for alone, so that frames can be rendered anywhere and in any order.
-int run_render(const RenderArguments& arguments, const Streams& streams) {
-  if (!arguments.frames) return run_picture(arguments, streams);
-  for (int frame = arguments.frames->first; frame <= arguments.frames->last; ++frame) {
-    const CameraTurn turn{frame, arguments.frames->count};
-    RenderArguments one = arguments;
-    one.picture.camera.turn = turn;
-    one.output = path_of_frame(arguments.output, turn);
-    one.split_map = path_of_frame(arguments.split_map, turn);
-    one.stats_file = path_of_frame(arguments.stats_file, turn);
-    if (const int code = run_picture(one, streams, frame == arguments.frames->first);
-        code != exit_ok)
-      return code;
+Result<void> render_all(RenderArguments arguments, const Streams& streams, ProgressBar& bar,
+                        const InterruptGuard& interrupt) {
+  if (arguments.picture.from_error) return tl::unexpected(*arguments.picture.from_error);
+  if (auto fits = check_picture_fits(arguments.picture.settings); !fits) return fits;
+  // Told before the scene is read, which may take long.
+  if (const auto plan = plan_outputs(arguments_of(arguments, first_frame(arguments))); !plan)
+    return tl::unexpected(plan.error());
+  Result<RenderSettings> settings = with_sky(arguments.picture);
+  if (!settings) return tl::unexpected(settings.error());
+  arguments.picture.settings = *std::move(settings);
+  Result<Work> work = open(arguments.picture, bar, interrupt);
+  if (!work) return tl::unexpected(work.error());
+
+  const std::vector<FrameRequest> frames =
+      frames_of(arguments, work->scene.contents(), work->scene.time());
+  if (frames.empty())
+    return tl::unexpected(Error{arguments.picture.scene, "the animation ends before that frame"});
+  if (frames.size() > 1) work->sources = source_files(arguments.picture.scene);
+  PicturesDone done;
+  done.count = static_cast<int>(frames.size());
+  for (const FrameRequest& frame : frames) {
+    bar.set_done(done);
+    const RenderArguments one = arguments_of(arguments, frame);
+    const Result<RenderReport> report = render(one, frame, *work, bar, interrupt);
+    bar.wipe();
+    if (!report) return tl::unexpected(report.error());
+    if (!arguments.quiet) {
+      if (done.finished == 0) say_warnings(*report, streams.err);
+      if (done.finished == 0) say_notes(arguments, frames, work->scene, streams.err);
+      say_written(one, *report, streams.out);
+    }
+    ++done.finished;
+    if (!report->kept) ++done.rendered, done.seconds += report->render_seconds;
   }
-  return exit_ok;
+  return {};
+}
+
+int run_render(const RenderArguments& arguments, const Streams& streams) {
+  const InterruptGuard interrupt;
+  ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
+  const Result<void> done = render_all(arguments, streams, bar, interrupt);
+  bar.wipe();
+  if (done) return exit_ok;
+  if (!interrupt.interrupted()) return fail(streams, done.error());
+  streams.err << last_words(arguments);
+  return exit_interrupted;
 }
 
 }  // namespace
@@ -245,11 +309,14 @@ Command add_render_command(CLI::App& program) {
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
-  add_parsed_option(
-      *parser, "--frames", "A-B/N",
-      "Frames A to B (or one, or with N alone all) of a turn of N frames around what the camera is "
-      "told to look at, or the scene's middle: OUT-000.png and so on",
-      parse_frames, [arguments](FrameRange frames) { arguments->frames = frames; });
+  add_clip_options(*parser, arguments->picture.clip);
+  parser
+      ->add_option("--frames", arguments->frames,
+                   "Frames A to B (or one, or with N alone all) of a turn of N frames around what "
+                   "the camera is told to look at, or the scene's middle: OUT-000.png and so on. "
+                   "With --animation, of the animation at so many frames a second: OUT-0000.png. "
+                   "Frames of the same settings that are there are kept")
+      ->type_name("A-B/N|FPS");
   CLI::Option* split_map = parser
                                ->add_option("--split-map", arguments->split_map,
                                             "Also write the split map, in the window's colours")
@@ -270,9 +337,12 @@ Command add_render_command(CLI::App& program) {
       [arguments](double seconds) { arguments->time_limit_seconds = seconds; });
   parser->add_flag("--allow-empty", arguments->allow_empty,
                    "Render a scene of which nothing can be drawn, which is an error otherwise");
-  parser->add_flag("--quiet", arguments->quiet, "No progress bar and no closing line");
+  parser->add_flag("--quiet", arguments->quiet, "No progress bar, no remarks and no closing line");
   parser->footer(render_footer);
-  parser->callback([arguments] { check(*arguments); });
+  parser->callback([arguments] {
+    read_frames(*arguments);
+    check(*arguments);
+  });
   return {parser, [arguments](const Streams& streams) { return run_render(*arguments, streams); }};
 }
 

@@ -31,6 +31,7 @@ struct RenderReport {
   std::vector<std::string> warnings;           ///< the scene's remarks
   std::uint64_t warning_count = 0;             ///< with those that the last of them only counts
   PictureDescription description;
+  bool kept = false;                  ///< it was there before; then nothing below is known
   std::vector<ReportedLight> lights;  ///< in the order of Lighting::lights
   int threads = 0;                    ///< that worked
   RenderStatistics statistics;

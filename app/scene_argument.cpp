@@ -84,8 +84,9 @@ Result<void> check_scene_argument(const std::string& text) {
   return {};
 }
 
-Result<Scene> open_scene_argument(const std::string& text) {
-  return check_scene_argument(text).and_then([&] { return load_scene(text); });
+Result<Scene> open_scene_argument(const std::string& text, bool keep_rig) {
+  return check_scene_argument(text).and_then(
+      [&] { return load_scene(text, {.keep_rig = keep_rig}); });
 }
 
 Result<Scene> make_builtin_scene(const std::string& text) {

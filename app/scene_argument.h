@@ -16,7 +16,8 @@ namespace asos {
 
 /// Opens what was typed as SCENE: a path, or "builtin:NAME". The error of a name that is not known
 /// or a file that is not there lists the built-in scenes, the likeliest first.
-[[nodiscard]] Result<Scene> open_scene_argument(const std::string& text);
+/// `keep_rig`: see LoadOptions.
+[[nodiscard]] Result<Scene> open_scene_argument(const std::string& text, bool keep_rig = false);
 
 /// The built-in scene called `name` ("office" or "builtin:office").
 [[nodiscard]] Result<Scene> make_builtin_scene(const std::string& name);

@@ -1,6 +1,7 @@
 #include "app/scene_info.h"
 
 #include "app/printed_json.h"
+#include "renderer/scene/extension_remarks.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -65,6 +66,67 @@ Json cameras_json(const Scene& scene) {
     cameras.push_back(std::move(entry));
   }
   return cameras;
+}
+
+Json animations_json(const SceneContents& contents) {
+  Json animations = Json::array();
+  for (const SceneContents::Animation& a : contents.animations)
+    animations.push_back({{"name", a.name},
+                          {"seconds", a.seconds},
+                          {"channels", a.channels},
+                          {"channels_read", a.moving}});
+  return animations;
+}
+
+/// What of the file moves, and what there is a choice of.
+Json contents_json(const SceneContents& contents) {
+  Json skins = Json::array(), morphs = Json::array();
+  for (const SceneContents::Skin& skin : contents.skins)
+    skins.push_back({{"name", skin.name}, {"joints", skin.joints}});
+  for (const SceneContents::Morph& morph : contents.morphs)
+    morphs.push_back({{"mesh", morph.mesh}, {"targets", morph.targets}});
+  return {{"animations", animations_json(contents)},
+          {"skins", std::move(skins)},
+          {"morphs", std::move(morphs)},
+          {"variants", contents.variants},
+          {"scenes", contents.scenes},
+          {"shown_scene", contents.shown_scene}};
+}
+
+std::string quoted(const Json& name) {
+  return name.get<std::string>().empty() ? "" : "\"" + name.get<std::string>() + "\", ";
+}
+
+/// A line for how many there are and one for each; none where there are none.
+template <typename Line>
+std::string numbered_lines(const char* title, const Json& list, Line line) {
+  if (list.empty()) return "";
+  std::string text = fmt::format("{:<12}{}\n", fmt::format("{}:", title), list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) text += fmt::format("  {}: {}\n", i, line(list[i]));
+  return text;
+}
+
+std::string contents_lines(const Json& info) {
+  const auto number = [](const Json& n) { return n.get<std::uint64_t>(); };
+  std::string text = numbered_lines("Animations", info["animations"], [&](const Json& a) {
+    const std::uint64_t channels = number(a["channels"]), read = number(a["channels_read"]);
+    return fmt::format("{}{:.4g} s, {} channels{}", quoted(a["name"]), a["seconds"].get<double>(),
+                       channels,
+                       read < channels ? fmt::format(", of which {} are read", read) : "");
+  });
+  text += numbered_lines("Skins", info["skins"], [&](const Json& skin) {
+    return fmt::format("{}{} joints", quoted(skin["name"]), number(skin["joints"]));
+  });
+  text += numbered_lines("Morphs", info["morphs"], [&](const Json& morph) {
+    return fmt::format("{}{} targets", quoted(morph["mesh"]), number(morph["targets"]));
+  });
+  const auto name = [](const Json& n) {
+    return n.get<std::string>().empty() ? std::string("without a name")
+                                        : "\"" + n.get<std::string>() + "\"";
+  };
+  text += numbered_lines("Variants", info["variants"], name);
+  if (info["scenes"].size() > 1) text += numbered_lines("Scenes", info["scenes"], name);
+  return text;
 }
 
 std::string list(const Json& names) {
@@ -135,25 +197,28 @@ Json left_out_json(const SceneNeeds& needs) {
 
 Json scene_info_json(const Scene& scene, const RenderScene& ready) {
   const SceneNotes& notes = scene.notes;
-  return {{"scene", scene.source},
-          {"name", scene.name},
-          {"meshes", scene.meshes.size()},
-          {"instances", scene.instances.size()},
-          {"triangles", scene.instanced_triangles()},
-          {"shapes", std::count_if(scene.instances.begin(), scene.instances.end(),
-                                   [](const Instance& i) { return i.shape >= 0; })},
-          {"materials", scene.materials.size()},
-          {"textures", scene.textures.size()},
-          {"images", scene.images.size()},
-          {"lights", lights_json(scene)},
-          {"cameras", cameras_json(scene)},
-          {"bounds", bounds_json(ready.world())},
-          {"points_not_drawn", notes.points_not_drawn},
-          {"lines_not_drawn", notes.lines_not_drawn},
-          {"unsupported_extensions", notes.unsupported_extensions},
-          {"warnings", notes.warnings},
-          {"memory_mb", ready.geometry->memory_mb()},
-          {"left_out", left_out_json(needs_of(ready, {}))}};
+  Json info{{"scene", scene.source},
+            {"name", scene.name},
+            {"meshes", scene.meshes.size()},
+            {"instances", scene.instances.size()},
+            {"triangles", scene.instanced_triangles()},
+            {"shapes", std::count_if(scene.instances.begin(), scene.instances.end(),
+                                     [](const Instance& i) { return i.shape >= 0; })},
+            {"materials", scene.materials.size()},
+            {"textures", scene.textures.size()},
+            {"images", scene.images.size()},
+            {"lights", lights_json(scene)},
+            {"cameras", cameras_json(scene)},
+            {"bounds", bounds_json(ready.world())},
+            {"points_not_drawn", notes.points_not_drawn},
+            {"lines_not_drawn", notes.lines_not_drawn},
+            {"unsupported_extensions", notes.unsupported_extensions},
+            {"not_shown", notes.not_shown},
+            {"warnings", notes.warnings},
+            {"memory_mb", ready.geometry->memory_mb()},
+            {"left_out", left_out_json(needs_of(ready, {}))}};
+  info.update(contents_json(scene.contents));
+  return info;
 }
 
 std::string scene_info_text(const Json& of_scene) {
@@ -174,12 +239,18 @@ std::string scene_info_text(const Json& of_scene) {
   if (cameras.empty()) text += "Cameras:    none, one that frames the scene is used\n";
   if (!cameras.empty()) text += fmt::format("Cameras:    {}\n", cameras.size());
   for (std::size_t i = 0; i < cameras.size(); ++i) text += camera_line(i, cameras[i]);
+  text += contents_lines(info);
+  for (const Json& line : info["not_shown"])
+    text += fmt::format("Not shown:  {}\n", line.get<std::string>());
   if (number("points_not_drawn") > 0)
     text += fmt::format("Not drawn:  {} points\n", number("points_not_drawn"));
   if (number("lines_not_drawn") > 0)
     text += fmt::format("Not drawn:  {} line segments\n", number("lines_not_drawn"));
   if (!info["unsupported_extensions"].empty())
     text += fmt::format("Unsupported extensions: {}\n", list(info["unsupported_extensions"]));
+  for (const Json& extension : info["unsupported_extensions"])
+    if (const auto instead = seen_without(extension.get<std::string>()); !instead.empty())
+      text += fmt::format("  {}: {}\n", extension.get<std::string>(), instead);
   text += fmt::format("Memory:     {:.1f} MB of geometry, textures and hierarchies\n",
                       info["memory_mb"].get<double>());
   if (!info["left_out"].empty()) text += "Left out, because it is not needed:\n";

@@ -9,6 +9,17 @@
 #include <numbers>
 
 namespace asos {
+namespace {
+
+std::string numbered(const std::string& path, int frame, int digits) {
+  const std::filesystem::path whole(path);
+  std::filesystem::path named = whole.parent_path();
+  named /=
+      fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits, whole.extension().string());
+  return named.string();
+}
+
+}  // namespace
 
 Result<FrameRange> parse_frames(std::string_view text) {
   const auto fault = [&](const char* reason) {
@@ -40,12 +51,11 @@ Camera turned_camera(const Camera& camera, glm::dvec3 middle, int frame, int cou
 }
 
 std::string frame_path(const std::string& path, int frame, int count) {
-  const std::filesystem::path whole(path);
-  const int digits = static_cast<int>(std::to_string(count - 1).size());
-  std::filesystem::path named = whole.parent_path();
-  named /=
-      fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits, whole.extension().string());
-  return named.string();
+  return numbered(path, frame, static_cast<int>(std::to_string(count - 1).size()));
+}
+
+std::string clip_frame_path(const std::string& path, int frame) {
+  return numbered(path, frame, 4);
 }
 
 }  // namespace asos

@@ -29,5 +29,7 @@ inline constexpr int most_frames = 100'000;
 
 /// "a/turn.png" of frame 7 of 120: "a/turn-007.png", so that names sort as frames do.
 [[nodiscard]] std::string frame_path(const std::string& path, int frame, int count);
+/// "a/walk.png" of frame 7 of an animation: "a/walk-0007.png".
+[[nodiscard]] std::string clip_frame_path(const std::string& path, int frame);
 
 }  // namespace asos

@@ -7,6 +7,7 @@
 #include "renderer/picture/light_json.h"
 #include "renderer/picture/path_text.h"
 #include "renderer/picture/settings_json.h"
+#include "renderer/scene/rig.h"
 #include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
 
@@ -58,6 +59,25 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   return fault.empty() ? fault : "camera: " + fault;
 }
 
+// Told only where a picture is of some time, likewise.
+constexpr const char* time_key = "animation";
+
+OrderedJson time_json(const ClipTime& time) {
+  FieldWriter fields;
+  fields("number", time.animation);
+  fields("seconds", time.seconds);
+  return fields.take();
+}
+
+std::string read_time(const OrderedJson& json, ClipTime& time) {
+  FieldReader fields(json, time_key);
+  fields("number", time.animation);
+  fields("seconds", time.seconds);
+  if (time.animation < 0) fields.refuse("number", "is below 0");
+  if (time.seconds < 0.0) fields.refuse("seconds", "is below 0");
+  return fields.fault();
+}
+
 // Told only where there is a curve: pictures from before there were any are read as ever.
 constexpr const char* tone_key = "tone";
 
@@ -70,7 +90,7 @@ void each_display_value(Fields& fields, Display& display) {
 }
 
 /// Reads what stands in the fields of the whole; returns the first fault.
-std::string read_fields(FieldReader& fields, PictureDescription& read) {
+std::string read_fields(FieldReader& fields, bool moves, PictureDescription& read) {
   fields("scene", read.scene);
   read.scene = path_of_text(read.scene);
   fields("origin", read.origin);
@@ -103,6 +123,8 @@ std::string read_fields(FieldReader& fields, PictureDescription& read) {
       display.named(tone_key, tone_names, read.display.tone);
     if (std::string fault = display.fault(); !fault.empty()) return fault;
   }
+  if (const OrderedJson* at = moves ? fields.take(time_key) : nullptr)
+    if (std::string fault = read_time(*at, read.time.emplace()); !fault.empty()) return fault;
   return fields.fault();
 }
 
@@ -136,6 +158,7 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
   description.needs = scene.forced == SceneNeeds{} ? NeedsChoice::scene : NeedsChoice::all;
   if (scene.lighting != scene.own_lighting) description.lights = scene.lights();
   if (scene.dfrs() != dfrs_of(scene.world())) description.dfrs = scene.dfrs();
+  description.time = scene.geometry->time;
   description.display = display;
   return description;
 }
@@ -151,6 +174,7 @@ std::string description_text(const PictureDescription& description) {
   fields.other("lights",
                description.lights ? lights_json(*description.lights) : OrderedJson(nullptr));
   fields.other("dfrs", description.dfrs ? dfrs_json(*description.dfrs) : OrderedJson(nullptr));
+  if (description.time) fields.other(time_key, time_json(*description.time));
   FieldWriter display;
   each_display_value(display, description.display);
   if (description.display.tone != ToneCurve::none)
@@ -173,7 +197,7 @@ Result<PictureDescription> parse_description(const std::string& text, const std:
                     "this one reads {}",
                     format, PictureDescription::format));
   PictureDescription read;
-  std::string fault = read_fields(fields, read);
+  std::string fault = read_fields(fields, json.contains(time_key), read);
   if (fault.empty() && format != PictureDescription::format)
     fault = fmt::format("there is no format {}", format);
   if (!fault.empty()) return fail("what it says of its picture is damaged: " + fault);
@@ -199,7 +223,20 @@ Error scene_of_picture_error(const std::string& file, const Error& error) {
 
 Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
                                                    const PictureDescription& description) {
-  auto prepared = prepare(scene, forced_by(description.needs));
+  if (!description.time) return prepare(scene, description, nullptr);
+  if (!scene.rig)
+    return unexpected(Error{scene.source, "has no animations, so there is no such time of it"});
+  const auto at_rest = prepare(scene, forced_by(description.needs));
+  if (!at_rest) return unexpected(at_rest.error());
+  const Result<Scene> posed = scene.rig->pose(description.time);
+  if (!posed) return unexpected(posed.error());
+  return prepare(*posed, description, &(*at_rest)->geometry->stage);
+}
+
+Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
+                                                   const PictureDescription& description,
+                                                   const Stage* stage) {
+  auto prepared = prepare(scene, forced_by(description.needs), stage);
   if (!prepared) return prepared;
   if (description.lights)
     prepared = with_lights(*prepared, description.lights_from((*prepared)->world().origin));

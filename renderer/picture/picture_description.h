@@ -46,6 +46,7 @@ struct PictureDescription {
   NeedsChoice needs = NeedsChoice::scene;
   std::optional<std::vector<Light>> lights;  ///< in place of the scene's own; none: its own
   std::optional<MaterialDfrs> dfrs;          ///< in place of its materials' own; none: their own
+  std::optional<ClipTime> time;              ///< of what moves; none: as the file's nodes place it
   PictureDisplay display;
 
   /// The camera and the lights relative to another origin.
@@ -70,9 +71,13 @@ struct PictureDescription {
 /// Why the scene of the picture in `file` could not be loaded.
 [[nodiscard]] Error scene_of_picture_error(const std::string& file, const Error& error);
 
-/// The scene that was loaded, made ready, lit and blurring as the picture says. Errors name its
-/// file.
+/// The scene that was loaded, at rest and with its rig where the picture is of another time, made
+/// ready, lit and blurring as the picture says. Errors name its file.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
     const Scene& scene, const PictureDescription& description);
+/// The same of a scene that is at the picture's time already, on the stage of the one at rest;
+/// null: on its own.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
+    const Scene& scene, const PictureDescription& description, const Stage* stage);
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/boundary_features.h"
+#include "renderer/prepared/stage.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
 #include "renderer/shading/mip_chain.h"
@@ -9,6 +10,7 @@
 #include "renderer/world/world.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,8 +33,12 @@ struct Geometry {
   SceneNotes notes;  ///< of the file; see notes_of
   std::string name;
   std::string source;
-  double build_seconds = 0.0;   ///< without the boundaries
-  BoundaryFeatures boundaries;  ///< last: their search ends before what it looks at goes
+  SceneContents contents;        ///< of the file
+  std::optional<ClipTime> time;  ///< see Scene::time
+  std::shared_ptr<Rig> rig;      ///< see Scene::rig
+  Stage stage;                   ///< for the scene at other times
+  double build_seconds = 0.0;    ///< without the boundaries
+  BoundaryFeatures boundaries;   ///< last: their search ends before what it looks at goes
 
   /// Of geometry, textures with their mip chains, and both hierarchies as far as they are there.
   [[nodiscard]] double memory_mb() const;

@@ -46,30 +46,37 @@ Error boundaries_error(const RenderScene& scene) {
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
-                                                             const SceneNeeds& forced) {
+                                                             const SceneNeeds& forced,
+                                                             const Stage* stage) {
   const auto start = std::chrono::steady_clock::now();
-  auto flattened = flatten(scene);
+  auto flattened =
+      stage ? flatten(scene, most_triangles, stage->origin) : flatten(scene, most_triangles);
   if (!flattened) return unexpected(flattened.error());
 
   // Emissive meshes light every scene; only those that show a light of the file do not.
   std::vector<Light> lights = std::move(flattened->lights);
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
-  const bool rig = needs_rig(flattened->world, lights, emissive);
+  Stage own;
+  own.origin = flattened->world.origin;
+  own.lit_by_rig = stage ? stage->lit_by_rig : needs_rig(flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
   // After the emitters: how finely these are sampled depends on whether there are colours.
   auto geometry = build_geometry(std::move(flattened->world), lights, forced);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
-  if (rig) {
-    for (Light& light : rig_for(built.world, built.rays)) lights.push_back(std::move(light));
-  }
+  if (own.lit_by_rig) own.rig = stage ? stage->rig : rig_for(built.world, built.rays);
+  lights.insert(lights.end(), own.rig.begin(), own.rig.end());
   Lighting lighting = prepare_lighting(built.world, std::move(lights));
-  lighting.default_rig = rig;
+  lighting.default_rig = own.lit_by_rig;
 
   built.name = scene.name;
   built.source = scene.source;
   built.notes = scene.notes;
+  built.contents = scene.contents;
+  built.time = scene.time;
+  built.rig = scene.rig;
+  built.stage = std::move(own);
   built.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return unedited_scene(*std::move(geometry), std::move(lighting), forced);
@@ -120,9 +127,10 @@ std::shared_ptr<const RenderScene> unedited_scene(std::shared_ptr<const Geometry
   return assembled(std::move(parts));
 }
 
-Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const SceneNeeds& forced) {
+Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const SceneNeeds& forced,
+                                                   const Stage* stage) {
   try {
-    return prepare_in_memory(scene, forced);
+    return prepare_in_memory(scene, forced, stage);
   } catch (const std::bad_alloc&) {
     return unexpected(memory_error(scene.source));
   }

@@ -78,8 +78,10 @@ struct RenderScene {
 /// where neither shines to speak of. Its boundaries are still looked for then.
 /// `forced`: what is kept and done although the scene does not need it, to test and to measure what
 /// leaving it out does; it does not change the picture.
+/// `stage`: that of the same scene at rest, where `scene` is it at another time; null: its own.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
-                                                                 const SceneNeeds& forced = {});
+                                                                 const SceneNeeds& forced = {},
+                                                                 const Stage* stage = nullptr);
 
 /// The same scene, once its boundaries are known. Errors: lack of memory for them.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_boundaries(

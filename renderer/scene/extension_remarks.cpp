@@ -44,11 +44,16 @@ constexpr std::array<Lack, 24> lacks{{
 
 }  // namespace
 
-std::string unsupported_line(std::string_view extension) {
-  std::string line = "not supported: " + printable(extension);
+std::string_view seen_without(std::string_view extension) {
   const auto* found = std::find_if(lacks.begin(), lacks.end(),
                                    [&](const Lack& lack) { return lack.extension == extension; });
-  if (found != lacks.end()) line += " (" + std::string(found->instead) + ")";
+  return found != lacks.end() ? found->instead : std::string_view();
+}
+
+std::string unsupported_line(std::string_view extension) {
+  std::string line = "not supported: " + printable(extension);
+  if (const auto instead = seen_without(extension); !instead.empty())
+    line += " (" + std::string(instead) + ")";
   return line;
 }
 

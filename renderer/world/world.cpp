@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace asos {
@@ -51,7 +52,8 @@ glm::dmat3 linear_part(const glm::dmat4& m) {
 
 class Flattener {
  public:
-  explicit Flattener(const Scene& scene) : scene_(scene) {}
+  Flattener(const Scene& scene, std::optional<glm::dvec3> origin)
+      : scene_(scene), given_origin_(origin) {}
 
   Result<FlattenedScene> run(std::uint64_t max_triangles) {
     if (std::string fault = scene_fault(scene_); !fault.empty()) return refuse(scene_, fault);
@@ -156,8 +158,10 @@ class Flattener {
       all.grow(box.hi);
       boxes.push_back(box);
     }
+    if (given_origin_) world_.origin = *given_origin_;
     if (boxes.empty()) return {};
-    world_.origin = choose_origin(boxes, all.middle());
+    given_origin_ ? all.grow(*given_origin_)
+                  : void(world_.origin = choose_origin(boxes, all.middle()));
     const double extent = all.extent();
     if (!(extent <= largest_coordinate)) {
       return fmt::format("is {:g} units across, too large for single precision; the limit is {:g}",
@@ -343,6 +347,7 @@ class Flattener {
   }
 
   const Scene& scene_;
+  const std::optional<glm::dvec3> given_origin_;
   World world_;
   std::vector<std::vector<ShapeFace>> faces_;       // one an instance; empty: drawn as triangles
   std::vector<std::unique_ptr<Mesh>> own_meshes_;   // of shapes drawn as triangles
@@ -359,8 +364,9 @@ MaterialDfrs dfrs_of(const World& world) {
   return dfrs;
 }
 
-Result<FlattenedScene> flatten(const Scene& scene, std::uint64_t max_triangles) {
-  return Flattener(scene).run(max_triangles);
+Result<FlattenedScene> flatten(const Scene& scene, std::uint64_t max_triangles,
+                               std::optional<glm::dvec3> origin) {
+  return Flattener(scene, origin).run(max_triangles);
 }
 
 }  // namespace asos

@@ -80,12 +80,16 @@ struct FlattenedScene {
   std::vector<Light> lights;
 };
 
+/// What `flatten` refuses by default.
+inline constexpr std::uint64_t most_triangles = 60'000'000;
+
 /// Flattens `scene`. Shapes become faces, but for boxes and for what shines or has no inverse,
 /// which become triangles. Refuses a scene with more triangles than `max_triangles`, and one whose
 /// placed positions do not fit a float. Zero-area triangles are kept: rays miss them, and their
-/// edges bound nothing.
+/// edges bound nothing. `origin`: that of the world, in place of one that suits its positions best.
 [[nodiscard]] Result<FlattenedScene> flatten(const Scene& scene,
-                                             std::uint64_t max_triangles = 60'000'000);
+                                             std::uint64_t max_triangles = most_triangles,
+                                             std::optional<glm::dvec3> origin = std::nullopt);
 
 /// The camera that frames all of `world` when the file has none: from front, right and above.
 [[nodiscard]] Camera default_camera(const World& world, double aspect_ratio);

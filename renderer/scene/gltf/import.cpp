@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -36,7 +37,7 @@ Checked<int> choose_scene(Document& doc, const LoadOptions& options) {
 }
 
 /// A file, and what an import learns of it once, whatever the time.
-class OpenFile final : public Rig {
+class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile> {
  public:
   OpenFile(std::string path, Document document, const LoadOptions& options)
       : path_(std::move(path)), doc_(std::move(document)), options_(options), accessors_(doc_) {}
@@ -94,6 +95,7 @@ class OpenFile final : public Rig {
       doc_.warnings = said_at_load_;
       Checked<Scene> scene = import(time);
       if (!scene) return unexpected(Error{path_, scene.error()});
+      scene->rig = shared_from_this();
       return std::move(*scene);
     } catch (const std::bad_alloc&) {
       return unexpected(Error{path_, "there is not enough memory for it"});

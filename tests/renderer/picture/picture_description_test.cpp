@@ -107,6 +107,7 @@ PictureDescription odd_description() {
   d.needs = NeedsChoice::all;
   d.lights = odd_lights();
   d.dfrs = MaterialDfrs{std::nullopt, Dfr{{DfrCurve{0.1, 0.9, 31.5}, {}, {}}, 1.0 / 3.0}};
+  d.time = ClipTime{3, 1.0 / 3.0};
   d.display = {-1.3f, true, SplitMapColours::cause, 0.4f};
   return d;
 }
@@ -118,6 +119,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
   const auto read = parse_description(text, "a.png");
   ASSERT_TRUE(read.has_value()) << read.error().message();
   EXPECT_EQ(read->scene, d.scene);
+  EXPECT_EQ(read->time, d.time);
   EXPECT_EQ(read->origin, d.origin);
   EXPECT_EQ(read->settings, d.settings);
   EXPECT_EQ(read->sky, d.sky);
@@ -265,6 +267,25 @@ TEST(PictureDescription, FilesThatSayNothingAreNamed) {
     const auto read = read_description(file);
     ASSERT_FALSE(read.has_value());
     EXPECT_EQ(read.error().subject, file);
+  }
+}
+
+TEST(PictureDescription, ATimeIsToldOnlyOfWhatMoves) {
+  PictureDescription d = odd_description();
+  d.time.reset();
+  EXPECT_EQ(description_text(d).find("animation"), std::string::npos);
+  EXPECT_FALSE(parse_description(description_text(d), "a.png")->time.has_value());
+  d.time = ClipTime{0, 2.0};
+  for (const auto& [key, value] : {std::pair<std::string, ordered_json>{"number", -1},
+                                   {"number", 1.5},
+                                   {"seconds", -0.5},
+                                   {"seconds", "soon"},
+                                   {"other", 1}}) {
+    ordered_json json = ordered_json::parse(description_text(d));
+    json["animation"][key] = value;
+    const auto read = parse_description(json.dump(), "a.png");
+    ASSERT_FALSE(read) << key;
+    EXPECT_NE(read.error().message().find("animation"), std::string::npos);
   }
 }
 

@@ -1,0 +1,77 @@
+#include "app/opened_scene.h"
+
+#include "app/scene_argument.h"
+#include "renderer/scene/rig.h"
+
+#include <utility>
+
+namespace asos {
+namespace {
+
+/// The moment of the picture whose settings are taken, if it is of the same scene.
+std::optional<ClipTime> time_of_from(const PictureArguments& wanted) {
+  const bool same = wanted.from && wanted.from->scene == wanted.scene;
+  return same ? wanted.from->time : std::nullopt;
+}
+
+}  // namespace
+
+Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
+  const std::optional<ClipTime> as_before = time_of_from(wanted);
+  const bool moves = wanted.clip.any() || as_before;
+  Result<Scene> scene = open_scene_argument(wanted.scene, moves);
+  if (!scene) return tl::unexpected(scene.error());
+  OpenedScene opened;
+  opened.at_rest_ = *std::move(scene);
+  opened.contents_ = opened.at_rest_.contents;
+  if (!moves) return opened;
+
+  opened.time_ = as_before.value_or(ClipTime{});
+  if (wanted.clip.animation || !as_before) {
+    const Result<int> animation =
+        find_animation(opened.contents_, wanted.scene, wanted.clip.animation);
+    if (!animation) return tl::unexpected(animation.error());
+    opened.time_->animation = *animation;
+  }
+  if (wanted.clip.seconds) opened.time_->seconds = *wanted.clip.seconds;
+  if (!opened.at_rest_.rig)
+    return tl::unexpected(Error{wanted.scene, "has no animations, so there is no such time of it"});
+  if (const auto staged = opened.go_on_stage(wanted); !staged)
+    return tl::unexpected(staged.error());
+  return opened;
+}
+
+Result<void> OpenedScene::go_on_stage(const PictureArguments& wanted) {
+  auto prepared = prepare(at_rest_, forced_by(wanted.needs));
+  if (!prepared) return tl::unexpected(prepared.error());
+  stage_ = *std::move(prepared);
+  at_rest_ = Scene{};
+  return {};
+}
+
+Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<ClipTime>& time,
+                                                           const PictureDescription& picture) {
+  if (newest_ && newest_->geometry->time == time) return newest_;
+  newest_.reset();
+  if (stage_) {
+    const Result<Scene> posed = stage_->geometry->rig->pose(time);
+    if (!posed) return tl::unexpected(posed.error());
+    auto prepared = prepare(*posed, picture, &stage_->geometry->stage);
+    if (!prepared) return prepared;
+    return newest_ = *std::move(prepared);
+  }
+  auto prepared = prepare(at_rest_, picture, nullptr);
+  if (!prepared) return prepared;
+  // What the author wrote is not needed any more.
+  at_rest_ = Scene{};
+  return newest_ = *std::move(prepared);
+}
+
+Result<Camera> OpenedScene::camera(const RenderScene& scene, const CameraChoice& choice,
+                                   double aspect_ratio) const {
+  const World& world = scene.world();
+  const bool framed = !choice.index && !choice.look_at && !choice.given && world.cameras.empty();
+  return choose_camera(stage_ && framed ? stage_->world() : world, choice, aspect_ratio);
+}
+
+}  // namespace asos

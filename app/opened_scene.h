@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/picture_options.h"
+#include "renderer/picture/picture_description.h"
+#include "renderer/prepared/render_scene.h"
+#include "renderer/result.h"
+#include "renderer/scene/scene.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// The scene of a command line, read once, to be rendered at one or at several moments.
+class OpenedScene {
+ public:
+  /// Reads it. Where the command line asks for some moment, the scene at rest is made ready, too:
+  /// it says where the picture is seen from and how it is lit if the file does not.
+  [[nodiscard]] static Result<OpenedScene> open(const PictureArguments& wanted);
+
+  /// The moment that is asked for, or that the picture is of that settings are taken from; none:
+  /// as the file's nodes place things.
+  [[nodiscard]] const std::optional<ClipTime>& time() const { return time_; }
+  [[nodiscard]] const SceneContents& contents() const { return contents_; }
+
+  /// The scene ready to render at that moment, lit as `picture` says; the one that was asked for
+  /// last is kept. Its boundaries may still be looked for.
+  [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
+                                                              const PictureDescription& picture);
+  /// The camera of a picture of `scene`, which is one of those above. Where the file has none, it
+  /// frames the scene at rest.
+  [[nodiscard]] Result<Camera> camera(const RenderScene& scene, const CameraChoice& choice,
+                                      double aspect_ratio) const;
+
+ private:
+  [[nodiscard]] Result<void> go_on_stage(const PictureArguments& wanted);
+
+  Scene at_rest_;  // of a scene that moves, its rig alone is kept
+  SceneContents contents_;
+  std::optional<ClipTime> time_;
+  std::shared_ptr<const RenderScene> stage_;  // the scene at rest, made ready; null: nothing moves
+  std::shared_ptr<const RenderScene> newest_;
+};
+
+}  // namespace asos
