@@ -56,11 +56,11 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
   if (stage_) {
     const Result<Scene> posed = stage_->geometry->rig->pose(time);
     if (!posed) return tl::unexpected(posed.error());
-    auto prepared = prepare(*posed, picture, &stage_->geometry->stage);
+    auto prepared = prepare_posed(*posed, picture, &stage_->geometry->stage);
     if (!prepared) return prepared;
     return newest_ = *std::move(prepared);
   }
-  auto prepared = prepare(at_rest_, picture, nullptr);
+  auto prepared = prepare_posed(at_rest_, picture, nullptr);
   if (!prepared) return prepared;
   // What the author wrote is not needed any more.
   at_rest_ = Scene{};

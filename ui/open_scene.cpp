@@ -8,7 +8,7 @@ namespace {
 
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
-  return [](const std::string& source) { return load_scene(source); };
+  return [](const std::string& source) { return load_scene(source, {.keep_rig = true}); };
 }
 
 }  // namespace

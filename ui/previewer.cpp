@@ -10,6 +10,7 @@ namespace asos {
 Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
     : scene_(std::move(hooks.load), hooks.wake, hooks.forced),
       edits_(scene_, settings, hooks.wake),
+      playback_(scene_, edits_, hooks.wake),
       viewpoint_(scene_, edits_.settings()),
       render_(hooks.wake, refinement_) {}
 
@@ -17,11 +18,15 @@ void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);
   if (const std::optional<OpenScene::Opened> opened = scene_.take_opened()) take_over(*opened);
   edits_.relight();
+  playback_.update(!render_.out_of_date(subject()) && !render_.first_picture_pending(),
+                   now_seconds);
+  viewpoint_.follow_chosen();
   render_.update(subject(), now_seconds);
 }
 
 void Previewer::take_over(const OpenScene::Opened& opened) {
   edits_.adopt_scene(opened.picture);
+  playback_.adopt_scene(opened.reloaded);
   if (opened.picture) {
     viewpoint_.take_over(opened.picture->camera_from(scene_->world().origin));
   } else if (!opened.reloaded) {
@@ -44,6 +49,7 @@ PreviewRender::Subject Previewer::subject() const {
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   // A change that waits for the first picture goes on with the next tiles: look again at once.
   if (render_.out_of_date(subject()) || edits_.relighting()) return 0.0;
+  if (playback_.playing()) return Playback::frame_seconds;
   std::optional<double> due = viewpoint_.seconds_to_settle(now_seconds);
   if (const std::optional<double> limit = refinement_.seconds_to_limit(render_.progress()))
     due = std::min(due.value_or(*limit), *limit);

@@ -3,6 +3,7 @@
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
 #include "ui/open_scene.h"
+#include "ui/playback.h"
 #include "ui/preview_render.h"
 #include "ui/refinement.h"
 #include "ui/scene_edits.h"
@@ -29,6 +30,8 @@ class Previewer {
   [[nodiscard]] const OpenScene& scene() const { return scene_; }
   [[nodiscard]] SceneEdits& edits() { return edits_; }
   [[nodiscard]] const SceneEdits& edits() const { return edits_; }
+  [[nodiscard]] Playback& playback() { return playback_; }
+  [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] Viewpoint& viewpoint() { return viewpoint_; }
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
   [[nodiscard]] Refinement& refinement() { return refinement_; }
@@ -51,6 +54,7 @@ class Previewer {
   // Each refers to some of those before it.
   OpenScene scene_;
   SceneEdits edits_;
+  Playback playback_;
   Viewpoint viewpoint_;
   Refinement refinement_;
   PreviewRender render_;

@@ -11,6 +11,11 @@ void Relighter::start_from(const SceneLook& look) {
   dfrs_asked_for_ = look.dfrs_revision;
 }
 
+void Relighter::start_over(std::uint64_t lights_revision, std::uint64_t dfrs_revision) {
+  lights_asked_for_ = lights_of_scene_ = lights_revision;
+  dfrs_asked_for_ = dfrs_revision;
+}
+
 bool Relighter::pending(const SceneLook& look) const {
   return !asked_for(look) || job_.pending();
 }

@@ -32,6 +32,8 @@ class Relighter {
 
   /// A scene that has this look has just been opened.
   void start_from(const SceneLook& look);
+  /// The scene has been replaced by itself at another time, which has the look of these revisions.
+  void start_over(std::uint64_t lights_revision, std::uint64_t dfrs_revision);
   /// Hands the scene over in the look that is finished, or tells it the error, and asks for `look`
   /// where that is newer than what was asked for. Call once or more a frame.
   void update(OpenScene& scene, const SceneLook& look);

@@ -5,6 +5,7 @@
 #include "ui/open_scene.h"
 #include "ui/relighter.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -41,6 +42,15 @@ class SceneEdits {
   [[nodiscard]] bool relighting() const { return relighter_.pending(now_.look); }
   /// Gives the scene the newest lights and materials, in the background. Call once or more a frame.
   void relight() { relighter_.update(scene_, now_.look); }
+  /// The edits of lights and materials that a scene has.
+  struct Revisions {
+    std::uint64_t lights = 0, dfrs = 0;
+  };
+  [[nodiscard]] Revisions revisions() const {
+    return {now_.look.lights_revision, now_.look.dfrs_revision};
+  }
+  /// The open scene at another time has taken its place, with these edits.
+  void scene_has(const Revisions& edits) { relighter_.start_over(edits.lights, edits.dfrs); }
   /// Starts from the scene that has just been opened: from its lights and materials, and from the
   /// settings of the saved picture that it came with, if any. Only with a scene.
   void adopt_scene(const std::optional<PictureDescription>& picture);

@@ -56,8 +56,17 @@ void Viewpoint::choose_camera(int index) {
   chosen_revision_ = camera_.revision();
 }
 
+void Viewpoint::follow_chosen() {
+  if (!scene_ || chosen_camera_ < 0 || left_chosen()) return;
+  const std::vector<Camera>& cameras = scene_->world().cameras;
+  const auto index = static_cast<std::size_t>(chosen_camera_);
+  if (index >= cameras.size() || cameras[index].world_from_camera == chosen_placed_) return;
+  take_over(cameras[index], chosen_camera_);
+}
+
 void Viewpoint::take_over(const Camera& camera, int index) {
   chosen_camera_ = index;
+  chosen_placed_ = camera.world_from_camera;
   const World& world = scene_->world();
   // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
   const double radius = radius_of(world.bounds);
@@ -135,10 +144,13 @@ void Viewpoint::set_pivot_at(double x, double y) {
   if (hit.valid()) camera_.look_at(glm::dvec3(view().ray(x, y).at(hit.t)));
 }
 
-// The same framing in a picture of another shape is no change that a person made.
+// The same framing in a picture of another shape is no change that a person made, nor is what the
+// scene does to the camera that is looked through.
 bool Viewpoint::same_as(const State& state) const {
   return camera_.revision() == state.camera.revision() ||
-         (framing() != 0 && framing() == state.framing);
+         (framing() != 0 && framing() == state.framing) ||
+         (chosen_camera_ >= 0 && chosen_camera_ == state.chosen_camera && !left_chosen() &&
+          state.camera.revision() == state.chosen_revision);
 }
 
 void Viewpoint::restore(const State& state) {

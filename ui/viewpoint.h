@@ -27,6 +27,9 @@ class Viewpoint {
   [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
   /// Whether the camera has been moved since then.
   [[nodiscard]] bool left_chosen() const { return camera_.revision() != chosen_revision_; }
+  /// Goes with the chosen camera where the scene moves it and nobody else has. Call once or more a
+  /// frame.
+  void follow_chosen();
   /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
   /// scene.
   void take_over(const Camera& camera, int index = -1);
@@ -83,6 +86,7 @@ class Viewpoint {
   OrbitCamera camera_;
   int chosen_camera_ = -1;
   std::uint64_t chosen_revision_ = 0;  // of the camera, when it was taken over
+  glm::dmat4 chosen_placed_{1.0};      // where it was then
   std::uint64_t framings_ = 0;         // counts them
   std::uint64_t framing_ = 0;          // the last one
   std::uint64_t framed_revision_ = 0;  // of the camera, when the scene was framed last

@@ -77,7 +77,7 @@ struct PictureDescription {
     const Scene& scene, const PictureDescription& description);
 /// The same of a scene that is at the picture's time already, on the stage of the one at rest;
 /// null: on its own.
-[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare_posed(
     const Scene& scene, const PictureDescription& description, const Stage* stage);
 
 }  // namespace asos

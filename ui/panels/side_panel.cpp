@@ -1,5 +1,6 @@
 #include "ui/panels/side_panel.h"
 
+#include "ui/panels/timeline_panel.h"
 #include "ui/screenshot.h"
 #include "ui/split_check.h"
 #include "ui/view_study.h"
@@ -50,6 +51,7 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
 void sections(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
   if (scene) warnings_panel(controls, notes_of(*scene));
+  timeline_panel(controls, previewer.playback());
   antialiasing_panel(controls, previewer, jobs.forecast);
   refinement_panel(controls, previewer);
   lights_panel(controls, previewer, state.lights, state.picked);

@@ -1,0 +1,208 @@
+#include "tests/renderer/scene/moving_file.h"
+#include "tests/ui/test_scenes.h"
+#include "tests/ui/ui_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace asos::test::timeline_test {
+namespace {
+
+/// A square that slides two units to the right in a second, then stands still for another; and, by
+/// a second animation, a camera that goes back. A point light lights it.
+GltfBuilder sliding() {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  b.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 30}}};
+  b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
+  b.json["nodes"].push_back({{"camera", 0}, {"translation", {1.5, 0.5, 6}}});
+  b.json["nodes"].push_back(
+      {{"translation", {0, 1, 3}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  b.json["scenes"][0]["nodes"] = {0, 1, 2};
+  add_channel(b, 0, "translation", b.scalars({0, 1, 2}), b.vec3({{0, 0, 0}, {2, 0, 0}, {2, 0, 0}}));
+  b.json["animations"][0]["name"] = "Slide";
+  b.json["animations"].push_back(b.json["animations"][0]);
+  b.json["animations"][1]["name"] = "Dolly";
+  b.json["animations"][1]["channels"][0]["target"]["node"] = 1;
+  return b;
+}
+
+class Timeline : public testing::Test {
+ protected:
+  Timeline() {
+    rig.set_blind(true);
+    rig.previewer().edits().settings().asos.max_level = 1;
+    open("moving");
+  }
+  void open(const std::string& source) {
+    const std::uint64_t opened = rig.previewer().scene().times_opened();
+    rig.previewer().scene().open(source);
+    EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+    EXPECT_TRUE(rig.settle());
+  }
+  OpenScene& scene() { return rig.previewer().scene(); }
+  Playback& playback() { return rig.previewer().playback(); }
+  [[nodiscard]] bool has(const std::string& control) {
+    return rig.content().controls().all().contains(control);
+  }
+  /// Frames until the picture of the wanted moment is finished.
+  void arrive() {
+    EXPECT_TRUE(rig.frames_until([&] { return !playback().posing(); }));
+    EXPECT_TRUE(rig.settle());
+    EXPECT_EQ(scene()->geometry->time, playback().time());
+  }
+  /// Where the square's first corner is, in the author's coordinates.
+  double corner_x() {
+    const World& world = scene()->world();
+    return world.origin.x + static_cast<double>(world.parts.at(0).bounds.lo.x);
+  }
+  std::vector<glm::vec3> picture() { return rig.previewer().render().film().radiance; }
+
+  UiRig rig{[](const std::string& source) -> Result<Scene> {
+              if (source == "still") return two_triangles({1, 0, 0}, source);
+              return with_rig(sliding());
+            },
+            {660, 700}};
+};
+
+TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
+  for (const char* name :
+       {"Clip", "Play", "Step on", "Step back", "Loop", "Speed", "Frames a second"}) {
+    EXPECT_TRUE(rig.control(name).has_tooltip) << name;
+  }
+  EXPECT_FALSE(has("Time")) << "at rest there is no time";
+  open("still");
+  EXPECT_FALSE(has("Clip"));
+  EXPECT_FALSE(has("section/Animation"));
+  playback().set_playing(true);
+  playback().seek(1.0);
+  EXPECT_FALSE(playback().playing());
+  EXPECT_FALSE(playback().time().has_value());
+}
+
+TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
+  const std::vector<glm::vec3> rest = picture();
+  playback().seek(0.5);
+  arrive();
+  EXPECT_NEAR(corner_x(), 1.0, 1e-5);
+  const std::vector<glm::vec3> half = picture();
+  EXPECT_NE(half, rest);
+  const Controls::Placed slider = rig.control("Time");
+  rig.drag(slider.centre(), {slider.hi.x + 100.0f, slider.centre().y});
+  EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0);
+  arrive();
+  EXPECT_NEAR(corner_x(), 2.0, 1e-5);
+  playback().seek(0.5);
+  arrive();
+  EXPECT_EQ(picture(), half) << "whatever came between";
+  playback().choose(-1);
+  arrive();
+  EXPECT_EQ(picture(), rest);
+  EXPECT_NEAR(corner_x(), 0.0, 1e-5);
+}
+
+TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
+  rig.click("Play");
+  ASSERT_TRUE(playback().playing());
+  std::set<double> moments;
+  EXPECT_TRUE(rig.frames_until([&] {
+    if (scene()->geometry->time) moments.insert(scene()->geometry->time->seconds);
+    return moments.size() >= 4;
+  }));
+  rig.click("Pause animation");
+  ASSERT_FALSE(playback().playing());
+  const double seconds = playback().time()->seconds;
+  arrive();
+  EXPECT_EQ(playback().time()->seconds, seconds);
+  EXPECT_TRUE(rig.previewer().render().progress().finished);
+  EXPECT_TRUE(rig.sleeps()) << "a paused window is idle";
+}
+
+TEST_F(Timeline, EndsOrBeginsAgain) {
+  playback().options() = {false, 4.0, 24.0};
+  playback().set_playing(true);
+  EXPECT_TRUE(rig.frames_until([&] { return !playback().playing(); }));
+  EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0);
+  // From its end it begins anew.
+  playback().set_playing(true);
+  EXPECT_EQ(playback().time()->seconds, 0.0);
+  playback().options().loop = true;
+  double before = 0.0;
+  EXPECT_TRUE(rig.frames_until([&] {
+    const double now = playback().time()->seconds;
+    const bool again = now < before;
+    before = now;
+    return again;
+  }));
+  EXPECT_TRUE(playback().playing());
+  EXPECT_LT(before, 2.0);
+}
+
+TEST_F(Timeline, StepsByWholeFrames) {
+  playback().seek(0.05);  // between the first and the second of 24 a second
+  arrive();
+  rig.click("Step on");
+  EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0 / 24);
+  rig.click("Step on");
+  EXPECT_DOUBLE_EQ(playback().time()->seconds, 3.0 / 24);
+  rig.click("Step back");
+  EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0 / 24);
+  playback().step(-9);
+  EXPECT_EQ(playback().time()->seconds, 0.0);
+  playback().step(1000);
+  EXPECT_EQ(playback().time()->seconds, 2.0);
+  EXPECT_FALSE(playback().playing());
+}
+
+TEST_F(Timeline, TheCameraThatIsLookedThroughMovesWithIt) {
+  playback().choose(1);
+  playback().seek(0.5);
+  arrive();
+  const auto eye_x = [&] {
+    return rig.previewer().viewpoint().camera().camera().world_from_camera[3].x +
+           scene()->world().origin.x;
+  };
+  EXPECT_NEAR(eye_x(), 1.0, 1e-6);
+  EXPECT_FALSE(rig.previewer().viewpoint().left_chosen());
+  // One that was moved by hand stays.
+  rig.previewer().viewpoint().frame_all();
+  const double there = eye_x();
+  playback().seek(1.0);
+  arrive();
+  EXPECT_EQ(eye_x(), there);
+}
+
+TEST_F(Timeline, EditsOfLightsLast) {
+  ASSERT_EQ(scene()->lights().size(), 1u);
+  rig.previewer().edits().edit_lights().at(0).light.intensity = 7.0f;
+  EXPECT_TRUE(rig.settle());
+  EXPECT_EQ(scene()->lights().at(0).intensity, 7.0f);
+  playback().seek(0.25);
+  arrive();
+  EXPECT_EQ(scene()->lights().at(0).intensity, 7.0f);
+  rig.previewer().edits().reset_lights();
+  EXPECT_TRUE(rig.settle());
+  EXPECT_EQ(scene()->lights().at(0).intensity, 30.0f);
+}
+
+TEST_F(Timeline, PicturesSayTheirMoment) {
+  EXPECT_FALSE(rig.previewer().render().description({}).time.has_value());
+  playback().seek(0.75);
+  arrive();
+  EXPECT_EQ(rig.previewer().render().description({}).time, (ClipTime{0, 0.75}));
+}
+
+TEST_F(Timeline, ReloadingKeepsTheMoment) {
+  playback().seek(0.5);
+  arrive();
+  const std::uint64_t opened = scene().times_opened();
+  scene().reload();
+  EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+  arrive();
+  EXPECT_EQ(playback().time(), (ClipTime{0, 0.5}));
+  EXPECT_NEAR(corner_x(), 1.0, 1e-5);
+}
+
+}  // namespace
+}  // namespace asos::test::timeline_test

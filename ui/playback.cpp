@@ -1,0 +1,158 @@
+#include "ui/playback.h"
+
+#include "renderer/scene/rig.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+double elapsed_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// As the scene's look was edited, on another pose of it.
+Result<std::shared_ptr<const RenderScene>> with_look(
+    std::shared_ptr<const RenderScene> scene, const std::optional<std::vector<Light>>& lights,
+    const std::optional<MaterialDfrs>& dfrs) {
+  Result<std::shared_ptr<const RenderScene>> edited = std::move(scene);
+  if (lights) edited = with_lights(*edited, *lights);
+  if (edited && dfrs) edited = with_dfrs(*edited, *dfrs);
+  return edited;
+}
+
+}  // namespace
+
+Playback::Playback(OpenScene& scene, SceneEdits& edits, std::function<void()> wake)
+    : scene_(scene), edits_(edits), job_(posed, std::move(wake), Overtaken::dropped) {}
+
+const std::vector<SceneContents::Animation>& Playback::animations() const {
+  static const std::vector<SceneContents::Animation> none;
+  return available() ? scene_->geometry->contents.animations : none;
+}
+
+double Playback::duration_seconds() const {
+  if (!time_ || !available()) return 0.0;
+  return animations()[static_cast<std::size_t>(time_->animation)].seconds;
+}
+
+void Playback::choose(int animation) {
+  if (animation >= static_cast<int>(animations().size())) return;
+  has_failed_ = false;
+  if (animation < 0) {
+    time_.reset();
+    playing_ = false;
+  } else {
+    time_ = ClipTime{animation, 0.0};
+  }
+}
+
+void Playback::seek(double seconds) {
+  if (!available() || !std::isfinite(seconds)) return;
+  if (!time_) choose(0);
+  has_failed_ = false;
+  time_->seconds = std::clamp(seconds, 0.0, duration_seconds());
+}
+
+void Playback::step(int frames) {
+  set_playing(false);
+  const double now = time_ ? time_->seconds : 0.0;
+  // From between two frames to the next one, not past it.
+  const double at = now * options_.fps, whole = std::round(at);
+  const double from = std::abs(at - whole) < 1e-6 ? whole
+                      : frames > 0                ? std::floor(at)
+                                                  : std::ceil(at);
+  seek((from + frames) / options_.fps);
+}
+
+void Playback::set_playing(bool playing) {
+  if (!available()) return;
+  playing_ = playing;
+  if (!playing) return;
+  const bool at_end = time_ && !options_.loop && time_->seconds >= duration_seconds();
+  if (!time_ || at_end) seek(0.0);
+}
+
+void Playback::adopt_scene(bool again) {
+  const std::size_t count = animations().size();
+  const bool keeps = again && time_ && static_cast<std::size_t>(time_->animation) < count;
+  if (!keeps) time_ = scene_->geometry->time;
+  playing_ = playing_ && keeps;
+  has_failed_ = false;
+  if (keeps) seek(time_->seconds);
+}
+
+void Playback::update(bool covered, double now_seconds) {
+  const double passed = updated_seconds_ ? now_seconds - *updated_seconds_ : 0.0;
+  updated_seconds_ = now_seconds;
+  if (!available()) return;
+  take_pose();
+  if (playing_) let_time_pass(std::max(0.0, passed));
+  if (posing() && !job_.pending() && (covered || !playing_)) ask();
+}
+
+void Playback::let_time_pass(double seconds) {
+  const double end = duration_seconds();
+  double at = time_->seconds + seconds * std::clamp(options_.speed, slowest, fastest);
+  if (at >= end && !options_.loop) playing_ = false;
+  if (at >= end) at = options_.loop && end > 0.0 ? std::fmod(at, end) : end;
+  time_->seconds = at;
+}
+
+bool Playback::posing() const {
+  if (!available() || scene_->geometry->time == time_) return false;
+  return !(has_failed_ && failed_ == time_);
+}
+
+void Playback::ask() {
+  Request request{scene_.shared(),      time_, std::nullopt, std::nullopt, edits_.revisions(),
+                  scene_.times_opened()};
+  if (scene_->lighting != scene_->own_lighting) request.lights = lights_on(edits_.lights());
+  if (edits_.dfrs() != dfrs_of(scene_->world())) request.dfrs = edits_.dfrs();
+  job_.ask(std::move(request));
+}
+
+Playback::Pose Playback::posed(const Request& request) {
+  Pose pose{request.from, request.time, request.look, request.opened, 0.0, 0.0};
+  const Geometry& geometry = *request.from->geometry;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    Result<Scene> scene = geometry.rig->pose(request.time);
+    pose.pose_seconds = elapsed_since(start);
+    if (!scene) {
+      pose.scene = unexpected(scene.error());
+      return pose;
+    }
+    pose.scene =
+        prepare(*scene, request.from->forced, &geometry.stage).and_then([&](auto prepared) {
+          return with_look(std::move(prepared), request.lights, request.dfrs);
+        });
+  } catch (const std::bad_alloc&) {
+    pose.scene = unexpected(Error{geometry.source, "not enough memory for another time of it"});
+  }
+  pose.prepare_seconds = elapsed_since(start) - pose.pose_seconds;
+  return pose;
+}
+
+void Playback::take_pose() {
+  std::optional<Pose> pose = job_.take_outcome();
+  // Another scene may have been opened meanwhile.
+  if (!pose || pose->opened != scene_.times_opened()) return;
+  if (!pose->scene) {
+    scene_.report(pose->scene.error());
+    failed_ = pose->time;
+    has_failed_ = true;
+    playing_ = false;
+    return;
+  }
+  scene_.relight(std::move(*pose->scene));
+  edits_.scene_has(pose->look);
+  pose_seconds_ = pose->pose_seconds;
+  prepare_seconds_ = pose->prepare_seconds;
+}
+
+}  // namespace asos
