@@ -2,6 +2,7 @@
 
 #include "app/scene_argument.h"
 #include "renderer/scene/rig.h"
+#include "renderer/world/framing.h"
 
 #include <utility>
 
@@ -38,6 +39,9 @@ Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
     return tl::unexpected(Error{wanted.scene, "has no animations, so there is no such time of it"});
   if (const auto staged = opened.go_on_stage(wanted); !staged)
     return tl::unexpected(staged.error());
+  const CameraChoice& camera = wanted.camera;
+  if (!camera.index && !camera.look_at && !as_before && opened.stage_->world().cameras.empty())
+    opened.frame_animation();
   return opened;
 }
 
@@ -47,6 +51,23 @@ Result<void> OpenedScene::go_on_stage(const PictureArguments& wanted) {
   stage_ = *std::move(prepared);
   at_rest_ = Scene{};
   return {};
+}
+
+void OpenedScene::frame_animation() {
+  constexpr int moments = 8;
+  const auto& clip = contents_.animations[static_cast<std::size_t>(time_->animation)];
+  const Geometry& at_rest = *stage_->geometry;
+  for (int i = 0; i <= moments; ++i) {
+    const Result<Scene> posed =
+        at_rest.rig->pose(ClipTime{time_->animation, clip.seconds * i / moments});
+    if (!posed) continue;  // a moment of which nothing can be drawn
+    Result<FlattenedScene> flat = flatten(*posed, most_triangles, at_rest.stage.origin);
+    if (!flat || flat->world.bounds.empty()) continue;
+    if (framed_)
+      frame_also(*framed_, flat->world);
+    else
+      framed_ = std::move(flat->world);
+  }
 }
 
 Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<ClipTime>& time,
@@ -71,7 +92,7 @@ Result<Camera> OpenedScene::camera(const RenderScene& scene, const CameraChoice&
                                    double aspect_ratio) const {
   const World& world = scene.world();
   const bool framed = !choice.index && !choice.look_at && !choice.given && world.cameras.empty();
-  return choose_camera(stage_ && framed ? stage_->world() : world, choice, aspect_ratio);
+  return choose_camera(framed_ && framed ? *framed_ : world, choice, aspect_ratio);
 }
 
 }  // namespace asos

@@ -30,17 +30,19 @@ class OpenedScene {
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
   /// The camera of a picture of `scene`, which is one of those above. Where the file has none, it
-  /// frames the scene at rest.
+  /// frames all of the animation that is shown.
   [[nodiscard]] Result<Camera> camera(const RenderScene& scene, const CameraChoice& choice,
                                       double aspect_ratio) const;
 
  private:
   [[nodiscard]] Result<void> go_on_stage(const PictureArguments& wanted);
+  void frame_animation();
 
   Scene at_rest_;  // of a scene that moves, its rig alone is kept
   SceneContents contents_;
   std::optional<ClipTime> time_;
   std::shared_ptr<const RenderScene> stage_;  // the scene at rest, made ready; null: nothing moves
+  std::optional<World> framed_;               // at several times of the animation
   std::shared_ptr<const RenderScene> newest_;
 };
 

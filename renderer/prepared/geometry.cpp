@@ -20,7 +20,7 @@ std::size_t bytes_of(const World& world) {
       bytes_of(world.positions) + bytes_of(world.normals) + bytes_of(world.tangents) +
       bytes_of(world.texcoords[0]) + bytes_of(world.texcoords[1]) + bytes_of(world.colors) +
       bytes_of(world.triangles) + bytes_of(world.triangle_part) + bytes_of(world.parts);
-  for (const Image& image : world.images) bytes += bytes_of(image.rgba);
+  for (const Image& image : world.images) bytes += bytes_of(image.rgba.get());
   return bytes;
 }
 
@@ -40,7 +40,7 @@ double Geometry::memory_mb() const {
 }
 
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
-                                                 const SceneNeeds& forced) {
+                                                 const SceneNeeds& forced, const MipChains* known) {
   auto geometry = std::make_shared<Geometry>();
   geometry->needs = find_needs(world);  // White colours that are asked for are not colours.
   if (!forced.unused_images) release_unused_images(world);
@@ -48,8 +48,9 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   geometry->world = std::move(world);
 
   // Neither of the two needs the other.
-  auto mips = std::async(std::launch::async,
-                         [&] { return MipChains(geometry->world, geometry->needs.with(forced)); });
+  auto mips = std::async(std::launch::async, [&] {
+    return MipChains(geometry->world, geometry->needs.with(forced), known);
+  });
   geometry->object_spheres = object_spheres(geometry->world);
   auto rays = RayScene::build(geometry->world, alpha_at, lights, forced);
   geometry->mips = mips.get();

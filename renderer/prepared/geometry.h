@@ -46,9 +46,10 @@ struct Geometry {
 
 /// Builds all that follows from a world but for the boundaries, which go on being looked for;
 /// notes, names and the time are left to the caller. `lights`, `forced` and errors: as
-/// RayScene::build's.
+/// RayScene::build's; `known`: as MipChains's.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(World world,
                                                                std::span<const Light> lights,
-                                                               const SceneNeeds& forced);
+                                                               const SceneNeeds& forced,
+                                                               const MipChains* known = nullptr);
 
 }  // namespace asos

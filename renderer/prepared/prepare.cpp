@@ -62,7 +62,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
   // After the emitters: how finely these are sampled depends on whether there are colours.
-  auto geometry = build_geometry(std::move(flattened->world), lights, forced);
+  auto geometry =
+      build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
   if (own.lit_by_rig) own.rig = stage ? stage->rig : rig_for(built.world, built.rays);
@@ -76,6 +77,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   built.contents = scene.contents;
   built.time = scene.time;
   built.rig = scene.rig;
+  own.mips = built.mips;
   built.stage = std::move(own);
   built.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

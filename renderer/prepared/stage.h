@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
+#include "renderer/shading/mip_chain.h"
 
 #include <glm/glm.hpp>
 
@@ -14,6 +15,7 @@ struct Stage {
   glm::dvec3 origin{0.0};   ///< World::origin
   bool lit_by_rig = false;  ///< next to no light comes from the scene itself
   std::vector<Light> rig;   ///< then these are there, too; relative to the origin
+  MipChains mips;           ///< of its images
 };
 
 }  // namespace asos

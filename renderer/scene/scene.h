@@ -3,6 +3,7 @@
 #include "renderer/geometry/camera.h"
 #include "renderer/geometry/shape.h"
 #include "renderer/scene/contents.h"
+#include "renderer/scene/shared_bytes.h"
 
 #include <glm/glm.hpp>
 
@@ -26,7 +27,7 @@ struct Image {
   std::string name;
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;
+  SharedBytes rgba;
 };
 
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };

@@ -148,7 +148,7 @@ MipChain make_mip_chain(const Image& image, TexelKind kind) {
   return chain;
 }
 
-MipChains::MipChains(const World& world, const SceneNeeds& needs) {
+MipChains::MipChains(const World& world, const SceneNeeds& needs, const MipChains* known) {
   if (!needs.mip_chains) return;
   std::set<ImageUse> uses;
   for (const Part& part : world.parts) {
@@ -156,22 +156,28 @@ MipChains::MipChains(const World& world, const SceneNeeds& needs) {
   }
   chains_.resize(world.images.size());
   for (const auto& [image, kind] : uses) {
-    const auto i = static_cast<std::size_t>(image);
-    chains_[i][static_cast<std::size_t>(kind)] = make_mip_chain(world.images[i], kind);
+    const auto i = static_cast<std::size_t>(image), k = static_cast<std::size_t>(kind);
+    if (known && i < known->chains_.size()) chains_[i][k] = known->chains_[i][k];
+    if (!chains_[i][k])
+      chains_[i][k] = std::make_shared<const MipChain>(make_mip_chain(world.images[i], kind));
   }
 }
 
 const MipChain& MipChains::chain(int image, TexelKind kind) const {
   static const MipChain none;
   const auto i = static_cast<std::size_t>(image);
-  return i < chains_.size() ? chains_[i][static_cast<std::size_t>(kind)] : none;
+  if (i >= chains_.size()) return none;
+  const Shared& chain = chains_[i][static_cast<std::size_t>(kind)];
+  return chain ? *chain : none;
 }
 
 std::size_t MipChains::memory_bytes() const {
   std::size_t bytes = chains_.capacity() * sizeof(chains_[0]);
   for (const auto& kinds : chains_) {
-    for (const MipChain& chain : kinds)
-      for (const MipLevel& level : chain) bytes += level.rgba.capacity() * sizeof(std::uint16_t);
+    for (const Shared& chain : kinds) {
+      if (!chain) continue;
+      for (const MipLevel& level : *chain) bytes += level.rgba.capacity() * sizeof(std::uint16_t);
+    }
   }
   return bytes;
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace asos {
@@ -47,18 +48,21 @@ struct MipLevel {
 using MipChain = std::vector<MipLevel>;
 [[nodiscard]] MipChain make_mip_chain(const Image& image, TexelKind kind);
 
-/// The chains of a world's images, each in the kinds that materials on triangles use it as.
+/// The chains of a world's images, each in the kinds that materials on triangles use it as. A small
+/// value: copies share the chains.
 class MipChains {
  public:
   MipChains() = default;
-  MipChains(const World& world, const SceneNeeds& needs);
+  /// `known`: those of a world with the same images, which are not made again; null: none.
+  MipChains(const World& world, const SceneNeeds& needs, const MipChains* known = nullptr);
 
   /// Empty where nothing uses `image` as `kind`.
   [[nodiscard]] const MipChain& chain(int image, TexelKind kind) const;
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  std::vector<std::array<MipChain, texel_kinds>> chains_;  // by image
+  using Shared = std::shared_ptr<const MipChain>;        // null: nothing uses it
+  std::vector<std::array<Shared, texel_kinds>> chains_;  // by image
 };
 
 /// The kind of a material's base colour texture.

@@ -26,7 +26,7 @@ Image row(const std::vector<std::uint8_t>& greys) {
   image.width = static_cast<int>(greys.size());
   image.height = 1;
   for (const std::uint8_t grey : greys)
-    image.rgba.insert(image.rgba.end(), {grey, grey, grey, 255});
+    image.rgba.own().insert(image.rgba.own().end(), {grey, grey, grey, 255});
   return image;
 }
 

@@ -93,6 +93,14 @@ void add_surfaces(const World& world, Reach& reach) {
 
 }  // namespace
 
+void frame_also(World& world, const World& other) {
+  const auto first = static_cast<std::uint32_t>(world.positions.size());
+  world.positions.insert(world.positions.end(), other.positions.begin(), other.positions.end());
+  for (const glm::uvec3 triangle : other.triangles) world.triangles.push_back(triangle + first);
+  world.parts.insert(world.parts.end(), other.parts.begin(), other.parts.end());
+  world.bounds.grow(other.bounds);
+}
+
 FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio) {
   const double aspect = std::isfinite(aspect_ratio) && aspect_ratio > 0.0 ? aspect_ratio : 1.0;
   Box bounds = world.bounds;

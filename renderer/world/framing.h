@@ -19,4 +19,8 @@ struct FramedView {
 /// framed as if it were a unit cube; an aspect ratio that is none counts as 1.
 [[nodiscard]] FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio);
 
+/// Adds the surfaces of `other`, which has the same origin, to those that framing `world` looks at:
+/// the scene at several times is framed as one. `world` is good for nothing else then.
+void frame_also(World& world, const World& other);
+
 }  // namespace asos

@@ -252,7 +252,7 @@ bool needs_mirrors(const World& world, const MaterialDfrs& dfrs) {
 void release_unused_images(World& world) {
   const std::vector<bool> used = images_of_shown_materials(world);
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) world.images[i].rgba = std::vector<std::uint8_t>();
+    if (!used[i]) world.images[i].rgba = {};
   }
 }
 

@@ -119,10 +119,29 @@ TEST_F(Clip, AFrameAloneIsThatOfTheRunBitForBit) {
   EXPECT_TRUE(same("run-0004.png", "alone-0004.png"));
   EXPECT_TRUE(same("run-0004.png", "time.png"));
   EXPECT_FALSE(same("run-0004.png", "run-0005.png"));
-  // The camera and the lights, which the file does not have, are those of the scene at rest.
-  ASSERT_EQ(render("rest.png", {}).exit_code, 0);
-  ASSERT_EQ(render("start.png", {"--time", "0"}).exit_code, 0);
+  // The lights, which the file does not have, are those of the scene at rest.
+  const std::vector<std::string> look{"--look-at", "0.5,0.5,4,0.5,0.5,0"};
+  ASSERT_EQ(render("rest.png", look).exit_code, 0);
+  ASSERT_EQ(render("start.png", look + std::vector<std::string>{"--time", "0"}).exit_code, 0);
   EXPECT_TRUE(same("rest.png", "start.png"));
+}
+
+// The camera that the file does not have stands still and sees all of the way.
+TEST_F(Clip, TheWholeAnimationIsFramed) {
+  ASSERT_EQ(render("s.png", {"--animation", "Slide", "--frames", "2"}).exit_code, 0);
+  const PictureDescription first = read_description(path("s-0000.png")).value();
+  const PictureDescription last = read_description(path("s-0002.png")).value();
+  EXPECT_EQ(first.camera.world_from_camera, last.camera.world_from_camera);
+  EXPECT_EQ(first.origin, last.origin);
+  const glm::dmat4 camera_from_world = glm::inverse(first.camera.world_from_camera);
+  const double down = std::tan(0.5 * first.camera.fov_y_rad), across = down * 24 / 16;
+  for (const double x : {0.0, 2.0}) {  // the left end at first, the right one at last
+    for (const double y : {0.0, 1.0}) {
+      const glm::dvec4 p = camera_from_world * glm::dvec4(glm::dvec3(x, y, 0.0) - first.origin, 1);
+      EXPECT_LT(std::abs(p.x), -p.z * across) << x << " " << y;
+      EXPECT_LT(std::abs(p.y), -p.z * down) << x << " " << y;
+    }
+  }
 }
 
 TEST_F(Clip, PicturesKeepTheirTime) {

@@ -40,7 +40,7 @@ limit 'textures' '16384 pixels a side' $gltf/images.cpp 'largest_side = 16384;'
 limit 'textures' '1100 for each byte' $gltf/images.cpp 'most_pixels_per_byte = 1100;'
 limit 'skies' '2^26 pixels' renderer/shading/sky_file.cpp 'most_texels = std::int64_t{1} << 26;'
 limit 'triangles' '60 million' renderer/scene/load.h "max_triangles = 60'000'000;"
-limit 'objects' '4 million' $gltf/import.cpp "most_instances = 4'000'000;"
+limit 'objects' '4 million' $gltf/importer.cpp "most_instances = 4'000'000;"
 limit "a scene's extent" '1e15' renderer/geometry/coordinates.h 'largest_coordinate = 1e15;'
 limit 'how far off cameras and lights may stand' '1e15' renderer/geometry/coordinates.h \
   'largest_coordinate = 1e15;'

@@ -18,7 +18,7 @@ inline Image make_image(int width, int height, const std::function<Texel(int, in
   image.height = height;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      for (const std::uint8_t byte : texel(x, y)) image.rgba.push_back(byte);
+      for (const std::uint8_t byte : texel(x, y)) image.rgba.own().push_back(byte);
   return image;
 }
 

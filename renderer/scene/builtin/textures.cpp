@@ -42,15 +42,15 @@ double rough_noise(glm::dvec2 uv, glm::uvec2 cells, std::uint32_t seed) {
 template <typename Colour>
 Image painted(const std::string& name, Colour colour) {
   Image image{name, texels, texels, {}};
-  image.rgba.reserve(4ull * texels * texels);
+  image.rgba.own().reserve(4ull * texels * texels);
   for (int y = 0; y < texels; ++y) {
     for (int x = 0; x < texels; ++x) {
       const glm::dvec3 rgb = colour(glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(texels));
       for (int c = 0; c < 3; ++c) {
         const double byte = std::round(255.0 * std::clamp(rgb[c], 0.0, 1.0));
-        image.rgba.push_back(static_cast<std::uint8_t>(byte));
+        image.rgba.own().push_back(static_cast<std::uint8_t>(byte));
       }
-      image.rgba.push_back(255);
+      image.rgba.own().push_back(255);
     }
   }
   return image;

@@ -73,7 +73,7 @@ Checked<Image> decode_image(Bytes bytes) {
   Image image;
   image.width = width;
   image.height = height;
-  image.rgba.assign(decoded.get(), decoded.get() + pixels * 4);
+  image.rgba.own().assign(decoded.get(), decoded.get() + pixels * 4);
   return image;
 }
 

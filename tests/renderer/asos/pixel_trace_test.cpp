@@ -221,7 +221,7 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
   holes.width = holes.height = 8;
   for (int i = 0; i < 64; ++i) {
     const std::uint8_t alpha = (i / 8 + i) % 2 ? 255 : 0;
-    holes.rgba.insert(holes.rgba.end(), {255, 255, 255, alpha});
+    holes.rgba.own().insert(holes.rgba.own().end(), {255, 255, 255, alpha});
   }
   Material lattice = unlit({1, 1, 1});
   lattice.alpha_mode = AlphaMode::mask;

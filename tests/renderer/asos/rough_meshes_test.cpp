@@ -284,7 +284,7 @@ TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
     image.width = image.height = 16;
     std::mt19937 random(23);
     for (int i = 0; i < 4 * 256; ++i)
-      image.rgba.push_back(i % 4 == 3 ? 255 : static_cast<std::uint8_t>(random() % 256));
+      image.rgba.own().push_back(i % 4 == 3 ? 255 : static_cast<std::uint8_t>(random() % 256));
     rough.scene().images.push_back(image);
     Texture texture;
     texture.image = 0;

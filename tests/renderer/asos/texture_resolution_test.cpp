@@ -107,7 +107,7 @@ TEST(TextureResolution, LeavesTheSubdivisionAndItsStatisticsAlone) {
 TEST(TextureResolution, WeightsAddUpToAPixel) {
   // A constant texture gives a constant picture, whatever is divided and cut.
   World world = checks(true);
-  for (std::uint8_t& byte : world.images[0].rgba) byte = 255;
+  for (std::uint8_t& byte : world.images[0].rgba.own()) byte = 255;
   const auto scene = make_render_scene(std::move(world));
   RenderSettings settings = with_tr(1);
   const Picture one = render_picture(*scene, orthographic(2.0), settings);

@@ -215,7 +215,7 @@ World screen() {
   Image image;
   image.width = 64;
   image.height = 32;
-  image.rgba.assign(4 * 64 * 32, 255);
+  image.rgba.own().assign(4 * 64 * 32, 255);
   material.emissive_texture.texture = test::add_texture(world, image, Wrap::repeat, Filter::linear);
   test::add_quad(world, {0, 0, 0}, {2, 0, 0}, {0, 1, 0}, material);
   return world;

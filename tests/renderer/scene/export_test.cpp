@@ -112,7 +112,7 @@ Scene rich_scene() {
   Scene scene;
   scene.name = "rich \"\u00e9\u6f22\"";
   Image image{"checks", 3, 2, {}};
-  for (int i = 0; i < 24; ++i) image.rgba.push_back(static_cast<std::uint8_t>(10 * i));
+  for (int i = 0; i < 24; ++i) image.rgba.own().push_back(static_cast<std::uint8_t>(10 * i));
   scene.images = {image};
   scene.textures = {{"first", 0, Wrap::clamp_to_edge, Wrap::mirrored_repeat, Filter::nearest},
                     {"second", 0, Wrap::repeat, Wrap::repeat, Filter::linear}};
@@ -310,7 +310,7 @@ TEST_F(ExportTest, BrokenScenesAreRefusedByName) {
   refused([&](Scene& s) { s.materials[0].specular_color.g = -1; }, "specular colour");
   refused([&](Scene& s) { s.materials[1].base_color_texture.texture = 5; }, "texture 5");
   refused([&](Scene& s) { s.materials[0].base_color_texture.uv_transform[1].x += 1; }, "shear");
-  refused([&](Scene& s) { s.images[0].rgba.pop_back(); }, "image 0 'checks'");
+  refused([&](Scene& s) { s.images[0].rgba.own().pop_back(); }, "image 0 'checks'");
   refused([&](Scene& s) { s.textures[1].image = -1; }, "texture 1 'second'");
   refused([&](Scene& s) { s.lights[0].direction = glm::dvec3(0.0); }, "light 0 'sun'");
   refused([&](Scene& s) { s.lights[1].outer_cone_rad = 0.1; }, "light 1 'spot'");

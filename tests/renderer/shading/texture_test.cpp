@@ -16,7 +16,7 @@ World row_texture(const std::vector<std::uint8_t>& greys, Wrap wrap, Filter filt
   Image image;
   image.width = static_cast<int>(greys.size());
   image.height = 1;
-  for (const std::uint8_t g : greys) image.rgba.insert(image.rgba.end(), {g, g, g, g});
+  for (const std::uint8_t g : greys) image.rgba.own().insert(image.rgba.own().end(), {g, g, g, g});
   test::add_texture(world, image, wrap, filter);
   return world;
 }
@@ -48,7 +48,7 @@ TEST(Texture, BilinearInBothDirections) {
   Image image;
   image.width = image.height = 2;
   for (const int g : {0, 51, 102, 255}) {
-    for (int k = 0; k < 4; ++k) image.rgba.push_back(static_cast<std::uint8_t>(g));
+    for (int k = 0; k < 4; ++k) image.rgba.own().push_back(static_cast<std::uint8_t>(g));
   }
   test::add_texture(world, image, Wrap::clamp_to_edge, Filter::linear);
   for (const float fx : {0.0f, 0.25f, 0.7f, 1.0f}) {

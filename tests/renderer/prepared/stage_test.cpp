@@ -1,0 +1,77 @@
+#include "renderer/prepared/render_scene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace asos::test::stage_test {
+namespace {
+
+/// A textured triangle at `x`, without a light.
+Scene at(double x) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normals.assign(3, {0, 0, 1});
+  mesh.texcoords[0] = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.material = 0;
+  scene.meshes.push_back(mesh);
+  scene.images.push_back({"grey", 4, 4, std::vector<std::uint8_t>(64, 128)});
+  scene.textures.resize(1);
+  scene.textures[0].image = 0;
+  scene.materials.resize(1);
+  scene.materials[0].base_color_texture.texture = 0;
+  scene.instances.resize(1);
+  scene.instances[0].mesh = 0;
+  scene.instances[0].world_from_mesh = glm::translate(glm::dmat4(1.0), glm::dvec3(x, 0, 0));
+  return scene;
+}
+
+std::vector<glm::dvec3> places(const RenderScene& scene) {
+  std::vector<glm::dvec3> places;
+  for (const Light& light : scene.lights()) places.push_back(scene.world().origin + light.position);
+  return places;
+}
+
+TEST(Stage, LightsAndOriginStayWhereTheSceneIsAtRest) {
+  const auto rest = prepare(at(0.0)).value();
+  const Stage& stage = rest->geometry->stage;
+  ASSERT_TRUE(stage.lit_by_rig);
+  const auto moved = prepare(at(7.0), {}, &stage).value();
+  EXPECT_EQ(moved->world().origin, rest->world().origin);
+  EXPECT_EQ(places(*moved), places(*rest));
+  EXPECT_TRUE(moved->lighting->default_rig);
+  EXPECT_EQ(moved->world().origin.x + static_cast<double>(moved->world().positions[1].x), 8.0);
+  // Of its own accord the rig goes with the scene.
+  const auto alone = prepare(at(7.0)).value();
+  EXPECT_NE(places(*alone), places(*rest));
+  // And the stage is handed on.
+  const auto again = prepare(at(2.0), {}, &moved->geometry->stage).value();
+  EXPECT_EQ(places(*again), places(*rest));
+}
+
+TEST(Stage, TexturesAreNeitherCopiedNorAveragedAgain) {
+  const Scene scene = at(0.0);
+  const auto rest = prepare(scene).value();
+  const auto moved = prepare(scene, {}, &rest->geometry->stage).value();
+  ASSERT_FALSE(rest->mips().chain(0, TexelKind::color).empty());
+  EXPECT_EQ(&moved->mips().chain(0, TexelKind::color), &rest->mips().chain(0, TexelKind::color));
+  EXPECT_EQ(moved->world().images[0].rgba.data(), scene.images[0].rgba.data());
+}
+
+TEST(SharedBytes, ACopyThatIsWrittenToIsItsOwn) {
+  SharedBytes a{1, 2, 3};
+  SharedBytes b = a;
+  EXPECT_EQ(a.data(), b.data());
+  b.own()[1] = 9;
+  b.own().push_back(4);
+  EXPECT_EQ(a, (SharedBytes{1, 2, 3}));
+  EXPECT_EQ(b, (SharedBytes{1, 9, 3, 4}));
+  const SharedBytes none;
+  EXPECT_TRUE(none.empty());
+  EXPECT_EQ(none.size(), 0u);
+  EXPECT_EQ(none, SharedBytes(std::vector<std::uint8_t>{}));
+}
+
+}  // namespace
+}  // namespace asos::test::stage_test
