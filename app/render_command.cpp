@@ -143,15 +143,21 @@ struct Work {
   std::vector<std::string> sources;  ///< files that pictures are of
 };
 
-Result<Work> open(const PictureArguments& wanted, ProgressBar& bar,
-                  const InterruptGuard& interrupt) {
+// Makes the sky that was asked for part of the settings, too.
+Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptGuard& interrupt) {
   const AbandonableWork loading(nothing_written);
+  PictureArguments& wanted = arguments.picture;
+  Result<RenderSettings> settings = with_sky(wanted);
+  if (!settings) return tl::unexpected(settings.error());
+  wanted.settings = *std::move(settings);
   bar.say(fmt::format("Loading {} ...", wanted.scene));
   const auto started = std::chrono::steady_clock::now();
   Result<OpenedScene> scene = OpenedScene::open(wanted);
   if (!scene) return tl::unexpected(scene_error(wanted, scene.error()));
   if (interrupt.interrupted()) return interrupted_error();
-  return Work{*std::move(scene), seconds_since(started), {}};
+  Work work{*std::move(scene), seconds_since(started), {}};
+  if (!arguments.frames.empty()) work.sources = source_files(wanted.scene);
+  return work;
 }
 
 RenderReport report_of(const RenderArguments& arguments, const RenderScene& ready,
@@ -255,17 +261,13 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
   // Told before the scene is read, which may take long.
   if (const auto plan = plan_outputs(arguments_of(arguments, first_frame(arguments))); !plan)
     return tl::unexpected(plan.error());
-  Result<RenderSettings> settings = with_sky(arguments.picture);
-  if (!settings) return tl::unexpected(settings.error());
-  arguments.picture.settings = *std::move(settings);
-  Result<Work> work = open(arguments.picture, bar, interrupt);
+  Result<Work> work = open(arguments, bar, interrupt);
   if (!work) return tl::unexpected(work.error());
 
   const std::vector<FrameRequest> frames =
       frames_of(arguments, work->scene.contents(), work->scene.time());
   if (frames.empty())
     return tl::unexpected(Error{arguments.picture.scene, "the animation ends before that frame"});
-  if (frames.size() > 1) work->sources = source_files(arguments.picture.scene);
   PicturesDone done;
   done.count = static_cast<int>(frames.size());
   for (const FrameRequest& frame : frames) {
