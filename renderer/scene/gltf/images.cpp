@@ -1,5 +1,9 @@
 #include "renderer/scene/gltf/images.h"
 
+#include "renderer/scene/gltf/image_limits.h"
+#include "renderer/scene/gltf/values.h"
+#include "renderer/scene/gltf/webp.h"
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -10,6 +14,8 @@
 #include <climits>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <stb_image.h>
@@ -20,11 +26,8 @@ namespace {
 
 constexpr int unknown = -2;
 constexpr int none = -1;
-constexpr int largest_side = 16384;
-// Deflate expands at most 1032 times, and a byte may be a whole pixel of a palette.
-constexpr std::uint64_t most_pixels_per_byte = 1100;
-constexpr std::uint64_t free_pixels = 1 << 20;
-
+constexpr const char* basisu_advice =
+    ". KHR_texture_basisu's KTX2 textures are not supported: convert them to PNG or WebP";
 Wrap wrap_of(int value, bool& known) {
   if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp_to_edge;
   if (value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::mirrored_repeat;
@@ -38,7 +41,6 @@ const char* format_of(Bytes bytes) {
     const std::size_t n = std::strlen(magic);
     return bytes.size() >= at + n && std::memcmp(bytes.data() + at, magic, n) == 0;
   };
-  if (begins(0, "RIFF") && begins(8, "WEBP")) return "WebP";
   if (begins(0, "\xabKTX")) return "KTX";
   if (begins(0, "GIF8")) return "GIF";
   if (begins(0, "BM")) return "BMP";
@@ -52,21 +54,16 @@ const char* format_of(Bytes bytes) {
 Checked<Image> decode_image(Bytes bytes) {
   if (bytes.empty()) return fault("it is empty");
   if (bytes.size() > INT_MAX) return fault("it is larger than 2 GiB");
+  if (is_webp(bytes)) return decode_webp(bytes);
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {
     const char* format = format_of(bytes);
     if (format) return fault(fmt::format("{} pictures are not supported", format));
-    return fault(fmt::format("it is no usable PNG or JPEG ({})", stbi_failure_reason()));
+    return fault(fmt::format("it is no usable PNG, JPEG or WebP ({})", stbi_failure_reason()));
   }
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side) {
-    return fault(
-        fmt::format("it is {} x {} pixels; the limit is {} a side", width, height, largest_side));
-  }
-  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  if (pixels > bytes.size() * most_pixels_per_byte + free_pixels) {
-    return fault(fmt::format("{} bytes cannot hold {} x {} pixels", size, width, height));
-  }
+  if (auto sound = check_size(width, height, bytes.size()); !sound) return fault(sound.error());
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
   if (!decoded) return fault(fmt::format("it cannot be decoded ({})", stbi_failure_reason()));
@@ -97,13 +94,9 @@ int Textures::use(int texture) {
 
 int Textures::load(int index) {
   const tinygltf::Texture& source = doc_.model.textures[static_cast<std::size_t>(index)];
-  if (source.source < 0) {
-    doc_.warnings.add(fmt::format("texture {} has no PNG or JPEG image; left out", index));
-    return none;
-  }
   Texture texture;
   texture.name = source.name;
-  texture.image = use_image(source.source);
+  texture.image = image_of(source, index);
   if (texture.image < 0) return none;
   if (source.sampler >= 0 &&
       static_cast<std::size_t>(source.sampler) >= doc_.model.samplers.size()) {
@@ -119,6 +112,24 @@ int Textures::load(int index) {
   }
   scene_.textures.push_back(std::move(texture));
   return static_cast<int>(scene_.textures.size()) - 1;
+}
+
+int Textures::image_of(const tinygltf::Texture& source, int index) {
+  // EXT_texture_webp's image comes first; `source` is for programs that do not know it.
+  if (const auto* e = extension(source.extensions, "EXT_texture_webp")) {
+    if (const auto webp = whole(*e, "source"); webp && *webp >= 0) {
+      const int image = use_image(*webp);
+      if (image >= 0 || source.source < 0) return image;
+      doc_.warnings.add(fmt::format("texture {} falls back to its PNG or JPEG image", index));
+    }
+  }
+  if (source.source >= 0) return use_image(source.source);
+  const bool basisu =
+      std::find(doc_.unsupported_extensions.begin(), doc_.unsupported_extensions.end(),
+                "KHR_texture_basisu") != doc_.unsupported_extensions.end();
+  doc_.warnings.add(fmt::format("texture {} has no PNG, JPEG or WebP image; left out{}", index,
+                                basisu ? basisu_advice : ""));
+  return none;
 }
 
 int Textures::use_image(int index) {
@@ -141,6 +152,35 @@ int Textures::use_image(int index) {
   known = static_cast<int>(scene_.images.size());
   scene_.images.push_back(std::move(*image));
   return known;
+}
+
+int Textures::roughness_of(int texture, float factor) {
+  constexpr std::size_t most_factors = 4;
+  Texture rough = scene_.textures[static_cast<std::size_t>(texture)];
+  auto& made = roughness_of_[rough.image];
+  auto found = std::find_if(made.begin(), made.end(),
+                            [factor](const auto& known) { return known.first == factor; });
+  if (found == made.end()) {
+    if (made.size() == most_factors) {
+      doc_.warnings.add(
+          fmt::format("texture '{}' is used with more than {} factors of glossiness; the rest go "
+                      "by the factor alone",
+                      rough.name, most_factors));
+      return none;
+    }
+    Image image = scene_.images[static_cast<std::size_t>(rough.image)];
+    SharedBytes::Bytes& rgba = image.rgba.own();
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+      const float glossiness = factor * static_cast<float>(rgba[i + 3]);
+      rgba[i + 1] = static_cast<std::uint8_t>(std::lround(255.0f - glossiness));
+      rgba[i] = rgba[i + 2] = rgba[i + 3] = 255;
+    }
+    found = made.insert(made.end(), {factor, static_cast<int>(scene_.images.size())});
+    scene_.images.push_back(std::move(image));
+  }
+  rough.image = found->second;
+  scene_.textures.push_back(std::move(rough));
+  return static_cast<int>(scene_.textures.size()) - 1;
 }
 
 Checked<Image> Textures::load_image(int index) {

@@ -3,11 +3,13 @@
 #include "renderer/scene/gltf/accessors.h"
 #include "renderer/scene/scene.h"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace asos::gltf {
 
-/// Decodes a PNG or JPEG to 8-bit RGBA (16-bit PNGs lose their lower half). Faults: another
+/// Decodes a PNG, JPEG or WebP to 8-bit RGBA (16-bit PNGs lose their lower half). Faults: another
 /// format, broken data, and dimensions that the bytes cannot stand for, before they are allocated.
 [[nodiscard]] Checked<Image> decode_image(Bytes bytes);
 
@@ -21,8 +23,14 @@ class Textures {
   /// image: the material is then drawn without it.
   [[nodiscard]] int use(int texture);
 
+  /// A texture whose green is the roughness 1 - factor * alpha of one of the scene's textures
+  /// (KHR_materials_pbrSpecularGlossiness), `factor` 0 to 1. -1 with a warning where one image is
+  /// to be turned by more factors than files have use for, each of which takes its memory again.
+  [[nodiscard]] int roughness_of(int texture, float factor);
+
  private:
   [[nodiscard]] int load(int texture);
+  [[nodiscard]] int image_of(const tinygltf::Texture& texture, int index);
   [[nodiscard]] int use_image(int image);
   [[nodiscard]] Checked<Image> load_image(int image);
 
@@ -31,6 +39,7 @@ class Textures {
   Scene& scene_;
   std::vector<int> texture_of_;  // by document texture: unknown, or the scene's
   std::vector<int> image_of_;
+  std::map<int, std::vector<std::pair<float, int>>> roughness_of_;  // by image: factor, image
 };
 
 }  // namespace asos::gltf

@@ -25,7 +25,15 @@ class MaterialReader {
     read_emission(m);
     read_alpha(m);
     read_extensions(m);
-    read_specular(m);
+    // KHR_materials_pbrSpecularGlossiness stands for all of the reflection; unlit materials have
+    // none.
+    const auto* glossy = extension(source_.extensions, "KHR_materials_pbrSpecularGlossiness");
+    if (m.unlit) glossy = nullptr;
+    if (glossy) {
+      read_specular_glossiness(*glossy, m);
+    } else {
+      read_specular(m);
+    }
     if (auto dfr = read_dfr(source_.extras)) {
       m.dfr = *dfr;
     } else {
@@ -33,15 +41,19 @@ class MaterialReader {
     }
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
-    m.base_color_texture = use(pbr.baseColorTexture, "base colour");
+    m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
+                                  : use(pbr.baseColorTexture, "base colour");
     if (const auto* e = extension(source_.extensions, "KHR_materials_transmission"))
       m.transmission_texture = use_in(*e, "transmissionTexture", "transmission");
     if (m.unlit) return m;
-    m.metallic_roughness_texture = use(pbr.metallicRoughnessTexture, "metallic-roughness");
+    if (!glossy)
+      m.metallic_roughness_texture = use(pbr.metallicRoughnessTexture, "metallic-roughness");
     m.normal_texture = use(source_.normalTexture, "normal");
     m.normal_texture.scale = finite(source_.normalTexture.scale, 1.0, "normal scale");
     m.emissive_texture = use(source_.emissiveTexture, "emissive");
-    if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
+    if (glossy) {
+      use_specular_glossiness(*glossy, m);
+    } else if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
       m.specular_texture = use_in(*e, "specularTexture", "specular");
       m.specular_color_texture = use_in(*e, "specularColorTexture", "specular colour");
     }
@@ -134,6 +146,38 @@ class MaterialReader {
       m.specular_color[c] = within(number_at(*e, "specularColorFactor", c).value_or(1.0), 0.0, 1e30,
                                    1.0, "specular colour factor");
     }
+  }
+
+  /// A dielectric of infinite index, whose reflection at normal incidence is its specular colour:
+  /// the diffuse part is weighed by one minus the largest of its channels, as the extension asks.
+  void read_specular_glossiness(const tinygltf::Value& e, Material& m) {
+    for (int c = 0; c < 4; ++c) {
+      m.base_color[c] =
+          within(number_at(e, "diffuseFactor", c).value_or(1.0), 0.0, 1.0, 1.0, "diffuse factor");
+    }
+    for (int c = 0; c < 3; ++c) {
+      m.specular_color[c] =
+          within(number_at(e, "specularFactor", c).value_or(1.0), 0.0, 1.0, 1.0, "specular factor");
+    }
+    m.metallic = 0.0f;
+    m.roughness = 1.0f - glossiness(e);
+    m.ior = 0.0f;
+  }
+
+  float glossiness(const tinygltf::Value& e) {
+    return within(number(e, "glossinessFactor").value_or(1.0), 0.0, 1.0, 1.0, "glossiness factor");
+  }
+
+  /// Its colour is the specular one; its alpha is glossiness, of which a texture of roughness is
+  /// made.
+  void use_specular_glossiness(const tinygltf::Value& e, Material& m) {
+    m.specular_color_texture = use_in(e, "specularGlossinessTexture", "specular-glossiness");
+    if (!m.specular_color_texture.used()) return;
+    const int rough = textures_.roughness_of(m.specular_color_texture.texture, glossiness(e));
+    if (rough < 0) return;
+    m.metallic_roughness_texture = m.specular_color_texture;
+    m.metallic_roughness_texture.texture = rough;
+    m.roughness = 1.0f;
   }
 
   /// `Info` is one of tinygltf's texture references, which share these members.

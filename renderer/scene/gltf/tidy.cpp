@@ -18,14 +18,27 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 19> supported = {
-    "KHR_lights_punctual",        "EXT_lights_area",         "KHR_lights_area",
-    "KHR_materials_unlit",        "KHR_materials_ior",       "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_texture_transform",   "KHR_mesh_quantization",
-    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
-    "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod",
-    "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape",
-    "KHR_animation_pointer"};
+constexpr auto supported = std::to_array<std::string_view>({"KHR_lights_punctual",
+                                                            "EXT_lights_area",
+                                                            "KHR_lights_area",
+                                                            "KHR_materials_unlit",
+                                                            "KHR_materials_ior",
+                                                            "KHR_materials_emissive_strength",
+                                                            "KHR_materials_transmission",
+                                                            "KHR_texture_transform",
+                                                            "KHR_mesh_quantization",
+                                                            "KHR_draco_mesh_compression",
+                                                            "EXT_meshopt_compression",
+                                                            "KHR_meshopt_compression",
+                                                            "EXT_mesh_gpu_instancing",
+                                                            "KHR_node_visibility",
+                                                            "MSFT_lod",
+                                                            "KHR_materials_specular",
+                                                            "KHR_implicit_shapes",
+                                                            "ASOS_implicit_shape",
+                                                            "KHR_animation_pointer",
+                                                            "EXT_texture_webp",
+                                                            "KHR_materials_pbrSpecularGlossiness"});
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {
@@ -283,8 +296,10 @@ Checked<std::vector<std::string>> check_header(const json& root, Warnings& warni
   }
   if (!refused.empty()) {
     const bool several = refused.find(',') != std::string::npos;
-    return fault(fmt::format("requires the extension{} {}, which {} not supported",
-                             several ? "s" : "", refused, several ? "are" : "is"));
+    const bool basisu = refused.find("KHR_texture_basisu") != std::string::npos;
+    return fault(fmt::format("requires the extension{} {}, which {} not supported{}",
+                             several ? "s" : "", refused, several ? "are" : "is",
+                             basisu ? "; convert its KTX2 textures to PNG or WebP" : ""));
   }
   std::vector<std::string> optional;
   for (const std::string& name : used) {
