@@ -4,6 +4,7 @@
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/gloss.h"
 
 #include <algorithm>
 #include <cmath>
@@ -225,9 +226,7 @@ void LeafShader::note_variation(const ShadedLeaf& shaded) {
       !hit.valid())
     return;
   const Material& material = eye_->scene->world().material_of(hit.triangle);
-  const bool glossy =
-      material.metallic_roughness_texture.used() || material.roughness < least_broad_roughness;
-  if (material.unlit || !glossy) return;
+  if (material.unlit || !may_be_glossy(material)) return;
   variation_.add(shaded);
 }
 

@@ -1,6 +1,7 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/light_counts.h"
+#include "renderer/geometry/largest.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/shadow_ray.h"
@@ -17,7 +18,7 @@ namespace {
 
 /// The most that a surface makes of light, by its base colour.
 float brightest(const Material& material) {
-  const glm::vec3 c = glm::clamp(glm::vec3(material.base_color), 0.0f, 1.0f);
+  const glm::vec3 c = glm::clamp(glm::vec3(material.base_color) + material.sheen.color, 0.0f, 1.0f);
   return std::max({c.x, c.y, c.z});
 }
 
@@ -159,12 +160,21 @@ float Refinement::highlights_error(SampleId sample, const Patch& patch) const {
   const Hit& hit = samples_->hit(sample);
   // Textures make roughness less only.
   const Material& material = scene.world().material_of(hit.triangle);
-  if (material.roughness >= least_broad_roughness && !material.metallic_roughness_texture.used())
+  if (!may_be_glossy(material) || eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle))
     return 0.0f;
   const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
-  if (seen.roughness < roughness_floor || seen.roughness >= least_broad_roughness ||
-      eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle))
-    return 0.0f;
+  float error = 0.0f;
+  if (has_highlights(seen.roughness))
+    error += highlights_error(sample, patch, {largest(seen.f0), seen.roughness});
+  if (seen.coat.factor > 0.0f && has_highlights(seen.coat.roughness))
+    error += highlights_error(sample, patch, {coat_f0 * seen.coat.factor, seen.coat.roughness});
+  return error;
+}
+
+// Of one of the surface's lobes.
+float Refinement::highlights_error(SampleId sample, const Patch& patch, const Gloss& gloss) const {
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = samples_->hit(sample);
   const SurfacePoint point = samples_->point(sample);
   const PixelSpacing& spacing = eye_->viewer.spacing;
   const GlossyPatch glossy{
@@ -173,8 +183,8 @@ float Refinement::highlights_error(SampleId sample, const Patch& patch) const {
       patch,
       -samples_->ray(sample).direction,
       spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity(),
-      std::max({seen.f0.x, seen.f0.y, seen.f0.z}),
-      seen.roughness};
+      gloss.f0,
+      gloss.roughness};
   const auto lights = eye_->viewer.shader.lights();
   const float tolerance = eye_->budget.tolerance;
   const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
@@ -197,7 +207,7 @@ bool Refinement::mirrors_too_widely(SampleId sample, const LeafRegion& region) c
   const Hit& hit = samples_->hit(sample);
   const Material& material = eye_->scene->world().material_of(hit.triangle);
   const bool mirror = eye_->scene->dfr_of(hit.triangle) ||
-                      static_cast<double>(material.roughness) <= settings.roughest;
+                      static_cast<double>(least_roughness(material)) <= settings.roughest;
   if (!mirror || material.unlit) return false;
   const SurfacePoint point = samples_->point(sample);
   const float side = region.square.side * static_cast<float>(eye_->block.width);

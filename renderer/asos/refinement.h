@@ -61,6 +61,8 @@ class Refinement {
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float highlights_error(SampleId sample, const Patch& patch) const;
+  [[nodiscard]] float highlights_error(SampleId sample, const Patch& patch,
+                                       const Gloss& gloss) const;
   [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
   [[nodiscard]] bool mirrors_too_widely(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;

@@ -27,8 +27,10 @@ bool is_textured(const Material& material, const SceneNeeds& needs) {
   if (material.unlit) return false;
   return (needs.textures &&
           (material.metallic_roughness_texture.used() || material.specular_texture.used() ||
-           material.specular_color_texture.used())) ||
-         (needs.normal_maps && material.normal_texture.used()) ||
+           material.specular_color_texture.used() || material.coat.texture.used() ||
+           material.coat.roughness_texture.used() || material.sheen.color_texture.used() ||
+           material.sheen.roughness_texture.used())) ||
+         (needs.normal_maps && has_normal_map(material)) ||
          (needs.emission && material.emissive_texture.used());
 }
 

@@ -51,7 +51,8 @@ bool same_look(const World& world, const Material& a, const Material& b) {
   const auto numbers = [](const Material& m) {
     return std::tuple(m.base_color, m.metallic, m.roughness, m.emissive * m.emissive_strength,
                       m.alpha_mode, m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f,
-                      m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.dfr);
+                      m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.coat.factor,
+                      m.coat.roughness, m.sheen.color, m.sheen.roughness, m.dfr);
   };
   const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
   return numbers(a) == numbers(b) &&
@@ -99,7 +100,7 @@ bool SurfaceLook::same(std::uint32_t x, std::uint32_t y,
   if (&a != &b && !same_look(world_, a, b)) return false;
   if (texcoords_differ(x, y, corners) || crease(x, y, corners)) return false;
   // A normal map is turned by the tangents, and by the normals' sign.
-  if (!a.normal_texture.used()) return true;
+  if (!has_normal_map(a)) return true;
   return !any_corner(world_, x, y, corners, [&](std::uint32_t i, std::uint32_t k) {
     return glm::dot(world_.normals[i], world_.normals[k]) < 0.0f ||
            (!world_.tangents.empty() && world_.tangents[i] != world_.tangents[k]);
@@ -125,7 +126,7 @@ bool SurfaceLook::textures_differ(std::uint32_t x, std::uint32_t y,
                                   std::span<const SharedCorner> ends) const {
   // How a normal map is turned depends on how the coordinates run beside the edge.
   const Material& material = world_.material_of(x);
-  if (texture_at_ == nullptr || material.normal_texture.used()) return true;
+  if (texture_at_ == nullptr || has_normal_map(material)) return true;
   const auto uses = texture_uses(material);
   return std::any_of(uses.begin(), uses.end(), [&](const TextureUse* use) {
     return use->used() && texture_differs(*use, x, y, ends);

@@ -27,7 +27,8 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
 
   const Patch& patch = lit.view.patch;
   const bool is_point = patch.right == glm::vec3(0.0f) && patch.down == glm::vec3(0.0f);
-  turns[i] = is_point && point.spread.flat() ? 0.0f : 1.0f;
+  sheen[i] = material.sheen;
+  turns[i] = is_point && point.spread.flat() && !(material.sheen > 0.0f) ? 0.0f : 1.0f;
   if (turns[i] == 0.0f) return;
   viewer_nearness[i] = 1.0f / lit.view.distance;
   patch_right.set(i, patch.right);

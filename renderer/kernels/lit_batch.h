@@ -38,6 +38,7 @@ struct LitBatch {
   Floats alpha{};            ///< squared roughness, floored
   Floats shows_lights{};     ///< MirroredLights as a number
   Floats turns{};            ///< 0 where what follows is 0; else 1
+  Floats sheen{};            ///< ViewedMaterial's
   Floats viewer_nearness{};  ///< 1 / distance
   Vectors patch_right, patch_down;
   Vectors spread_right, spread_down;

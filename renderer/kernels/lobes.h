@@ -9,6 +9,9 @@
 
 #include "renderer/kernels/highlights.h"
 #include "renderer/shading/lobe.h"
+#include "renderer/shading/sheen.h"
+
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
@@ -103,12 +106,31 @@ HWY_INLINE Lanes patch_lobe(const SightLanes& at, const SlopeLanes& lobe) {
                  hn::Mul(hn::Mul(hn::Sqrt(det), hn::Mul(d, d)), shadowing));
 }
 
+/// sheen_lobe's where there is sheen, a lane at a time: it is rare, and takes powers.
+HWY_INLINE Lanes with_sheen(const LitBatch& points, const SightLanes& at, Lanes others,
+                            std::size_t i) {
+  const FloatTag d;
+  if (hn::AllFalse(d, hn::Gt(loaded(points.sheen, i), hn::Zero(d)))) return others;
+  struct alignas(64) Floats : std::array<float, hn::MaxLanes(d)> {};
+  Floats n_dot_l, n_dot_v, n_dot_h, value;
+  hn::Store(at.n_dot_l, d, n_dot_l.data());
+  hn::Store(at.n_dot_v, d, n_dot_v.data());
+  hn::Store(at.n_dot_h, d, n_dot_h.data());
+  hn::Store(others, d, value.data());
+  for (std::size_t k = 0; k < hn::Lanes(d) && i + k < points.count; ++k) {
+    if (points.sheen[i + k] > 0.0f)
+      value[k] = sheen_lobe(points.sheen[i + k], {n_dot_l[k], n_dot_v[k], n_dot_h[k], 0.0f});
+  }
+  return hn::Load(d, value.data());
+}
+
 /// The lobe of points i and on: a patch's where its normals differ enough to show.
 HWY_INLINE Lanes lobe(const LitBatch& points, const SightLanes& at, std::size_t i) {
   const FloatTag d;
-  const Lanes of_point = point_lobe(at);
+  Lanes of_point = point_lobe(at);
   const auto turns = hn::Gt(loaded(points.turns, i), hn::Zero(d));
   if (hn::AllFalse(d, turns)) return of_point;
+  of_point = with_sheen(points, at, of_point, i);
   const auto nearness = loaded(points.viewer_nearness, i);
   const Vectors right =
       turn_about_half(at, nearness, loaded(points.spread_right, i), loaded(points.patch_right, i));
@@ -119,7 +141,8 @@ HWY_INLINE Lanes lobe(const LitBatch& points, const SightLanes& at, std::size_t 
       hn::Add(hn::Mul(hn::Add(dot(right, right), dot(down, down)), all_lanes(1.0f / 12.0f)),
               hn::Add(variance, variance));
   const auto least = hn::Mul(all_lanes(1e-3f), hn::Mul(at.alpha, at.alpha));
-  const auto wider = hn::And(turns, hn::And(hn::Gt(added, least), hn::Lt(added, hn::Inf(d))));
+  const auto glossy = hn::AndNot(hn::Gt(loaded(points.sheen, i), hn::Zero(d)), turns);
+  const auto wider = hn::And(glossy, hn::And(hn::Gt(added, least), hn::Lt(added, hn::Inf(d))));
   if (hn::AllFalse(d, wider)) return of_point;
   return hn::IfThenElse(wider, patch_lobe(at, slopes_of(at, right, down, added, variance)),
                         of_point);

@@ -288,6 +288,7 @@ HWY_INLINE void store_lobe(const Vectors& f0, Lanes f90, Lanes roughness, LitBat
   const auto floored = clamped(roughness, all_lanes(roughness_floor), all_lanes(1.0f));
   store(hn::Mul(floored, floored), points.alpha, i);
   store(zero, points.shows_lights, i);
+  store(zero, points.sheen, i);
   // Broad highlights need no patch.
   const auto narrow = hn::Lt(roughness, all_lanes(least_broad_roughness));
   const Vectors none{zero, zero, zero};

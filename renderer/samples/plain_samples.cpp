@@ -95,16 +95,14 @@ void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
 
 bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& points,
                            LightTransport& transport, RenderStatistics& counts) const {
-  SurfaceMaterial material;
-  material.roughness = arrays_->materials.roughness[i];
+  const float roughness = arrays_->materials.roughness[i];
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
   glm::vec3 later(0.0f);
-  if (!viewer_.shader.reflect(seen, point, material, arrays_->materials.specular.at(i), transport,
+  if (!viewer_.shader.reflect(seen, point, roughness, arrays_->materials.specular.at(i), transport,
                               later, counts))
     return false;
-  points.set_mirrored(i,
-                      viewer_.shader.mirrored_lights(arrays_->hit[i].triangle, material.roughness));
+  points.set_mirrored(i, viewer_.shader.mirrored_lights(arrays_->hit[i].triangle, roughness));
   return true;
 }
 
@@ -128,7 +126,7 @@ void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
   seen.falloff = points.falloff[i];
   seen.specular = arrays_->materials.specular.at(i);
   seen.f0 = f0;
-  seen.f90 = points.f90_less_f0.x[i] + f0.x;
+  seen.f90 = glm::vec3(points.f90_less_f0.x[i] + f0.x);
   seen.roughness = arrays_->materials.roughness[i];
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);

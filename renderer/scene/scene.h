@@ -73,6 +73,26 @@ struct Dfr {
   bool operator==(const Dfr&) const = default;
 };
 
+/// KHR_materials_clearcoat: a clear layer of index 1.5 over all else, with a lobe of its own.
+struct Clearcoat {
+  float factor = 0.0f;  ///< 0 to 1; 0: there is none
+  float roughness = 0.0f;
+  TextureUse texture;            ///< R of `factor`, linear
+  TextureUse roughness_texture;  ///< G, linear
+  TextureUse normal_texture;     ///< its own: the material's normal map is not the coat's
+};
+
+/// KHR_materials_sheen: fibres that stand on the surface and shine where they are seen from the
+/// side (Charlie's distribution).
+struct Sheen {
+  glm::vec3 color{0.0f};  ///< linear, 0 to 1; black: there is none
+  float roughness = 0.0f;
+  TextureUse color_texture;      ///< sRGB
+  TextureUse roughness_texture;  ///< A, linear
+
+  [[nodiscard]] bool used() const { return color != glm::vec3(0.0f); }
+};
+
 /// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
 struct Material {
   std::string name;
@@ -96,14 +116,23 @@ struct Material {
   TextureUse specular_texture;     ///< A of `specular`, linear
   TextureUse specular_color_texture;  ///< sRGB
   TextureUse transmission_texture;    ///< R, linear
-  std::optional<Dfr> dfr;             ///< how reflections are blurred; none: by roughness
+  Clearcoat coat;
+  Sheen sheen;             ///< below the coat
+  std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
 };
 
 /// All textures that a material names, whether it uses them or not.
-[[nodiscard]] inline std::array<const TextureUse*, 7> texture_uses(const Material& m) {
-  return {&m.base_color_texture,  &m.metallic_roughness_texture, &m.normal_texture,
-          &m.emissive_texture,    &m.specular_texture,           &m.specular_color_texture,
-          &m.transmission_texture};
+[[nodiscard]] inline std::array<const TextureUse*, 12> texture_uses(const Material& m) {
+  return {&m.base_color_texture,     &m.metallic_roughness_texture,
+          &m.normal_texture,         &m.emissive_texture,
+          &m.specular_texture,       &m.specular_color_texture,
+          &m.transmission_texture,   &m.coat.texture,
+          &m.coat.roughness_texture, &m.coat.normal_texture,
+          &m.sheen.color_texture,    &m.sheen.roughness_texture};
+}
+
+[[nodiscard]] inline bool has_normal_map(const Material& m) {
+  return m.normal_texture.used() || m.coat.normal_texture.used();
 }
 
 /// One primitive's triangles in its own space. Attribute arrays are empty or as long as

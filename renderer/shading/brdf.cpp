@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/lobe_norms.h"
+#include "renderer/shading/sheen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ float schlick_of(float v_dot_h) {
   return m2 * m2 * m;
 }
 
-glm::vec3 fresnel_schlick(glm::vec3 f0, float f90, float v_dot_h) {
+glm::vec3 fresnel_schlick(glm::vec3 f0, glm::vec3 f90, float v_dot_h) {
   return f0 + (f90 - f0) * schlick_of(v_dot_h);
 }
 
@@ -47,7 +48,7 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   ViewedMaterial seen{};
   seen.specular = environment_specular(material.f0, material.roughness, n_dot_v, material.f90);
   seen.f0 = material.f0;
-  seen.f90 = material.f90;
+  seen.f90 = glm::vec3(material.f90);
   seen.roughness = material.roughness;
   const glm::vec3 albedo =
       material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission));
@@ -60,9 +61,28 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
 
 ViewedMaterial diffuse_part(ViewedMaterial material) {
   material.specular = material.f0 = glm::vec3(0.0f);
-  material.f90 = 0.0f;
+  material.f90 = glm::vec3(0.0f);
   material.roughness = 1.0f;
   return material;
+}
+
+ViewedMaterial viewed(const SurfaceCoat& coat, float n_dot_v) {
+  const float fresnel = coat_f0 + (1.0f - coat_f0) * schlick_of(n_dot_v);
+  ViewedMaterial seen{};
+  seen.f0 = seen.f90 = glm::vec3(coat.factor * fresnel);
+  seen.roughness = coat.roughness;
+  seen.specular = environment_specular(seen.f0, coat.roughness, n_dot_v, seen.f90.x);
+  return seen;
+}
+
+ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v) {
+  const float albedo = sheen_albedo(n_dot_v, sheen.roughness);
+  ViewedMaterial seen{};
+  seen.f0 = seen.f90 = sheen.color / std::max(albedo, 1.0f);
+  seen.ambient = sheen.color * std::min(albedo, 1.0f);
+  seen.roughness = 1.0f;  // as broad as diffuse light
+  seen.sheen = std::max(sheen.roughness, sheen_roughness_floor);
+  return seen;
 }
 
 float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light) {
@@ -76,7 +96,12 @@ glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick) {
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
   return diffuse_brdf(material, schlick_of(angles.v_dot_h)) +
-         specular_brdf(material, angles, ggx_lobe(material.roughness, angles));
+         specular_brdf(material, angles, lobe_of(material, angles));
+}
+
+float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles) {
+  return material.sheen > 0.0f ? sheen_lobe(material.sheen, angles)
+                               : ggx_lobe(material.roughness, angles);
 }
 
 glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {

@@ -23,15 +23,19 @@ inline constexpr float roughness_floor = 0.1f;
 /// one sample of a pixel settles it.
 inline constexpr float least_broad_roughness = 0.6f;
 
+/// Reflectance at normal incidence of KHR_materials_clearcoat's coat, whose index is 1.5.
+inline constexpr float coat_f0 = 0.04f;
+
 /// The values of a material that do not depend on the light: made once a point.
 struct ViewedMaterial {
   glm::vec3 diffuse;   ///< albedo of the Lambert part, for light that comes from the viewer
   glm::vec3 specular;  ///< share of a constant environment that the GGX lobe returns
   glm::vec3 f0;
   float roughness;
-  float f90 = 1.0f;
+  glm::vec3 f90{1.0f};
   float falloff = 0.0f;     ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
   glm::vec3 ambient{0.0f};  ///< share of a constant environment that the Lambert part returns
+  float sheen = 0.0f;       ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
 };
 
 /// The diffuse part is weighted by 1 - F(v.h) of the dielectric's largest colour, as appendix B and
@@ -43,6 +47,15 @@ struct ViewedMaterial {
 
 /// The same without its specular lobe, which keeps what it takes from the diffuse part.
 [[nodiscard]] ViewedMaterial diffuse_part(ViewedMaterial material);
+
+/// KHR_materials_clearcoat's layer by itself: a lobe without a diffuse part, whose Fresnel term is
+/// that of an index of 1.5 for the viewer's own angle, whatever the light's.
+[[nodiscard]] ViewedMaterial viewed(const SurfaceCoat& coat, float n_dot_v);
+
+/// KHR_materials_sheen's layer by itself: Charlie's lobe in the sheen's colour. Of light from all
+/// around it returns `ambient`, the colour times the lobe's albedo for the viewer; a smooth lobe
+/// that would return more than it gets, as it does at grazing angles, is lessened to return all.
+[[nodiscard]] ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v);
 
 /// Schlick's (1 - v.h)^5 between two unit directions.
 [[nodiscard]] float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light);
@@ -57,6 +70,9 @@ struct ViewedMaterial {
 /// The specular part alone of a lobe that need not be the material's own: its D * V.
 [[nodiscard]] glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles,
                                       float lobe);
+
+/// The material's own lobe without Fresnel: GGX's or, of sheen, Charlie's.
+[[nodiscard]] float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles);
 
 /// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);

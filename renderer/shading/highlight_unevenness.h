@@ -2,6 +2,7 @@
 
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/gloss.h"
 #include "renderer/shading/normal_spread.h"
 #include "renderer/shading/surface.h"
 

@@ -1,6 +1,7 @@
 #include "renderer/shading/light_quadrature.h"
 
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/sheen.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ constexpr int most_cells = 1024;
 
 }  // namespace
 
-LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness)
+LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
+                                 double sheen)
     : receiver_(receiver),
       normal_(receiver.normal),
       geometric_(receiver.geometric),
@@ -34,6 +36,7 @@ LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer,
   viewer_root_ = std::sqrt(n_dot_v_ * n_dot_v_ * (1.0f - alpha2_) + alpha2_);
   // At grazing angles the lobe is narrower across the plane of view.
   narrowest_ = share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
+  sheen_ = static_cast<float>(sheen);
 }
 
 ReflectedIntegral LightQuadrature::operator()(const PreparedLight& light) {
@@ -114,6 +117,16 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
     lobe[i] = form[i] * a2 * 0.5f * std::numbers::inv_pi_v<float> / (b * b * shadowing);
     fresnel[i] = lobe[i] * schlick;
     scattered[i] = form[i] * schlick;
+  }
+  if (sheen_ > 0.0f) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::vec3 to_light(cell.x[i], cell.y[i], cell.z[i]);
+      const glm::vec3 half = glm::normalize(v + to_light);
+      const BrdfAngles angles{std::max(glm::dot(n, to_light), grazing_cosine), clamped_n_dot_v,
+                              glm::dot(n, half), glm::dot(v, half)};
+      lobe[i] = form[i] > 0.0f ? form[i] * sheen_lobe(sheen_, angles) : 0.0f;
+      fresnel[i] = 0.0f;
+    }
   }
   for (std::size_t i = 0; i < count; ++i) {
     sums_.lobe += lobe[i];

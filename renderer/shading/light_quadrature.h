@@ -27,7 +27,9 @@ struct ReflectedIntegral {
 class LightQuadrature {
  public:
   /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine.
-  LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness);
+  /// `sheen` is ViewedMaterial's.
+  LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
+                  double sheen = 0.0);
 
   /// 0 for a light that has no size.
   [[nodiscard]] ReflectedIntegral operator()(const PreparedLight& light);
@@ -49,6 +51,7 @@ class LightQuadrature {
   float alpha2_;
   float viewer_root_;  // of Smith's term
   float narrowest_;    // the lobe's width
+  float sheen_;
   int cells_ = 0;
   Sums sums_;
   std::vector<LightPatch> patches_;

@@ -120,10 +120,15 @@ void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& ne
   add_use(uses, world, m.base_color_texture, base_color_kind(m));
   if (m.unlit) return;
   for (const TextureUse* use :
-       {&m.metallic_roughness_texture, &m.specular_texture, &m.transmission_texture})
+       {&m.metallic_roughness_texture, &m.specular_texture, &m.transmission_texture,
+        &m.coat.texture, &m.coat.roughness_texture, &m.sheen.roughness_texture})
     add_use(uses, world, *use, TexelKind::data);
   add_use(uses, world, m.specular_color_texture, TexelKind::color);
-  if (needs.normal_maps) add_use(uses, world, m.normal_texture, TexelKind::normal);
+  add_use(uses, world, m.sheen.color_texture, TexelKind::color);
+  if (needs.normal_maps) {
+    add_use(uses, world, m.normal_texture, TexelKind::normal);
+    add_use(uses, world, m.coat.normal_texture, TexelKind::normal);
+  }
   if (needs.emission) add_use(uses, world, m.emissive_texture, TexelKind::color);
 }
 

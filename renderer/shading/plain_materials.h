@@ -12,7 +12,7 @@ namespace asos {
 /// What shading a batch of points has to know of a material.
 struct PlainMaterial {
   SurfaceMaterial surface;  ///< where nothing is looked up
-  bool plain = false;       ///< opaque where it is met, lit, and finite
+  bool plain = false;       ///< opaque where it is met, lit, of one layer, and finite
   bool looked_up = false;   ///< textures or vertex colours vary it
   bool normal_map = false;
   bool textured = false;  ///< in any way: the patch that is seen matters

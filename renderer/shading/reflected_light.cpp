@@ -17,8 +17,8 @@ float distance_of(const PreparedLight& light, glm::vec3 position) {
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
-PatchLobe lobe_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
-                  float light_distance) {
+PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
+                     float light_distance) {
   const LobeSight sight{view.to_viewer, view.distance, to_light, light_distance};
   return {spread_about_half(view.point.spread, view.patch, sight), seen.roughness,
           view.point.shading_normal};
@@ -51,9 +51,10 @@ glm::vec3 shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
                           std::max(0.0f, glm::dot(n, half)),
                           std::max(0.0f, glm::dot(view.to_viewer, half))};
-  const PatchLobe lobe = lobe_of(seen, view, l, light_distance);
+  if (seen.sheen > 0.0f) return specular_brdf(seen, angles, lobe_of(seen, angles));
+  const PatchLobe lobe = patch_lobe(seen, view, l, light_distance);
   const float value =
-      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : ggx_lobe(seen.roughness, angles);
+      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : lobe_of(seen, angles);
   return specular_brdf(seen, angles, value);
 }
 
@@ -107,7 +108,8 @@ ReflectedLights::ReflectedLights(const LitPoint& point)
 LightQuadrature& ReflectedLights::quadrature(float roughness) {
   const auto made = [&] {
     return LightQuadrature(receiver_, glm::dvec3(point_.view.to_viewer),
-                           static_cast<double>(roughness));
+                           static_cast<double>(roughness),
+                           static_cast<double>(point_.material.sheen));
   };
   if (roughness != point_.material.roughness) return wider_.emplace(made());
   if (!own_) own_.emplace(made());
@@ -146,8 +148,8 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
   const PatchLobe lobe =
       lobe_of_extended(seen, point_.view, highlight, distance_of(light, point_.view.point.position),
                        light.shape == PreparedLight::Shape::segment);
-  const ReflectedIntegral all =
-      quadrature(lobe.wider() ? lobe.round_roughness() : seen.roughness)(light);
+  const bool wider = lobe.wider() && !(seen.sheen > 0.0f);
+  const ReflectedIntegral all = quadrature(wider ? lobe.round_roughness() : seen.roughness)(light);
   const double schlick = std::clamp(all.scattered * per_irradiance, 0.0, 1.0);
   Share share{diffuse_brdf(seen, static_cast<float>(schlick))};
   if (mirrored) return share;

@@ -1,5 +1,6 @@
 #include "renderer/shading/shade.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/rays/surface_kind.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/dfr.h"
@@ -56,8 +57,7 @@ const Dfr* Shader::own_dfr(std::uint32_t triangle) const {
 }
 
 std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
-                                              const SurfaceMaterial& material,
-                                              glm::vec3 reflected) const {
+                                              float roughness, glm::vec3 reflected) const {
   // A reflection that no 8-bit picture shows is not worth a ray, whatever the light.
   constexpr float least_reflected = 1.0f / 256.0f;
   const float most = seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
@@ -65,11 +65,11 @@ std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const Surfa
   // The bumps that a normal map's mean leaves out blur, too: the squared slopes add up.
   const double bumps = static_cast<double>(point.spread.variance);
   const Dfr* own = own_dfr(point.triangle);
-  const bool rough = !(material.roughness <= settings_.roughest_mirror);
+  const bool rough = !(roughness <= settings_.roughest_mirror);
   if (rough && !own) return std::nullopt;
   const Dfr* dfr = settings_.dfr ? settings_.dfr : own;
   if (!dfr) {
-    const double alpha = static_cast<double>(material.roughness * material.roughness);
+    const double alpha = static_cast<double>(roughness * roughness);
     const double all = std::sqrt(alpha * alpha + bumps);
     return glm::vec3(static_cast<float>(lobe_width(std::sqrt(all))));
   }
@@ -91,37 +91,66 @@ MirroredLights Shader::mirrored_lights(std::uint32_t triangle, float roughness) 
   return by_roughness ? MirroredLights::patterned : MirroredLights::all;
 }
 
-bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
-                          const SurfaceMaterial& material, const Layer& layer, glm::vec3 specular,
-                          LightTransport& transport, glm::vec3& radiance,
-                          RenderStatistics& counts) const {
+bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point, float roughness,
+                          const Layer& layer, glm::vec3 specular, LightTransport& transport,
+                          glm::vec3& radiance, RenderStatistics& counts) const {
   if (settings_.reflections == 0) return false;
   const glm::vec3 reflected = layer.share * specular;
-  const auto width = mirror_width(seen, point, material, reflected);
+  const auto width = mirror_width(seen, point, roughness, reflected);
   if (!width) return false;
-  const bool shows_lights =
-      mirrored_lights(point.triangle, material.roughness) == MirroredLights::all;
+  const bool shows_lights = mirrored_lights(point.triangle, roughness) == MirroredLights::all;
   return transport.reflect({seen, point, layer.hit, *width, reflected, layer.number, shows_lights},
                            radiance, counts);
 }
 
-void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
-                     const SurfaceMaterial& material, const Layer& layer, LightTransport& transport,
-                     glm::vec3& radiance, RenderStatistics& counts) const {
-  const glm::vec3 n = point.shading_normal;
-  const glm::vec3 to_viewer = -viewed_ray.ray.direction;
-  const float n_dot_v = std::max(glm::dot(n, to_viewer), grazing_cosine);
+float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
+                           const SurfaceMaterial& material, const Layer& layer,
+                           const MipChains* mips, LightTransport& transport, glm::vec3& radiance,
+                           RenderStatistics& counts) const {
+  const glm::vec3 to_viewer = -seen.ray.direction;
+  Layer below = layer;
+  float left = 1.0f;
 
-  ViewedMaterial seen = viewed(material, n_dot_v);
-  if (viewed_ray.diffuse) seen = diffuse_part(seen);
-  const bool mirrors =
-      add_mirrored(viewed_ray, point, material, layer, seen.specular, transport, radiance, counts);
-  ViewedPoint view{point, to_viewer, n_dot_v};
+  // KHR_materials_clearcoat: mix(base, coat, factor * fresnel(n_c.v)).
+  if (material.coat.factor > 0.0f) {
+    const SurfacePoint own = coat_point(world_, needs_, layer.hit, mips, point);
+    const ViewedPoint view = viewed_point(own, to_viewer);
+    const ViewedMaterial coat = viewed(material.coat, view.n_dot_v);
+    if (!seen.diffuse) add_lit(seen, view, coat, below, transport, radiance, counts);
+    left = 1.0f - coat.f0.x;
+    below.share *= left;
+  }
+
+  // KHR_materials_sheen: sheen + base * (1 - max3(colour) * E(n.v)).
+  const ViewedPoint view = viewed_point(point, to_viewer);
+  if (material.sheen.color != glm::vec3(0.0f)) {
+    const ViewedMaterial sheen = viewed(material.sheen, view.n_dot_v);
+    add_lit(seen, view, sheen, below, transport, radiance, counts);
+    const float scaling = 1.0f - largest(sheen.ambient);
+    left *= scaling;
+    below.share *= scaling;
+  }
+
+  if (!seen.diffuse && shows_emission(seen.hides_lights, layer.hit.triangle))
+    radiance += below.share * material.emission;
+  const ViewedMaterial base = viewed(material, view.n_dot_v);
+  add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
+  return left;
+}
+
+void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_point,
+                     const ViewedMaterial& seen, const Layer& layer, LightTransport& transport,
+                     glm::vec3& radiance, RenderStatistics& counts) const {
+  ViewedPoint view = viewed_point;
+  const SurfacePoint& point = view.point;
+  const glm::vec3 to_viewer = view.to_viewer;
+  const bool mirrors = add_mirrored(viewed_ray, point, seen.roughness, layer, seen.specular,
+                                    transport, radiance, counts);
   const SkyLitPoint under_sky{settings_.sky, view, seen, mirrors, layer.share};
   if (!settings_.sky_shadows || !transport.add_sky(under_sky, radiance, counts)) {
     ViewedMaterial by_sky = seen;
     if (mirrors) by_sky.specular = glm::vec3(0.0f);
-    radiance += layer.share * reflected_sky(settings_.sky, by_sky, n, to_viewer);
+    radiance += layer.share * reflected_sky(settings_.sky, by_sky, point.shading_normal, to_viewer);
   }
 
   const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
@@ -132,7 +161,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const SurfacePoint& point,
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
   const MirroredLights mirrored =
-      mirrors ? mirrored_lights(point.triangle, material.roughness) : MirroredLights::none;
+      mirrors ? mirrored_lights(point.triangle, seen.roughness) : MirroredLights::none;
   const LitPoint lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
   const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
@@ -193,20 +222,19 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
     if (hit.triangle != last || world_.is_face(hit.triangle)) {
       // Add the layer by its opacity.
       const SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
+      float left = 1.0f;
       if (material.opacity > 0.0f) {
         const Layer here{share * material.opacity, layer, hit};
         if (material.unlit) {
           sum += here.share * material.base_color * (1.0f - material.transmission);
         } else {
-          if (!seen.diffuse && shows_emission(seen.hides_lights, hit.triangle))
-            sum += here.share * material.emission;
-          add_lit(seen, point, material, here, transport, sum, counts);
+          left = add_material(seen, point, material, here, mips, transport, sum, counts);
         }
       }
       if (!blended) return sum;
       // Thin glass tints what shines through it by its base colour.
       share *= (1.0f - material.opacity) +
-               material.opacity * material.transmission * material.base_color;
+               material.opacity * left * material.transmission * material.base_color;
       if (std::max({share.x, share.y, share.z}) < invisible_share) return sum;
       last = hit.triangle;
     }

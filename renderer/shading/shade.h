@@ -82,8 +82,7 @@ class Shader {
   /// By how much the surface blurs what it mirrors, as Reflection::width; nothing where it is not
   /// followed.
   [[nodiscard]] std::optional<glm::vec3> mirror_width(const ViewedRay& seen,
-                                                      const SurfacePoint& point,
-                                                      const SurfaceMaterial& material,
+                                                      const SurfacePoint& point, float roughness,
                                                       glm::vec3 reflected) const;
 
   /// What the reflection of a material shows of lights. Where it blurs by the material's roughness,
@@ -99,11 +98,10 @@ class Shader {
 
   /// Hands what the nearest surface on a ray mirrors to `transport`, where it is followed;
   /// `specular` is ViewedMaterial's.
-  [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point,
-                             const SurfaceMaterial& material, glm::vec3 specular,
-                             LightTransport& transport, glm::vec3& radiance,
+  [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point, float roughness,
+                             glm::vec3 specular, LightTransport& transport, glm::vec3& radiance,
                              RenderStatistics& counts) const {
-    return add_mirrored(seen, point, material, {glm::vec3(1.0f), 0, seen.hit}, specular, transport,
+    return add_mirrored(seen, point, roughness, {glm::vec3(1.0f), 0, seen.hit}, specular, transport,
                         radiance, counts);
   }
 
@@ -117,12 +115,17 @@ class Shader {
     int number = 0;
     Hit hit;
   };
-  void add_lit(const ViewedRay& seen, const SurfacePoint& point, const SurfaceMaterial& material,
+  /// All that a material shows: what it emits and reflects, layer by layer. Returns the share of
+  /// what lies below its layers that they let through.
+  float add_material(const ViewedRay& seen, const SurfacePoint& point,
+                     const SurfaceMaterial& material, const Layer& layer, const MipChains* mips,
+                     LightTransport& transport, glm::vec3& radiance,
+                     RenderStatistics& counts) const;
+  void add_lit(const ViewedRay& seen, const ViewedPoint& point, const ViewedMaterial& material,
                const Layer& layer, LightTransport& transport, glm::vec3& radiance,
                RenderStatistics& counts) const;
-  [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
-                                  const SurfaceMaterial& material, const Layer& layer,
-                                  glm::vec3 specular, LightTransport& transport,
+  [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point, float roughness,
+                                  const Layer& layer, glm::vec3 specular, LightTransport& transport,
                                   glm::vec3& radiance, RenderStatistics& counts) const;
   [[nodiscard]] const Dfr* own_dfr(std::uint32_t triangle) const;
 

@@ -96,7 +96,8 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
   const bool picture = point.sky && point.sky->is_picture();
   const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : material.specular;
   // The share of each kind of direction.
-  const float by_diffuse = largest(material.diffuse);
+  const bool sheen = material.sheen > 0.0f;
+  const float by_diffuse = largest(sheen ? material.ambient : material.diffuse);
   const float by_lobe = largest(specular);
   const float by_picture = picture ? by_diffuse + by_lobe : 0.0f;
   const float sum = by_diffuse + by_lobe + by_picture;
@@ -131,11 +132,11 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
   // Its light over the density of all of them.
   float density = share[0] * direction.z * std::numbers::inv_pi_v<float>;
   glm::vec3 reflected = diffuse_brdf(material, schlick_weight(viewer, direction));
-  if (share[1] > 0.0f) {
+  if (share[1] > 0.0f || sheen) {
     const glm::vec3 half = glm::normalize(direction + viewer);
     const BrdfAngles angles{direction.z, viewer.z, half.z, glm::dot(viewer, half)};
-    density += share[1] * lobe_density(viewer, half.z, alpha);
-    reflected += specular_brdf(material, angles, ggx_lobe(material.roughness, angles));
+    if (!sheen) density += share[1] * lobe_density(viewer, half.z, alpha);
+    reflected += specular_brdf(material, angles, lobe_of(material, angles));
   }
   if (picture)
     density += share[2] * static_cast<float>(point.sky->bright_density(sample.direction));
@@ -156,7 +157,8 @@ Ray sky_ray(const SurfacePoint& point, const SkySample& sample) {
 std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
   const ViewedMaterial& material = point.material;
   const bool shiny = !point.mirrors && material.specular != glm::vec3(0.0f);
-  const bool even = !shiny && material.falloff == 0.0f;
+  const bool sheen = material.sheen > 0.0f;
+  const bool even = !shiny && !sheen && material.falloff == 0.0f;
   if (point.sky && (point.sky->is_picture() || !(even || point.sky->constant())))
     return std::nullopt;
   const glm::vec3 normal = point.view.point.shading_normal;
@@ -164,6 +166,7 @@ std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
       point.sky ? point.sky->ambient(normal) / sky_visibility : background_radiance;
   glm::vec3 reflected =
       material.diffuse * (1.0f - material.falloff * mean_schlick(point.view.n_dot_v));
+  if (sheen) reflected = material.ambient;
   if (shiny) {
     const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
     const LobeNorms norms = lobe_norms(point.view.n_dot_v, roughness);

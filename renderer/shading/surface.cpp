@@ -80,9 +80,8 @@ struct MappedNormal {
 };
 
 MappedNormal mapped_normal(const World& world, const Hit& hit, const Triangle& t,
-                           const Material& material, glm::vec3 normal, const Footprint& footprint,
+                           const TextureUse& use, glm::vec3 normal, const Footprint& footprint,
                            const MipChains* mips) {
-  const TextureUse& use = material.normal_texture;
   glm::vec4 tangent{0.0f};
   if (!world.tangents.empty() && !t.face) {
     const std::vector<glm::vec4>& all = world.tangents;
@@ -126,16 +125,28 @@ bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t 
   if (needs.textures &&
       std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); }))
     return true;
-  if (m.unlit || m.roughness > least_broad_roughness || !needs.lights()) return false;
+  const bool broad = m.roughness > least_broad_roughness && !(m.coat.factor > 0.0f);
+  if (m.unlit || broad || !needs.lights()) return false;
   if (t.face) return world.face(triangle).kind != ShapeFace::Kind::disk;
   if (world.normals.empty()) return false;
   return world.normals[t.v.x] != world.normals[t.v.y] ||
          world.normals[t.v.x] != world.normals[t.v.z];
 }
 
+/// Turns the shading normal by a map of normals; see map_normal.
+void turn_by_map(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
+                 float side, SurfacePoint& point) {
+  const MappedNormal mapped = mapped_normal(world, hit, Triangle(world, hit), map,
+                                            side * point.shading_normal, point.footprint, mips);
+  point.spread.variance = mapped.variance;
+  // A map that tilts the normal below the surface is not followed that far.
+  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
+    point.shading_normal = side * mapped.normal;
+}
+
 /// The shading normal, on the geometric normal's side whatever the winding, and its spread.
 void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, const Triangle& t,
-                  const MipChains* mips, SurfacePoint& point) {
+                  const TextureUse& map, const MipChains* mips, SurfacePoint& point) {
   point.shading_normal = point.geometric_normal;
   if (world.normals.empty() && !t.face) return;
   const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
@@ -146,8 +157,7 @@ void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, c
   const float length = glm::length(mixed);
   if (!point.footprint.point() && length > 0.0f)
     point.spread = interpolated_spread(normals, point.footprint, smooth, length);
-  if (needs.normal_maps && world.material_of(hit.triangle).normal_texture.used())
-    map_normal(world, hit, mips, side, point);
+  if (needs.normal_maps && map.used()) turn_by_map(world, hit, map, mips, side, point);
 }
 
 /// Place and geometric normal on a triangle.
@@ -224,6 +234,22 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);
   }
 
+  if (material.coat.factor > 0.0f) {
+    surface.coat = {material.coat.factor, material.coat.roughness};
+    if (needs.textures && material.coat.texture.used())
+      surface.coat.factor *= sample(material.coat.texture, TexelKind::data).r;
+    if (needs.textures && material.coat.roughness_texture.used())
+      surface.coat.roughness *= sample(material.coat.roughness_texture, TexelKind::data).g;
+  }
+
+  if (material.sheen.used()) {
+    surface.sheen = {material.sheen.color, material.sheen.roughness};
+    if (needs.textures && material.sheen.color_texture.used())
+      surface.sheen.color *= glm::vec3(sample(material.sheen.color_texture, TexelKind::color));
+    if (needs.textures && material.sheen.roughness_texture.used())
+      surface.sheen.roughness *= sample(material.sheen.roughness_texture, TexelKind::data).a;
+  }
+
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
     if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {
@@ -256,19 +282,24 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
                              extent.shape);
     point.footprint.side = extent.side;
   }
-  shade_normal(world, needs, hit, t, extent.point() ? nullptr : extent.mips, point);
+  shade_normal(world, needs, hit, t, world.material_of(hit.triangle).normal_texture,
+               extent.point() ? nullptr : extent.mips, point);
   return point;
 }
 
 void map_normal(const World& world, const Hit& hit, const MipChains* mips, float side,
                 SurfacePoint& point) {
-  const MappedNormal mapped =
-      mapped_normal(world, hit, Triangle(world, hit), world.material_of(hit.triangle),
-                    side * point.shading_normal, point.footprint, mips);
-  point.spread.variance = mapped.variance;
-  // A map that tilts the normal below the surface is not followed that far.
-  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
-    point.shading_normal = side * mapped.normal;
+  turn_by_map(world, hit, world.material_of(hit.triangle).normal_texture, mips, side, point);
+}
+
+SurfacePoint coat_point(const World& world, const SceneNeeds& needs, const Hit& hit,
+                        const MipChains* mips, const SurfacePoint& point) {
+  const Material& material = world.material_of(hit.triangle);
+  if (!needs.normal_maps || !has_normal_map(material)) return point;
+  SurfacePoint coat = point;
+  coat.spread = {};
+  shade_normal(world, needs, hit, Triangle(world, hit), material.coat.normal_texture, mips, coat);
+  return coat;
 }
 
 SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit,

@@ -25,6 +25,18 @@ struct SurfacePoint {
   NormalSpread spread;  ///< of the shading normals across the footprint
 };
 
+/// Clearcoat at a point.
+struct SurfaceCoat {
+  float factor = 0.0f;  ///< 0: none
+  float roughness = 0.0f;
+};
+
+/// Sheen at a point.
+struct SurfaceSheen {
+  glm::vec3 color{0.0f};  ///< black: none
+  float roughness = 0.0f;
+};
+
 /// Reflectance and emission of a material at a point: factors, textures and vertex colours.
 struct SurfaceMaterial {
   glm::vec3 base_color{1.0f};
@@ -40,6 +52,8 @@ struct SurfaceMaterial {
   float dielectric_f0 = 0.04f;
   float dielectric_f90 = 1.0f;
   bool unlit = false;
+  SurfaceCoat coat;
+  SurfaceSheen sheen;
 };
 
 /// The extent that a sample stands for: a square of `side` pixels, and the mip chains that average
@@ -71,6 +85,10 @@ struct SampleExtent {
 /// interpolated one turned round, to be on the geometric normal's side; else 1.
 void map_normal(const World& world, const Hit& hit, const MipChains* mips, float side,
                 SurfacePoint& point);
+
+/// The point as the material's coat has it: its normals are the coat's own.
+[[nodiscard]] SurfacePoint coat_point(const World& world, const SceneNeeds& needs, const Hit& hit,
+                                      const MipChains* mips, const SurfacePoint& point);
 
 /// The interpolated normal's values at the corners of what a hit is on; of a face of an analytic
 /// shape those of the vector that is its normal, and turns as it does, at the hit. The triangle of

@@ -1,6 +1,7 @@
 #include "renderer/shading/unevenness.h"
 
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/gloss.h"
 #include "renderer/shading/texture.h"
 
 #include <algorithm>
@@ -30,12 +31,7 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
   return {n / std::sqrt(length2), along(steps.right) + along(steps.down)};
 }
 
-/// The gloss of a surface where it was hit: a highlight's width and colour, by its textures.
-struct Gloss {
-  float roughness = 1.0f;
-  float f0 = 0.04f;
-};
-
+/// The gloss of a surface where it was hit, by its textures.
 Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
   float roughness = material.roughness, metallic = material.metallic;
   const TextureUse& use = material.metallic_roughness_texture;
@@ -46,7 +42,7 @@ Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
     metallic *= texel.b;
   }
   const glm::vec3 c = glm::vec3(material.base_color);
-  return {roughness, glm::mix(0.04f, std::max({c.x, c.y, c.z}), metallic)};
+  return {glm::mix(0.04f, std::max({c.x, c.y, c.z}), metallic), roughness};
 }
 
 // The error that a light's highlight can add. A GGX lobe of width alpha is
@@ -114,19 +110,22 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const Material& material = world.material_of(hit.triangle);
   const glm::vec3 size = glm::abs(patch.right) + glm::abs(patch.down);
   if (material.unlit || !std::isfinite(size.x + size.y + size.z)) return 0.0f;
-  const glm::vec3 c = glm::vec3(material.base_color);
+  const glm::vec3 c = glm::vec3(material.base_color) + material.sheen.color;
   const float reflected = std::clamp(std::max({c.x, c.y, c.z}), 0.0f, 1.0f);
   const Bend bend = bend_of(world, hit, patch);
   const glm::vec3 position = ray.at(hit.t);
   float error = reflected * (bend.turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
   if (!(bend.turn2 > 0.0f)) return std::min(1.0f, error);
-  const Gloss gloss = gloss_of(world, hit, material);
-  if (gloss.roughness < least_broad_roughness) {
+  const auto add_highlights = [&](const Gloss& lobe) {
+    if (lobe.roughness >= least_broad_roughness) return;
     for (const Light& light : lights) {
       if (rule == LightRule::published || !has_size(light))
-        error += highlight_error(light, gloss, bend, position, -ray.direction);
+        error += highlight_error(light, lobe, bend, position, -ray.direction);
     }
-  }
+  };
+  add_highlights(gloss_of(world, hit, material));
+  if (material.coat.factor > 0.0f)
+    add_highlights({coat_f0 * material.coat.factor, material.coat.roughness});
   return error < 1.0f ? error : 1.0f;
 }
 
@@ -135,7 +134,7 @@ float glint_error(std::span<const Light> lights, const Material& material, float
   const float variance = point.spread.variance;
   if (material.unlit || roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
   const glm::vec3 c = glm::vec3(material.base_color);
-  const Gloss gloss{roughness, glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic)};
+  const Gloss gloss{glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic), roughness};
   // An even turn along an edge has a twelfth of its square for a variance.
   const Bend bend{point.shading_normal, 12.0f * variance};
   float error = 0.0f;

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace asos {
@@ -21,5 +22,10 @@ struct ViewedPoint {
   Patch patch = {};  ///< of the surface that it stands for; a point where that does not matter
   float distance = std::numeric_limits<float>::infinity();  ///< of the viewer; parallel rays
 };
+
+[[nodiscard]] inline ViewedPoint viewed_point(const SurfacePoint& point, glm::vec3 to_viewer) {
+  const float n_dot_v = std::max(glm::dot(point.shading_normal, to_viewer), grazing_cosine);
+  return {point, to_viewer, n_dot_v};
+}
 
 }  // namespace asos

@@ -47,7 +47,7 @@ class Looker {
     if (material.unlit) return false;
     const float facing = std::max(0.0f, glm::dot(point.shading_normal, -ray.direction));
     return shader_
-        .mirror_width(shader_.eye_ray(ray, hit, 1.0f), point, material,
+        .mirror_width(shader_.eye_ray(ray, hit, 1.0f), point, material.roughness,
                       material.opacity * viewed(material, facing).specular)
         .has_value();
   }

@@ -81,7 +81,10 @@ bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
   const bool reflects = m.metallic > 0.0f || m.specular > 0.0f;
   const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
                       m.metallic_roughness_texture.used() || dfr;
-  return reflects && smooth;
+  const bool smooth_coat =
+      m.coat.factor > 0.0f && (static_cast<double>(m.coat.roughness) <= usual_roughest_mirror ||
+                               m.coat.roughness_texture.used() || dfr);
+  return (reflects && smooth) || smooth_coat;
 }
 
 /// By index. Only materials that some surface shows count: files often bring along more.
@@ -120,7 +123,10 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
                     m.specular_texture.used() || m.specular_color_texture.used() ||
                     (m.emissive_texture.used() && emits(m));
-  needs.normal_maps |= m.normal_texture.used();
+  needs.textures |= m.sheen.color_texture.used() || m.sheen.roughness_texture.used();
+  needs.textures |=
+      m.coat.texture.used() || m.coat.roughness_texture.used() || m.coat.normal_texture.used();
+  needs.normal_maps |= has_normal_map(m);
   needs.emission |= emits(m);
   needs.metals |= m.metallic > 0.0f;
 }

@@ -20,6 +20,10 @@ struct Reflector {
   glm::dvec3 base{1.0};
   double metallic = 1.0;
   double roughness = 0.5;
+  double coat = 0.0;  ///< KHR_materials_clearcoat
+  double coat_roughness = 0.0;
+  glm::dvec3 sheen{0.0};  ///< KHR_materials_sheen
+  double sheen_roughness = 1.0;
 };
 
 /// A point of a surface, and where it is seen from; all unit but the position.
@@ -27,23 +31,93 @@ struct SeenPoint {
   glm::dvec3 position, normal, to_viewer;
 };
 
-/// Appendix B, for `to_light` above the horizon, in 1 / sr.
-[[nodiscard]] inline glm::dvec3 gltf_brdf(const Reflector& r, const SeenPoint& at,
+/// GGX's D times Smith's V.
+[[nodiscard]] inline double ggx_reference(double roughness, const SeenPoint& at,
                                           glm::dvec3 to_light) {
   const glm::dvec3 n = at.normal, v = at.to_viewer;
   const glm::dvec3 h = glm::normalize(v + to_light);
-  const double a2 = std::pow(r.roughness, 4.0);
+  const double a2 = std::pow(roughness, 4.0);
   const double nl = glm::dot(n, to_light), nv = glm::dot(n, v), nh = glm::dot(n, h);
   const glm::dvec3 across = glm::cross(n, h);
   const double b = glm::dot(across, across) + a2 * nh * nh;
   const auto root = [a2](double x) { return std::sqrt(a2 + (1.0 - a2) * x * x); };
-  const double specular = a2 / (std::numbers::pi * b * b) * 0.5 / (nl * root(nv) + nv * root(nl));
-  const double schlick = std::pow(1.0 - glm::dot(v, h), 5.0);
+  return a2 / (std::numbers::pi * b * b) * 0.5 / (nl * root(nv) + nv * root(nl));
+}
+
+/// KHR_materials_sheen's D times V, word for word: Estevez and Kulla 2017.
+[[nodiscard]] inline double sheen_reference(double roughness, const SeenPoint& at,
+                                            glm::dvec3 to_light) {
+  const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
+  const double alpha = roughness * roughness;
+  const auto l = [alpha](double x) {
+    const double t = (1.0 - alpha) * (1.0 - alpha);
+    const double a = (1.0 - t) * 21.5473 + t * 25.3245, b = (1.0 - t) * 3.82987 + t * 3.32435;
+    const double c = (1.0 - t) * 0.19823 + t * 0.16801, d = -(1.0 - t) * 1.97760 - t * 1.27393;
+    const double e = -(1.0 - t) * 4.32054 - t * 4.85967;
+    return a / (1.0 + b * std::pow(x, c)) + d * x + e;
+  };
+  const auto lambda = [&](double x) {
+    return x < 0.5 ? std::exp(l(x)) : std::exp(2.0 * l(0.5) - l(1.0 - x));
+  };
+  const double nl = glm::dot(at.normal, to_light), nv = glm::dot(at.normal, at.to_viewer);
+  const double sine = glm::length(glm::cross(at.normal, h));
+  const double d = (2.0 + 1.0 / alpha) * std::pow(sine, 1.0 / alpha) / (2.0 * std::numbers::pi);
+  return d / ((1.0 + lambda(nv) + lambda(nl)) * 4.0 * nv * nl);
+}
+
+/// The mean over the hemisphere of a function of the direction to the light, times the cosine: what
+/// is seen under a sky of radiance 1.
+template <typename Function>
+[[nodiscard]] auto over_hemisphere(const SeenPoint& at, int rings, const Function& of) {
+  const glm::dvec3 n = at.normal;
+  const glm::dvec3 along = at.to_viewer - glm::dot(at.to_viewer, n) * n;
+  const glm::dvec3 other = std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 x =
+      glm::normalize(glm::dot(along, along) > 1e-12 ? along : glm::cross(n, other));
+  const glm::dvec3 y = glm::cross(n, x);
+  decltype(of(n)) sum(0.0);
+  for (int i = 0; i < rings; ++i) {
+    const double t = (i + 0.5) / rings;
+    const double z = t * t, radius = std::sqrt((1.0 - z) * (1.0 + z));
+    for (int k = 0; k < 2 * rings; ++k) {
+      const double angle = std::numbers::pi * (k + 0.5) / rings;
+      sum += 2.0 * t * z * of(z * n + radius * std::cos(angle) * x + radius * std::sin(angle) * y);
+    }
+  }
+  return std::numbers::pi / (rings * rings) * sum;
+}
+
+/// What a viewer sees of layers whatever the light: KHR_materials_clearcoat's factor times its
+/// Fresnel term, and the share of KHR_materials_sheen's albedo scaling.
+struct LayersSeen {
+  double coat = 0.0;
+  double below_sheen = 1.0;
+
+  LayersSeen(const Reflector& r, const SeenPoint& at) {
+    coat = r.coat * (0.04 + 0.96 * std::pow(1.0 - glm::dot(at.normal, at.to_viewer), 5.0));
+    if (r.sheen == glm::dvec3(0.0)) return;
+    const double albedo = over_hemisphere(
+        at, 40, [&](glm::dvec3 l) { return sheen_reference(r.sheen_roughness, at, l); });
+    below_sheen = 1.0 - std::max({r.sheen.x, r.sheen.y, r.sheen.z}) * albedo;
+  }
+};
+
+/// Appendix B below its layers, for `to_light` above the horizon, in 1 / sr.
+[[nodiscard]] inline glm::dvec3 gltf_brdf(const Reflector& r, const SeenPoint& at,
+                                          const LayersSeen& layers, glm::dvec3 to_light) {
+  const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
+  const double specular = ggx_reference(r.roughness, at, to_light);
+  const double schlick = std::pow(1.0 - glm::dot(at.to_viewer, h), 5.0);
   const double fresnel = 0.04 + 0.96 * schlick;
   const glm::dvec3 dielectric =
       (1.0 - fresnel) * std::numbers::inv_pi * r.base + glm::dvec3(fresnel * specular);
   const glm::dvec3 metal = specular * (r.base + (1.0 - r.base) * schlick);
-  return glm::mix(dielectric, metal, r.metallic);
+  glm::dvec3 all = glm::mix(dielectric, metal, r.metallic);
+  if (r.sheen != glm::dvec3(0.0))
+    all = r.sheen * sheen_reference(r.sheen_roughness, at, to_light) + layers.below_sheen * all;
+  if (r.coat > 0.0)
+    all = glm::mix(all, glm::dvec3(ggx_reference(r.coat_roughness, at, to_light)), layers.coat);
+  return all;
 }
 
 /// A part of a light by two parameters from 0 to 1.
@@ -105,8 +179,9 @@ class PatchQuadrature {
   PatchQuadrature(const Reflector& reflector, const SeenPoint& at, double fineness = 2.0)
       : reflector_(reflector),
         at_(at),
+        layers_(reflector, at),
         mirrored_(glm::reflect(-at.to_viewer, at.normal)),
-        lobe_(reflector.roughness * reflector.roughness *
+        lobe_(narrowest(reflector) * narrowest(reflector) *
               std::clamp(glm::dot(at.normal, at.to_viewer), 0.1, 1.0)),
         fineness_(fineness) {}
 
@@ -115,6 +190,9 @@ class PatchQuadrature {
   }
 
  private:
+  [[nodiscard]] static double narrowest(const Reflector& r) {
+    return r.coat > 0.0 ? std::min(r.roughness, r.coat_roughness) : r.roughness;
+  }
   [[nodiscard]] glm::dvec3 integral(const RadiantPatch& patch, double u, double v, double side,
                                     int depth) const {
     constexpr int deepest = 12;
@@ -146,7 +224,7 @@ class PatchQuadrature {
         const double cosine = glm::dot(place.to_light, at_.normal);
         if (!(cosine > 0.0) || !(place.solid_angle > 0.0)) continue;
         sum += weights[i] * weights[k] * cosine * place.solid_angle *
-               gltf_brdf(reflector_, at_, place.to_light);
+               gltf_brdf(reflector_, at_, layers_, place.to_light);
       }
     }
     return side * side * sum;
@@ -154,6 +232,7 @@ class PatchQuadrature {
 
   Reflector reflector_;
   SeenPoint at_;
+  LayersSeen layers_;
   glm::dvec3 mirrored_;
   double lobe_;
   double fineness_;
@@ -166,6 +245,7 @@ class PatchQuadrature {
   const glm::dvec3 step = (end - begin) / static_cast<double>(parts);
   const glm::dvec3 along = glm::normalize(step);
   const double third = 0.5 * std::sqrt(0.6);
+  const LayersSeen layers(reflector, at);
   glm::dvec3 sum(0.0);
   for (int i = 0; i < parts; ++i) {
     for (const double node : {-third, 0.0, third}) {
@@ -176,7 +256,7 @@ class PatchQuadrature {
       if (!(cosine > 0.0)) continue;
       const double sine = glm::length(glm::cross(to_light, along));
       sum += (node == 0.0 ? 4.0 / 9.0 : 5.0 / 18.0) * cosine * sine / (distance * distance) *
-             gltf_brdf(reflector, at, to_light);
+             gltf_brdf(reflector, at, layers, to_light);
     }
   }
   return glm::length(step) * sum;

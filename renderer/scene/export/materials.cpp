@@ -67,6 +67,35 @@ void write_reflection(const Material& material, json& out, GltfDocument& documen
                                {"perturbation", material.dfr->perturbation}};
 }
 
+json normal_texture_info(const TextureUse& use, GltfDocument& document) {
+  json info = texture_info(use, document);
+  info["scale"] = use.scale;
+  return info;
+}
+
+void write_coat(const Clearcoat& coat, json& out, GltfDocument& document) {
+  if (coat.factor == 0.0f) return;
+  document.use_extension("KHR_materials_clearcoat");
+  json& clearcoat = out["extensions"]["KHR_materials_clearcoat"];
+  clearcoat = {{"clearcoatFactor", coat.factor}, {"clearcoatRoughnessFactor", coat.roughness}};
+  if (coat.texture.used()) clearcoat["clearcoatTexture"] = texture_info(coat.texture, document);
+  if (coat.roughness_texture.used())
+    clearcoat["clearcoatRoughnessTexture"] = texture_info(coat.roughness_texture, document);
+  if (coat.normal_texture.used())
+    clearcoat["clearcoatNormalTexture"] = normal_texture_info(coat.normal_texture, document);
+}
+
+void write_sheen(const Sheen& sheen, json& out, GltfDocument& document) {
+  if (!sheen.used()) return;
+  document.use_extension("KHR_materials_sheen");
+  json& written = out["extensions"]["KHR_materials_sheen"];
+  written = {{"sheenColorFactor", numbers(sheen.color)}, {"sheenRoughnessFactor", sheen.roughness}};
+  if (sheen.color_texture.used())
+    written["sheenColorTexture"] = texture_info(sheen.color_texture, document);
+  if (sheen.roughness_texture.used())
+    written["sheenRoughnessTexture"] = texture_info(sheen.roughness_texture, document);
+}
+
 json material_json(const Material& material, GltfDocument& document) {
   json out{{"name", material.name}};
   json& pbr = out["pbrMetallicRoughness"];
@@ -81,8 +110,7 @@ json material_json(const Material& material, GltfDocument& document) {
     pbr["metallicRoughnessTexture"] = texture_info(material.metallic_roughness_texture, document);
   }
   if (material.normal_texture.used()) {
-    out["normalTexture"] = texture_info(material.normal_texture, document);
-    out["normalTexture"]["scale"] = material.normal_texture.scale;
+    out["normalTexture"] = normal_texture_info(material.normal_texture, document);
   }
   if (material.emissive_texture.used()) {
     out["emissiveTexture"] = texture_info(material.emissive_texture, document);
@@ -101,6 +129,8 @@ json material_json(const Material& material, GltfDocument& document) {
     out["extensions"]["KHR_materials_unlit"] = json::object();
   }
   write_reflection(material, out, document);
+  write_coat(material.coat, out, document);
+  write_sheen(material.sheen, out, document);
   if (material.transmission != 0.0f) {
     document.use_extension("KHR_materials_transmission");
     json& transmission = out["extensions"]["KHR_materials_transmission"];

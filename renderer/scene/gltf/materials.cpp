@@ -39,6 +39,8 @@ class MaterialReader {
     } else {
       warnings_.add(fmt::format("{}: its asos_dfr is left out: {}", place_, dfr.error()));
     }
+    read_coat(m);
+    read_sheen(m);
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
@@ -51,6 +53,8 @@ class MaterialReader {
     m.normal_texture = use(source_.normalTexture, "normal");
     m.normal_texture.scale = finite(source_.normalTexture.scale, 1.0, "normal scale");
     m.emissive_texture = use(source_.emissiveTexture, "emissive");
+    use_coat(m);
+    use_sheen(m);
     if (glossy) {
       use_specular_glossiness(*glossy, m);
     } else if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
@@ -146,6 +150,44 @@ class MaterialReader {
       m.specular_color[c] = within(number_at(*e, "specularColorFactor", c).value_or(1.0), 0.0, 1e30,
                                    1.0, "specular colour factor");
     }
+  }
+
+  void read_coat(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_clearcoat");
+    if (!e) return;
+    m.coat.factor =
+        within(number(*e, "clearcoatFactor").value_or(0.0), 0.0, 1.0, 0.0, "clearcoat factor");
+    m.coat.roughness = within(number(*e, "clearcoatRoughnessFactor").value_or(0.0), 0.0, 1.0, 0.0,
+                              "clearcoat roughness factor");
+  }
+
+  void read_sheen(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_sheen");
+    if (!e) return;
+    for (int c = 0; c < 3; ++c) {
+      m.sheen.color[c] = within(number_at(*e, "sheenColorFactor", c).value_or(0.0), 0.0, 1.0, 0.0,
+                                "sheen colour factor");
+    }
+    m.sheen.roughness = within(number(*e, "sheenRoughnessFactor").value_or(0.0), 0.0, 1.0, 0.0,
+                               "sheen roughness factor");
+  }
+
+  void use_sheen(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_sheen");
+    if (!e || !m.sheen.used()) return;
+    m.sheen.color_texture = use_in(*e, "sheenColorTexture", "sheen colour");
+    m.sheen.roughness_texture = use_in(*e, "sheenRoughnessTexture", "sheen roughness");
+  }
+
+  void use_coat(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_clearcoat");
+    if (!e || !(m.coat.factor > 0.0f)) return;
+    m.coat.texture = use_in(*e, "clearcoatTexture", "clearcoat");
+    m.coat.roughness_texture = use_in(*e, "clearcoatRoughnessTexture", "clearcoat roughness");
+    m.coat.normal_texture = use_in(*e, "clearcoatNormalTexture", "clearcoat normal");
+    if (!m.coat.normal_texture.used()) return;
+    const double scale = number(e->Get("clearcoatNormalTexture"), "scale").value_or(1.0);
+    m.coat.normal_texture.scale = finite(scale, 1.0, "clearcoat normal scale");
   }
 
   /// A dielectric of infinite index, whose reflection at normal incidence is its specular colour:

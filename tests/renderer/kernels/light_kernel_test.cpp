@@ -93,8 +93,12 @@ Subject subject(RandomSpace& space, int kind, double scale, glm::dvec3 offset) {
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, glm::vec3(to_viewer), n_dot_v});
   const auto unit = [&] { return static_cast<float>(space.between(0, 1)); };
   // Rougher than a mirror: next to one's reflection the last bits of a direction are all there is.
-  s.material = {{unit(), unit(), unit()}, {},     glm::vec3(unit()),
-                0.3f + 0.7f * unit(),     unit(), unit()};
+  s.material = {{unit(), unit(), unit()}, {},    glm::vec3(unit()), 0.3f + 0.7f * unit(),
+                glm::vec3(unit()),        unit()};
+  if (kind % 7 == 0) {
+    s.material.roughness = 1.0f;
+    s.material.sheen = 0.2f + 0.8f * unit();
+  }
   s.mirrored = kind % 5 == 0 ? MirroredLights::all : MirroredLights::none;
   s.share = {unit(), unit(), unit()};
   if (kind % 2 == 0) {

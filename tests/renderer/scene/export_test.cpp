@@ -140,6 +140,16 @@ Scene rich_scene() {
   full.specular_color_texture = moved(0, 0.7, {2.0f, -3.0f}, {0.25f, -0.5f});
   full.transmission_texture.texture = 0;
   full.transmission_texture.texcoord = 1;
+  full.coat.factor = 0.75f;
+  full.coat.roughness = 0.3f;
+  full.coat.texture.texture = 1;
+  full.coat.roughness_texture = moved(1, 0.2, {2.0f, 3.0f}, {0.25f, -0.5f});
+  full.coat.normal_texture.texture = 0;
+  full.coat.normal_texture.scale = 0.6f;
+  full.sheen.color = {0.9f, 0.1f, 0.3f};
+  full.sheen.roughness = 0.4f;
+  full.sheen.color_texture.texture = 0;
+  full.sheen.roughness_texture.texture = 1;
   full.dfr = Dfr{{{{0.1, 0.9, 2.0}, {0.2, 1.0 / 3.0, 2.5}, {0.0, 1.0, 32.0}}}, 0.125};
   Material flat;
   flat.name = "flat";
@@ -220,10 +230,10 @@ TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   EXPECT_EQ(position["max"], json::array({1.0f, 1.0f, 1.0f / 3.0f}));
   EXPECT_EQ(primitive["attributes"].size(), 6u);
 
-  const json used = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
-                     "KHR_materials_ior",          "KHR_materials_specular",
-                     "KHR_materials_transmission", "KHR_materials_unlit",
-                     "KHR_texture_transform"};
+  const json used = {
+      "KHR_lights_punctual",        "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+      "KHR_materials_ior",          "KHR_materials_sheen",     "KHR_materials_specular",
+      "KHR_materials_transmission", "KHR_materials_unlit",     "KHR_texture_transform"};
   EXPECT_EQ(root["extensionsUsed"], used);
   EXPECT_FALSE(root.contains("extensionsRequired"));
 
@@ -385,6 +395,10 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.specular, b.specular);
   EXPECT_EQ(a.specular_color, b.specular_color);
   EXPECT_EQ(a.dfr, b.dfr);
+  EXPECT_EQ(a.coat.factor, b.coat.factor);
+  EXPECT_EQ(a.coat.roughness, b.coat.roughness);
+  EXPECT_EQ(a.sheen.color, b.sheen.color);
+  EXPECT_EQ(a.sheen.roughness, b.sheen.roughness);
   const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
   for (std::size_t i = 0; i < textures_a.size(); ++i) expect_equal(*textures_a[i], *textures_b[i]);
 }

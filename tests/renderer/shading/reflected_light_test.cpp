@@ -61,7 +61,7 @@ TEST(MirroredLights, AreThoseThatHaveASurface) {
 
 TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
-  seen.material.f90 = 0.7f;
+  seen.material.f90 = glm::vec3(0.7f);
   seen.material.falloff = 0.6f;
   // Also of a light that lacks a colour.
   const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});

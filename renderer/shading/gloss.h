@@ -1,0 +1,32 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+#include "renderer/shading/brdf.h"
+
+#include <algorithm>
+
+namespace asos {
+
+/// A highlight's strength and width.
+struct Gloss {
+  float f0 = 0.04f;  ///< largest of the colours
+  float roughness = 1.0f;
+};
+
+/// Whether a lobe of this roughness has highlights that are no reflections, and vary faster than
+/// diffuse light does.
+[[nodiscard]] inline bool has_highlights(float roughness) {
+  return roughness >= roughness_floor && roughness < least_broad_roughness;
+}
+
+/// The roughness of the smoothest of a material's layers, without textures, which only lessen it.
+[[nodiscard]] inline float least_roughness(const Material& m) {
+  return m.coat.factor > 0.0f ? std::min(m.roughness, m.coat.roughness) : m.roughness;
+}
+
+/// Whether highlights on it vary faster than diffuse light does.
+[[nodiscard]] inline bool may_be_glossy(const Material& m) {
+  return m.metallic_roughness_texture.used() || least_roughness(m) < least_broad_roughness;
+}
+
+}  // namespace asos

@@ -1,0 +1,101 @@
+#include "renderer/scene/load.h"
+#include "tests/renderer/scene/gltf_builder.h"
+
+#include <gtest/gtest.h>
+
+// KHR_materials_clearcoat and KHR_materials_sheen as files say them: scene/gltf/MATERIALS.md.
+
+namespace asos {
+namespace {
+
+using nlohmann::json;
+using test::GltfBuilder;
+
+Scene import_with(const std::string& name, json extension, bool unlit = false) {
+  GltfBuilder b = GltfBuilder::square();
+  const int uv = b.vec2({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  json& primitive = b.json["meshes"][0]["primitives"][0];
+  primitive["attributes"]["TEXCOORD_0"] = uv;
+  primitive["material"] = 0;
+  b.json["extensionsUsed"] = b.json["extensionsRequired"] = {name};
+  b.json["images"] = {{{"uri", test::small_png}}};
+  b.json["textures"] = {{{"source", 0}}};
+  b.json["materials"] = {{{"name", "car"}, {"extensions", {{name, std::move(extension)}}}}};
+  if (unlit) {
+    b.json["extensionsUsed"].push_back("KHR_materials_unlit");
+    b.json["materials"][0]["extensions"]["KHR_materials_unlit"] = json::object();
+  }
+  const test::TemporaryFolder folder;
+  const Result<Scene> scene = import_gltf(folder.write("test.glb", b.glb()));
+  EXPECT_TRUE(scene) << scene.error().message();
+  return scene ? *scene : Scene{};
+}
+
+Scene coated(json extension) {
+  return import_with("KHR_materials_clearcoat", std::move(extension));
+}
+Scene sheeny(json extension) {
+  return import_with("KHR_materials_sheen", std::move(extension));
+}
+
+TEST(ImportLayers, ClearcoatsAreRead) {
+  const Scene scene = coated({{"clearcoatFactor", 0.75},
+                              {"clearcoatTexture", {{"index", 0}}},
+                              {"clearcoatRoughnessFactor", 0.25},
+                              {"clearcoatRoughnessTexture", {{"index", 0}}},
+                              {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.5}}}});
+  const Clearcoat& coat = scene.materials.at(0).coat;
+  EXPECT_EQ(coat.factor, 0.75f);
+  EXPECT_EQ(coat.roughness, 0.25f);
+  EXPECT_TRUE(coat.texture.used());
+  EXPECT_TRUE(coat.roughness_texture.used());
+  EXPECT_TRUE(coat.normal_texture.used());
+  EXPECT_EQ(coat.normal_texture.scale, 0.5f);
+  EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
+  EXPECT_TRUE(scene.notes.warnings.empty());
+  EXPECT_EQ(scene.meshes.at(0).tangents.size(), 4u) << "made for the coat's own normal map";
+}
+
+TEST(ImportLayers, SheensAreRead) {
+  const Scene scene = sheeny({{"sheenColorFactor", {0.5, 0.25, 1}},
+                              {"sheenColorTexture", {{"index", 0}}},
+                              {"sheenRoughnessFactor", 0.75},
+                              {"sheenRoughnessTexture", {{"index", 0}}}});
+  const Sheen& sheen = scene.materials.at(0).sheen;
+  EXPECT_EQ(sheen.color, glm::vec3(0.5f, 0.25f, 1.0f));
+  EXPECT_EQ(sheen.roughness, 0.75f);
+  EXPECT_TRUE(sheen.color_texture.used());
+  EXPECT_TRUE(sheen.roughness_texture.used());
+  EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
+  EXPECT_TRUE(scene.notes.warnings.empty());
+}
+
+TEST(ImportLayers, ByDefaultThereAreNone) {
+  // Their textures need not even be there.
+  const Scene bare = coated({{"clearcoatTexture", {{"index", 0}}}});
+  EXPECT_EQ(bare.materials.at(0).coat.factor, 0.0f);
+  EXPECT_EQ(bare.materials.at(0).coat.roughness, 0.0f);
+  EXPECT_FALSE(bare.materials.at(0).coat.texture.used());
+  const Scene dull = sheeny({{"sheenRoughnessFactor", 1}, {"sheenColorTexture", {{"index", 0}}}});
+  EXPECT_FALSE(dull.materials.at(0).sheen.used());
+  EXPECT_FALSE(dull.materials.at(0).sheen.color_texture.used());
+  const Scene unlit =
+      import_with("KHR_materials_clearcoat",
+                  {{"clearcoatFactor", 1}, {"clearcoatTexture", {{"index", 0}}}}, true);
+  EXPECT_FALSE(unlit.materials.at(0).coat.texture.used());
+}
+
+TEST(ImportLayers, ValuesOutOfRangeAreBroughtIntoItByName) {
+  const Scene coat = coated({{"clearcoatFactor", 1.5}, {"clearcoatRoughnessFactor", -1}});
+  EXPECT_EQ(coat.materials.at(0).coat.factor, 1.0f);
+  EXPECT_EQ(coat.materials.at(0).coat.roughness, 0.0f);
+  ASSERT_EQ(coat.notes.warnings.size(), 2u);
+  EXPECT_EQ(coat.notes.warnings[0],
+            "material 'car': its clearcoat factor of 1.5 is out of range; 1 is used");
+  const Scene sheen = sheeny({{"sheenColorFactor", {2, "x", 0.5}}, {"sheenRoughnessFactor", "y"}});
+  EXPECT_EQ(sheen.materials.at(0).sheen.color, glm::vec3(1.0f, 0.0f, 0.5f));
+  EXPECT_EQ(sheen.notes.warnings.size(), 1u);
+}
+
+}  // namespace
+}  // namespace asos

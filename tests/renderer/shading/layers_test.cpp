@@ -1,0 +1,264 @@
+#include "renderer/sampling/sobol_points.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/shade.h"
+#include "renderer/shading/sheen.h"
+#include "renderer/shading/sky.h"
+#include "renderer/shading/sky_light.h"
+#include "tests/support/rendering_equation.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+// KHR_materials_clearcoat and KHR_materials_sheen in what shading makes of a material, against the
+// extensions' formulas.
+
+namespace asos::test::layers_test {
+namespace {
+
+constexpr double angles[] = {0.0, 0.5, 1.0, 1.3, 1.45};
+
+/// Adds up what the sky sends by way of all layers, by samples or, of an open one, at once.
+class SkyTransport final : public LightTransport {
+ public:
+  explicit SkyTransport(std::uint32_t samples) : samples_(samples) {}
+
+  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
+    radiance += lit.reflected * lit.unshadowed;
+  }
+  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
+               RenderStatistics& /*counts*/) override {
+    const SobolPixel places(3, 5, 7);
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t i = 0; i < samples_; ++i)
+      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
+        sum += glm::dvec3(sample->carried);
+    radiance += glm::vec3(sum / static_cast<double>(samples_));
+    return true;
+  }
+
+ private:
+  std::uint32_t samples_;
+};
+
+Material material_of(const Reflector& reflector) {
+  Material m = matte(glm::vec3(reflector.base));
+  m.metallic = static_cast<float>(reflector.metallic);
+  m.roughness = static_cast<float>(reflector.roughness);
+  m.coat.factor = static_cast<float>(reflector.coat);
+  m.coat.roughness = static_cast<float>(reflector.coat_roughness);
+  m.sheen.color = glm::vec3(reflector.sheen);
+  m.sheen.roughness = static_cast<float>(reflector.sheen_roughness);
+  return m;
+}
+
+/// A floor of a material, under one sky and maybe a light.
+struct Floor {
+  World world;
+  Lighting lighting;
+  SceneNeeds needs;
+  RayScene rays;
+
+  explicit Floor(const Material& material, std::vector<Light> lights = {}) {
+    add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
+    lighting = prepare_lighting(world, std::move(lights));
+    needs = find_needs(world).with(lighting.needs);
+    rays = RayScene::build(world, alpha_at, lighting.lights).value();
+  }
+  Floor(const Floor&) = delete;
+
+  /// What is seen of its middle at an angle from upright, under `sky`; of an open one without
+  /// samples.
+  [[nodiscard]] glm::vec3 look(double angle, const Sky& sky, std::uint32_t samples = 0) const {
+    ShadingSettings settings;
+    settings.sky = &sky;
+    settings.sky_shadows = samples > 0;
+    SkyTransport transport(samples);
+    RenderStatistics counts;
+    Ray ray;
+    ray.origin = 10.0f * to_viewer(angle);
+    ray.direction = -to_viewer(angle);
+    return Shader(world, needs, rays, lighting, settings)
+        .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
+  }
+  static glm::vec3 to_viewer(double angle) {
+    return {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)), 0.0f};
+  }
+};
+
+SeenPoint seen_at(double angle) {
+  return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
+}
+
+Reflector coated(double metallic, double factor, double roughness) {
+  return {{0.9, 0.6, 0.3}, metallic, 0.6, factor, roughness};
+}
+Reflector sheeny(glm::dvec3 color, double roughness) {
+  return {{0.3, 0.5, 0.1}, 0.0, 0.7, 0.0, 0.0, color, roughness};
+}
+std::vector<Reflector> reflectors() {
+  Reflector both = sheeny({0.7, 0.2, 0.9}, 0.5);
+  both.coat = 0.8;
+  both.coat_roughness = 0.3;
+  return {coated(0.0, 1.0, 0.3),        coated(1.0, 0.5, 0.45), sheeny({1, 0.5, 0.25}, 0.3),
+          sheeny({0.2, 0.9, 0.4}, 0.7), sheeny({1, 1, 1}, 1.0), both};
+}
+
+TEST(Layers, OfALightAreTheExtensionsFormulas) {
+  const Sky dark(glm::vec3(0.0f));
+  for (const Reflector& reflector : reflectors()) {
+    for (const double angle : angles) {
+      for (const glm::dvec3 light : {glm::dvec3(0.2, 1, 0.1), {-0.9, 0.5, 0.3}, {1, 0.2, -1}}) {
+        const glm::dvec3 to_light = glm::normalize(light);
+        Light sun;
+        sun.type = Light::Type::directional;
+        sun.direction = -to_light;
+        sun.intensity = 2.0f;
+        const Floor floor(material_of(reflector), {sun});
+        const SeenPoint at = seen_at(angle);
+        const glm::dvec3 expected =
+            2.0 * to_light.y * gltf_brdf(reflector, at, LayersSeen(reflector, at), to_light);
+        const glm::vec3 found = floor.look(angle, dark);
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(found[c], expected[c], 4e-3 * expected[c] + 1e-4)
+              << angle << ' ' << light.x << ' ' << reflector.coat << ' ' << reflector.sheen.x;
+      }
+    }
+  }
+}
+
+// The base itself may return more than it gets at grazing angles (brdf.h): layers are compared with
+// the same integral.
+TEST(Layers, UnderASkyOfRadianceOneReturnTheirAlbedo) {
+  const Sky white(glm::vec3(1.0f));
+  for (const Reflector& reflector : reflectors()) {
+    const Floor floor(material_of(reflector));
+    for (const double angle : angles) {
+      const SeenPoint at = seen_at(angle);
+      const LayersSeen layers(reflector, at);
+      const glm::dvec3 albedo = over_hemisphere(
+          at, 150, [&](glm::dvec3 l) { return gltf_brdf(reflector, at, layers, l); });
+      const glm::vec3 found = floor.look(angle, white, 1 << 13);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(found[c], albedo[c], 1e-2)
+            << angle << ' ' << reflector.coat << ' ' << reflector.sheen.x;
+    }
+  }
+}
+
+// In the ambient light no layer makes light, whatever lies below it and however it is seen.
+TEST(Layers, NeverReturnMoreThanTheyGet) {
+  const Sky white(glm::vec3(1.0f));
+  for (const double roughness : {0.0, 0.1, 0.2, 0.5, 1.0}) {
+    for (const double metallic : {0.0, 1.0}) {
+      Reflector r{{1, 1, 1}, metallic, roughness, 1.0, roughness, {1, 1, 1}, roughness};
+      for (const double coat : {0.0, 0.5, 1.0}) {
+        r.coat = coat;
+        const Floor floor(material_of(r));
+        for (double angle = 0.0; angle < 1.57; angle += 0.05) {
+          const glm::vec3 found = floor.look(angle, white);
+          EXPECT_LE(std::max({found.x, found.y, found.z}), 1.0f + 1e-5f) << angle;
+          EXPECT_GE(std::min({found.x, found.y, found.z}), 0.0f);
+        }
+      }
+    }
+  }
+}
+
+TEST(Layers, HideWhatShinesBelowThem) {
+  const Sky dark(glm::vec3(0.0f));
+  Material m = matte(glm::vec3(0.0f));
+  m.emissive = {3.0f, 2.0f, 1.0f};
+  m.coat.factor = 0.5f;
+  for (const double angle : angles) {
+    const double fresnel = 0.04 + 0.96 * std::pow(1.0 - std::cos(angle), 5.0);
+    const glm::vec3 found = Floor(m).look(angle, dark);
+    EXPECT_NEAR(found.r, 3.0 * (1.0 - 0.5 * fresnel), 1e-5);
+    EXPECT_NEAR(found.b, 1.0 - 0.5 * fresnel, 1e-5);
+  }
+}
+
+// The coat's normals are its own; without a map of its own they are the surface's.
+TEST(Layers, CoatsHaveTheirOwnNormals) {
+  const auto tilted = [](World& world) {
+    return add_texture(world,
+                       make_image(1, 1,
+                                  [](int, int) {
+                                    return Texel{204, 128, 230, 255};
+                                  }),
+                       Wrap::repeat, Filter::linear);
+  };
+  const auto normals = [&](bool of_base, bool of_coat) {
+    World world;
+    const int map = tilted(world);
+    Material m = matte(glm::vec3(0.5f));
+    m.coat.factor = 1.0f;
+    if (of_base) m.normal_texture.texture = map;
+    if (of_coat) m.coat.normal_texture.texture = map;
+    add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
+    Hit hit;
+    hit.t = 1.0f;
+    hit.b1 = hit.b2 = 0.25f;
+    hit.triangle = 0;
+    const SceneNeeds needs = find_needs(world);
+    const SurfacePoint point = surface_point(world, needs, hit, {0, 1, 0});
+    return std::pair(point.shading_normal,
+                     coat_point(world, needs, hit, nullptr, point).shading_normal);
+  };
+  const glm::vec3 up(0, 1, 0);
+  const glm::vec3 right = glm::normalize(glm::vec3(0.6f, 0.8f, 0.0f));
+  EXPECT_LT(glm::distance(normals(true, false).first, right), 0.01f);
+  EXPECT_EQ(normals(true, false).second, up);
+  EXPECT_EQ(normals(false, true).first, up);
+  EXPECT_LT(glm::distance(normals(false, true).second, right), 0.01f);
+  EXPECT_EQ(normals(true, true).first, normals(true, true).second);
+}
+
+TEST(Layers, TexturesScaleTheirFactors) {
+  World world;
+  const int map = add_texture(world,
+                              make_image(1, 1,
+                                         [](int, int) {
+                                           return Texel{51, 102, 188, 204};
+                                         }),
+                              Wrap::repeat, Filter::linear);
+  Material m = matte(glm::vec3(0.5f));
+  m.coat.factor = 0.5f;
+  m.coat.roughness = 0.5f;
+  m.coat.texture.texture = m.coat.roughness_texture.texture = map;
+  m.sheen.color = {0.5f, 1.0f, 1.0f};
+  m.sheen.roughness = 0.5f;
+  m.sheen.color_texture.texture = m.sheen.roughness_texture.texture = map;
+  add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
+  Hit hit;
+  hit.t = 1.0f;
+  hit.b1 = hit.b2 = 0.25f;
+  hit.triangle = 0;
+  const SurfaceMaterial seen = surface_material(world, find_needs(world), hit);
+  EXPECT_NEAR(seen.coat.factor, 0.1f, 1e-6f) << "red";
+  EXPECT_NEAR(seen.coat.roughness, 0.2f, 1e-6f) << "green";
+  EXPECT_NEAR(seen.sheen.color.r, 0.5 * 0.0331, 1e-4) << "sRGB";
+  EXPECT_NEAR(seen.sheen.color.b, 0.5029, 1e-4);
+  EXPECT_NEAR(seen.sheen.roughness, 0.4f, 1e-6f) << "alpha";
+}
+
+TEST(Sheen, AlbedoIsTheIntegralOfItsLobe) {
+  for (const double roughness : {0.1, 0.13, 0.2, 0.33, 0.5, 0.71, 1.0}) {
+    for (const double n_dot_v : {0.02, 0.05, 0.11, 0.3, 0.52, 0.8, 0.99}) {
+      const SeenPoint at = seen_at(std::acos(n_dot_v));
+      const double expected =
+          over_hemisphere(at, 60, [&](glm::dvec3 l) { return sheen_reference(roughness, at, l); });
+      const float found = sheen_albedo(static_cast<float>(n_dot_v), static_cast<float>(roughness));
+      EXPECT_NEAR(found, expected, 1e-2) << roughness << ' ' << n_dot_v;
+    }
+  }
+  EXPECT_TRUE(std::isnan(sheen_albedo(std::nanf(""), 0.5f)));
+  EXPECT_TRUE(std::isnan(sheen_albedo(0.5f, std::nanf(""))));
+  EXPECT_EQ(sheen_albedo(2.0f, 0.5f), sheen_albedo(1.0f, 0.5f));
+}
+
+}  // namespace
+}  // namespace asos::test::layers_test
