@@ -53,5 +53,39 @@ TEST(LayeredLight, OnASheenyPlane) {
   expect_true(Subject::plane, sheeny(0.3), 2e-3, 0.01);
 }
 
+// A smooth coat over a matte floor mirrors a wall that shines: factor * F(n.v) times its radiance,
+// and the floor itself is dark.
+TEST(LayeredLight, SmoothCoatsMirror) {
+  Material floor = matte(glm::vec3(0.0f));
+  floor.ior = 1.0f;
+  floor.specular = 0.0f;
+  floor.coat.factor = 0.75f;
+  Material wall = unlit(glm::vec3(1.0f));
+  wall.base_color = {0.5f, 1.0f, 0.25f, 1.0f};
+  World world;
+  add_quad(world, {-20, 0, 0}, {0, 0, 20}, {40, 0, 0}, floor);
+  add_quad(world, {-20, 0, 0}, {40, 0, 0}, {0, 40, 0}, wall);
+  const auto scene = make_render_scene(std::move(world));
+  const Camera camera = look_at({0, 1.5, 6}, {0, 0.2, 2.5}, 0.3);
+  const View view(camera, width, height);
+  for (const Method method : {Method::asos, Method::sobol}) {
+    const Picture picture = render_picture(*scene, camera, true_light::settings_for(method));
+    int seen = 0;
+    for (int y = 4; y < height; y += 8) {
+      for (int x = 4; x < width; x += 8) {
+        const glm::dvec3 down = glm::normalize(glm::dvec3(view.ray(x + 0.5, y + 0.5).direction));
+        const auto met = meet(Subject::plane, glm::dvec3(view.ray(x + 0.5, y + 0.5).origin), down);
+        if (!met || met->point.position.z < 0.1 || met->point.position.z > 19.0) continue;
+        const double fresnel = 0.04 + 0.96 * std::pow(1.0 + down.y, 5.0);
+        const glm::vec3 found = picture.film.radiance[static_cast<std::size_t>(y * width + x)];
+        EXPECT_NEAR(found.y, 0.75 * fresnel, 2e-3) << x << ' ' << y;
+        EXPECT_NEAR(found.x, 0.5f * found.y, 1e-5f);
+        ++seen;
+      }
+    }
+    EXPECT_GT(seen, 30);
+  }
+}
+
 }  // namespace
 }  // namespace asos::test::layered_light_test
