@@ -294,6 +294,11 @@ void add_look_options(CLI::App& app, PictureArguments& arguments) {
   add_needs_option(app, arguments.needs);
 }
 
+std::string variant_of(const PictureArguments& arguments) {
+  const bool same = arguments.from && arguments.from->scene == arguments.scene;
+  return arguments.variant.empty() && same ? arguments.from->variant : arguments.variant;
+}
+
 Result<RenderSettings> with_sky(const PictureArguments& arguments) {
   return make_sky(arguments.sky).map([&](std::shared_ptr<const Sky> sky) {
     RenderSettings settings = arguments.settings;

@@ -20,6 +20,7 @@ namespace asos {
 /// The arguments that the window and `render` share: a scene, how to render it, and from where.
 struct PictureArguments {
   std::string scene = "builtin:office";
+  std::string variant;  ///< of its materials, as asked for; see variant_of
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
@@ -46,6 +47,10 @@ void add_needs_option(CLI::App& app, NeedsChoice& needs);
 /// Those of the options above that decide on the true picture of a scene, and TR: for commands that
 /// choose methods and their quality by themselves.
 void add_look_options(CLI::App& app, PictureArguments& arguments);
+
+/// The variant of the scene's materials that is shown: the one asked for, or else that of the saved
+/// picture whose settings are taken, if it is of the same scene. Empty: none.
+[[nodiscard]] std::string variant_of(const PictureArguments& arguments);
 
 /// The settings with the sky that was asked for, which is read where it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);

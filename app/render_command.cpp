@@ -12,6 +12,7 @@
 #include "app/render_arguments.h"
 #include "app/render_job.h"
 #include "app/render_report.h"
+#include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
 #include "renderer/scene/remarks.h"
 #include "renderer/scene/source_files.h"
@@ -171,6 +172,7 @@ RenderReport report_of(const RenderArguments& arguments, const RenderScene& read
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
   report.description =
       describe(ready, camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f, wanted.tone});
+  report.description.variant = variant_of(wanted);
   report.time_limit_seconds = arguments.time_limit_seconds;
   return report;
 }
@@ -311,6 +313,7 @@ Command add_render_command(CLI::App& program) {
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
+  add_variant_option(*parser, arguments->picture.variant);
   add_clip_options(*parser, arguments->picture.clip);
   parser
       ->add_option("--frames", arguments->frames,

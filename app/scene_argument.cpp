@@ -84,9 +84,8 @@ Result<void> check_scene_argument(const std::string& text) {
   return {};
 }
 
-Result<Scene> open_scene_argument(const std::string& text, bool keep_rig) {
-  return check_scene_argument(text).and_then(
-      [&] { return load_scene(text, {.keep_rig = keep_rig}); });
+Result<Scene> open_scene_argument(const std::string& text, const LoadOptions& options) {
+  return check_scene_argument(text).and_then([&] { return load_scene(text, options); });
 }
 
 Result<Scene> make_builtin_scene(const std::string& text) {
@@ -94,6 +93,13 @@ Result<Scene> make_builtin_scene(const std::string& text) {
       text.starts_with(builtin_prefix) ? text.substr(builtin_prefix.size()) : text;
   if (!is_builtin(name)) return unknown_builtin(text);
   return load_scene(std::string(builtin_prefix) + name);
+}
+
+void add_variant_option(CLI::App& app, std::string& variant) {
+  app.add_option("--variant", variant,
+                 "Which of the file's variants of its materials, by name (KHR_materials_variants) "
+                 "[none: the materials that it shows by default]")
+      ->type_name("NAME");
 }
 
 void add_scene_argument(CLI::App& app, std::string& scene, bool required) {

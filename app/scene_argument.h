@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/result.h"
+#include "renderer/scene/load.h"
 #include "renderer/scene/scene.h"
 
 #include <string>
@@ -16,11 +17,14 @@ namespace asos {
 
 /// Opens what was typed as SCENE: a path, or "builtin:NAME". The error of a name that is not known
 /// or a file that is not there lists the built-in scenes, the likeliest first.
-/// `keep_rig`: see LoadOptions.
-[[nodiscard]] Result<Scene> open_scene_argument(const std::string& text, bool keep_rig = false);
+[[nodiscard]] Result<Scene> open_scene_argument(const std::string& text,
+                                                const LoadOptions& options = {});
 
 /// The built-in scene called `name` ("office" or "builtin:office").
 [[nodiscard]] Result<Scene> make_builtin_scene(const std::string& name);
+
+/// The option that names one of the file's variants of its materials.
+void add_variant_option(CLI::App& app, std::string& variant);
 
 /// The positional argument SCENE. `required`: there is no default.
 void add_scene_argument(CLI::App& app, std::string& scene, bool required);

@@ -55,7 +55,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const Result<RenderSettings> with = with_sky(wanted);
   if (!with) return tl::unexpected(with.error());
   bar.say(fmt::format("Loading {} ...", wanted.scene));
-  const Result<Scene> scene = open_scene_argument(wanted.scene);
+  const Result<Scene> scene = open_scene_argument(wanted.scene, {.variant = variant_of(wanted)});
   if (!scene) return tl::unexpected(scene.error());
   bar.say("Building ...");
   const auto prepared = prepare(*scene, forced_by(wanted.needs)).and_then(with_boundaries);
@@ -88,6 +88,7 @@ Command add_trace_command(CLI::App& program) {
       program.add_subcommand("trace", "Say how one pixel is split, cell by cell, and why");
   add_picture_options(*parser, arguments->picture, true);
   add_camera_options(*parser, arguments->picture);
+  add_variant_option(*parser, arguments->picture.variant);
   // These options say nothing about one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
     parser->remove_option(parser->get_option(option));

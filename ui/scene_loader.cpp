@@ -24,6 +24,10 @@ bool is_picture(const std::string& source) {
 Result<PictureDescription> read_picture(const std::string& source) {
   auto picture = read_description(source);
   if (!picture) return picture;
+  if (!picture->variant.empty())
+    return unexpected(Error{source, "shows the variant \"" + picture->variant +
+                                        "\" of its scene's materials, which the window cannot: "
+                                        "`asos render --from` does"});
   auto sky = make_sky(picture->sky);
   if (!sky) return unexpected(sky.error());
   picture->settings.sky = *std::move(sky);

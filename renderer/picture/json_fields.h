@@ -112,6 +112,10 @@ class FieldReader {
       number(key, *at, value);
     }
   }
+  /// For fields that need not be there.
+  [[nodiscard]] bool has(const char* key) const {
+    return object_.is_object() && object_.contains(key);
+  }
   /// The field as it is, to be read by other means; null where there is none, which is a fault.
   [[nodiscard]] const OrderedJson* take(const char* key) {
     if (!fault_.empty()) return nullptr;

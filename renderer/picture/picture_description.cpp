@@ -81,6 +81,9 @@ std::string read_time(const OrderedJson& json, ClipTime& time) {
 // Told only where there is a curve: pictures from before there were any are read as ever.
 constexpr const char* tone_key = "tone";
 
+// Told only where there is one, likewise.
+constexpr const char* variant_key = "variant";
+
 template <typename Fields, typename Display>
 void each_display_value(Fields& fields, Display& display) {
   fields("exposure_ev", display.exposure_ev);
@@ -93,6 +96,7 @@ void each_display_value(Fields& fields, Display& display) {
 std::string read_fields(FieldReader& fields, bool moves, PictureDescription& read) {
   fields("scene", read.scene);
   read.scene = path_of_text(read.scene);
+  if (fields.has(variant_key)) fields(variant_key, read.variant);
   fields("origin", read.origin);
   fields.named("needs", needs_names, read.needs);
   if (const OrderedJson* at = fields.take("camera"))
@@ -167,6 +171,7 @@ std::string description_text(const PictureDescription& description) {
   FieldWriter fields;
   fields("format", PictureDescription::format);
   fields("scene", text_of_path(description.scene));
+  if (!description.variant.empty()) fields(variant_key, description.variant);
   fields("origin", description.origin);
   fields.named("needs", needs_names, description.needs);
   fields.other("camera", camera_json(description.camera));

@@ -39,6 +39,7 @@ struct PictureDescription {
   static constexpr const char* key = "asos.picture";  ///< of the text in PNG and EXR files
 
   std::string scene;       ///< "builtin:NAME", or a path, which `describe` makes absolute
+  std::string variant;     ///< of the scene's materials (LoadOptions); empty: none
   glm::dvec3 origin{0.0};  ///< World::origin, which camera and lights are relative to
   Camera camera;
   RenderSettings settings;

@@ -28,6 +28,8 @@ Result<Scene> load_builtin(const std::string& source, std::string_view name) {
 Result<Scene> load_scene(const std::string& source, const LoadOptions& options) {
   constexpr std::string_view prefix = "builtin:";
   if (source.starts_with(prefix)) {
+    if (!options.variant.empty())
+      return unexpected(Error{source, "built-in scenes have no variants of their materials"});
     return load_builtin(source, std::string_view(source).substr(prefix.size()));
   }
   if (source.empty()) return unexpected(Error{"scene", "no file is named"});

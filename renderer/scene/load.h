@@ -14,6 +14,7 @@ struct LoadOptions {
   /// Refused above this, before anything of that size is allocated.
   std::uint64_t max_triangles = 60'000'000;
   bool keep_rig = false;  ///< Scene::rig is set where the file has animations
+  std::string variant = {};  ///< of the file's materials (KHR_materials_variants); empty: none
 };
 
 /// Opens "builtin:NAME" or the path of a .gltf or .glb file. The error names the file and the

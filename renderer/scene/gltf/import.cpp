@@ -2,6 +2,7 @@
 #include "renderer/scene/gltf/contents.h"
 #include "renderer/scene/gltf/importer.h"
 #include "renderer/scene/gltf/materials.h"
+#include "renderer/scene/gltf/variants.h"
 #include "renderer/scene/load.h"
 #include "renderer/scene/rig.h"
 
@@ -121,6 +122,10 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
 Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& options) {
   Checked<Document> document = read_document(path);
   if (!document) return fault(document.error());
+  if (!options.variant.empty()) {
+    if (auto chosen = choose_variant(*document, options.variant); !chosen)
+      return fault(chosen.error());
+  }
   const auto file = std::make_shared<OpenFile>(path, std::move(*document), options);
   if (auto opened = file->open(); !opened) return fault(opened.error());
   Checked<Scene> scene = file->import(std::nullopt);

@@ -93,6 +93,7 @@ std::vector<Light> odd_lights() {
 PictureDescription odd_description() {
   PictureDescription d;
   d.scene = "/some where/ä.glb";
+  d.variant = "Dusk \"\u2744\"";
   d.origin = {1e7, 0.1, -3};
   d.camera.name = "c";
   const double a = 0.7;
@@ -120,6 +121,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
   ASSERT_TRUE(read.has_value()) << read.error().message();
   EXPECT_EQ(read->scene, d.scene);
   EXPECT_EQ(read->time, d.time);
+  EXPECT_EQ(read->variant, d.variant);
   EXPECT_EQ(read->origin, d.origin);
   EXPECT_EQ(read->settings, d.settings);
   EXPECT_EQ(read->sky, d.sky);
