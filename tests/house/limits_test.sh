@@ -36,8 +36,8 @@ limit '.exr' '8 GiB' renderer/film/exr_io.cpp 'most_exr_bytes = std::uint64_t{8}
 limit 'saved pictures (`--from`)' '4 GiB' renderer/film/image_text.cpp \
   'largest_picture = std::uint64_t{4} << 30;'
 limit 'text in a picture' '16 MB' renderer/film/image_text.h 'most_image_text = std::size_t{16} << 20;'
-limit 'textures' '16384 pixels a side' $gltf/images.cpp 'largest_side = 16384;'
-limit 'textures' '1100 for each byte' $gltf/images.cpp 'most_pixels_per_byte = 1100;'
+limit 'textures' '16384 pixels a side' $gltf/image_limits.h 'largest_side = 16384;'
+limit 'textures' '1100 for each byte' $gltf/image_limits.h 'most_pixels_per_byte = 1100;'
 limit 'skies' '2^26 pixels' renderer/shading/sky_file.cpp 'most_texels = std::int64_t{1} << 26;'
 limit 'triangles' '60 million' renderer/scene/load.h "max_triangles = 60'000'000;"
 limit 'objects' '4 million' $gltf/importer.cpp "most_instances = 4'000'000;"
