@@ -49,7 +49,8 @@ bool any_corner(const World& world, std::uint32_t x, std::uint32_t y,
 
 bool same_look(const World& world, const Material& a, const Material& b) {
   const auto numbers = [](const Material& m) {
-    return std::tuple(m.base_color, m.metallic, m.roughness, m.emissive * m.emissive_strength,
+    return std::tuple(m.film.factor, m.film.ior, m.film.thickness_min_nm, m.film.thickness_max_nm,
+                      m.base_color, m.metallic, m.roughness, m.emissive * m.emissive_strength,
                       m.alpha_mode, m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f,
                       m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.coat.factor,
                       m.coat.roughness, m.sheen.color, m.sheen.roughness, m.dfr);

@@ -93,6 +93,18 @@ struct Sheen {
   [[nodiscard]] bool used() const { return color != glm::vec3(0.0f); }
 };
 
+/// KHR_materials_iridescence: a thin film on the base, whose two sides' reflections interfere.
+struct Iridescence {
+  float factor = 0.0f;  ///< 0 to 1; 0: there is none
+  float ior = 1.3f;
+  float thickness_min_nm = 100.0f;
+  float thickness_max_nm = 400.0f;  ///< where there is no texture
+  TextureUse texture;               ///< R of `factor`, linear
+  TextureUse thickness_texture;     ///< G, linear: from the minimum to the maximum
+
+  [[nodiscard]] bool used() const { return factor > 0.0f; }
+};
+
 /// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
 struct Material {
   std::string name;
@@ -118,17 +130,19 @@ struct Material {
   TextureUse transmission_texture;    ///< R, linear
   Clearcoat coat;
   Sheen sheen;             ///< below the coat
+  Iridescence film;        ///< below the sheen
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
 };
 
 /// All textures that a material names, whether it uses them or not.
-[[nodiscard]] inline std::array<const TextureUse*, 12> texture_uses(const Material& m) {
+[[nodiscard]] inline std::array<const TextureUse*, 14> texture_uses(const Material& m) {
   return {&m.base_color_texture,     &m.metallic_roughness_texture,
           &m.normal_texture,         &m.emissive_texture,
           &m.specular_texture,       &m.specular_color_texture,
           &m.transmission_texture,   &m.coat.texture,
           &m.coat.roughness_texture, &m.coat.normal_texture,
-          &m.sheen.color_texture,    &m.sheen.roughness_texture};
+          &m.sheen.color_texture,    &m.sheen.roughness_texture,
+          &m.film.texture,           &m.film.thickness_texture};
 }
 
 [[nodiscard]] inline bool has_normal_map(const Material& m) {

@@ -1,6 +1,7 @@
 #include "renderer/shading/brdf.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/film.h"
 #include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sheen.h"
 
@@ -39,22 +40,32 @@ float ggx_lobe(float roughness, const BrdfAngles& angles) {
   return distribution * 0.5f / shadowing;
 }
 
-glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, float f90) {
+glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, glm::vec3 f90) {
   const LobeNorms norms = lobe_norms(n_dot_v, roughness);
   return glm::clamp(f0 * norms.lobe + (f90 - f0) * norms.fresnel, 0.0f, 1.0f);
 }
 
 ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   ViewedMaterial seen{};
-  seen.specular = environment_specular(material.f0, material.roughness, n_dot_v, material.f90);
   seen.f0 = material.f0;
   seen.f90 = glm::vec3(material.f90);
+  float dielectric_f0 = material.dielectric_f0, dielectric_f90 = material.dielectric_f90;
+  // KHR_materials_iridescence: mix(base, the base below a film, factor).
+  if (const SurfaceFilm& film = material.film; film.factor > 0.0f) {
+    const glm::vec3 fresnel = film_fresnel(film, material.f0, n_dot_v);
+    seen.f0 = glm::mix(seen.f0, fresnel, film.factor);
+    seen.f90 = glm::mix(seen.f90, fresnel, film.factor);
+    const float most = largest(film_fresnel(film, glm::vec3(dielectric_f0), n_dot_v));
+    dielectric_f0 = glm::mix(dielectric_f0, most, film.factor);
+    dielectric_f90 = glm::mix(dielectric_f90, most, film.factor);
+  }
+  seen.specular = environment_specular(seen.f0, material.roughness, n_dot_v, seen.f90);
   seen.roughness = material.roughness;
   const glm::vec3 albedo =
       material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission));
-  const float left = 1.0f - material.dielectric_f0;
+  const float left = 1.0f - dielectric_f0;
   seen.diffuse = left * albedo;
-  seen.falloff = left > 0.0f ? (material.dielectric_f90 - material.dielectric_f0) / left : 0.0f;
+  seen.falloff = left > 0.0f ? (dielectric_f90 - dielectric_f0) / left : 0.0f;
   seen.ambient = (1.0f - largest(seen.specular)) * albedo;
   return seen;
 }
@@ -71,7 +82,7 @@ ViewedMaterial viewed(const SurfaceCoat& coat, float n_dot_v) {
   ViewedMaterial seen{};
   seen.f0 = seen.f90 = glm::vec3(coat.factor * fresnel);
   seen.roughness = coat.roughness;
-  seen.specular = environment_specular(seen.f0, coat.roughness, n_dot_v, seen.f90.x);
+  seen.specular = environment_specular(seen.f0, coat.roughness, n_dot_v, seen.f90);
   return seen;
 }
 

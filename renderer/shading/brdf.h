@@ -80,6 +80,6 @@ struct ViewedMaterial {
 /// The share of a constant environment that the lobe returns: its integral times the cosine over
 /// all directions (lobe_norms); of a mirror, whose roughness is 0, Schlick's Fresnel term.
 [[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v,
-                                             float f90 = 1.0f);
+                                             glm::vec3 f90 = glm::vec3(1.0f));
 
 }  // namespace asos

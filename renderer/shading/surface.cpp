@@ -250,6 +250,17 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
       surface.sheen.roughness *= sample(material.sheen.roughness_texture, TexelKind::data).a;
   }
 
+  if (material.film.used()) {
+    surface.film = {material.film.factor, material.film.ior, material.film.thickness_max_nm};
+    if (needs.textures && material.film.texture.used())
+      surface.film.factor *= sample(material.film.texture, TexelKind::data).r;
+    if (needs.textures && material.film.thickness_texture.used()) {
+      const float g = sample(material.film.thickness_texture, TexelKind::data).g;
+      surface.film.thickness_nm =
+          glm::mix(material.film.thickness_min_nm, material.film.thickness_max_nm, g);
+    }
+  }
+
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
     if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {

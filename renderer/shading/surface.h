@@ -31,6 +31,13 @@ struct SurfaceCoat {
   float roughness = 0.0f;
 };
 
+/// Iridescence at a point.
+struct SurfaceFilm {
+  float factor = 0.0f;  ///< 0: none
+  float ior = 1.3f;
+  float thickness_nm = 0.0f;
+};
+
 /// Sheen at a point.
 struct SurfaceSheen {
   glm::vec3 color{0.0f};  ///< black: none
@@ -54,6 +61,7 @@ struct SurfaceMaterial {
   bool unlit = false;
   SurfaceCoat coat;
   SurfaceSheen sheen;
+  SurfaceFilm film;
 };
 
 /// The extent that a sample stands for: a square of `side` pixels, and the mip chains that average

@@ -78,7 +78,7 @@ bool emits(const Material& m) {
 
 /// A texture may make it smoother anywhere. A material that reflects nothing mirrors nothing.
 bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
-  const bool reflects = m.metallic > 0.0f || m.specular > 0.0f;
+  const bool reflects = m.metallic > 0.0f || m.specular > 0.0f || m.film.used();
   const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
                       m.metallic_roughness_texture.used() || dfr;
   const bool smooth_coat =
@@ -123,6 +123,7 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
                     m.specular_texture.used() || m.specular_color_texture.used() ||
                     (m.emissive_texture.used() && emits(m));
+  needs.textures |= m.film.texture.used() || m.film.thickness_texture.used();
   needs.textures |= m.sheen.color_texture.used() || m.sheen.roughness_texture.used();
   needs.textures |=
       m.coat.texture.used() || m.coat.roughness_texture.used() || m.coat.normal_texture.used();

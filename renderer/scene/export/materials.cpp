@@ -96,6 +96,19 @@ void write_sheen(const Sheen& sheen, json& out, GltfDocument& document) {
     written["sheenRoughnessTexture"] = texture_info(sheen.roughness_texture, document);
 }
 
+void write_film(const Iridescence& film, json& out, GltfDocument& document) {
+  if (!film.used()) return;
+  document.use_extension("KHR_materials_iridescence");
+  json& written = out["extensions"]["KHR_materials_iridescence"];
+  written = {{"iridescenceFactor", film.factor},
+             {"iridescenceIor", film.ior},
+             {"iridescenceThicknessMinimum", film.thickness_min_nm},
+             {"iridescenceThicknessMaximum", film.thickness_max_nm}};
+  if (film.texture.used()) written["iridescenceTexture"] = texture_info(film.texture, document);
+  if (film.thickness_texture.used())
+    written["iridescenceThicknessTexture"] = texture_info(film.thickness_texture, document);
+}
+
 json material_json(const Material& material, GltfDocument& document) {
   json out{{"name", material.name}};
   json& pbr = out["pbrMetallicRoughness"];
@@ -131,6 +144,7 @@ json material_json(const Material& material, GltfDocument& document) {
   write_reflection(material, out, document);
   write_coat(material.coat, out, document);
   write_sheen(material.sheen, out, document);
+  write_film(material.film, out, document);
   if (material.transmission != 0.0f) {
     document.use_extension("KHR_materials_transmission");
     json& transmission = out["extensions"]["KHR_materials_transmission"];

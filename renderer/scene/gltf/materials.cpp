@@ -41,6 +41,7 @@ class MaterialReader {
     }
     read_coat(m);
     read_sheen(m);
+    read_film(m);
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
@@ -55,6 +56,7 @@ class MaterialReader {
     m.emissive_texture = use(source_.emissiveTexture, "emissive");
     use_coat(m);
     use_sheen(m);
+    use_film(m);
     if (glossy) {
       use_specular_glossiness(*glossy, m);
     } else if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
@@ -177,6 +179,30 @@ class MaterialReader {
     if (!e || !m.sheen.used()) return;
     m.sheen.color_texture = use_in(*e, "sheenColorTexture", "sheen colour");
     m.sheen.roughness_texture = use_in(*e, "sheenRoughnessTexture", "sheen roughness");
+  }
+
+  void read_film(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_iridescence");
+    if (!e) return;
+    const auto read = [&](const char* name, double low, double high, float otherwise,
+                          const char* what) {
+      const auto usual = static_cast<double>(otherwise);
+      return within(number(*e, name).value_or(usual), low, high, usual, what);
+    };
+    Iridescence& film = m.film;
+    film.factor = read("iridescenceFactor", 0.0, 1.0, film.factor, "iridescence factor");
+    film.ior = read("iridescenceIor", 1.0, 1e3, film.ior, "iridescence index");
+    film.thickness_min_nm = read("iridescenceThicknessMinimum", 0.0, 1e6, film.thickness_min_nm,
+                                 "least iridescence thickness");
+    film.thickness_max_nm = read("iridescenceThicknessMaximum", 0.0, 1e6, film.thickness_max_nm,
+                                 "largest iridescence thickness");
+  }
+
+  void use_film(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_iridescence");
+    if (!e || !m.film.used()) return;
+    m.film.texture = use_in(*e, "iridescenceTexture", "iridescence");
+    m.film.thickness_texture = use_in(*e, "iridescenceThicknessTexture", "iridescence thickness");
   }
 
   void use_coat(Material& m) {

@@ -26,7 +26,8 @@ constexpr auto supported = std::to_array<std::string_view>(
      "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod",
      "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape",
      "KHR_animation_pointer",      "EXT_texture_webp",        "KHR_materials_pbrSpecularGlossiness",
-     "KHR_materials_clearcoat",    "KHR_materials_sheen",     "KHR_materials_variants"});
+     "KHR_materials_clearcoat",    "KHR_materials_sheen",     "KHR_materials_variants",
+     "KHR_materials_iridescence"});
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {

@@ -150,6 +150,12 @@ Scene rich_scene() {
   full.sheen.roughness = 0.4f;
   full.sheen.color_texture.texture = 0;
   full.sheen.roughness_texture.texture = 1;
+  full.film.factor = 0.75f;
+  full.film.ior = 1.4f;
+  full.film.thickness_min_nm = 50.0f;
+  full.film.thickness_max_nm = 350.0f;
+  full.film.texture.texture = 1;
+  full.film.thickness_texture.texture = 0;
   full.dfr = Dfr{{{{0.1, 0.9, 2.0}, {0.2, 1.0 / 3.0, 2.5}, {0.0, 1.0, 32.0}}}, 0.125};
   Material flat;
   flat.name = "flat";
@@ -231,9 +237,10 @@ TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   EXPECT_EQ(primitive["attributes"].size(), 6u);
 
   const json used = {
-      "KHR_lights_punctual",        "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-      "KHR_materials_ior",          "KHR_materials_sheen",     "KHR_materials_specular",
-      "KHR_materials_transmission", "KHR_materials_unlit",     "KHR_texture_transform"};
+      "KHR_lights_punctual",    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
+      "KHR_materials_ior",      "KHR_materials_iridescence",  "KHR_materials_sheen",
+      "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
+      "KHR_texture_transform"};
   EXPECT_EQ(root["extensionsUsed"], used);
   EXPECT_FALSE(root.contains("extensionsRequired"));
 
@@ -395,6 +402,10 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.specular, b.specular);
   EXPECT_EQ(a.specular_color, b.specular_color);
   EXPECT_EQ(a.dfr, b.dfr);
+  EXPECT_EQ(a.film.factor, b.film.factor);
+  EXPECT_EQ(a.film.ior, b.film.ior);
+  EXPECT_EQ(a.film.thickness_min_nm, b.film.thickness_min_nm);
+  EXPECT_EQ(a.film.thickness_max_nm, b.film.thickness_max_nm);
   EXPECT_EQ(a.coat.factor, b.coat.factor);
   EXPECT_EQ(a.coat.roughness, b.coat.roughness);
   EXPECT_EQ(a.sheen.color, b.sheen.color);

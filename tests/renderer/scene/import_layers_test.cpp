@@ -70,6 +70,31 @@ TEST(ImportLayers, SheensAreRead) {
   EXPECT_TRUE(scene.notes.warnings.empty());
 }
 
+TEST(ImportLayers, FilmsAreRead) {
+  const auto film = [](json extension) {
+    const Scene scene = import_with("KHR_materials_iridescence", std::move(extension));
+    EXPECT_TRUE(scene.notes.warnings.empty());
+    return scene.materials.at(0).film;
+  };
+  const Iridescence all = film({{"iridescenceFactor", 0.5},
+                                {"iridescenceTexture", {{"index", 0}}},
+                                {"iridescenceIor", 1.5},
+                                {"iridescenceThicknessMinimum", 200},
+                                {"iridescenceThicknessMaximum", 800},
+                                {"iridescenceThicknessTexture", {{"index", 0}}}});
+  EXPECT_EQ(all.factor, 0.5f);
+  EXPECT_EQ(all.ior, 1.5f);
+  EXPECT_EQ(all.thickness_min_nm, 200.0f);
+  EXPECT_EQ(all.thickness_max_nm, 800.0f);
+  EXPECT_TRUE(all.texture.used());
+  EXPECT_TRUE(all.thickness_texture.used());
+  const Iridescence usual = film({{"iridescenceFactor", 1}});
+  EXPECT_EQ(usual.ior, 1.3f);
+  EXPECT_EQ(usual.thickness_min_nm, 100.0f);
+  EXPECT_EQ(usual.thickness_max_nm, 400.0f);
+  EXPECT_FALSE(film(json::object()).used());
+}
+
 TEST(ImportLayers, ByDefaultThereAreNone) {
   // Their textures need not even be there.
   const Scene bare = coated({{"clearcoatTexture", {{"index", 0}}}});

@@ -1,0 +1,127 @@
+#include "renderer/shading/film.h"
+
+#include "renderer/shading/brdf.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+// KHR_materials_iridescence: a thin film's reflection against Airy's sum, wavelength by wavelength.
+
+namespace asos {
+namespace {
+
+/// The eye's sensitivities, CIE 1931 (Wyman, Sloan and Shirley 2013), by wavelength in nm.
+glm::dvec3 sensitivities(double nm) {
+  const auto lobe = [nm](double middle, double before, double after) {
+    const double t = (nm - middle) / (nm < middle ? before : after);
+    return std::exp(-0.5 * t * t);
+  };
+  return {1.056 * lobe(599.8, 37.9, 31.0) + 0.362 * lobe(442.0, 16.0, 26.7) -
+              0.065 * lobe(501.1, 20.4, 26.2),
+          0.821 * lobe(568.8, 46.9, 40.5) + 0.286 * lobe(530.9, 16.3, 31.1),
+          1.217 * lobe(437.0, 11.8, 36.0) + 0.681 * lobe(459.0, 26.0, 13.8)};
+}
+
+double schlick(double f0, double cosine) {
+  return f0 + (1.0 - f0) * std::pow(1.0 - cosine, 5.0);
+}
+
+/// What a film over a grey base reflects: all rounds within it, each wavelength by itself. The mean
+/// over wavelengths is white, as the extension has it, and what differs from it is seen by the eye.
+glm::dvec3 airy(double ior, double thickness_nm, double base_f0, double cosine) {
+  const double root = std::sqrt(base_f0), base_ior = (1.0 + root) / (1.0 - root);
+  const double inner = std::sqrt(1.0 - (1.0 - cosine * cosine) / (ior * ior));
+  const double r12 = std::sqrt(schlick(std::pow((ior - 1.0) / (ior + 1.0), 2.0), cosine));
+  const double r23 = std::sqrt(schlick(std::pow((base_ior - ior) / (base_ior + ior), 2.0), inner)) *
+                     (base_ior < ior ? 1.0 : -1.0);
+  const auto reflectance = [&](double nm) {
+    const double phase = 2.0 * std::numbers::pi * 2.0 * ior * thickness_nm * inner / nm;
+    const std::complex<double> round = r23 * std::polar(1.0, phase);
+    // The denser side turns the phase: -r12 outside, r12 inside.
+    return std::norm((-r12 + round) / (1.0 - r12 * round));
+  };
+  const double r2 = r12 * r12, s2 = r23 * r23;
+  const double mean = r2 + (1.0 - r2) * (1.0 - r2) * s2 / (1.0 - r2 * s2);
+  glm::dvec3 xyz(0.0), all(0.0);
+  for (double nm = 360.0; nm < 830.0; nm += 1.0) {
+    xyz += (reflectance(nm) - mean) * sensitivities(nm);
+    all += sensitivities(nm);
+  }
+  xyz /= all;
+  return glm::dvec3(mean) + glm::dvec3(3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z,
+                                       -0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z,
+                                       0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z);
+}
+
+TEST(Film, ReflectsByAirysSum) {
+  for (const double ior : {1.3, 1.8}) {
+    for (const double base_f0 : {0.04, 0.3}) {
+      for (const double nm : {120.0, 250.0, 380.0, 520.0}) {
+        for (const double cosine : {1.0, 0.7, 0.4}) {
+          const SurfaceFilm film{1.0f, static_cast<float>(ior), static_cast<float>(nm)};
+          const glm::vec3 found = film_fresnel(film, glm::vec3(static_cast<float>(base_f0)),
+                                               static_cast<float>(cosine));
+          const glm::dvec3 expected = glm::clamp(airy(ior, nm, base_f0, cosine), 0.0, 1.0);
+          for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], expected[c], 0.04)
+                << ior << ' ' << base_f0 << ' ' << nm << ' ' << cosine << ' ' << c;
+        }
+      }
+    }
+  }
+}
+
+// Farther from upright Schlick's term mirrors something even between air and air.
+TEST(Film, ThatIsNotThereIsTheBase) {
+  for (const float cosine : {1.0f, 0.95f}) {
+    const glm::vec3 found = film_fresnel({1.0f, 1.8f, 0.0f}, {0.04f, 0.5f, 0.9f}, cosine);
+    const glm::vec3 expected(schlick(0.04, cosine), schlick(0.5, cosine), schlick(0.9, cosine));
+    EXPECT_LT(glm::distance(found, expected), 1e-3f) << cosine;
+  }
+}
+
+// However it is seen, what film and base return of light from all around is no more than all.
+TEST(Film, NeverReturnsMoreThanItGets) {
+  SurfaceMaterial m;
+  m.base_color = glm::vec3(1.0f);
+  m.dielectric_f0 = 0.04f;
+  for (const float metallic : {0.0f, 1.0f}) {
+    m.metallic = metallic;
+    m.f0 = glm::vec3(metallic > 0.0f ? 1.0f : 0.04f);
+    for (const float nm : {0.0f, 100.0f, 333.0f, 1000.0f, 1e6f}) {
+      for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+        m.roughness = roughness;
+        m.film = {1.0f, 1.7f, nm};
+        for (float cosine = 0.002f; cosine <= 1.0f; cosine += 0.05f) {
+          const ViewedMaterial seen = viewed(m, cosine);
+          const glm::vec3 all = seen.ambient + seen.specular;
+          EXPECT_LE(std::max({all.x, all.y, all.z}), 1.0f + 1e-5f);
+          EXPECT_GE(std::min({seen.diffuse.x, seen.specular.x, seen.specular.z}), 0.0f);
+        }
+      }
+    }
+  }
+}
+
+TEST(Film, OfNoFactorChangesNoBit) {
+  SurfaceMaterial m;
+  m.base_color = {0.8f, 0.3f, 0.1f};
+  m.roughness = 0.4f;
+  const ViewedMaterial bare = viewed(m, 0.6f);
+  m.film = {0.0f, 1.7f, 300.0f};
+  const ViewedMaterial same = viewed(m, 0.6f);
+  EXPECT_EQ(bare.f0, same.f0);
+  EXPECT_EQ(bare.diffuse, same.diffuse);
+  EXPECT_EQ(bare.specular, same.specular);
+  m.film.factor = 0.5f;
+  const ViewedMaterial half = viewed(m, 0.6f);
+  m.film.factor = 1.0f;
+  const ViewedMaterial whole = viewed(m, 0.6f);
+  EXPECT_LT(glm::distance(half.f0, 0.5f * (bare.f0 + whole.f0)), 1e-6f);
+}
+
+}  // namespace
+}  // namespace asos
