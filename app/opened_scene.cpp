@@ -26,6 +26,7 @@ Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
   OpenedScene opened;
   opened.at_rest_ = *std::move(scene);
   opened.contents_ = opened.at_rest_.contents;
+  opened.cameras_ = opened.at_rest_.cameras.size();
   if (!moves) return opened;
 
   opened.time_ = as_before.value_or(ClipTime{});

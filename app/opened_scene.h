@@ -24,6 +24,8 @@ class OpenedScene {
   /// as the file's nodes place things.
   [[nodiscard]] const std::optional<ClipTime>& time() const { return time_; }
   [[nodiscard]] const SceneContents& contents() const { return contents_; }
+  /// How many of the file's cameras are placed.
+  [[nodiscard]] std::size_t cameras() const { return cameras_; }
 
   /// The scene ready to render at that moment, lit as `picture` says; the one that was asked for
   /// last is kept. Its boundaries may still be looked for.
@@ -40,6 +42,7 @@ class OpenedScene {
 
   Scene at_rest_;  // of a scene that moves, its rig alone is kept
   SceneContents contents_;
+  std::size_t cameras_ = 0;
   std::optional<ClipTime> time_;
   std::shared_ptr<const RenderScene> stage_;  // the scene at rest, made ready; null: nothing moves
   std::optional<World> framed_;               // at several times of the animation

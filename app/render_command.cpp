@@ -248,6 +248,12 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
   if (from && from->display.split_map)
     err << "asos: note: " << printable(arguments.picture.from_file)
         << " shows the split map over the picture, which is rendered without it\n";
+  const CameraChoice& camera = arguments.picture.camera;
+  if (scene.cameras() > 1 && !camera.index && !camera.look_at && !from)
+    err << fmt::format(
+        "asos: note: the first of the file's {} cameras is looked through; --camera "
+        "N chooses another\n",
+        scene.cameras());
   if (const std::size_t beyond = beyond_the_end(frames, scene.contents()); beyond > 0)
     err << fmt::format(
         "asos: note: {} of {} are of times after the animation's end, where it "

@@ -1,5 +1,6 @@
 #include "app/command.h"
 #include "app/exit_code.h"
+#include "app/opened_scene.h"
 #include "app/option.h"
 #include "app/picture_options.h"
 #include "app/printed_json.h"
@@ -55,15 +56,17 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const Result<RenderSettings> with = with_sky(wanted);
   if (!with) return tl::unexpected(with.error());
   bar.say(fmt::format("Loading {} ...", wanted.scene));
-  const Result<Scene> scene = open_scene_argument(wanted.scene, {.variant = variant_of(wanted)});
+  Result<OpenedScene> scene = OpenedScene::open(wanted);
   if (!scene) return tl::unexpected(scene.error());
   bar.say("Building ...");
-  const auto prepared = prepare(*scene, forced_by(wanted.needs)).and_then(with_boundaries);
+  PictureDescription picture;
+  picture.needs = wanted.needs;
+  const auto prepared = scene->at(scene->time(), picture).and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   const RenderSettings settings = as_published(*with);
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  const Result<Camera> camera = choose_camera(ready.world(), wanted.camera, aspect);
+  const Result<Camera> camera = scene->camera(ready, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
   const View view(*camera, settings.width, settings.height,
                   radius_around_origin(ready.world().bounds));
@@ -89,6 +92,7 @@ Command add_trace_command(CLI::App& program) {
   add_picture_options(*parser, arguments->picture, true);
   add_camera_options(*parser, arguments->picture);
   add_variant_option(*parser, arguments->picture.variant);
+  add_clip_options(*parser, arguments->picture.clip);
   // These options say nothing about one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
     parser->remove_option(parser->get_option(option));

@@ -226,6 +226,17 @@ TEST_F(Clip, SaysWhatIsNotShownUnlessItIsQuiet) {
   EXPECT_TRUE(contains(stats.at("warnings").dump(), "1 animation is not played"));
 }
 
+TEST_F(Clip, APixelIsTracedAtItsTime) {
+  const auto traced = [&](const char* time) {
+    return run_asos({"trace", scene_, "--size", "24x16", "--pixel", "12,8", "--json", "--look-at",
+                     "0.5,0.5,4,0.5,0.5,0", "--time", time})
+        .out;
+  };
+  ASSERT_FALSE(nlohmann::json::parse(traced("0"), nullptr, false).is_discarded());
+  EXPECT_NE(traced("0"), traced("1")) << "the square has left";
+  EXPECT_EQ(traced("1"), traced("1"));
+}
+
 TEST_F(Clip, InfoListsWhatMoves) {
   const AsosRun run = run_asos({"info", scene_});
   EXPECT_TRUE(contains(run.out, "Animations: 1\n  0: \"Slide\", 1 s, 1 channels\n"));

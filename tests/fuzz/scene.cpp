@@ -1,16 +1,21 @@
+#include "renderer/scene/rig.h"
 #include "tests/fuzz/gltf_mutator.h"
 #include "tests/fuzz/harness.h"
 #include "tests/support/loaded_scene.h"
 
 #include <string_view>
 
-// Any file is a scene that keeps the promises of scene.h, or is refused in words.
+// Any file is a scene that keeps the promises of scene.h, at rest and at times, or is refused in
+// words.
 
 namespace asos::fuzz {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string path = input_file("scene.glb", data, size);
-  const std::string broken = test::broken_promise_of(load_scene(path), path);
+  const Result<Scene> scene = load_scene(path, {.keep_rig = true});
+  std::string broken = test::broken_promise_of(scene, path);
+  if (broken.empty() && scene && scene->rig)
+    broken = test::broken_promise_of(scene->rig->pose(ClipTime{0, 0.5}), path);
   require(broken.empty(), broken);
   return 0;
 }

@@ -67,8 +67,7 @@ class Timeline : public testing::Test {
 };
 
 TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
-  for (const char* name :
-       {"Clip", "Play", "Step on", "Step back", "Loop", "Speed", "Frames a second"}) {
+  for (const char* name : {"Clip", "Play", "Step on", "Step back", "Loop", "Speed", "Frames/s"}) {
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;
   }
   EXPECT_FALSE(has("Time")) << "at rest there is no time";
@@ -110,7 +109,7 @@ TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
     if (scene()->geometry->time) moments.insert(scene()->geometry->time->seconds);
     return moments.size() >= 4;
   }));
-  rig.click("Pause animation");
+  rig.click("Hold");
   ASSERT_FALSE(playback().playing());
   const double seconds = playback().time()->seconds;
   arrive();

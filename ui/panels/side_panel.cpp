@@ -50,8 +50,9 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
 
 void sections(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
-  if (scene) warnings_panel(controls, notes_of(*scene));
+  // First, so that what is said of a file at rest does not move its buttons when it plays.
   timeline_panel(controls, previewer.playback());
+  if (scene) warnings_panel(controls, notes_of(*scene));
   antialiasing_panel(controls, previewer, jobs.forecast);
   refinement_panel(controls, previewer);
   lights_panel(controls, previewer, state.lights, state.picked);

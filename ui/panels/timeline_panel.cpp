@@ -33,12 +33,12 @@ void transport(Controls& controls, Playback& playback) {
   const float width = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
   if (controls.button("Step back",
                       "Pause, and go back by a frame, of which there are as many a second as "
-                      "Frames a second says.",
+                      "Frames/s says.",
                       width))
     playback.step(-1);
   ImGui::SameLine();
   const bool playing = playback.playing();
-  if (controls.button(playing ? "Pause animation" : "Play",
+  if (controls.button(playing ? "Hold" : "Play",
                       playing ? "Hold this moment; its picture refines to the end."
                               : "Let the animation run. Each moment is shown by the passes that "
                                 "there is time for.",
@@ -70,7 +70,7 @@ void timeline_panel(Controls& controls, Playback& playback) {
                   "a value.",
                   options.speed, {{Playback::slowest, Playback::fastest, 1.0}, 0.01, true},
                   [](double s) { return fmt::format("{:.3g} x", s); });
-  controls.number("Frames a second", "How long the frames of the steps are. Ctrl+click to type.",
+  controls.number("Frames/s", "How long the frames of the steps are. Ctrl+click to type.",
                   options.fps, {{1.0, 1000.0, 24.0}, 0.1, true},
                   [](double f) { return fmt::format("{:.4g}", f); });
   if (playback.pose_seconds() > 0.0)
