@@ -1,5 +1,6 @@
 #include "app/kept_picture.h"
 
+#include "app/picture_files.h"
 #include "renderer/film/image_io.h"
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,16 @@ bool was_stopped(const std::string& statistics) {
   return limit != json.end() && !(limit->is_object() && limit->value("finished", false));
 }
 
+/// Whether the file is a finished picture of these settings.
+bool holds(const std::string& path, const PictureDescription& wanted) {
+  const Result<ImageText> text = read_image_text(path);
+  if (!text) return false;
+  const std::string* description = text_of(*text, PictureDescription::key);
+  const std::string* statistics = text_of(*text, "asos.statistics");
+  return description && *description == description_text(wanted) && statistics &&
+         !was_stopped(*statistics);
+}
+
 }  // namespace
 
 bool is_rendered(const RenderArguments& arguments, const PictureDescription& wanted,
@@ -45,12 +56,11 @@ bool is_rendered(const RenderArguments& arguments, const PictureDescription& wan
     const auto time = written(*path);
     if (!time || (newest_source && *time <= *newest_source)) return false;
   }
-  const Result<ImageText> text = read_image_text(arguments.output);
-  if (!text) return false;
-  const std::string* description = text_of(*text, PictureDescription::key);
-  const std::string* statistics = text_of(*text, "asos.statistics");
-  return description && *description == description_text(wanted) && statistics &&
-         !was_stopped(*statistics);
+  if (!holds(arguments.output, wanted)) return false;
+  if (arguments.split_map.empty()) return true;
+  PictureDescription map = wanted;
+  map.display = split_map_display(wanted.display, arguments.split_map_by);
+  return holds(arguments.split_map, map);
 }
 
 }  // namespace asos

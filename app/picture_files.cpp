@@ -26,12 +26,16 @@ Result<void> write_split_map(const std::string& path, const Film& film, const Re
                              SplitMapColours colours) {
   RenderReport of_map = report;
   PictureDisplay& display = of_map.description.display;
-  display = {display.exposure_ev, true, colours, 1.0f, display.tone};
+  display = split_map_display(display, colours);
   return write_split_map_png(path, film, {colours, report.description.settings.asos.max_level},
                              picture_metadata(of_map));
 }
 
 }  // namespace
+
+PictureDisplay split_map_display(const PictureDisplay& display, SplitMapColours colours) {
+  return {display.exposure_ev, true, colours, 1.0f, display.tone};
+}
 
 bool is_picture_path(const std::string& path) {
   return has_extension(path, ".png") || has_extension(path, ".exr");

@@ -23,6 +23,10 @@ struct OutputPlan {
 /// Whether the path ends like a format that pictures are written in: .png or .exr.
 [[nodiscard]] bool is_picture_path(const std::string& path);
 
+/// How the split map of a picture that is shown like that is shown.
+[[nodiscard]] PictureDisplay split_map_display(const PictureDisplay& display,
+                                               SplitMapColours colours);
+
 [[nodiscard]] Result<OutputPlan> plan_outputs(const RenderArguments& arguments);
 
 /// Writes the picture, the split map and the statistics.

@@ -158,6 +158,7 @@ Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptG
   if (interrupt.interrupted()) return interrupted_error();
   Work work{*std::move(scene), seconds_since(started), {}};
   if (!arguments.frames.empty()) work.sources = source_files(wanted.scene);
+  if (!wanted.sky.file.empty()) work.sources.push_back(wanted.sky.file);
   return work;
 }
 
@@ -249,7 +250,8 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
     err << "asos: note: " << printable(arguments.picture.from_file)
         << " shows the split map over the picture, which is rendered without it\n";
   const CameraChoice& camera = arguments.picture.camera;
-  if (scene.cameras() > 1 && !camera.index && !camera.look_at && !from)
+  const bool of_file = !arguments.picture.scene.starts_with("builtin:");
+  if (of_file && scene.cameras() > 1 && !camera.index && !camera.look_at && !from)
     err << fmt::format(
         "asos: note: the first of the file's {} cameras is looked through; --camera "
         "N chooses another\n",

@@ -182,6 +182,14 @@ TEST_F(Clip, GoesOnWhereItStopped) {
   age(path("run-0000.png"));
   EXPECT_TRUE(contains(render("run.png", words).out, "Wrote " + path("run-0000.png")));
   EXPECT_TRUE(contains(render("run.png", words).out, "Kept " + path("run-0000.png")));
+  const auto with_map = [&](const char* by) {
+    const std::vector<std::string> map{"--split-map", path("map.png"), "--split-map-by", by};
+    return render("run.png", words + map).out;
+  };
+  EXPECT_TRUE(contains(with_map("level"), "Wrote " + path("run-0000.png")))
+      << "there is no map yet";
+  EXPECT_TRUE(contains(with_map("level"), "Kept " + path("run-0000.png")));
+  EXPECT_TRUE(contains(with_map("cause"), "Wrote " + path("run-0000.png")));
 }
 
 TEST_F(Clip, APictureThatALimitOfTimeStoppedIsNotKept) {
