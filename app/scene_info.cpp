@@ -106,19 +106,23 @@ std::string numbered_lines(const char* title, const Json& list, Line line) {
   return text;
 }
 
+std::string counted(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string contents_lines(const Json& info) {
   const auto number = [](const Json& n) { return n.get<std::uint64_t>(); };
   std::string text = numbered_lines("Animations", info["animations"], [&](const Json& a) {
     const std::uint64_t channels = number(a["channels"]), read = number(a["channels_read"]);
-    return fmt::format("{}{:.4g} s, {} channels{}", quoted(a["name"]), a["seconds"].get<double>(),
-                       channels,
+    return fmt::format("{}{:.4g} s, {}{}", quoted(a["name"]), a["seconds"].get<double>(),
+                       counted(channels, "channel"),
                        read < channels ? fmt::format(", of which {} are read", read) : "");
   });
   text += numbered_lines("Skins", info["skins"], [&](const Json& skin) {
-    return fmt::format("{}{} joints", quoted(skin["name"]), number(skin["joints"]));
+    return quoted(skin["name"]) + counted(number(skin["joints"]), "joint");
   });
   text += numbered_lines("Morphs", info["morphs"], [&](const Json& morph) {
-    return fmt::format("{}{} targets", quoted(morph["mesh"]), number(morph["targets"]));
+    return quoted(morph["mesh"]) + counted(number(morph["targets"]), "target");
   });
   const auto name = [](const Json& n) {
     return n.get<std::string>().empty() ? std::string("without a name")

@@ -247,7 +247,7 @@ TEST_F(Clip, APixelIsTracedAtItsTime) {
 
 TEST_F(Clip, InfoListsWhatMoves) {
   const AsosRun run = run_asos({"info", scene_});
-  EXPECT_TRUE(contains(run.out, "Animations: 1\n  0: \"Slide\", 1 s, 1 channels\n"));
+  EXPECT_TRUE(contains(run.out, "Animations: 1\n  0: \"Slide\", 1 s, 1 channel\n"));
   EXPECT_TRUE(contains(run.out, "Not shown:  1 animation is not played: 'Slide'"));
   const auto json = nlohmann::json::parse(run_asos({"info", scene_, "--json"}).out);
   EXPECT_EQ(json.at("animations").at(0).at("seconds"), 1.0);
