@@ -1,3 +1,4 @@
+#include "renderer/picture/picture_text.h"
 #include "tests/renderer/scene/moving_file.h"
 #include "tests/ui/test_scenes.h"
 #include "tests/ui/ui_rig.h"
@@ -190,6 +191,25 @@ TEST_F(Timeline, PicturesSayTheirMoment) {
   playback().seek(0.75);
   arrive();
   EXPECT_EQ(rig.previewer().render().description({}).time, (ClipTime{0, 0.75}));
+}
+
+TEST_F(Timeline, ASavedPictureBringsItsMomentBack) {
+  playback().seek(0.5);
+  arrive();
+  const std::vector<glm::vec3> half = picture();
+  const PictureDescription said = rig.previewer().render().description({});
+  const TemporaryFolder folder;
+  ASSERT_TRUE(
+      write_png(folder.file("half.png"), rig.previewer().render().film(), {}, picture_text(said)));
+  open("still");
+  open(folder.file("half.png"));
+  EXPECT_EQ(playback().time(), (ClipTime{0, 0.5}));
+  arrive();
+  EXPECT_NEAR(corner_x(), 1.0, 1e-5);
+  EXPECT_EQ(picture(), half);
+  playback().seek(1.0);
+  arrive();
+  EXPECT_NEAR(corner_x(), 2.0, 1e-5) << "it can be played on from there";
 }
 
 TEST_F(Timeline, ReloadingKeepsTheMoment) {
