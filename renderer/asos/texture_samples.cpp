@@ -26,11 +26,11 @@ bool is_textured(const Material& material, const SceneNeeds& needs) {
     return true;
   if (material.unlit) return false;
   return (needs.textures &&
-          (material.metallic_roughness_texture.used() || material.specular_texture.used() ||
-           material.specular_color_texture.used() || material.coat.texture.used() ||
-           material.coat.roughness_texture.used() || material.sheen.color_texture.used() ||
-           material.sheen.roughness_texture.used() || material.film.texture.used() ||
-           material.film.thickness_texture.used())) ||
+          (material.metallic_roughness_texture.used() || material.occlusion_texture.used() ||
+           material.specular_texture.used() || material.specular_color_texture.used() ||
+           material.coat.texture.used() || material.coat.roughness_texture.used() ||
+           material.sheen.color_texture.used() || material.sheen.roughness_texture.used() ||
+           material.film.texture.used() || material.film.thickness_texture.used())) ||
          (needs.normal_maps && has_normal_map(material)) ||
          (needs.emission && material.emissive_texture.used());
 }

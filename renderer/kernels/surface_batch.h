@@ -47,6 +47,7 @@ struct MaterialBatch {
   LitBatch::Vectors f0;
   LitBatch::Floats f90{}, roughness{}, metallic{};
   LitBatch::Floats dielectric_f0{}, dielectric_f90{};
+  LitBatch::Floats occlusion{};
   LitBatch::Vectors specular, ambient;  ///< ViewedMaterial's, which are found
 
   void set(std::size_t i, const SurfaceMaterial& material) {
@@ -57,6 +58,7 @@ struct MaterialBatch {
     metallic[i] = material.metallic;
     dielectric_f0[i] = material.dielectric_f0;
     dielectric_f90[i] = material.dielectric_f90;
+    occlusion[i] = material.occlusion;
   }
 };
 

@@ -326,7 +326,8 @@ bool view(const LobeNormTable& table, MaterialBatch& materials, LitBatch& points
     const auto largest = hn::Max(shine.x, hn::Max(shine.y, shine.z));
     const Vectors albedo =
         scaled(hn::Sub(one, loaded(materials.metallic, i)), loaded(materials.base_color, i));
-    const Vectors ambient = scaled(hn::Sub(one, largest), albedo);
+    const Vectors ambient =
+        scaled(hn::Mul(loaded(materials.occlusion, i), hn::Sub(one, largest)), albedo);
     store(ambient, materials.ambient, i);
     const auto dielectric = loaded(materials.dielectric_f0, i);
     const auto left = hn::Sub(one, dielectric);

@@ -114,9 +114,10 @@ struct Material {
   float roughness = 1.0f;
   TextureUse metallic_roughness_texture;  ///< G roughness, B metallic, linear
   TextureUse normal_texture;              ///< tangent space, linear
-  glm::vec3 emissive{0.0f};               ///< times emissive_strength: nits
-  float emissive_strength = 1.0f;         ///< KHR_materials_emissive_strength
-  TextureUse emissive_texture;            ///< sRGB
+  TextureUse occlusion_texture;    ///< R, linear: share of the open sky; `scale`: its strength
+  glm::vec3 emissive{0.0f};        ///< times emissive_strength: nits
+  float emissive_strength = 1.0f;  ///< KHR_materials_emissive_strength
+  TextureUse emissive_texture;     ///< sRGB
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
@@ -135,14 +136,15 @@ struct Material {
 };
 
 /// All textures that a material names, whether it uses them or not.
-[[nodiscard]] inline std::array<const TextureUse*, 14> texture_uses(const Material& m) {
+[[nodiscard]] inline std::array<const TextureUse*, 15> texture_uses(const Material& m) {
   return {&m.base_color_texture,     &m.metallic_roughness_texture,
           &m.normal_texture,         &m.emissive_texture,
           &m.specular_texture,       &m.specular_color_texture,
           &m.transmission_texture,   &m.coat.texture,
           &m.coat.roughness_texture, &m.coat.normal_texture,
           &m.sheen.color_texture,    &m.sheen.roughness_texture,
-          &m.film.texture,           &m.film.thickness_texture};
+          &m.film.texture,           &m.film.thickness_texture,
+          &m.occlusion_texture};
 }
 
 [[nodiscard]] inline bool has_normal_map(const Material& m) {

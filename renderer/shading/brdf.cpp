@@ -66,7 +66,7 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   const float left = 1.0f - dielectric_f0;
   seen.diffuse = left * albedo;
   seen.falloff = left > 0.0f ? (dielectric_f90 - dielectric_f0) / left : 0.0f;
-  seen.ambient = (1.0f - largest(seen.specular)) * albedo;
+  seen.ambient = (material.occlusion * (1.0f - largest(seen.specular))) * albedo;
   return seen;
 }
 

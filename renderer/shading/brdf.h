@@ -33,9 +33,10 @@ struct ViewedMaterial {
   glm::vec3 f0;
   float roughness;
   glm::vec3 f90{1.0f};
-  float falloff = 0.0f;     ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
-  glm::vec3 ambient{0.0f};  ///< share of a constant environment that the Lambert part returns
-  float sheen = 0.0f;       ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
+  float falloff = 0.0f;  ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
+  /// Share of a constant environment that the Lambert part returns, less the material's occlusion.
+  glm::vec3 ambient{0.0f};
+  float sheen = 0.0f;  ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
 };
 
 /// The diffuse part is weighted by 1 - F(v.h) of the dielectric's largest colour, as appendix B and

@@ -120,9 +120,9 @@ void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& ne
   add_use(uses, world, m.base_color_texture, base_color_kind(m));
   if (m.unlit) return;
   for (const TextureUse* use :
-       {&m.metallic_roughness_texture, &m.specular_texture, &m.transmission_texture,
-        &m.coat.texture, &m.coat.roughness_texture, &m.sheen.roughness_texture, &m.film.texture,
-        &m.film.thickness_texture})
+       {&m.metallic_roughness_texture, &m.occlusion_texture, &m.specular_texture,
+        &m.transmission_texture, &m.coat.texture, &m.coat.roughness_texture,
+        &m.sheen.roughness_texture, &m.film.texture, &m.film.thickness_texture})
     add_use(uses, world, *use, TexelKind::data);
   add_use(uses, world, m.specular_color_texture, TexelKind::color);
   add_use(uses, world, m.sheen.color_texture, TexelKind::color);

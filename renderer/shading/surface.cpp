@@ -217,6 +217,10 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     surface.roughness *= texel.g;
     surface.metallic *= texel.b;
   }
+  if (needs.textures && material.occlusion_texture.used()) {
+    const float seen = sample(material.occlusion_texture, TexelKind::data).r;
+    surface.occlusion = 1.0f + material.occlusion_texture.scale * (seen - 1.0f);
+  }
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
   // KHR_materials_specular. An index of 0 stands for an infinite one: all is reflected.
   glm::vec3 specular_color = material.specular_color;

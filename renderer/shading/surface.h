@@ -58,6 +58,8 @@ struct SurfaceMaterial {
   // below.
   float dielectric_f0 = 0.04f;
   float dielectric_f90 = 1.0f;
+  float occlusion =
+      1.0f;  ///< share of the sky that a surface sees, where its shadows are not found
   bool unlit = false;
   SurfaceCoat coat;
   SurfaceSheen sheen;

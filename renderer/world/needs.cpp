@@ -121,8 +121,8 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.culling |= !m.double_sided;
   if (m.unlit) return;  // an unlit material uses nothing but its base colour
   needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
-                    m.specular_texture.used() || m.specular_color_texture.used() ||
-                    (m.emissive_texture.used() && emits(m));
+                    m.occlusion_texture.used() || m.specular_texture.used() ||
+                    m.specular_color_texture.used() || (m.emissive_texture.used() && emits(m));
   needs.textures |= m.film.texture.used() || m.film.thickness_texture.used();
   needs.textures |= m.sheen.color_texture.used() || m.sheen.roughness_texture.used();
   needs.textures |=

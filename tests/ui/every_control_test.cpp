@@ -58,7 +58,7 @@ class EveryControlTest : public PanelsTest {
                        static_cast<int>(r.asos.leaf), static_cast<int>(r.asos.rule),
                        static_cast<int>(r.asos.detect), r.asos.refine_shading, r.asos.jitter,
                        r.filter_width, r.sampling.spp, r.seed, static_cast<int>(r.texture.filter),
-                       r.cull, r.shadow.cast, static_cast<int>(r.shadow.quality),
+                       r.cull, r.shadow.cast, static_cast<int>(r.shadow.quality), r.shadow.bounces,
                        r.shadow.divisions, static_cast<int>(r.shadow.light_rule),
                        r.texture.resolution, r.mirror.bounces, r.mirror.roughest,
                        static_cast<int>(r.mirror.curved), r.mirror.widest_angle_deg);
@@ -69,7 +69,8 @@ class EveryControlTest : public PanelsTest {
         return text + numbers(r.mirror.dfr.value_or(Dfr{}).perturbation);
       }
       case Part::sky:
-        return s.sky.error + (r.sky ? r.sky->name() : "") + numbers(s.sky.file, r.sky.use_count());
+        return s.sky.error + (r.sky ? r.sky->name() : "") +
+               numbers(s.sky.file, r.sky.use_count(), r.shadow.sky);
       case Part::check:
         return numbers(static_cast<int>(s.equal_time.method), s.equal_time.restarts, s.check.check,
                        s.check.alarm, s.check.mark_missed, s.check.mark_wasted);

@@ -125,6 +125,10 @@ json material_json(const Material& material, GltfDocument& document) {
   if (material.normal_texture.used()) {
     out["normalTexture"] = normal_texture_info(material.normal_texture, document);
   }
+  if (material.occlusion_texture.used()) {
+    out["occlusionTexture"] = texture_info(material.occlusion_texture, document);
+    out["occlusionTexture"]["strength"] = material.occlusion_texture.scale;
+  }
   if (material.emissive_texture.used()) {
     out["emissiveTexture"] = texture_info(material.emissive_texture, document);
   }

@@ -53,6 +53,9 @@ class MaterialReader {
       m.metallic_roughness_texture = use(pbr.metallicRoughnessTexture, "metallic-roughness");
     m.normal_texture = use(source_.normalTexture, "normal");
     m.normal_texture.scale = finite(source_.normalTexture.scale, 1.0, "normal scale");
+    m.occlusion_texture = use(source_.occlusionTexture, "occlusion");
+    m.occlusion_texture.scale =
+        within(source_.occlusionTexture.strength, 0.0, 1.0, 1.0, "occlusion strength");
     m.emissive_texture = use(source_.emissiveTexture, "emissive");
     use_coat(m);
     use_sheen(m);

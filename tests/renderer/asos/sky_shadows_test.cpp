@@ -1,5 +1,6 @@
 #include "renderer/shading/environment.h"
 #include "tests/support/render_picture.h"
+#include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
 
@@ -141,6 +142,38 @@ TEST(SkyShadows, CountTheirRays) {
   EXPECT_EQ(render_picture(*scene, camera, settings).statistics.sky_rays, 0u);
   settings.shadow.sky = true;
   EXPECT_GE(render_picture(*scene, camera, settings).statistics.sky_rays, 64u * 8u);
+}
+
+// occlusionTexture, 1 + strength * (red - 1), is of the open sky alone: where its shadows are
+// found, it would count twice.
+TEST(SkyShadows, AMaterialsOcclusionStandsInForThem) {
+  for (const Method method : {Method::asos, Method::sobol}) {
+    for (const bool shadows : {false, true}) {
+      World world;
+      Material occluded = chalk();
+      occluded.occlusion_texture.texture = add_texture(world,
+                                                       make_image(1, 1,
+                                                                  [](int, int) {
+                                                                    return Texel{51, 255, 255, 255};
+                                                                  }),
+                                                       Wrap::repeat, Filter::linear);
+      occluded.occlusion_texture.scale = 0.75f;
+      add_quad(world, {-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}, occluded);
+      const auto scene = make_render_scene(std::move(world), {dark()});
+      RenderSettings settings;
+      settings.width = settings.height = 4;
+      settings.method = method;
+      settings.sampling.spp = 64;
+      settings.shadow.sky = shadows;
+      const double expected =
+          shadows ? static_cast<double>(sky_radiance)
+                  : (1.0 - 0.75 * (1.0 - 0.2)) * static_cast<double>(ambient_radiance);
+      const Film film =
+          render_picture(*scene, look_at({0, 0.4, 0.9}, {0, 0, 0}, 1e-4), settings).film;
+      for (const glm::vec3& c : film.radiance)
+        EXPECT_NEAR(static_cast<double>(c.r), albedo * expected, 1e-3 * expected);
+    }
+  }
 }
 
 }  // namespace

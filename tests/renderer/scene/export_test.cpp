@@ -126,6 +126,8 @@ Scene rich_scene() {
   full.metallic_roughness_texture.texture = 1;
   full.normal_texture.texture = 1;
   full.normal_texture.scale = 0.8f;
+  full.occlusion_texture.texture = 0;
+  full.occlusion_texture.scale = 0.7f;
   full.emissive = {0.5f, 0.25f, 1.0f};
   full.emissive_strength = 12.5f;
   full.emissive_texture.texture = 0;

@@ -64,6 +64,18 @@ TEST(ImportMaterials, BadSpecularFactorsAreBroughtIntoRangeByName) {
   EXPECT_EQ(negative.warnings.size(), 2u);
 }
 
+TEST(ImportMaterials, OcclusionIsReadWithItsStrength) {
+  const Imported half = import_material({{"occlusionTexture", {{"index", 0}, {"strength", 0.5}}}});
+  EXPECT_TRUE(half.material.occlusion_texture.used());
+  EXPECT_EQ(half.material.occlusion_texture.scale, 0.5f);
+  EXPECT_TRUE(half.warnings.empty());
+  const Imported all = import_material({{"occlusionTexture", {{"index", 0}}}});
+  EXPECT_EQ(all.material.occlusion_texture.scale, 1.0f);
+  const Imported more = import_material({{"occlusionTexture", {{"index", 0}, {"strength", 3}}}});
+  EXPECT_EQ(more.material.occlusion_texture.scale, 1.0f);
+  EXPECT_EQ(more.warnings.size(), 1u);
+}
+
 TEST(ImportMaterials, TexturesOfExtensionsAreRead) {
   const Imported specular = import_material(with_specular(
       {{"specularTexture", {{"index", 0}}},
