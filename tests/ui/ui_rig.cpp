@@ -176,7 +176,13 @@ Controls::Placed UiRig::control(const std::string& name) {
 }
 
 void UiRig::click(const std::string& name) {
-  move_to(control(name).centre());
+  // Once more where it has moved meanwhile, as a person would: what other threads find moves rows.
+  constexpr int tries = 10;
+  for (int i = 0; i < tries; ++i) {
+    const glm::vec2 aim = control(name).centre();
+    move_to(aim);
+    if (control(name).centre() == aim) break;
+  }
   press(MouseButton::left);
   release(MouseButton::left);
 }
