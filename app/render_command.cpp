@@ -173,7 +173,6 @@ RenderReport report_of(const RenderArguments& arguments, const RenderScene& read
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
   report.description =
       describe(ready, camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f, wanted.tone});
-  report.description.variant = variant_of(wanted);
   report.time_limit_seconds = arguments.time_limit_seconds;
   return report;
 }

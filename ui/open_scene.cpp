@@ -8,7 +8,9 @@ namespace {
 
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
-  return [](const std::string& source) { return load_scene(source, {.keep_rig = true}); };
+  return [](const SceneSource& source) {
+    return load_scene(source.path, {.keep_rig = true, .variant = source.variant});
+  };
 }
 
 }  // namespace
@@ -16,17 +18,25 @@ LoadFunction load_or_default(LoadFunction load) {
 OpenScene::OpenScene(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced)
     : loader_(load_or_default(std::move(load)), std::move(wake), forced) {}
 
-void OpenScene::open(const std::string& source) {
+void OpenScene::ask_for(SceneSource source) {
   error_.reset();
   reload_failed_ = false;
-  asked_for_ = source;
+  asked_for_ = source.path;
   reloading_ = false;
-  loader_.open(source);
+  loader_.open(std::move(source));
+}
+
+void OpenScene::open(const std::string& source) {
+  ask_for({source});
 }
 
 void OpenScene::reload() {
+  if (scene_) show_variant(scene_->geometry->contents.variant);
+}
+
+void OpenScene::show_variant(const std::string& variant) {
   if (!scene_) return;
-  open(scene_->geometry->source);
+  ask_for({scene_->geometry->source, variant});
   reloading_ = true;
 }
 

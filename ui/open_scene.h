@@ -28,6 +28,8 @@ class OpenScene {
   void open(const std::string& source);
   /// Loads the open scene's file again; the view stays.
   void reload();
+  /// The same with this variant of its materials, or empty: none.
+  void show_variant(const std::string& variant);
 
   explicit operator bool() const { return scene_ != nullptr; }
   const RenderScene* operator->() const { return scene_.get(); }
@@ -68,6 +70,8 @@ class OpenScene {
   void relight(std::shared_ptr<const RenderScene> scene) { scene_ = std::move(scene); }
 
  private:
+  void ask_for(SceneSource source);
+
   std::shared_ptr<const RenderScene> scene_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;

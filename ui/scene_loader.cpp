@@ -24,17 +24,14 @@ bool is_picture(const std::string& source) {
 Result<PictureDescription> read_picture(const std::string& source) {
   auto picture = read_description(source);
   if (!picture) return picture;
-  if (!picture->variant.empty())
-    return unexpected(Error{source, "shows the variant \"" + picture->variant +
-                                        "\" of its scene's materials, which the window cannot: "
-                                        "`asos render --from` does"});
   auto sky = make_sky(picture->sky);
   if (!sky) return unexpected(sky.error());
   picture->settings.sky = *std::move(sky);
   return picture;
 }
 
-void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds& forced) {
+void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds& forced,
+               const std::string& variant) {
   const auto start = std::chrono::steady_clock::now();
   if (is_picture(outcome.source)) {
     Result<PictureDescription> picture = read_picture(outcome.source);
@@ -44,7 +41,9 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
     }
     outcome.picture = *std::move(picture);
   }
-  const std::string& source = outcome.picture ? outcome.picture->scene : outcome.source;
+  const SceneSource source = outcome.picture
+                                 ? SceneSource{outcome.picture->scene, outcome.picture->variant}
+                                 : SceneSource{outcome.source, variant};
   for (const std::string& file : source_files(source)) outcome.files.push_back(FileStamp::of(file));
   const Result<Scene> scene = load(source);
   outcome.load_seconds = seconds_since(start);
@@ -57,15 +56,15 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
 }
 
 LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
-                             const std::string& source) {
-  LoadOutcome outcome{source, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
+                             const SceneSource& source) {
+  LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
   // Memory can run out anywhere in a large scene; that is an error to show, not an end.
   try {
-    load_into(outcome, load, forced);
+    load_into(outcome, load, forced, source.variant);
   } catch (const std::bad_alloc&) {
-    outcome.scene = unexpected(Error{source, "not enough memory to load this scene"});
+    outcome.scene = unexpected(Error{source.path, "not enough memory to load this scene"});
   } catch (const std::exception& e) {
-    outcome.scene = unexpected(Error{source, e.what()});
+    outcome.scene = unexpected(Error{source.path, e.what()});
   }
   return outcome;
 }
@@ -74,11 +73,11 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
 
 SceneLoader::SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced)
     : job_([load = std::move(load),
-            forced](const std::string& source) { return load_and_prepare(load, forced, source); },
+            forced](const SceneSource& source) { return load_and_prepare(load, forced, source); },
            std::move(wake), Overtaken::dropped) {}
 
-void SceneLoader::open(std::string source) {
-  source_ = source;
+void SceneLoader::open(SceneSource source) {
+  source_ = source.path;
   since_ = std::chrono::steady_clock::now();
   job_.ask(std::move(source));
 }

@@ -15,8 +15,16 @@
 
 namespace asos {
 
-/// Opens a source ("builtin:NAME" or a path); called on the loader's thread.
-using LoadFunction = std::function<Result<Scene>(const std::string& source)>;
+/// What to open: "builtin:NAME" or a path, which it stands for, and which variant of its materials.
+struct SceneSource {
+  std::string path;
+  std::string variant{};  ///< empty: none
+
+  operator const std::string&() const { return path; }
+};
+
+/// Opens a source; called on the loader's thread.
+using LoadFunction = std::function<Result<Scene>(const SceneSource& source)>;
 
 /// A scene made ready to render, or the error in its place.
 struct LoadOutcome {
@@ -37,7 +45,7 @@ class SceneLoader {
   /// `wake` is called from the loader's thread when an outcome waits. `forced`: see prepare.
   SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced = {});
 
-  void open(std::string source);
+  void open(SceneSource source);
   /// The outcome of the newest request, once.
   [[nodiscard]] std::optional<LoadOutcome> take_outcome();
 
@@ -49,7 +57,7 @@ class SceneLoader {
   [[nodiscard]] std::optional<Loading> loading() const;
 
  private:
-  LatestJob<std::string, LoadOutcome> job_;
+  LatestJob<SceneSource, LoadOutcome> job_;
   std::string source_;  // of the newest request
   std::chrono::steady_clock::time_point since_;
 };

@@ -154,6 +154,7 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
                             const RenderSettings& settings, const PictureDisplay& display) {
   PictureDescription description;
   description.scene = absolute_source(scene.geometry->source);
+  description.variant = scene.geometry->contents.variant;
   description.origin = scene.world().origin;
   description.camera = camera;
   description.settings = settings;

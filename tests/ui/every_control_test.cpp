@@ -364,7 +364,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   enter([] {});
   if (rig.content().study().busy()) rig.click("Stop study");  // a drag elsewhere began one
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
-  rig.frame();
+  // A scene that comes later than the study's would end it.
+  ASSERT_TRUE(rig.settle());
   const auto offers = [&](const char* name) {
     return rig.content().controls().all().contains(name);
   };
@@ -377,7 +378,9 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     FAIL() << "no study is offered, only " << shown;
   }
   rig.click("Start study");
-  EXPECT_TRUE(rig.content().study().busy()) << s.study.error;
+  EXPECT_TRUE(rig.content().study().busy())
+      << s.study.error << (offers("Start study") ? "still offered" : "gone") << ", "
+      << s.study.rivals.size() << " rivals";
   rig.frame();
   rig.click("Stop study");
   EXPECT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));

@@ -1,6 +1,7 @@
 #include "ui/panels/side_panel.h"
 
 #include "ui/panels/timeline_panel.h"
+#include "ui/panels/variants_panel.h"
 #include "ui/screenshot.h"
 #include "ui/split_check.h"
 #include "ui/view_study.h"
@@ -52,6 +53,7 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
   const RenderScene* scene = previewer.scene().get();
   // First, so that what is said of a file at rest does not move its buttons when it plays.
   timeline_panel(controls, previewer.playback());
+  variants_panel(controls, previewer.scene());
   if (scene) warnings_panel(controls, notes_of(*scene));
   antialiasing_panel(controls, previewer, jobs.forecast);
   refinement_panel(controls, previewer);

@@ -69,8 +69,7 @@ SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
 }
 
 std::vector<std::string> not_shown(const SceneContents& contents,
-                                   const std::optional<ClipTime>& time,
-                                   const std::string& variant) {
+                                   const std::optional<ClipTime>& time) {
   std::vector<std::string> lines;
   if (!time && !contents.animations.empty()) {
     std::vector<std::string> names;
@@ -85,7 +84,7 @@ std::vector<std::string> not_shown(const SceneContents& contents,
   if (contents.cameras_not_placed > 0)
     lines.push_back(fmt::format("{} in no node that is shown and cannot be looked through",
                                 counted(contents.cameras_not_placed, "camera is", "cameras are")));
-  if (!contents.variants.empty() && variant.empty())
+  if (!contents.variants.empty() && contents.variant.empty())
     lines.push_back(fmt::format("{} not shown: {}; materials are as without (--variant shows one)",
                                 counted(contents.variants.size(), "variant is", "variants are"),
                                 listed(contents.variants)));

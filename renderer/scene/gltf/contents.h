@@ -16,9 +16,7 @@ namespace asos::gltf {
 
 /// A line for each sort of thing of which a picture at `time` shows one, or none, and others are
 /// there: what they are, and what is seen instead.
-/// `variant`: the one of the materials' that is shown; empty: none.
 [[nodiscard]] std::vector<std::string> not_shown(const SceneContents& contents,
-                                                 const std::optional<ClipTime>& time,
-                                                 const std::string& variant);
+                                                 const std::optional<ClipTime>& time);
 
 }  // namespace asos::gltf

@@ -77,7 +77,8 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     scene->notes.warnings_dropped = said.dropped();
     scene->notes.warnings = said.take();
     scene->notes.unsupported_extensions = doc_.unsupported_extensions;
-    scene->notes.not_shown = not_shown(scene->contents, time, options_.variant);
+    scene->contents.variant = options_.variant;
+    scene->notes.not_shown = not_shown(scene->contents, time);
     return scene;
   }
 
