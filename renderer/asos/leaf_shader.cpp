@@ -105,10 +105,9 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
 // Whether highlights of lights that are seen in part may be off by more than a leaf may. At most
 // they are by what unsure_highlights says: all of the highlight may lie in what is hidden.
 bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
-  constexpr float usual = 0.25f;
   const Budget& budget = eye_->budget;
   return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
-         usual * transport.unsure_highlights() > budget.tolerance;
+         transport.unsure_highlights() > budget.tolerance;
 }
 
 LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {
