@@ -6,6 +6,7 @@
 #include "renderer/pyray/tracer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -58,6 +59,11 @@ void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   for (float& of_pixel : result.tile.rays) of_pixel += shared;
 }
 
+// The level whose cells would be as many.
+int level_of(std::uint32_t samples) {
+  return samples > 1 ? (std::bit_width(samples - 1) + 1) / 2 : 0;
+}
+
 void publish(const FatPyray& fat, int max_level, std::span<const Trace> traces,
              const EyeCaster& caster, BlockResult& result) {
   RenderStatistics& statistics = result.statistics;
@@ -74,6 +80,8 @@ void publish(const FatPyray& fat, int max_level, std::span<const Trace> traces,
       // What samples tell apart is as good as split to the end.
       const RootSum& sum = caster.sum(i);
       if (sum.cut_out) outcome.deepest = std::max(outcome.deepest, max_level);
+      if (outcome.uneven_shading || outcome.uneven_shadow)
+        outcome.deepest = std::max(outcome.deepest, std::min(max_level, level_of(sum.samples)));
       statistics.split_pixels += outcome.deepest > 0;
       statistics.missed_splits += traces[i].missed;
       statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;

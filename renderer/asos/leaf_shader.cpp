@@ -7,7 +7,9 @@
 #include "renderer/shading/gloss.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -50,6 +52,10 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   std::uint32_t fewest = 0;
   if (refinement_->glints(leaf.sample, leaf.weight)) {
     fewest = few_samples;
+  } else if (leaf.sampled) {
+    // So few that agree by chance are not to be believed.
+    const double likely = eye_->budget.samples_of_uneven(leaf.weight, 0.0);
+    fewest = std::max(enough_samples, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
   } else if (refinement_->cut_out(leaf.sample, leaf.region)) {
     fewest = enough_samples;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
@@ -107,7 +113,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
 bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   const Budget& budget = eye_->budget;
   return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
-         transport.unsure_highlights() > budget.tolerance;
+         !leaf.sampled && transport.unsure_highlights() > budget.tolerance;
 }
 
 LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {
@@ -175,10 +181,11 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
                      eye_->mask);
   }
   const RegionSampler::Goal goal = goal_of(weight, fewest);
-  const PyrayLeaf leaf{root, sample, weight, region};
+  const PyrayLeaf leaf{root, sample, weight, region, 0, true};
   if (!eye_->mask) {
     sampler_->add(region, goal);
     put_off_.push_back(leaf);
+    put_off_.back().region.border = {};
     return true;
   }
   // With blur, as its kernel is distributed there. The first sample is that of the root's middle.
@@ -274,23 +281,28 @@ void LeafShader::add_sky() {
 
 void LeafShader::finish() {
   sample_uneven();
+  sample_put_off();
   add_weak_lights();
   add_sky();
+}
+
+void LeafShader::sample_put_off() {
   if (put_off_.empty() || eye_->stop.stop_requested()) return;
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->run(*eye_->counts);
-  std::uint64_t samples = 0;
-  for (std::size_t i = 0; i < put_off_.size(); ++i) {
-    add_estimate(put_off_[i], found[i]);
-    samples += found[i].samples;
-  }
-  // Each root's share of their rays.
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
-  for (std::size_t i = 0; i < put_off_.size() && samples > 0; ++i) {
-    const double share = static_cast<double>(found[i].samples) / static_cast<double>(samples);
-    sums_[put_off_[i].root].rays += static_cast<std::uint64_t>(std::llround(share * rays));
+  const std::vector<PyrayLeaf> leaves = std::exchange(put_off_, {});
+  std::uint64_t samples = 0;
+  for (std::size_t i = 0; i < leaves.size(); ++i) samples += found[i].samples;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    // What is too thin to be met is shaded by its one sample.
+    if (!add_estimate(leaves[i], found[i]) && samples_->hit(leaves[i].sample).valid())
+      note_result(leaves[i], add_leaf(leaves[i], nullptr));
+    // Each root's share of their rays.
+    const double share =
+        samples > 0 ? static_cast<double>(found[i].samples) / static_cast<double>(samples) : 0.0;
+    sums_[leaves[i].root].rays += static_cast<std::uint64_t>(std::llround(share * rays));
   }
-  put_off_.clear();
 }
 
 void LeafShader::note_result(const PyrayLeaf& leaf, glm::vec3 radiance) {

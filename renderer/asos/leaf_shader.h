@@ -48,6 +48,7 @@ class LeafShader {
  private:
   void shade_one(const PyrayLeaf& leaf);
   void sample_uneven();
+  void sample_put_off();
   void add_weak_lights();
   void add_sky();
   void note_variation(const ShadedLeaf& shaded);

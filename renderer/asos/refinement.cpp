@@ -2,8 +2,10 @@
 
 #include "renderer/asos/light_counts.h"
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/gloss.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shading/unevenness.h"
 #include "renderer/shadows/penumbra.h"
@@ -49,13 +51,30 @@ void Refinement::learn_normals(int side) {
 LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& region) {
   if (!samples_->hit(sample).valid() || !eye_->budget.refines() || cut_out(sample, region))
     return {};
-  const bool shading =
-      !glints(sample, share) && (shading_error(sample, share, region) > eye_->budget.tolerance ||
-                                 mirrors_too_widely(sample, region));
+  const float tolerance = eye_->budget.tolerance;
+  const ShadingError found =
+      glints(sample, share) ? ShadingError{} : shading_error(sample, share, region);
+  const double wide = mirrored_width(sample, region);
+  // A patch whose parts share one look at the lights is right as a whole only: none of them alone
+  // is sampled.
+  const bool shared = extended_lights_ && even_around(sample, region);
+  const auto sampled = [&](double price) {
+    return !shared && eye_->budget.samples_suffice(share, price,
+                                                   static_cast<double>(found.highlights.radiance));
+  };
+  const double leaf = leaf_price(sample);
+  const bool shading = wide > 1.0 || found.all() > tolerance;
+  if (shading) {
+    // Each level of splitting quarters what is too much of errors and angles squared.
+    constexpr double splits_much = 8.0;
+    const double excess = std::max(static_cast<double>(found.error / tolerance), wide * wide);
+    const double price = std::max(leaf * std::min(1.0, excess / splits_much), highlights_price());
+    if (sampled(price)) return {Unevenness::shading, 0, true};
+  }
   LeafVerdict verdict;
-  if (extended_lights_ && !even_around(sample, region)) {
+  if (extended_lights_ && !shared) {
     const ShadowVerdict shadow = judge_shadows(sample, share, region);
-    if (shadow.uneven) return {Unevenness::shadow};
+    if (shadow.uneven) return {Unevenness::shadow, 0, sampled(leaf)};
     verdict.note = shadow.note;
     // A leaf that is split for its shading need not have its shadows found again for each part.
     if (shading && region.border.empty() && samples_->opaque(sample) && nearly_flat(sample, share))
@@ -63,6 +82,17 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   }
   if (shading) verdict.uneven = Unevenness::shading;
   return verdict;
+}
+
+// What a leaf of the surface costs, in samples: those of mirrors are pyrays of their own.
+double Refinement::leaf_price(SampleId sample) const {
+  const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
+  return may_be_glossy(material) ? Prices::glossy_leaf : Prices::leaf;
+}
+
+// What their highlights add to it: each light is summed up over.
+double Refinement::highlights_price() const {
+  return Prices::highlight * static_cast<double>(eye_->viewer.shader.lights().size());
 }
 
 std::span<const std::uint32_t> Refinement::saturated(std::uint32_t note) const {
@@ -99,14 +129,16 @@ Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double shar
   return {false, static_cast<std::uint32_t>(saturated_.size())};
 }
 
-// The error of the surface's shading by one sample, but for its boundaries and shadows.
-float Refinement::shading_error(SampleId sample, double share, const LeafRegion& region) const {
+Refinement::ShadingError Refinement::shading_error(SampleId sample, double share,
+                                                   const LeafRegion& region) const {
   const Hit& hit = samples_->hit(sample);
   const Ray& ray = samples_->ray(sample);
   const Patch patch = samples_->patch(sample, share);
-  return midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
-                        eye_->settings->shadow.light_rule) +
-         normal_error(sample, region) + light_error(sample, region);
+  ShadingError found = gloss_error(sample, patch_around(sample, region));
+  found.error += midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
+                                eye_->settings->shadow.light_rule) +
+                 normal_error(sample, region) + light_error(sample, region);
+  return found;
 }
 
 // Normals that vary from pixel to pixel: in a part of a pixel, as much less as its area is.
@@ -135,7 +167,7 @@ float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
       error += falloff_error(lights[i], receiver, patch);
     error += cone_error(lights[i], receiver, patch);
   }
-  return error + highlights_error(sample, patch);
+  return error;
 }
 
 // Whether nothing lies before the point of a light that a highlight shows most of.
@@ -153,69 +185,74 @@ bool Refinement::shows_highlight(std::uint32_t light, const GlossyPatch& glossy)
   return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) > 0.0f;
 }
 
-// The highlights of lights that have a size, but for those that a reflection shows.
-float Refinement::highlights_error(SampleId sample, const Patch& patch) const {
-  if (!extended_lights_ || eye_->settings->shadow.light_rule != LightRule::physical) return 0.0f;
+// What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
+// reflection shows.
+Refinement::ShadingError Refinement::gloss_error(SampleId sample, const Patch& patch) const {
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = samples_->hit(sample);
   // Textures make roughness less only.
   const Material& material = scene.world().material_of(hit.triangle);
-  if (!may_be_glossy(material) || eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle))
-    return 0.0f;
+  const bool by_dfr = eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle);
+  if (material.unlit || !(by_dfr || may_be_glossy(material))) return {};
+  const SurfacePoint point = samples_->point(sample);
+  const PixelSpacing& spacing = eye_->viewer.spacing;
+  GlossyPatch glossy{
+      point, normal_turn(scene.world(), hit, patch, point.shading_normal), patch,
+      -samples_->ray(sample).direction,
+      spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity()};
+  const bool highlights =
+      extended_lights_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
+  if (!highlights && !turns(glossy)) return {};
   const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
-  float error = 0.0f;
-  if (has_highlights(seen.roughness))
-    error += highlights_error(sample, patch, {largest(seen.f0), seen.roughness});
-  if (seen.coat.factor > 0.0f && has_highlights(seen.coat.roughness))
-    error += highlights_error(sample, patch, {coat_f0 * seen.coat.factor, seen.coat.roughness});
-  return error;
+  ShadingError all;
+  const auto add = [&](const Gloss& gloss) {
+    glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
+    all.error += reflectance_error(glossy);
+    if (!highlights || !has_highlights(gloss.roughness)) return;
+    const HighlightError found = highlights_error(glossy);
+    all.highlights.error += found.error;
+    all.highlights.radiance += found.radiance;
+  };
+  add({largest(seen.f0), seen.roughness});
+  if (seen.coat.factor > 0.0f) add({coat_f0 * seen.coat.factor, seen.coat.roughness});
+  return all;
 }
 
 // Of one of the surface's lobes.
-float Refinement::highlights_error(SampleId sample, const Patch& patch, const Gloss& gloss) const {
-  const RenderScene& scene = *eye_->scene;
-  const Hit& hit = samples_->hit(sample);
-  const SurfacePoint point = samples_->point(sample);
-  const PixelSpacing& spacing = eye_->viewer.spacing;
-  const GlossyPatch glossy{
-      point,
-      normal_turn(scene.world(), hit, patch, point.shading_normal),
-      patch,
-      -samples_->ray(sample).direction,
-      spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity(),
-      gloss.f0,
-      gloss.roughness};
+HighlightError Refinement::highlights_error(const GlossyPatch& glossy) const {
   const auto lights = eye_->viewer.shader.lights();
   const float tolerance = eye_->budget.tolerance;
   const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
-  float error = 0.0f;
-  for (std::size_t i = 0; i < lights.size() && !(error > tolerance); ++i) {
+  HighlightError all;
+  for (std::size_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
     if (weak_lights_->holds(i)) continue;
-    const float one = highlight_error(lights[i], glossy, negligible);
-    if (one > 0.0f && shows_highlight(static_cast<std::uint32_t>(i), glossy)) error += one;
+    const HighlightError one = highlight_error(lights[i], glossy, negligible);
+    if (one.error > 0.0f && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
+    all.error += one.error;
+    all.radiance += one.radiance;
   }
-  return error;
+  return all;
 }
 
-// Whether a curved mirror spreads the region's corner rays too far for one reflected pyray (CGF'98
-// sections 5.2.1 to 5.2.4).
-bool Refinement::mirrors_too_widely(SampleId sample, const LeafRegion& region) const {
+// How far a curved mirror spreads the region's corner rays, in what one reflected pyray may be wide
+// (CGF'98 sections 5.2.1 to 5.2.4).
+double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) const {
   const MirrorSettings& settings = eye_->settings->mirror;
   const Viewer& viewer = eye_->viewer;
   if (viewer.bounces >= viewer.shader.reflections() || settings.curved == CurvedMirror::tangent)
-    return false;
+    return 0.0;
   const Hit& hit = samples_->hit(sample);
   const Material& material = eye_->scene->world().material_of(hit.triangle);
   const bool mirror = eye_->scene->dfr_of(hit.triangle) ||
                       static_cast<double>(least_roughness(material)) <= settings.roughest;
-  if (!mirror || material.unlit) return false;
+  if (!mirror || material.unlit) return 0.0;
   const SurfacePoint point = samples_->point(sample);
   const float side = region.square.side * static_cast<float>(eye_->block.width);
   const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
   const MirrorSurface surface = mirror_surface(eye_->scene->world(), hit, point, pyray, true);
-  if (!surface.bent()) return false;
-  return settings.curved == CurvedMirror::supersample ||
-         reflected_angle(pyray, surface) > glm::radians(settings.widest_angle_deg);
+  if (!surface.bent()) return 0.0;
+  if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
+  return reflected_angle(pyray, surface) / glm::radians(settings.widest_angle_deg);
 }
 
 bool Refinement::glints(SampleId sample, double share) const {
@@ -245,7 +282,7 @@ bool Refinement::uneven_at_last(SampleId sample, double share, const LeafRegion&
       std::ldexp(eye_->viewer.pixel, -max_level) / static_cast<float>(eye_->block.width);
   return max_level > 0 && eye_->budget.refines() && !region.marginal &&
          samples_->hit(sample).valid() && region.square.side < 1.5f * finest &&
-         shading_error(sample, share, region) > eye_->budget.tolerance;
+         shading_error(sample, share, region).all() > eye_->budget.tolerance;
 }
 
 // Whether the surface deviates from its plane by little, beside the patch: what lies closer to a

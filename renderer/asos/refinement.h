@@ -57,14 +57,23 @@ class Refinement {
   };
   [[nodiscard]] ShadowVerdict judge_shadows(SampleId sample, double share,
                                             const LeafRegion& region);
-  [[nodiscard]] float shading_error(SampleId sample, double share, const LeafRegion& region) const;
+  /// The error of the surface's shading by one sample, but for its boundaries and shadows.
+  struct ShadingError {
+    float error = 0.0f;  // but for
+    HighlightError highlights;
+
+    [[nodiscard]] float all() const { return error + highlights.error; }
+  };
+  [[nodiscard]] ShadingError shading_error(SampleId sample, double share,
+                                           const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
-  [[nodiscard]] float highlights_error(SampleId sample, const Patch& patch) const;
-  [[nodiscard]] float highlights_error(SampleId sample, const Patch& patch,
-                                       const Gloss& gloss) const;
+  [[nodiscard]] ShadingError gloss_error(SampleId sample, const Patch& patch) const;
+  [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;
   [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
-  [[nodiscard]] bool mirrors_too_widely(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] double leaf_price(SampleId sample) const;
+  [[nodiscard]] double highlights_price() const;
+  [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;
 

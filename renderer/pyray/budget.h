@@ -59,6 +59,21 @@ struct Budget {
     return refines() && rays(weight, intensity) <= price;
   }
 
+  /// Samples of an uneven part that are likely to be known well enough. Its contrast: a quarter of
+  /// what is displayed, and the highlights in it, which may be far brighter than white.
+  [[nodiscard]] double samples_of_uneven(double weight, double highlights) const {
+    constexpr double error_of_one = 0.35;
+    const double contrast = usual_contrast + highlights;
+    return std::pow(error_of_one * contrast / standard_error(weight), 4.0 / 3.0);
+  }
+  /// Whether these cost less than splitting the part until it is even, where a leaf costs as much
+  /// as `price` samples: the error of leaves falls with their number.
+  [[nodiscard]] bool samples_suffice(double weight, double price, double highlights) const {
+    const double leaves = usual_contrast / static_cast<double>(tolerance);
+    return samples_of_uneven(weight, highlights) <= price * leaves;
+  }
+  static constexpr double usual_contrast = 0.25;
+
   /// How many finest cells a part stands for.
   [[nodiscard]] double finest_cells(double weight) const {
     return weight * std::ldexp(1.0, 2 * max_level);

@@ -22,6 +22,9 @@ enum class Unevenness : std::uint8_t { none, shading, shadow };
 struct LeafVerdict {
   Unevenness uneven = Unevenness::none;
   std::uint32_t note = 0;
+  bool sampled = false;  ///< uneven, and many samples of it cost less than its parts: a leaf
+
+  [[nodiscard]] bool splits() const { return uneven != Unevenness::none && !sampled; }
 };
 
 /// A finished part of a root, for which one sample stands.
@@ -31,6 +34,7 @@ struct PyrayLeaf {
   double weight = 1.0;     ///< share of the root's area
   LeafRegion region;       ///< in the root frame
   std::uint32_t note = 0;  ///< the verdict's
+  bool sampled = false;    ///< the same
 };
 
 /// The side that asks the engine: knows how to look along points of the root frame's square, and

@@ -185,17 +185,18 @@ void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) 
   LeafVerdict verdict;
   if (level_->number < state_->rules.budget.max_level)
     verdict = state_->caster->judge(sample, state_->weight(cell), region);
-  cell.uneven = verdict.uneven;
-  if (cell.is_uneven()) {
+  if (verdict.splits()) {
+    cell.uneven = verdict.uneven;
     cell.middle = sample;
     cell.cover = state_->caster->cover(cell.middle);
     return;
   }
-  if (TracedCell* traced = trace(cell, plan, CellFate::uniform)) {
+  const CellFate fate = verdict.sampled ? CellFate::by_samples : CellFate::uniform;
+  if (TracedCell* traced = trace(cell, plan, fate)) {
     const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
     traced->samples.push_back({sample, at, state_->weight(cell), {}, {}});
   }
-  state_->add_leaf(cell, sample, state_->weight(cell), region, verdict.note);
+  state_->add_leaf(cell, sample, state_->weight(cell), region, verdict);
   cell.done = true;
 }
 
@@ -216,14 +217,14 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     LeafVerdict verdict;
     if (level_->number < finest)
       verdict = state_->caster->judge(first + i, whole * part.area, region);
-    if (verdict.uneven != Unevenness::none) {
+    if (verdict.splits()) {
       cell.uneven = verdict.uneven;
       state_->leaves.resize(first_leaf);
       // Its children need a sample in the closure of each of them.
       if (cell.middle == no_sample) cell.cover = Cover::none();
       return;
     }
-    state_->add_leaf(cell, first + i, whole * part.area, region, verdict.note);
+    state_->add_leaf(cell, first + i, whole * part.area, region, verdict);
   }
   // Tell observers.
   if (TracedCell* traced = trace(cell, plan, CellFate::cut)) {

@@ -10,10 +10,19 @@ namespace asos {
 ///  - a search for a penumbra 0.2 to 1.8. But where it finds one the patch is split, and each part
 ///    is cut again, so that it is reckoned as a cut light (tests/bench/every_scene.cpp: at 5,
 ///    office takes a fifth longer at the same error).
+///
+/// And what leaves cost, in samples of a part of the same weight: a part that deserves fewer is
+/// sampled and not split for its shading (Budget::samples_suffice). By tests/bench/every_scene.cpp,
+/// where both ways take boxes as long at an EPS of 1/1000, and most scenes two thirds to a third as
+/// long by samples at 1/256; a glossy leaf sums up the BRDF over each light, or traces what it
+/// mirrors.
 struct Prices {
   static constexpr double light_window = 20.0;   ///< a light cut along what stands before it
   static constexpr double penumbra_test = 20.0;  ///< a search for a shadow's edges on a patch
   static constexpr double patch = 60.0;          ///< a patch cut along the edges of a hard shadow
+  static constexpr double leaf = 3.0;            ///< a leaf of what is split for its shading
+  static constexpr double glossy_leaf = 9.0;     ///< the same of what shows highlights or mirrors
+  static constexpr double highlight = 0.3;       ///< of a leaf of one light's highlight
 };
 
 }  // namespace asos

@@ -68,8 +68,7 @@ void Subdivider::stop_roots(CellLevel& level) {
     o.at_limit |= at_limit && tally_.marginal > 0 && !holds;
     for (Cell& cell : cells) {
       cell.done = (at_limit || holds) && !cell.is_uneven();
-      o.uneven_shading |= cell.uneven == Unevenness::shading;
-      o.uneven_shadow |= cell.uneven == Unevenness::shadow;
+      o.note_uneven(cell.uneven);
     }
     TracedPyray* traced = state_.root(cells.front()).traced;
     if (tally_.marginal > 0 && traced) traced->levels.push_back(tally_);

@@ -28,8 +28,9 @@ glm::vec2 SubdivisionState::jittered(std::uint32_t root, const Square& square) c
 }
 
 void SubdivisionState::add_leaf(const Cell& cell, SampleId sample, double share,
-                                const LeafRegion& region, std::uint32_t note) {
-  leaves.push_back({root(cell).id, sample, share, region, note});
+                                const LeafRegion& region, const LeafVerdict& verdict) {
+  if (verdict.sampled) outcome(cell).note_uneven(verdict.uneven);
+  leaves.push_back({root(cell).id, sample, share, region, verdict.note, verdict.sampled});
 }
 
 void SubdivisionState::hand_out() {

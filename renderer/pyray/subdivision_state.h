@@ -31,13 +31,18 @@ struct Root {
 struct SubdivisionOutcome {
   int deepest = 0;               ///< finest level examined; a cut counts as one more
   double unresolved_area = 0.0;  ///< share of the root whose cells stayed marginal
-  bool uneven_shading = false;   ///< some cell was split for its shading alone
-  bool uneven_shadow = false;    ///< some cell was split for a shadow on it alone
+  bool uneven_shading = false;   ///< some cell was split, or sampled, for its shading alone
+  bool uneven_shadow = false;    ///< some cell was split, or sampled, for a shadow on it alone
   bool saturated = false;        ///< some cell went to its finest samples at once
   bool at_limit = false;         ///< cells stayed marginal at MAX and the rule did not hold
   /// The visible boundaries of cells that were cut or stayed marginal to the end.
   BoundaryKinds boundaries;
   std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
+
+  void note_uneven(Unevenness uneven) {
+    uneven_shading |= uneven == Unevenness::shading;
+    uneven_shadow |= uneven == Unevenness::shadow;
+  }
 };
 
 /// A square of a level, with what is known of it.
@@ -88,7 +93,7 @@ struct SubdivisionState {
   [[nodiscard]] glm::vec2 jittered(std::uint32_t root, const Square& square) const;
 
   void add_leaf(const Cell& cell, SampleId sample, double share, const LeafRegion& region,
-                std::uint32_t note = 0);
+                const LeafVerdict& verdict = {});
   /// Hands the leaves to the caster.
   void hand_out();
 

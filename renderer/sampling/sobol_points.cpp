@@ -59,13 +59,13 @@ constexpr std::uint32_t sum_of_directions(const DirectionNumbers& numbers, std::
   return bits;
 }
 
-constexpr FewSobolPoints mirrored_points() {
-  FewSobolPoints points{};
-  for (std::size_t d = 0; d < points.size(); ++d) {
-    for (std::uint32_t i = 0; i < few_sobol_points; ++i)
-      points[d][i] = mirrored_digits(sum_of_directions(directions[d], i));
+constexpr std::array<SobolByteTable, 4> byte_tables(const DirectionNumbers& numbers) {
+  std::array<SobolByteTable, 4> tables{};
+  for (std::uint32_t k = 0; k < tables.size(); ++k) {
+    for (std::uint32_t i = 0; i < tables[k].size(); ++i)
+      tables[k][i] = mirrored_digits(sum_of_directions(numbers, i << (8 * k)));
   }
-  return points;
+  return tables;
 }
 
 // The seed of one of the four scrambled dimensions, the last two of which each light has of its
@@ -74,24 +74,11 @@ std::uint64_t seed_of(std::uint64_t key, std::uint32_t light, std::uint64_t dime
   return mix_bits(key + ((std::uint64_t{light} << 2) | dimension));
 }
 
-double scrambled(int dimension, std::uint32_t index, std::uint64_t seed) {
-  constexpr double scale = 1.0 / 4294967296.0;
-  return scale * owen_scramble(sobol_bits(dimension, index), seed);
-}
-
-}  // namespace
-
-constexpr FewSobolPoints first_mirrored_sobol_bits = mirrored_points();
-
-std::uint32_t sobol_bits(int dimension, std::uint32_t index) {
-  return sum_of_directions(directions[static_cast<std::size_t>(dimension)], index);
-}
-
-std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {
-  // The hash of Laine and Karras 2011, "Stratified sampling for stochastic transparency", in the
-  // form of Vegdahl 2021, "Building a better LK hash", here with a seed of 64 bits. With the digits
-  // mirrored, sums and products carry from a digit to later ones only.
-  std::uint32_t x = mirrored_digits(bits);
+// owen_scramble of a fraction whose digits are mirrored: the hash of Laine and Karras 2011,
+// "Stratified sampling for stochastic transparency", in the form of Vegdahl 2021, "Building a
+// better LK hash", here with a seed of 64 bits. With the digits mirrored, sums and products carry
+// from a digit to later ones only.
+std::uint32_t scramble_mirrored_digits(std::uint32_t x, std::uint64_t seed) {
   x ^= x * 0x3d20adeau;
   x += static_cast<std::uint32_t>(seed);
   x *= static_cast<std::uint32_t>(seed >> 32) | 1u;
@@ -100,6 +87,24 @@ std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {
   return mirrored_digits(x);
 }
 
+double scrambled(int dimension, std::uint32_t index, std::uint64_t seed) {
+  constexpr double scale = 1.0 / 4294967296.0;
+  return scale * scramble_mirrored_digits(mirrored_sobol_bits(dimension, index), seed);
+}
+
+}  // namespace
+
+constexpr std::array<std::array<SobolByteTable, 4>, 4> mirrored_sobol_bytes{
+    byte_tables(directions[0]), byte_tables(directions[1]), byte_tables(directions[2]),
+    byte_tables(directions[3])};
+
+std::uint32_t sobol_bits(int dimension, std::uint32_t index) {
+  return mirrored_digits(mirrored_sobol_bits(dimension, index));
+}
+
+std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {
+  return scramble_mirrored_digits(mirrored_digits(bits), seed);
+}
 SobolPixel::SobolPixel(int x, int y, std::uint32_t seed)
     : key_(pixel_random(x, y, seed)), seed_x_(seed_of(key_, 0, 0)), seed_y_(seed_of(key_, 0, 1)) {}
 

@@ -28,16 +28,17 @@ namespace asos {
   return (x >> 16) | (x << 16);
 }
 
-/// The points that most pixels take, mirrored_digits of sobol_bits by dimension.
-inline constexpr std::uint32_t few_sobol_points = 256;
-using FewSobolPoints = std::array<std::array<std::uint32_t, few_sobol_points>, 4>;
-extern const FewSobolPoints first_mirrored_sobol_bits;
+/// mirrored_digits of sobol_bits by dimension, for the values of each byte of an index, the lowest
+/// first: those of a whole index are theirs, exclusive-or.
+using SobolByteTable = std::array<std::uint32_t, 256>;
+extern const std::array<std::array<SobolByteTable, 4>, 4> mirrored_sobol_bytes;
 
 /// mirrored_digits of sobol_bits: what owen_scramble starts from.
 [[nodiscard]] inline std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index) {
-  return index < few_sobol_points
-             ? first_mirrored_sobol_bits[static_cast<std::size_t>(dimension)][index]
-             : mirrored_digits(sobol_bits(dimension, index));
+  const auto& bytes = mirrored_sobol_bytes[static_cast<std::size_t>(dimension)];
+  std::uint32_t bits = bytes[0][index & 255u];
+  for (std::size_t k = 1; (index >>= 8) != 0; ++k) bits ^= bytes[k][index & 255u];
+  return bits;
 }
 
 /// The sample points of one pixel: Sobol's first four dimensions, each scrambled by itself. They

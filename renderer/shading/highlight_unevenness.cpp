@@ -4,6 +4,7 @@
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/light_quadrature.h"
 #include "renderer/shading/lobe.h"
+#include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +18,19 @@ float light_distance(const PreparedLight& light, glm::vec3 position) {
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
+glm::vec3 viewer_from(const GlossyPatch& glossy, glm::vec3 offset) {
+  return std::isfinite(glossy.viewer_distance)
+             ? glm::normalize(glossy.to_viewer - offset / glossy.viewer_distance)
+             : glossy.to_viewer;
+}
+
 /// What the patch shows of the light so far from its middle, its normal turned by `turn`.
 float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 offset,
             glm::vec3 turn) {
   const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
   const Receiver receiver{glm::dvec3(glossy.point.position + offset), glm::dvec3(normal),
                           glm::dvec3(glossy.point.geometric_normal)};
-  const glm::vec3 to_viewer =
-      std::isfinite(glossy.viewer_distance)
-          ? glm::normalize(glossy.to_viewer - offset / glossy.viewer_distance)
-          : glossy.to_viewer;
+  const glm::vec3 to_viewer = viewer_from(glossy, offset);
   LightQuadrature quadrature(receiver, glm::dvec3(to_viewer),
                              static_cast<double>(glossy.roughness));
   const ReflectedIntegral found = quadrature(light);
@@ -38,15 +42,45 @@ float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 off
 
 }  // namespace
 
-float highlight_error(const PreparedLight& light, const GlossyPatch& glossy, float negligible) {
-  if (!light.extended() || light.rule != LightRule::physical) return 0.0f;
+bool turns(const GlossyPatch& glossy) {
+  // Schlick's term bends by no more than this, per radian squared.
+  constexpr float most_bent = 20.0f, invisible = 1.0f / 4096.0f;
+  float turn2 =
+      glm::dot(glossy.turn.right, glossy.turn.right) + glm::dot(glossy.turn.down, glossy.turn.down);
+  if (std::isfinite(glossy.viewer_distance)) {
+    const Patch& patch = glossy.patch;
+    turn2 += (glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down)) /
+             (glossy.viewer_distance * glossy.viewer_distance);
+  }
+  return most_bent * turn2 > 24.0f * invisible;
+}
+
+float reflectance_error(const GlossyPatch& glossy) {
+  if (!turns(glossy)) return 0.0f;
+  const auto reflectance = [&](glm::vec3 offset, glm::vec3 turn) {
+    const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
+    const float n_dot_v = std::max(grazing_cosine, glm::dot(normal, viewer_from(glossy, offset)));
+    return environment_specular(glm::vec3(glossy.f0), glossy.roughness, n_dot_v).x;
+  };
+  const float middle = reflectance(glm::vec3(0.0f), glm::vec3(0.0f));
+  const auto bend = [&](glm::vec3 edge, glm::vec3 turn) {
+    const float ends =
+        reflectance(0.5f * edge, 0.5f * turn) + reflectance(-0.5f * edge, -0.5f * turn);
+    return std::abs(ends - 2.0f * middle) / 6.0f;
+  };
+  return bend(glossy.patch.right, glossy.turn.right) + bend(glossy.patch.down, glossy.turn.down);
+}
+
+HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy,
+                               float negligible) {
+  if (!light.extended() || light.rule != LightRule::physical) return {};
   const glm::vec3 n = glossy.point.shading_normal;
   const glm::vec3 mirrored = glm::reflect(-glossy.to_viewer, n);
   const Highlight nearest =
       highlight_of(light, glm::dvec3(glossy.point.position), glm::dvec3(mirrored));
   const glm::vec3 sum = nearest.direction + glossy.to_viewer;
   const float length = glm::length(sum);
-  if (!(length > 0.0f)) return 0.0f;
+  if (!(length > 0.0f)) return {};
   // Bound it by the lobe where the patch is nearest to the light.
   const glm::vec3 half = sum / length;
   const float rough = std::max(glossy.roughness, roughness_floor);
@@ -65,12 +99,14 @@ float highlight_error(const PreparedLight& light, const GlossyPatch& glossy, flo
       light.shape == PreparedLight::Shape::segment
           ? largest(light.power) / (alpha * light_distance(light, glossy.point.position))
           : largest(light.power);
-  const float bound = std::min(1.0f, brightest * fresnel * alpha * alpha / width2) *
-                      std::min(1.0f, spread2 / (6.0f * width2));
-  if (!(bound >= negligible)) return 0.0f;
+  const float most = brightest * fresnel * alpha * alpha / width2;
+  const float bound = std::min(1.0f, most) * std::min(1.0f, spread2 / (6.0f * width2));
   const bool line = light.shape == PreparedLight::Shape::segment;
+  const float filled = line ? 1.0f : std::min(1.0f, 0.5f * nearest.half_angle_tangent / alpha);
+  const float radiance = most * filled * filled;
+  if (!(bound >= negligible)) return {0.0f, radiance};
   const float highlight = alpha + (line ? 0.0f : 0.5f * nearest.half_angle_tangent);
-  if (spread2 > highlight * highlight) return bound;
+  if (spread2 > highlight * highlight) return {bound, radiance};
 
   const float middle = shown(light, glossy, glm::vec3(0.0f), glm::vec3(0.0f));
   const auto bend = [&](glm::vec3 edge, glm::vec3 turn) {
@@ -78,7 +114,8 @@ float highlight_error(const PreparedLight& light, const GlossyPatch& glossy, flo
                        shown(light, glossy, -0.5f * edge, -0.5f * turn);
     return std::abs(ends - 2.0f * middle) / 6.0f;
   };
-  return bend(glossy.patch.right, glossy.turn.right) + bend(glossy.patch.down, glossy.turn.down);
+  return {bend(glossy.patch.right, glossy.turn.right) + bend(glossy.patch.down, glossy.turn.down),
+          radiance};
 }
 
 }  // namespace asos

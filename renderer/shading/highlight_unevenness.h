@@ -17,15 +17,29 @@ struct GlossyPatch {
   Patch patch;
   glm::vec3 to_viewer;    ///< unit
   float viewer_distance;  ///< infinite for parallel rays
-  float f0;               ///< largest of the colours
-  float roughness;
+  float f0 = 0.0f;        ///< largest of the colours
+  float roughness = 0.0f;
 };
 
-/// By how much the mean display intensity (0 to 1) of what a patch shows of a light in its
-/// highlight may differ from that at its middle: Simpson's rule beside the midpoint's, of the
-/// highlight's integral (LightQuadrature), where a bound is not below `negligible`; that bound
-/// where the patch is wider than the highlight. For lights with a size, by the physical rule.
-[[nodiscard]] float highlight_error(const PreparedLight& light, const GlossyPatch& glossy,
-                                    float negligible);
+/// Whether normals and directions to the viewer turn so far across the patch that its reflectance
+/// may be uneven.
+[[nodiscard]] bool turns(const GlossyPatch& glossy);
+
+/// By how much the share of light from all around that a patch mirrors (environment_specular) may
+/// differ on average from that at its middle: Fresnel's term rises steeply towards grazing angles,
+/// which a wide pyray holds many of. Simpson's rule beside the midpoint's.
+[[nodiscard]] float reflectance_error(const GlossyPatch& glossy);
+
+/// What a patch shows of a light in its highlight.
+struct HighlightError {
+  float error = 0.0f;     ///< of its mean display intensity (0 to 1), beside that at its middle
+  float radiance = 0.0f;  ///< about the most that is shown of it, 1 is white
+};
+
+/// Simpson's rule beside the midpoint's, of the highlight's integral (LightQuadrature), where a
+/// bound is not below `negligible`; that bound where the patch is wider than the highlight. For
+/// lights with a size, by the physical rule.
+[[nodiscard]] HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy,
+                                             float negligible);
 
 }  // namespace asos

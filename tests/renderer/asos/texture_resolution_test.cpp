@@ -189,10 +189,11 @@ TEST(TextureResolution, PartsShareTheirShadows) {
   sun.type = Light::Type::directional;
   sun.direction = glm::normalize(glm::dvec3(-0.7, 0.1, -1.0));
   const auto scene = make_render_scene(std::move(world), {ball, sun});
-  // EPS 0: the lights are not bright enough for more than a few rays otherwise.
+  // The lights are not bright enough for more than a few rays otherwise, and penumbrae are sampled.
   const auto exact = [](int tr) {
     RenderSettings settings = with_tr(tr);
     settings.asos.eps = 0.0;
+    settings.asos.refine_shading = false;
     return settings;
   };
   const Picture once = render_picture(*scene, orthographic(2.0), exact(1));

@@ -80,6 +80,27 @@ TEST(SobolBits, AreJoeAndKuosFirstPoints) {
   }
 }
 
+// Beyond the first byte of an index, too: each digit has a direction number of its own, by Sobol's
+// recurrence, of which those of an index's digits are added without carry.
+TEST(SobolBits, AreSumsOfDirectionNumbersWhateverTheIndex) {
+  std::uint32_t m = 1;  // of the polynomial x + 1
+  for (int k = 0; k < 32; ++k) {
+    const std::uint32_t power = 1u << k;
+    EXPECT_EQ(sobol_bits(0, power), 0x80000000u >> k);
+    EXPECT_EQ(sobol_bits(1, power), m << (31 - k)) << k;
+    m = (2 * m) ^ m;
+  }
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const std::uint64_t random = mix_bits(seed);
+    const auto a = static_cast<std::uint32_t>(random);
+    const auto b = static_cast<std::uint32_t>(random >> 32);
+    for (int d = 0; d < 4; ++d) {
+      EXPECT_EQ(sobol_bits(d, a ^ b), sobol_bits(d, a) ^ sobol_bits(d, b)) << d;
+      EXPECT_EQ(mirrored_sobol_bits(d, a), mirrored_digits(sobol_bits(d, a))) << d;
+    }
+  }
+}
+
 TEST(OwenScramble, DependsOnTheDigitsBeforeAlone) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const std::uint64_t random = mix_bits(seed);
