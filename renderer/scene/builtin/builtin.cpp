@@ -36,6 +36,10 @@ const std::vector<BuiltinScene>& builtin_scenes() {
        builtin::make_neon},
       {"workshop", "brushed and hammered metal with maps of normals: tools, sheets, pipes, bowls",
        builtin::make_workshop},
+      {"railing", "wrought iron that one image cuts out of a few cards, and its shadow",
+       builtin::make_railing},
+      {"foliage", "a young tree of cards, of which an image cuts out twigs with leaves",
+       builtin::make_foliage},
   };
   return scenes;
 }

@@ -1,4 +1,4 @@
-#include "renderer/sampling/random.h"
+#include "renderer/scene/builtin/chance.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
 #include "renderer/scene/builtin/stage.h"
@@ -14,21 +14,6 @@
 namespace asos::builtin {
 
 namespace {
-
-/// Numbers that look random, the same every time.
-class Chance {
- public:
-  explicit Chance(std::uint64_t seed) : bits_(mix_bits(seed)) {}
-
-  /// From `lo` to `hi`.
-  float between(float lo, float hi) {
-    bits_ = mix_bits(bits_);
-    return lo + static_cast<float>(unit_pair(bits_).u) * (hi - lo);
-  }
-
- private:
-  std::uint64_t bits_;
-};
 
 /// A tree without leaves, its foot at the origin: branches that bend, thin out and fork.
 class Tree {

@@ -24,5 +24,7 @@ namespace asos::builtin {
 [[nodiscard]] Scene make_park();
 [[nodiscard]] Scene make_neon();
 [[nodiscard]] Scene make_workshop();
+[[nodiscard]] Scene make_railing();
+[[nodiscard]] Scene make_foliage();
 
 }  // namespace asos::builtin

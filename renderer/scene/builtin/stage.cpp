@@ -52,9 +52,10 @@ Material& Stage::material(std::string_view name) {
   return *found;
 }
 
-int Stage::keep_texture(Image image) {
+int Stage::keep_texture(Image image, Wrap wrap) {
   Texture texture;
   texture.name = image.name;
+  texture.wrap_u = texture.wrap_v = wrap;
   texture.image = static_cast<int>(scene_.images.size());
   scene_.images.push_back(std::move(image));
   scene_.textures.push_back(texture);

@@ -29,8 +29,8 @@ class Stage {
   /// The first material that was painted under this name, which has to be one: for scenes that
   /// differ from others in what something is made of.
   [[nodiscard]] Material& material(std::string_view name);
-  /// Keeps an image as a texture that repeats; the index is for a material.
-  int keep_texture(Image image);
+  /// Keeps an image as a texture; the index is for a material. `wrap`: beyond its sides.
+  int keep_texture(Image image, Wrap wrap = Wrap::repeat);
   /// Makes a texture the colour of the material of this name, and gives its flat-shaded meshes
   /// texture coordinates. The image covers squares whose side is `metres`.
   void cover(std::string_view material, int texture, float metres);

@@ -109,7 +109,9 @@ bool is_sheet(const std::string& scene, const std::string& mesh) {
       {"neon",
        {"road", "night sky", "dark panes", "lit panes 1", "lit panes 2", "lit panes 3",
         "shop panes"}},
-      {"workshop", {"floor", "wall"}}};
+      {"workshop", {"floor", "wall"}},
+      {"railing", {"terrace", "railing"}},
+      {"foliage", {"lawn", "leaves"}}};
   return sheets.at(scene).contains(mesh);
 }
 
@@ -149,7 +151,9 @@ TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
       {"wheel", {25'000, 40'000}},
       {"park", {250'000, 500'000}},
       {"neon", {10'000, 16'000}},
-      {"workshop", {20'000, 35'000}}};
+      {"workshop", {20'000, 35'000}},
+      {"railing", {90, 120}},
+      {"foliage", {500, 900}}};
   const Scene scene = make(GetParam());
   EXPECT_GE(scene.instanced_triangles(), range.at(GetParam()).first);
   EXPECT_LE(scene.instanced_triangles(), range.at(GetParam()).second);
@@ -238,8 +242,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
                            return name;
                          });
 
-TEST(BuiltinScenes, AreEighteenWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 18u);
+TEST(BuiltinScenes, AreTwentyWithOfficeFirst) {
+  ASSERT_EQ(builtin_scenes().size(), 20u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }
