@@ -31,7 +31,8 @@ nlohmann::ordered_json edges_json(const std::optional<FeatureCounts>& edges) {
           {"silhouette_candidates", edges->silhouette_candidates},
           {"crease", edges->crease},
           {"seam", edges->seam},
-          {"intersection", edges->intersection}};
+          {"intersection", edges->intersection},
+          {"cut_out", edges->cut_out}};
 }
 
 // The measurements of loading and rendering the scene.

@@ -31,6 +31,8 @@ const char* name_of(FeatureKind kind) {
       return "seam";
     case FeatureKind::intersection:
       return "intersection";
+    case FeatureKind::cut_out:
+      return "cut-out";
     case FeatureKind::silhouette:
       break;
   }

@@ -11,7 +11,8 @@ ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchV
   ShadowContext shadows;
   shadows.scene = &scene;
   shadows.rules = {settings.shadow.quality, settings.shadow.divisions, eye.budget,
-                   settings.asos.leaf == Leaf::exact, eye.scene->needs.varying_opacity};
+                   settings.asos.leaf == Leaf::exact,
+                   eye.scene->needs.varying_opacity && eye.scene->features().opacity_unbounded()};
   shadows.lights = eye.viewer.shader.lights().size();
   shadows.frame = eye.frame;
   shadows.view = &view;

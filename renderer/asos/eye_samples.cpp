@@ -26,7 +26,7 @@ SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
     if (eye_->viewer.mirror)
       pass_mirror(*eye_->viewer.mirror, scene.world(), scene.rays(), faces_, rays, hits);
   }
-  if (scene.needs.alpha_mask) find_cut_outs(first);
+  if (scene.features().cut_outs_unbounded()) find_cut_outs(first);
   eye_->counts->eye_rays += points.size();
   return static_cast<SampleId>(first);
 }
@@ -34,7 +34,8 @@ SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
 void EyeSamples::find_cut_outs(std::size_t first) {
   cut_out_.resize(rays_.size());
   met_.resize(rays_.size() - first);
-  eye_->scene->rays().blockers(std::span(rays_).subspan(first), met_);
+  eye_->scene->rays().blockers(std::span(rays_).subspan(first), met_, -1,
+                               eye_->scene->features().outlined());
   for (std::size_t i = first; i < rays_.size(); ++i) cut_out_[i] = met_[i - first].cut_out;
 }
 
@@ -76,7 +77,9 @@ bool EyeSamples::opaque(SampleId sample) const {
   const Hit& hit = hits_[sample];
   if (!hit.valid()) return true;
   const Material& material = eye_->scene->world().material_of(hit.triangle);
-  return material.alpha_mode == AlphaMode::opaque && !(material.transmission > 0.0f);
+  const bool whole =
+      material.alpha_mode == AlphaMode::opaque || eye_->scene->features().outlined(hit.triangle);
+  return whole && !(material.transmission > 0.0f);
 }
 
 SurfacePoint EyeSamples::point(SampleId sample) const {

@@ -32,10 +32,11 @@ class EyeSamples final : public PatchView {
   [[nodiscard]] Cover cover(SampleId sample) const;
   /// The background is a surface, too.
   [[nodiscard]] std::uint32_t surface(SampleId sample) const;
-  /// Whether it met the background, or a surface without holes and nothing shining through.
+  /// Whether it met the background, or a surface through which nothing shines, and whose holes, if
+  /// any, have known outlines.
   [[nodiscard]] bool opaque(SampleId sample) const;
-  /// Whether it met a surface that is cut out by its texture, hole or not: boundaries that nothing
-  /// but samples can tell may be near.
+  /// Whether it met a surface that is cut out by its texture, hole or not, in a way that nothing
+  /// but samples can tell (FeatureSet::cut_outs_unbounded).
   [[nodiscard]] bool cut_out(SampleId sample) const {
     return !cut_out_.empty() && cut_out_[sample];
   }
@@ -55,7 +56,7 @@ class EyeSamples final : public PatchView {
   std::vector<glm::vec2> points_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
-  std::vector<bool> cut_out_;     // empty in scenes without cut-outs
+  std::vector<bool> cut_out_;     // empty in scenes without such cut-outs
   std::vector<Blocker> met_;      // scratch
   std::vector<Ray> looked_rays_;  // scratch
   std::vector<Hit> looked_hits_;

@@ -12,7 +12,8 @@ SplitCause cause_of(const PixelFindings& pixel) {
   if (outcome.saturated) return SplitCause::saturation;
   if (outcome.at_limit) return SplitCause::depth_limit;
   const BoundaryKinds kinds = outcome.boundaries;
-  if (kinds.has(FeatureKind::open) || kinds.has(FeatureKind::silhouette))
+  if (kinds.has(FeatureKind::open) || kinds.has(FeatureKind::silhouette) ||
+      kinds.has(FeatureKind::cut_out))
     return SplitCause::outline;
   if (kinds.has(FeatureKind::intersection)) return SplitCause::intersection;
   if (kinds.has(FeatureKind::crease) || kinds.has(FeatureKind::seam)) return SplitCause::crease;

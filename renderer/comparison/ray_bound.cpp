@@ -87,7 +87,7 @@ class BoundedBlock {
 /// Ray bound tracing (Ohta and Maekawa 1990; CGF'98 section 2.9): n x n jittered samples, as many
 /// as `uniform` would take, in pixels with an object's boundary (pixels_with_boundaries), and one
 /// through the centre in the others. The centre's sample is one of the n x n: it stands in for that
-/// of a middle stratum. Eye rays only: boundaries of shadows and cut-outs are not looked for.
+/// of a middle stratum. Eye rays only: boundaries of shadows are not looked for.
 BlockResult render_block_ray_bound(const BlockJob& job) {
   return BoundedBlock(job).run();
 }

@@ -1,7 +1,7 @@
 #include "renderer/comparison/ray_bound_pixels.h"
 
 #include "renderer/pyray/fat_search.h"
-#include "renderer/rays/surface_kind.h"
+#include "renderer/world/surface_kind.h"
 
 #include <cstddef>
 

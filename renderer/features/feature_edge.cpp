@@ -335,6 +335,7 @@ FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& other) {
   crease += other.crease;
   seam += other.seam;
   intersection += other.intersection;
+  cut_out += other.cut_out;
   return *this;
 }
 

@@ -16,14 +16,16 @@ enum class FeatureKind : std::uint8_t {
   crease,        ///< shading normals or vertex colours differ across the edge
   seam,          ///< material, what textures show, or the side that shows differs across the edge
   intersection,  ///< two faces pass through each other; no edge of the mesh
+  cut_out,       ///< the outline of what a texture cuts out of a face; no edge of the mesh
   silhouette,    ///< two faces that meet smoothly at an angle: a candidate
 };
 
 /// An edge of the welded mesh. Vertices index World::positions (or what FeatureSet appends to
 /// them); of vertices at one place the first stands for all. `left` and `right` are the third
-/// vertices of the two faces; open edges have no `right`, intersections neither. The sheets are
-/// those of the faces on either side (ExtractedFeatures::sheet_of_triangle): none where there is no
-/// such face, the first two at an edge of more, the two triangles' of an intersection.
+/// vertices of the two faces; open edges have no `right`, intersections and cut-outs neither. The
+/// sheets are those of the faces on either side (ExtractedFeatures::sheet_of_triangle): none where
+/// there is no such face, the first two at an edge of more, the two triangles' of an intersection;
+/// a cut-out's is the left one.
 struct FeatureEdge {
   static constexpr std::uint32_t none = 0xffffffffu;
 
@@ -44,13 +46,14 @@ struct FeatureEdge {
 };
 
 /// How many edges of each kind a world has. `intersection`: lines where surfaces pass through each
-/// other.
+/// other; `cut_out`: straight pieces of cut-outs' outlines.
 struct FeatureCounts {
   std::uint64_t open = 0;
   std::uint64_t silhouette_candidates = 0;
   std::uint64_t crease = 0;
   std::uint64_t seam = 0;
   std::uint64_t intersection = 0;
+  std::uint64_t cut_out = 0;
 
   FeatureCounts& operator+=(const FeatureCounts& other);
 };

@@ -1,7 +1,11 @@
 #include "renderer/features/feature_set.h"
 
+#include "renderer/features/cut_outs.h"
 #include "renderer/features/shape_intersections.h"
+#include "renderer/world/needs.h"
+#include "renderer/world/surface_kind.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace asos {
@@ -18,6 +22,7 @@ FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop
   add_shapes(world);
   add(find_intersections(world, IntersectionBudget::of(world), stop));
   add_shape_intersections(world);
+  add_cut_outs(world, stop);
   constexpr std::size_t fewest_in_parallel = std::size_t{1} << 18;
   hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_, fewest_in_parallel, stop);
 }
@@ -72,12 +77,42 @@ void FeatureSet::add_shape_intersections(const World& world) {
   }
 }
 
+void FeatureSet::add_cut_outs(const World& world, const std::stop_token& stop) {
+  CutOuts found = find_cut_outs(world, {}, stop);
+  const auto first = static_cast<std::uint32_t>(positions_.size());
+  for (const CutOutLine& line : found.lines) {
+    FeatureEdge edge;
+    edge.a = first + line.a;
+    edge.b = first + line.b;
+    edge.left_sheet = sheet(line.triangle);
+    edge.kind = FeatureKind::cut_out;
+    edges_.push_back(edge);
+  }
+  positions_.insert(positions_.end(), found.positions.begin(), found.positions.end());
+  counts_.cut_out += found.lines.size();
+  outlined_ = std::move(found.outlined);
+  // Tell what is left to samples.
+  const auto kind_of = [&](const Part& part) {
+    return surface_kind(world.materials[part.material]);
+  };
+  for (std::uint32_t s = 0; s < outlined_.size() && !cut_outs_unbounded_; ++s) {
+    const Part& part = world.parts[world.triangle_part[s]];
+    cut_outs_unbounded_ = outlined_[s] == 0 && kind_of(part) == SurfaceKind::masked;
+  }
+  opacity_unbounded_ =
+      cut_outs_unbounded_ ||
+      std::any_of(world.parts.begin(), world.parts.end(), [&](const Part& part) {
+        return kind_of(part) == SurfaceKind::blended && opacity_varies(world, part);
+      });
+}
+
 std::size_t FeatureSet::memory_bytes() const {
   return hierarchy_.nodes.size() * sizeof(FeatureNode) +
          hierarchy_.chains.size() * sizeof(NodeChains) + edges_.size() * sizeof(FeatureEdge) +
          sheet_of_triangle_.size() * sizeof(std::uint32_t) +
          deviation_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
-         faces_.size() * sizeof(ShapeFace) + positions_.size() * sizeof(glm::vec3);
+         faces_.size() * sizeof(ShapeFace) + outlined_.size() +
+         positions_.size() * sizeof(glm::vec3);
 }
 
 }  // namespace asos

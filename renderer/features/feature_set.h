@@ -56,6 +56,18 @@ class FeatureSet {
   /// net then has to find them.
   [[nodiscard]] bool intersections_complete() const { return intersections_complete_; }
 
+  /// By surface, whether all that is cut out of it is bounded by edges (CutOuts::outlined); empty
+  /// without masked surfaces.
+  [[nodiscard]] std::span<const std::uint8_t> outlined() const { return outlined_; }
+  [[nodiscard]] bool outlined(std::uint32_t surface) const {
+    return !outlined_.empty() && outlined_[surface] != 0;
+  }
+  /// Whether there are masked surfaces whose cut-outs are not, so that only samples tell them.
+  [[nodiscard]] bool cut_outs_unbounded() const { return cut_outs_unbounded_; }
+  /// Whether some surface's opacity differs from place to place otherwise than by outlined
+  /// cut-outs.
+  [[nodiscard]] bool opacity_unbounded() const { return opacity_unbounded_; }
+
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
@@ -66,12 +78,16 @@ class FeatureSet {
   std::vector<float> deviation_of_triangle_;
   std::vector<FeatureCurve> curves_;
   std::vector<ShapeFace> faces_;      // the world's
-  std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections
+  std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections and cut-outs
+  std::vector<std::uint8_t> outlined_;
   bool intersections_complete_ = true;
+  bool cut_outs_unbounded_ = false;
+  bool opacity_unbounded_ = false;
 
   void add(const Intersections& found);
   void add_shapes(const World& world);
   void add_shape_intersections(const World& world);
+  void add_cut_outs(const World& world, const std::stop_token& stop);
 };
 
 }  // namespace asos

@@ -62,10 +62,13 @@ bool Sides::culled(const Hit& hit, glm::vec3 direction) const {
 
 void closest_filter(const RTCFilterFunctionNArguments* args) {
   Lanes* lanes = context_of(*args).lanes;
-  filter(*args, [lanes](const Candidate& candidate) {
+  const std::span outlined = context_of(*args).outlined;
+  filter(*args, [lanes, outlined](const Candidate& candidate) {
     const SurfaceKind kind = candidate.group.kind;
     if (kind == SurfaceKind::opaque) return true;
-    if (lanes) {
+    const bool known =
+        kind == SurfaceKind::masked && !outlined.empty() && outlined[candidate.triangle()] != 0;
+    if (lanes && !known) {
       float& touched = lanes->touched[candidate.lane()];
       touched = std::min(touched, candidate.t());
       float& masked = lanes->masked[candidate.lane()];

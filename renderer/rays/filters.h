@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/rays/ray_scene.h"
-#include "renderer/rays/surface_kind.h"
+#include "renderer/world/surface_kind.h"
 #include "renderer/world/world.h"
 
 #include <embree3/rtcore.h>
@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 // The filters that Embree calls at a hit. Internal to this folder.
@@ -41,7 +42,8 @@ struct Group {
 /// The light that a packet's rays keep behind surfaces that let light through, by the rays' ids.
 struct Lanes {
   std::array<float, most_lanes> transmittance;
-  std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first
+  std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first that
+                                          ///< is not outlined
   std::array<float, most_lanes> masked;   ///< where a masked one was
 
   void reset() {
@@ -69,6 +71,7 @@ struct Context {
   std::int32_t ignored_part;
   float scale;             ///< Embree's lengths over the world's: EmbreeScene::scale
   Lanes* lanes = nullptr;  ///< collects what lets light through; closest hits do without
+  std::span<const std::uint8_t> outlined = {};  ///< see RayScene::blockers
 
   Context(RTCIntersectContextFlags flags, const Group* groups_by_id, const Sides* sides_of_parts,
           std::int32_t part_to_ignore, float scale_of_scene)

@@ -147,7 +147,7 @@ float RayScene::transmittance(const Ray& ray, std::int32_t ignored_part) const {
 }
 
 void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
-                        std::int32_t ignored_part) const {
+                        std::int32_t ignored_part, std::span<const std::uint8_t> outlined) const {
   if (!impl_) {
     std::fill(blockers.begin(), blockers.end(), Blocker{});
     return;
@@ -161,6 +161,7 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
   }
   Lanes met;
   context.lanes = &met;
+  context.outlined = outlined;
   impl_->intersect(context, rays, [&](std::size_t i, std::size_t lane, const Hit& hit) {
     // A ray that nothing blocks has met all blended surfaces on its way, in whatever order.
     const float left = met.transmittance[lane];

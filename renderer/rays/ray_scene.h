@@ -44,9 +44,9 @@ struct Blocker {
   float transmittance = 1.0f;
   /// Whether the ray met the geometry of a masked or blended material no farther than `hit` (which
   /// may be masked itself), hole or not: rays nearby may then fare otherwise, although no outline
-  /// of a surface lies between.
+  /// of a surface lies between. Masked surfaces whose cut-outs' outlines are known do not count.
   bool see_through = false;
-  /// The same of masked materials alone, whose outlines no edge tells.
+  /// The same of masked materials alone.
   bool cut_out = false;
 };
 
@@ -90,8 +90,10 @@ class RayScene {
   [[nodiscard]] float transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
 
   /// The surfaces that each ray meets on its way to a light; `blockers` is as long as `rays`.
+  /// `outlined`, by surface: 1 where its cut-outs' outlines are known (FeatureSet::outlined);
+  /// empty: nowhere.
   void blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
-                std::int32_t ignored_part = -1) const;
+                std::int32_t ignored_part = -1, std::span<const std::uint8_t> outlined = {}) const;
 
   /// The memory that Embree holds for this scene, and the copies made for it.
   [[nodiscard]] std::size_t memory_bytes() const;

@@ -1,7 +1,7 @@
-#include "renderer/rays/surface_kind.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
+#include "renderer/world/surface_kind.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "renderer/shading/plain_materials.h"
 
-#include "renderer/rays/surface_kind.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/world/surface_kind.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "renderer/shading/shade.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/rays/surface_kind.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/sky.h"
+#include "renderer/world/surface_kind.h"
 
 #include <algorithm>
 #include <array>

@@ -36,14 +36,6 @@ Texels::Texels(const Image& image, Encoding encoding)
       color_(encoding == Encoding::srgb ? srgb_table.data() : linear_table.data()),
       alpha_(linear_table.data()) {}
 
-const Image* image_of(const World& world, int texture) {
-  if (texture < 0 || static_cast<std::size_t>(texture) >= world.textures.size()) return nullptr;
-  const int index = world.textures[static_cast<std::size_t>(texture)].image;
-  if (index < 0 || static_cast<std::size_t>(index) >= world.images.size()) return nullptr;
-  const Image& image = world.images[static_cast<std::size_t>(index)];
-  return image.width <= 0 || image.height <= 0 || image.rgba.empty() ? nullptr : &image;
-}
-
 glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv, Encoding encoding) {
   const Image* image = image_of(world, texture);
   if (!image) return glm::vec4(1.0f);

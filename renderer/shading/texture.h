@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/world/texture_image.h"
 #include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
@@ -35,9 +36,6 @@ class Texels {
   const float* color_;  // by byte
   const float* alpha_;
 };
-
-/// A texture's image; null where it is missing or empty.
-[[nodiscard]] const Image* image_of(const World& world, int texture);
 
 /// A texture at (u, v): the nearest texel, or the bilinear mean of four *linear* values (decoded
 /// before they are mixed). Coordinates of any size wrap; those that are not finite read as 0. White

@@ -29,7 +29,7 @@ SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
     }
   }
   blockers_.resize(rays_.size());
-  scene_->rays.blockers(rays_, blockers_, ignored_part_);
+  scene_->rays.blockers(rays_, blockers_, ignored_part_, scene_->features.outlined());
   for (std::size_t i = 0; i < asked_.size(); ++i) samples_[asked_[i]].blocker = blockers_[i];
   cast_ += rays_.size();
   return static_cast<SampleId>(first);

@@ -24,7 +24,7 @@ class ShadowCaster : public Caster {
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
-  /// Cut-outs and what shines through have outlines that are no boundaries.
+  /// What shines through, and some cut-outs, have outlines that are no boundaries.
   [[nodiscard]] LeafVerdict judge(SampleId sample, double share, const LeafRegion& region) override;
   void take(std::span<const PyrayLeaf> leaves) override;
   /// The visibility of the light from a sample.

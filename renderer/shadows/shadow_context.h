@@ -25,7 +25,8 @@ struct ShadowRules {
   int divisions = 2;  ///< n of the qualities that divide a patch into n x n
   Budget budget;      ///< of the viewer's pyrays; those of shadows get what its levels leave
   bool exact_leaves = true;
-  /// Some surfaces of the scene have holes, or let more light through here than there.
+  /// Some surfaces of the scene let more light through here than there, or have holes, without
+  /// boundaries that tell where (FeatureSet::opacity_unbounded).
   bool see_through = true;
 };
 

@@ -140,7 +140,8 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
       if (at.irradiance == glm::vec3(0.0f)) continue;
       const Ray ray = shadow_ray(point, at);
       Blocker blocker;
-      scene_.rays.blockers(std::span(&ray, 1), std::span(&blocker, 1), light.own_part);
+      scene_.rays.blockers(std::span(&ray, 1), std::span(&blocker, 1), light.own_part,
+                           scene_.features.outlined());
       ++rays_cast;
       if (!blocker.see_through)
         answer.passage = blocker.hit.valid() ? Passage::shaded : Passage::lit;

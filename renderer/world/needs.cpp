@@ -167,14 +167,6 @@ bool alpha_differs(const World& world, const Part& part) {
                      [a = first->a](glm::vec4 c) { return c.a != a; });
 }
 
-bool opacity_varies(const World& world) {
-  return std::any_of(world.parts.begin(), world.parts.end(), [&](const Part& part) {
-    const Material& m = world.materials[part.material];
-    return !part.shows_nothing() && m.alpha_mode != AlphaMode::opaque &&
-           (m.base_color_texture.used() || alpha_differs(world, part));
-  });
-}
-
 std::string joined(std::initializer_list<std::pair<const char*, const char*>> labelled) {
   std::string text;
   for (const auto& [label, words] : labelled) {
@@ -225,6 +217,12 @@ std::vector<SceneFeature> features_left_out(const SceneNeeds& needs) {
   return left_out;
 }
 
+bool opacity_varies(const World& world, const Part& part) {
+  const Material& m = world.materials[part.material];
+  return !part.shows_nothing() && m.alpha_mode != AlphaMode::opaque &&
+         (m.base_color_texture.used() || alpha_differs(world, part));
+}
+
 SceneNeeds find_needs(const World& world) {
   SceneNeeds needs;
   for (const std::size_t shown : shown_materials(world))
@@ -237,7 +235,9 @@ SceneNeeds find_needs(const World& world) {
   needs.unused_images = std::find(used.begin(), used.end(), false) == used.end();
   needs.vertex_colors = !world.colors.empty();
   needs.shapes = !world.faces.empty();
-  needs.varying_opacity = opacity_varies(world);
+  needs.varying_opacity =
+      std::any_of(world.parts.begin(), world.parts.end(),
+                  [&](const Part& part) { return opacity_varies(world, part); });
   needs.intersections = true;
   return needs;
 }

@@ -85,6 +85,9 @@ struct SceneFeature {
 /// whether surfaces pass through each other is known only once FeatureSet has looked.
 [[nodiscard]] SceneNeeds find_needs(const World& world);
 
+/// Whether the opacity of a part that is not opaque may differ from place to place.
+[[nodiscard]] bool opacity_varies(const World& world, const Part& part);
+
 /// The features that lights need beyond those.
 [[nodiscard]] SceneNeeds find_needs(std::span<const Light> lights);
 

@@ -122,7 +122,8 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
     ASSERT_TRUE(s.contains(key)) << key;
     EXPECT_TRUE(types.contains(s[key].type())) << key << " is " << s[key].type_name();
   }
-  for (const char* key : {"open", "silhouette_candidates", "crease", "seam", "intersection"})
+  for (const char* key :
+       {"open", "silhouette_candidates", "crease", "seam", "intersection", "cut_out"})
     EXPECT_TRUE(s["feature_edges"].at(key).is_number_unsigned()) << key;
   for (const char* key : {"eye", "shadow", "reflection"})
     EXPECT_TRUE(s["rays"].at(key).is_number_unsigned()) << key;

@@ -43,7 +43,7 @@ class ShadowFixture {
         rays_(std::move(RayScene::build(world_, alpha_at, {&source_, 1}).value())),
         rules_(rules),
         light_(prepare_light(light)) {
-    rules_.see_through = find_needs(world_).varying_opacity;
+    rules_.see_through = features_.opacity_unbounded();
     light_.intersections = find_light_intersections(world_, {&light_, 1}).front();
   }
 

@@ -47,7 +47,7 @@ void light_rows(Controls& controls, const RenderScene& scene) {
 void edge_rows(Controls& controls, const FeatureCounts& edges) {
   controls.row("Edges",
                grouped(edges.open + edges.crease + edges.seam + edges.silhouette_candidates +
-                       edges.intersection),
+                       edges.intersection + edges.cut_out),
                "Edges that can be boundaries in the picture, of all kinds.");
   const auto kind = [&](const char* label, std::uint64_t count, const char* tooltip) {
     if (count > 0) controls.row(label, grouped(count), tooltip);
@@ -58,6 +58,7 @@ void edge_rows(Controls& controls, const FeatureCounts& edges) {
   kind("   smooth", edges.silhouette_candidates,
        "Edges of smooth surfaces: boundaries only where the surface turns away from the eye.");
   kind("   crossing", edges.intersection, "Lines in which surfaces pass through each other.");
+  kind("   cut-out", edges.cut_out, "Pieces of the outlines of what textures cut out of surfaces.");
 }
 
 /// The savings of leaving `feature` out, line by line.

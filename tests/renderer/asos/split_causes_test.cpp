@@ -118,6 +118,7 @@ TEST(CauseOf, FollowsTheOrderOfItsRule) {
 TEST(CauseOf, EveryKindOfBoundaryHasOne) {
   for (const auto& [kind, cause] : {std::pair{FeatureKind::open, SplitCause::outline},
                                     {FeatureKind::silhouette, SplitCause::outline},
+                                    {FeatureKind::cut_out, SplitCause::outline},
                                     {FeatureKind::crease, SplitCause::crease},
                                     {FeatureKind::seam, SplitCause::crease},
                                     {FeatureKind::intersection, SplitCause::intersection}}) {
@@ -202,7 +203,7 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
   EXPECT_GT(split_for_shadow, 0u);
 }
 
-TEST(SplitCauses, TheOutlineOfACutOutIsFoundBySamples) {
+World wall_behind_a_cut_out() {
   World world;
   add_wall(world);
   Image image;
@@ -214,6 +215,16 @@ TEST(SplitCauses, TheOutlineOfACutOutIsFoundBySamples) {
   material.base_color_texture.texture =
       add_texture(world, image, Wrap::clamp_to_edge, Filter::nearest);
   add_quad(world, {-8.2f, -9, 1}, {18, 0, 0}, {0, 18, 0}, material);
+  return world;
+}
+
+TEST(SplitCauses, TheOutlineOfACutOutIsABoundary) {
+  expect_only(render({wall_behind_a_cut_out(), {}}), SplitCause::outline);
+}
+
+TEST(SplitCauses, WhereItIsNotKnownSamplesFindIt) {
+  World world = wall_behind_a_cut_out();
+  leave_cut_outs_to_samples(world);
   expect_only(render({std::move(world), {}}), SplitCause::cut_out);
 }
 

@@ -12,8 +12,9 @@
 namespace asos::test {
 namespace {
 
-constexpr std::array all_kinds{FeatureKind::open, FeatureKind::crease, FeatureKind::seam,
-                               FeatureKind::intersection, FeatureKind::silhouette};
+constexpr std::array all_kinds{FeatureKind::open,    FeatureKind::crease,
+                               FeatureKind::seam,    FeatureKind::intersection,
+                               FeatureKind::cut_out, FeatureKind::silhouette};
 
 /// Exactly these.
 void expect_kinds(const SubdivisionOutcome& outcome, const std::vector<FeatureKind>& expected) {

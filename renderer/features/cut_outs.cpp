@@ -1,0 +1,191 @@
+#include "renderer/features/cut_outs.h"
+
+#include "renderer/features/alpha_contour.h"
+#include "renderer/features/contour_placer.h"
+#include "renderer/features/stoppable_loop.h"
+#include "renderer/world/surface_kind.h"
+#include "renderer/world/texture_image.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace asos {
+namespace {
+
+// How far a piece may lie from its curve, in texels: an eighth of a thousandth of a pixel where
+// eight pixels show a texel, and where a scene would have too many pieces, so that they stay within
+// what a pixel's finest cells tell apart.
+constexpr std::array tolerances{1.0 / 8192.0, 1.0 / 128.0};
+// Vertices' alphas for which a material's texture is looked at. More are as good as one a triangle.
+constexpr std::size_t most_factors = 16;
+constexpr std::size_t looks_between_checks = 1024;
+
+bool is_masked(const Material& m) {
+  return surface_kind(m) == SurfaceKind::masked;
+}
+
+/// Equal places get one number.
+class PlaceNumbers {
+ public:
+  explicit PlaceNumbers(std::vector<glm::vec3>& positions) : positions_(positions) {}
+
+  std::uint32_t number(glm::vec3 p) {
+    const auto [found, added] =
+        known_.try_emplace(p, static_cast<std::uint32_t>(positions_.size()));
+    if (added) positions_.push_back(p);
+    return found->second;
+  }
+  void forget() { known_.clear(); }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const glm::vec3& p) const {
+      std::uint64_t hash = 0;
+      for (int k = 0; k < 3; ++k) {
+        hash = (hash ^ std::bit_cast<std::uint32_t>(p[k] + 0.0f)) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 29;
+      }
+      return static_cast<std::size_t>(hash);
+    }
+  };
+  std::vector<glm::vec3>& positions_;
+  std::unordered_map<glm::vec3, std::uint32_t, Hash> known_;
+};
+
+class Finder {
+ public:
+  Finder(const World& world, const CutOutBudget& budget, const std::stop_token& stop)
+      : world_(world), budget_(budget), stop_(stop), numbers_(found_.positions) {}
+
+  CutOuts run() {
+    const bool any = std::any_of(world_.parts.begin(), world_.parts.end(), [&](const Part& part) {
+      return is_masked(world_.materials[part.material]);
+    });
+    if (!any) return {};
+    found_.outlined.assign(world_.surface_count(), 0);
+    for (const Part& part : world_.parts)
+      if (is_masked(world_.materials[part.material])) outline(part);
+    // A shape without a texture is there or not.
+    for (std::uint32_t s = 0; s < world_.surface_count(); ++s) {
+      const Material& m = world_.material_of(s);
+      if (world_.is_face(s)) found_.outlined[s] = is_masked(m) && !m.base_color_texture.used();
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // Outlines a part as finely as the budget allows, or not at all.
+  void outline(const Part& part) {
+    const std::size_t before = found_.lines.size(), positions_before = found_.positions.size();
+    for (const double tolerance : tolerances) {
+      if (outline(part, tolerance)) return;
+      found_.lines.resize(before);
+      found_.positions.resize(positions_before);
+    }
+    std::fill_n(found_.outlined.begin() + part.first_triangle, part.triangle_count,
+                std::uint8_t{0});
+  }
+
+  bool outline(const Part& part, double tolerance) {
+    numbers_.forget();
+    // What one part wastes is not all that the others could have had.
+    const std::size_t others = budget_.looks - budget_.looks / 4;
+    looks_ = budget_.looks / 4;
+    const bool outlined = outline_triangles(part, tolerance);
+    budget_.looks = others + looks_;
+    return outlined;
+  }
+
+  bool outline_triangles(const Part& part, double tolerance) {
+    for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
+      if (i % looks_between_checks == 0) check_stop(stop_);
+      const std::uint32_t triangle = part.first_triangle + i;
+      lines_.clear();
+      const std::optional<bool> outlined = outline(triangle, tolerance);
+      if (!outlined) return false;
+      found_.outlined[triangle] = *outlined;
+      for (const ContourPlacer::Line& line : lines_)
+        found_.lines.push_back({numbers_.number(line.from), numbers_.number(line.to), triangle});
+    }
+    return true;
+  }
+
+  // Whether the triangle's lines are all that cuts it out; nothing: the budget does not suffice.
+  std::optional<bool> outline(std::uint32_t triangle, double tolerance) {
+    const Material& material = world_.material_of(triangle);
+    const glm::uvec3 corners = world_.triangles[triangle];
+    float factor = material.base_color.a;
+    if (!world_.colors.empty()) {
+      const float alpha = world_.colors[corners.x].a;
+      if (world_.colors[corners.y].a != alpha || world_.colors[corners.z].a != alpha) return false;
+      factor *= alpha;
+    }
+    const TextureUse& use = material.base_color_texture;
+    const Image* const image = image_of(world_, use.texture);
+    const auto& coordinates = world_.texcoords[use.texcoord];
+    if (!image || coordinates.empty()) return true;
+    const AlphaContour* const contour =
+        contour_of(*image, use.texture, factor, material.alpha_cutoff);
+    if (!contour) return false;
+    if (contour->empty()) return true;
+
+    TexturedTriangle shown;
+    for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      shown.positions[at] = glm::dvec3(world_.positions[corners[k]]);
+      // Of one point of the texture's plane, both the rays' numbers.
+      const glm::dvec3 uv(glm::dvec2(coordinates[corners[k]]), 1.0);
+      shown.texels[at] = texel_place(*image, glm::dvec2(glm::dmat3(use.uv_transform) * uv));
+    }
+    // Rays miss what has no area.
+    const glm::dvec3 area = glm::cross(shown.positions[1] - shown.positions[0],
+                                       shown.positions[2] - shown.positions[0]);
+    if (area == glm::dvec3(0.0)) return true;
+    if (shown.flat_in_texture()) return !placer_.comes_near(shown, *contour, looks_);
+    const std::size_t lines_left = budget_.lines - std::min(budget_.lines, found_.lines.size());
+    if (!placer_.place(shown, *contour, tolerance, lines_left, looks_, lines_)) return std::nullopt;
+    return true;
+  }
+
+  // Null: it is endless, or there are too many.
+  const AlphaContour* contour_of(const Image& image, int texture_index, float factor,
+                                 float cutoff) {
+    const Texture& texture = world_.textures[static_cast<std::size_t>(texture_index)];
+    const Key key{&image, texture.wrap_u, texture.wrap_v, texture.filter, factor, cutoff};
+    auto known = contours_.find(key);
+    if (known == contours_.end()) {
+      check_stop(stop_);
+      if (++factors_of_[{&texture, cutoff}] > most_factors) return nullptr;
+      known = contours_.try_emplace(key, image, texture, factor, cutoff).first;
+    }
+    return known->second.endless() ? nullptr : &known->second;
+  }
+
+  using Key = std::tuple<const Image*, Wrap, Wrap, Filter, float, float>;
+
+  const World& world_;
+  CutOutBudget budget_;    // what is left of the looks
+  std::size_t looks_ = 0;  // what a part may take of them
+  std::stop_token stop_;
+  CutOuts found_;
+  PlaceNumbers numbers_;
+  ContourPlacer placer_;
+  std::vector<ContourPlacer::Line> lines_;
+  std::map<Key, AlphaContour> contours_;
+  std::map<std::pair<const Texture*, float>, std::size_t> factors_of_;
+};
+
+}  // namespace
+
+CutOuts find_cut_outs(const World& world, const CutOutBudget& budget, const std::stop_token& stop) {
+  return Finder(world, budget, stop).run();
+}
+
+}  // namespace asos

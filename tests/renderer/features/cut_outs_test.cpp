@@ -1,0 +1,183 @@
+#include "renderer/features/cut_outs.h"
+
+#include "renderer/features/feature_set.h"
+#include "renderer/shading/shade.h"
+#include "tests/support/random_space.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+// Outlines of cut-outs on the triangles that show them, against the opacity that rays ask for.
+
+namespace asos::test::cut_outs_test {
+namespace {
+
+Material leaves(World& world, Wrap wrap, Filter filter) {
+  Material material = matte({1, 1, 1});
+  material.alpha_mode = AlphaMode::mask;
+  material.alpha_cutoff = 0.35f;
+  material.base_color_texture.texture = add_texture(
+      world,
+      make_image(
+          11, 6,
+          [](int x, int y) -> Texel {
+            return {1, 2, 3, static_cast<std::uint8_t>((x * x * 31 + y * 57 + x * y * 13) % 256)};
+          }),
+      wrap, filter);
+  return material;
+}
+
+/// A fan of triangles around a point of the plane z = 0, in the unit square's outline, whose
+/// texture coordinates go 1.7 times and 2.3 times around the image.
+World fan(Wrap wrap, Filter filter) {
+  World world;
+  Material material = leaves(world, wrap, filter);
+  material.base_color_texture.uv_transform =
+      glm::mat3(glm::vec3(1.6f, 0.4f, 0), glm::vec3(-0.5f, 2.2f, 0), glm::vec3(0.13f, -0.71f, 1));
+  const auto corner = [](float x, float y) {
+    return TinyVertex{{x, y, 0.25f * x}, {0, 0, 1}, {x, y}};
+  };
+  add_part(world, {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1), corner(0.31f, 0.43f)},
+           {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, material);
+  return world;
+}
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Whether rays meet the fan at a point of the unit square.
+bool solid(const World& world, glm::dvec2 p) {
+  for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+    const glm::uvec3 v = world.triangles[t];
+    const glm::dvec2 a(world.positions[v.x]);
+    const glm::dvec2 e1 = glm::dvec2(world.positions[v.y]) - a;
+    const glm::dvec2 e2 = glm::dvec2(world.positions[v.z]) - a;
+    const double b1 = cross(p - a, e2) / cross(e1, e2), b2 = cross(e1, p - a) / cross(e1, e2);
+    if (b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0)
+      return opacity_at(world, t, static_cast<float>(b1), static_cast<float>(b2)) > 0.5f;
+  }
+  return false;
+}
+
+TEST(CutOuts, LinesPartHolesFromWhatRaysMeet) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
+    for (const Filter filter : {Filter::linear, Filter::nearest}) {
+      const World world = fan(wrap, filter);
+      const CutOuts found = find_cut_outs(world);
+      ASSERT_GT(found.lines.size(), 20u);
+      EXPECT_EQ(found.outlined, std::vector<std::uint8_t>(4, 1));
+      RandomSpace random(3);
+      int apart_count = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const auto place = [&] { return glm::dvec2(random.between(0, 1), random.between(0, 1)); };
+        const glm::dvec2 p = place(), q = place();
+        const auto unsure = [&](glm::dvec2 at) {
+          for (const glm::dvec2 off : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+            if (solid(world, at + 1e-4 * off) != solid(world, at)) return true;
+          return false;
+        };
+        if (unsure(p) || unsure(q)) continue;
+        const auto crossings =
+            std::count_if(found.lines.begin(), found.lines.end(), [&](const CutOutLine& line) {
+              const glm::dvec2 a(found.positions[line.a]), b(found.positions[line.b]);
+              return (cross(q - p, a - p) < 0.0) != (cross(q - p, b - p) < 0.0) &&
+                     (cross(b - a, p - a) < 0.0) != (cross(b - a, q - a) < 0.0);
+            });
+        const bool apart = solid(world, p) != solid(world, q);
+        EXPECT_EQ(crossings % 2 == 1, apart) << i;
+        apart_count += apart;
+      }
+      EXPECT_GT(apart_count, 100);
+    }
+  }
+}
+
+// Inside of the surface an outline goes on, across triangles' sides, too: each of its ends is that
+// of another line, to the bit. At the surface's rim it ends.
+TEST(CutOuts, LinesJoinToTheBit) {
+  const CutOuts found = find_cut_outs(fan(Wrap::repeat, Filter::linear));
+  std::map<std::tuple<float, float, float>, int> ends;
+  for (const CutOutLine& line : found.lines) {
+    for (const std::uint32_t i : {line.a, line.b}) {
+      const glm::vec3 p = found.positions[i];
+      ++ends[{p.x, p.y, p.z}];
+    }
+  }
+  int on_rim = 0;
+  for (const auto& [place, count] : ends) {
+    const auto [x, y, z] = place;
+    const bool rim = std::min({x, y, 1.0f - x, 1.0f - y}) < 1e-6f;
+    on_rim += rim;
+    EXPECT_EQ(count, rim ? 1 : 2) << x << ' ' << y;
+  }
+  EXPECT_GT(on_rim, 4);
+}
+
+TEST(CutOuts, StandOnTheTriangles) {
+  const World world = fan(Wrap::repeat, Filter::linear);
+  const CutOuts found = find_cut_outs(world);
+  for (const glm::vec3& p : found.positions) EXPECT_NEAR(p.z, 0.25f * p.x, 1e-6f);
+  const FeatureSet features(world);
+  EXPECT_EQ(features.counts().cut_out, found.lines.size());
+  EXPECT_FALSE(features.cut_outs_unbounded());
+  EXPECT_FALSE(features.opacity_unbounded());
+}
+
+// What has no outline is said to have none, and gets no line.
+TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
+  const auto left_out = [](World world, const CutOutBudget& budget = {}) {
+    const CutOuts found = find_cut_outs(world, budget);
+    EXPECT_TRUE(found.lines.empty());
+    return found.outlined == std::vector<std::uint8_t>(world.surface_count(), 0);
+  };
+  EXPECT_TRUE(left_out(fan(Wrap::repeat, Filter::linear), {.lines = 15}));
+  EXPECT_TRUE(left_out(fan(Wrap::repeat, Filter::linear), {.looks = 30}));
+  // Alpha that differs between a triangle's corners.
+  World coloured = fan(Wrap::repeat, Filter::linear);
+  coloured.colors.assign(coloured.positions.size(), glm::vec4(1.0f));
+  EXPECT_FALSE(find_cut_outs(coloured).lines.empty());
+  coloured.colors[4].a = 0.5f;
+  EXPECT_TRUE(left_out(coloured));
+  // Coordinates that say nothing.
+  for (const float wild :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
+    World world = fan(Wrap::repeat, Filter::linear);
+    world.texcoords[0][4] = {wild, 0.0f};
+    EXPECT_TRUE(left_out(world)) << wild;
+    EXPECT_TRUE(FeatureSet(world).cut_outs_unbounded());
+  }
+  // A line of the texture across the surface.
+  World line = fan(Wrap::repeat, Filter::linear);
+  for (glm::vec2& uv : line.texcoords[0]) uv.y = 0.0f;
+  EXPECT_TRUE(left_out(line));
+  // Without masks there is nothing to say.
+  World plain = fan(Wrap::repeat, Filter::linear);
+  plain.materials[0].alpha_mode = AlphaMode::blend;
+  EXPECT_TRUE(find_cut_outs(plain).outlined.empty());
+  EXPECT_TRUE(FeatureSet(plain).opacity_unbounded());
+}
+
+// Without a texture, or where all of it is kept, nothing is cut out.
+TEST(CutOuts, NeedNoLinesWhereNothingIsCutOut) {
+  World world = fan(Wrap::repeat, Filter::linear);
+  world.materials[0].alpha_cutoff = 0.0f;
+  EXPECT_EQ(find_cut_outs(world).outlined, std::vector<std::uint8_t>(4, 1));
+  world.materials[0].alpha_cutoff = 0.5f;
+  world.materials[0].base_color_texture.texture = -1;
+  EXPECT_EQ(find_cut_outs(world).outlined, std::vector<std::uint8_t>(4, 1));
+  EXPECT_TRUE(find_cut_outs(world).lines.empty());
+}
+
+}  // namespace
+}  // namespace asos::test::cut_outs_test
