@@ -19,10 +19,15 @@
 namespace asos {
 namespace {
 
-// How far a piece may lie from its curve, in texels: an eighth of a thousandth of a pixel where
-// eight pixels show a texel, and where a scene would have too many pieces, so that they stay within
-// what a pixel's finest cells tell apart.
-constexpr std::array tolerances{1.0 / 8192.0, 1.0 / 128.0};
+/// How far a piece may lie from its curve, in texels, as long as a part's lines are no more than a
+/// share of all: a thousandth of a pixel where eight pixels show a texel. What has many lines has
+/// many texels, and is seldom seen from so near.
+struct Fineness {
+  double tolerance;
+  std::size_t share;
+};
+constexpr std::array finenesses{Fineness{1.0 / 8192.0, 64}, Fineness{1.0 / 1024.0, 8},
+                                Fineness{1.0 / 128.0, 1}};
 // Vertices' alphas for which a material's texture is looked at. More are as good as one a triangle.
 constexpr std::size_t most_factors = 16;
 constexpr std::size_t looks_between_checks = 1024;
@@ -84,8 +89,10 @@ class Finder {
   // Outlines a part as finely as the budget allows, or not at all.
   void outline(const Part& part) {
     const std::size_t before = found_.lines.size(), positions_before = found_.positions.size();
-    for (const double tolerance : tolerances) {
-      if (outline(part, tolerance)) return;
+    for (const Fineness& fineness : finenesses) {
+      const std::size_t left = budget_.lines - before;
+      most_lines_ = before + std::min(left, budget_.lines / fineness.share);
+      if (outline(part, fineness.tolerance)) return;
       found_.lines.resize(before);
       found_.positions.resize(positions_before);
     }
@@ -149,8 +156,8 @@ class Finder {
                                        shown.positions[2] - shown.positions[0]);
     if (area == glm::dvec3(0.0)) return true;
     if (shown.flat_in_texture()) return !placer_.comes_near(shown, *contour, looks_);
-    const std::size_t lines_left = budget_.lines - std::min(budget_.lines, found_.lines.size());
-    if (!placer_.place(shown, *contour, tolerance, lines_left, looks_, lines_)) return std::nullopt;
+    const std::size_t left = most_lines_ - found_.lines.size();
+    if (!placer_.place(shown, *contour, tolerance, left, looks_, lines_)) return std::nullopt;
     return true;
   }
 
@@ -171,8 +178,9 @@ class Finder {
   using Key = std::tuple<const Image*, Wrap, Wrap, Filter, float, float>;
 
   const World& world_;
-  CutOutBudget budget_;    // what is left of the looks
-  std::size_t looks_ = 0;  // what a part may take of them
+  CutOutBudget budget_;         // what is left of the looks
+  std::size_t most_lines_ = 0;  // with those of a part
+  std::size_t looks_ = 0;       // what a part may take of them
   std::stop_token stop_;
   CutOuts found_;
   PlaceNumbers numbers_;
