@@ -135,6 +135,16 @@ double AlphaContour::value(std::int64_t x, std::int64_t y) const {
   return value_of_[image_->rgba.data()[4 * static_cast<std::size_t>(texel) + 3]];
 }
 
+bool AlphaContour::keeps(glm::dvec2 place) const {
+  if (nearest_) place += 0.5;
+  const glm::dvec2 corner = glm::floor(place);
+  const auto x = static_cast<std::int64_t>(corner.x), y = static_cast<std::int64_t>(corner.y);
+  const glm::dvec2 f = nearest_ ? glm::dvec2(0.0) : place - corner;
+  const double above = glm::mix(value(x, y), value(x + 1, y), f.x);
+  const double below = glm::mix(value(x, y + 1), value(x + 1, y + 1), f.x);
+  return !(glm::mix(above, below, f.y) < 0.0);
+}
+
 void AlphaContour::find_mixed_cells() {
   const std::int64_t first = across_.wrap == Wrap::clamp_to_edge ? -1 : 0;
   const std::int64_t top = down_.wrap == Wrap::clamp_to_edge ? -1 : 0;

@@ -45,6 +45,9 @@ class AlphaContour {
   /// The curve is so long that it was not looked for to its end; nothing may be asked of it.
   [[nodiscard]] bool endless() const { return endless_; }
 
+  /// Whether a place of the plane is not cut out.
+  [[nodiscard]] bool keeps(glm::dvec2 place) const;
+
   /// The rows of cells that meet the heights from y0 to y1: the first, and one past the last.
   struct Rows {
     std::int64_t first = 0;

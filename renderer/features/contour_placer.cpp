@@ -69,6 +69,7 @@ bool ContourPlacer::find_cells(const TexturedTriangle& triangle, const AlphaCont
   };
   for (const glm::dvec2& p : triangle.texels)
     if (!(std::abs(p.x) < farthest_texel && std::abs(p.y) < farthest_texel)) return false;
+  if (contour.empty()) return true;
   const Range high = heights_of(triangle);
   const AlphaContour::Rows rows = contour.rows(high.lo, high.hi);
   for (std::int64_t row = rows.first; row < rows.end; ++row) {
@@ -88,6 +89,26 @@ bool ContourPlacer::find_cells(const TexturedTriangle& triangle, const AlphaCont
 bool ContourPlacer::comes_near(const TexturedTriangle& triangle, const AlphaContour& contour,
                                std::size_t& looks) {
   return !find_cells(triangle, contour, looks) || !cells_.empty();
+}
+
+bool ContourPlacer::hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contour,
+                          std::size_t& looks) {
+  TexturedTriangle line;
+  line.texels = {p, q, q};
+  if (!find_cells(line, contour, looks)) return false;
+  for (const ContourCell& cell : cells_) {
+    pieces_.clear();
+    contour.find_pieces(cell, 1.0, pieces_);
+    for (const ContourPiece& piece : pieces_) {
+      // Touching counts as crossing; a curve is no farther from its chord than the chord is long.
+      const double margin = glm::distance(piece.from, piece.to);
+      const double length = glm::length(q - p);
+      const double h0 = cross(q - p, piece.from - p), h1 = cross(q - p, piece.to - p);
+      if (std::min(std::abs(h0), std::abs(h1)) <= margin * length || (h0 < 0.0) != (h1 < 0.0))
+        return false;
+    }
+  }
+  return !contour.keeps(0.5 * (p + q));
 }
 
 // Two triangles at a side with the same texture coordinates agree to the bit on which parts of a

@@ -37,6 +37,11 @@ class ContourPlacer {
                            double tolerance, std::size_t most_lines, std::size_t& looks,
                            std::vector<Line>& lines);
 
+  /// Whether all between two places of the texture is cut out. False where `looks` did not suffice
+  /// to tell.
+  [[nodiscard]] bool hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contour,
+                           std::size_t& looks);
+
   /// Whether the curve comes near the triangle at all: true where `looks` did not suffice to tell.
   [[nodiscard]] bool comes_near(const TexturedTriangle& triangle, const AlphaContour& contour,
                                 std::size_t& looks);

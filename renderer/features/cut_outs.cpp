@@ -75,6 +75,7 @@ class Finder {
     });
     if (!any) return {};
     found_.outlined.assign(world_.surface_count(), 0);
+    found_.hidden_sides.assign(world_.surface_count(), 0);
     for (const Part& part : world_.parts)
       if (is_masked(world_.materials[part.material])) outline(part);
     // A shape without a texture is there or not.
@@ -96,8 +97,8 @@ class Finder {
       found_.lines.resize(before);
       found_.positions.resize(positions_before);
     }
-    std::fill_n(found_.outlined.begin() + part.first_triangle, part.triangle_count,
-                std::uint8_t{0});
+    for (auto* const flags : {&found_.outlined, &found_.hidden_sides})
+      std::fill_n(flags->begin() + part.first_triangle, part.triangle_count, std::uint8_t{0});
   }
 
   bool outline(const Part& part, double tolerance) {
@@ -141,8 +142,6 @@ class Finder {
     const AlphaContour* const contour =
         contour_of(*image, use.texture, factor, material.alpha_cutoff);
     if (!contour) return false;
-    if (contour->empty()) return true;
-
     TexturedTriangle shown;
     for (int k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(k);
@@ -151,6 +150,11 @@ class Finder {
       const glm::dvec3 uv(glm::dvec2(coordinates[corners[k]]), 1.0);
       shown.texels[at] = texel_place(*image, glm::dvec2(glm::dmat3(use.uv_transform) * uv));
     }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (placer_.hides(shown.texels[k], shown.texels[(k + 1) % 3], *contour, looks_))
+        found_.hidden_sides[triangle] |= static_cast<std::uint8_t>(1u << k);
+    }
+    if (contour->empty()) return true;
     // Rays miss what has no area.
     const glm::dvec3 area = glm::cross(shown.positions[1] - shown.positions[0],
                                        shown.positions[2] - shown.positions[0]);

@@ -36,6 +36,9 @@ struct CutOuts {
   /// texture coordinates span no area or are endless, and of what the budget leaves out. Empty
   /// without masked surfaces.
   std::vector<std::uint8_t> outlined;
+  /// By triangle, bit k: all of the side from corner k to the next is cut out. As long as
+  /// `outlined`.
+  std::vector<std::uint8_t> hidden_sides;
 };
 
 /// Throws SearchStopped once `stop` is requested.

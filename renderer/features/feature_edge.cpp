@@ -100,9 +100,11 @@ std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions,
 
 class Extractor {
  public:
-  Extractor(const World& world, TextureAt texture_at, const std::stop_token& stop)
+  Extractor(const World& world, TextureAt texture_at, const std::stop_token& stop,
+            std::span<const std::uint8_t> hidden_sides)
       : world_(world),
         stop_(stop),
+        hidden_sides_(hidden_sides),
         look_(world, texture_at),
         welded_(weld(world.positions, stop)),
         sheets_(world.triangles.size()),
@@ -249,6 +251,7 @@ class Extractor {
 
   // All the faces at one edge of the welded mesh.
   void classify(std::uint32_t low, Run faces, Found& found) {
+    const bool hidden = cut_out(low, faces);
     FeatureEdge edge;
     edge.a = low;
     edge.b = faces[0].high;
@@ -257,6 +260,7 @@ class Extractor {
     edge.left_sheet = faces[0].triangle;
     if (faces.size() > 1) edge.right_sheet = faces[1].triangle;
     if (faces.size() != 2) {
+      if (hidden) return;
       edge.kind = FeatureKind::open;
       ++found.counts.open;
       found.edges.push_back(edge);
@@ -267,9 +271,11 @@ class Extractor {
     const std::uint32_t x = faces[0].triangle, y = faces[1].triangle;
     const Ends ends{shared(faces[0], faces[1], edge.a), shared(faces[0], faces[1], edge.b)};
     if (!same_sides(faces[0], faces[1]) || look_.seam(x, y, ends)) {
+      if (hidden) return;
       edge.kind = FeatureKind::seam;
       ++found.counts.seam;
     } else if (look_.crease(x, y, ends)) {
+      if (hidden) return;
       edge.kind = FeatureKind::crease;
       ++found.counts.crease;
     } else {
@@ -278,10 +284,21 @@ class Extractor {
         facets_.join(x, y);
         return;
       }
+      if (hidden) return;
       edge.kind = FeatureKind::silhouette;
       ++found.counts.silhouette_candidates;
     }
     found.edges.push_back(edge);
+  }
+
+  // Whether textures cut all of an edge's faces out along all of it.
+  [[nodiscard]] bool cut_out(std::uint32_t low, Run faces) const {
+    if (hidden_sides_.empty()) return false;
+    return std::all_of(faces.begin(), faces.end(), [&](const HalfEdge& face) {
+      const int i = corner(face.triangle, low), j = corner(face.triangle, face.high);
+      const int side = j == (i + 1) % 3 ? i : j;
+      return (hidden_sides_[face.triangle] >> side & 1) != 0;
+    });
   }
 
   // Both faces in one plane, on different sides of the edge (a face folded back onto the other is
@@ -318,6 +335,7 @@ class Extractor {
 
   const World& world_;
   std::stop_token stop_;
+  std::span<const std::uint8_t> hidden_sides_;
   SurfaceLook look_;
   std::vector<std::uint32_t> welded_;
   DisjointSets sheets_;
@@ -340,8 +358,9 @@ FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& other) {
 }
 
 ExtractedFeatures extract_features(const World& world, TextureAt texture_at,
-                                   const std::stop_token& stop) {
-  return Extractor(world, texture_at, stop).run();
+                                   const std::stop_token& stop,
+                                   std::span<const std::uint8_t> hidden_sides) {
+  return Extractor(world, texture_at, stop, hidden_sides).run();
 }
 
 }  // namespace asos

@@ -4,6 +4,7 @@
 #include "renderer/world/world.h"
 
 #include <cstdint>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -70,10 +71,12 @@ struct ExtractedFeatures {
 /// drops the edges between coplanar faces that look alike. Relies on the faces' winding for nothing
 /// but for what culling hides: a single-sided face beside one that is wound the other way.
 /// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over; so are
-/// triangles that repeat another one's corners and look. `texture_at` tells whether a jump of
-/// texture coordinates shows; without it every one is a seam.
+/// triangles that repeat another one's corners and look; so are edges of which `hidden_sides` says
+/// that all of their faces are cut out there (CutOuts::hidden_sides, or empty). `texture_at` tells
+/// whether a jump of texture coordinates shows; without it every one is a seam.
 /// Throws SearchStopped once `stop` is requested.
 [[nodiscard]] ExtractedFeatures extract_features(const World& world, TextureAt texture_at = nullptr,
-                                                 const std::stop_token& stop = {});
+                                                 const std::stop_token& stop = {},
+                                                 std::span<const std::uint8_t> hidden_sides = {});
 
 }  // namespace asos

@@ -1,6 +1,5 @@
 #include "renderer/features/feature_set.h"
 
-#include "renderer/features/cut_outs.h"
 #include "renderer/features/shape_intersections.h"
 #include "renderer/world/needs.h"
 #include "renderer/world/surface_kind.h"
@@ -14,7 +13,8 @@ namespace asos {
 // can have.
 FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop)
     : positions_(world.positions) {
-  ExtractedFeatures extracted = extract_features(world, texture_at, stop);
+  CutOuts cut_outs = find_cut_outs(world, {}, stop);
+  ExtractedFeatures extracted = extract_features(world, texture_at, stop, cut_outs.hidden_sides);
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
@@ -22,7 +22,7 @@ FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop
   add_shapes(world);
   add(find_intersections(world, IntersectionBudget::of(world), stop));
   add_shape_intersections(world);
-  add_cut_outs(world, stop);
+  add(world, std::move(cut_outs));
   constexpr std::size_t fewest_in_parallel = std::size_t{1} << 18;
   hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_, fewest_in_parallel, stop);
 }
@@ -77,8 +77,7 @@ void FeatureSet::add_shape_intersections(const World& world) {
   }
 }
 
-void FeatureSet::add_cut_outs(const World& world, const std::stop_token& stop) {
-  CutOuts found = find_cut_outs(world, {}, stop);
+void FeatureSet::add(const World& world, CutOuts found) {
   const auto first = static_cast<std::uint32_t>(positions_.size());
   for (const CutOutLine& line : found.lines) {
     FeatureEdge edge;

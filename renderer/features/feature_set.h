@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/features/cut_outs.h"
 #include "renderer/features/feature_curve.h"
 #include "renderer/features/feature_edge.h"
 #include "renderer/features/hierarchy.h"
@@ -87,7 +88,7 @@ class FeatureSet {
   void add(const Intersections& found);
   void add_shapes(const World& world);
   void add_shape_intersections(const World& world);
-  void add_cut_outs(const World& world, const std::stop_token& stop);
+  void add(const World& world, CutOuts found);
 };
 
 }  // namespace asos

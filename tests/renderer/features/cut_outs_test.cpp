@@ -168,6 +168,40 @@ TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
   EXPECT_TRUE(FeatureSet(plain).opacity_unbounded());
 }
 
+// A side is hidden where no place of it is met; an edge is dropped where no face of it is.
+TEST(CutOuts, TellWhichSidesAreCutOut) {
+  World world;
+  Material material = matte({1, 1, 1});
+  material.alpha_mode = AlphaMode::mask;
+  // Cut out but for a spot that reaches the right side.
+  material.base_color_texture.texture = add_texture(
+      world,
+      make_image(8, 8,
+                 [](int x, int y) -> Texel {
+                   return {1, 2, 3, static_cast<std::uint8_t>(x > 4 && y > 2 && y < 6 ? 255 : 0)};
+                 }),
+      Wrap::clamp_to_edge, Filter::linear);
+  add_quad(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, material);
+  const auto sides = find_cut_outs(world).hidden_sides;
+  for (std::uint32_t t = 0; t < 2; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::uvec3 v = world.triangles[t];
+      const glm::vec2 p(world.positions[v[k]]), q(world.positions[v[(k + 1) % 3]]);
+      bool met = false;
+      for (int i = 0; i <= 100; ++i)
+        met |= solid(world, glm::mix(p, q, 0.01f * static_cast<float>(i)));
+      EXPECT_EQ((sides[t] >> k & 1) != 0, !met) << t << ' ' << k;
+    }
+  }
+  EXPECT_EQ(FeatureSet(world).counts().open, 1u) << "the right side alone";
+  // Of another card behind it that is whole, all sides are there.
+  add_quad(world, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
+  EXPECT_EQ(FeatureSet(world).counts().open, 5u);
+  // Beside one that is whole an edge is there, too.
+  add_quad(world, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
+  EXPECT_EQ(FeatureSet(world).counts().open + FeatureSet(world).counts().seam, 9u);
+}
+
 // Without a texture, or where all of it is kept, nothing is cut out.
 TEST(CutOuts, NeedNoLinesWhereNothingIsCutOut) {
   World world = fan(Wrap::repeat, Filter::linear);
