@@ -192,9 +192,7 @@ void AlphaContour::find_cells(std::int64_t row, double x0, double x1, double y0,
   if (begin == end) return;
   const glm::dvec2 high = down_.extent(row, y0, y1);
   const std::int64_t from = across_.cell_at(x0), to = across_.cell_at(x1);
-  const std::int64_t step = across_.wrap == Wrap::clamp_to_edge ? 0 : across_.period();
-  std::int64_t shift = step > 0 ? step * floor_division(from, step) : 0;
-  for (; shift <= to; shift += step) {
+  const auto add_tile = [&](std::int64_t shift) {
     auto next = std::lower_bound(begin, end, from - shift);
     for (; next != end && *next + shift <= to; ++next) {
       const std::int64_t x = *next + shift;
@@ -204,8 +202,11 @@ void AlphaContour::find_cells(std::int64_t row, double x0, double x1, double y0,
            {wide.y, high.y},
            {value(x, row), value(x + 1, row), value(x, row + 1), value(x + 1, row + 1)}});
     }
-    if (step == 0) break;
-  }
+  };
+  if (across_.wrap == Wrap::clamp_to_edge) return add_tile(0);
+  const std::int64_t step = across_.period();
+  for (std::int64_t shift = step * floor_division(from, step); shift <= to; shift += step)
+    add_tile(shift);
 }
 
 void AlphaContour::find_pieces(const ContourCell& cell, double tolerance,

@@ -202,6 +202,24 @@ TEST(CutOuts, TellWhichSidesAreCutOut) {
   EXPECT_EQ(FeatureSet(world).counts().open + FeatureSet(world).counts().seam, 9u);
 }
 
+// Sides that run through the outer halves of a texture's first and last texels.
+TEST(CutOuts, SayOfNoSideThatIsMetThatItIsCutOut) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
+    World world;
+    Material material = matte({1, 1, 1});
+    material.alpha_mode = AlphaMode::mask;
+    material.base_color_texture.texture =
+        add_texture(world,
+                    make_image(8, 8,
+                               [](int x, int y) -> Texel {
+                                 return {1, 2, 3, static_cast<std::uint8_t>((x + y) % 2 ? 255 : 0)};
+                               }),
+                    wrap, Filter::nearest);
+    add_quad(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, material);
+    EXPECT_EQ(FeatureSet(world).counts().open, 4u);
+  }
+}
+
 // Without a texture, or where all of it is kept, nothing is cut out.
 TEST(CutOuts, NeedNoLinesWhereNothingIsCutOut) {
   World world = fan(Wrap::repeat, Filter::linear);
