@@ -198,6 +198,31 @@ TEST(CutOutHardShadow, IsExactWhereItIsOutlined) {
   }
 }
 
+// That other cut-outs, far away, are left to samples makes nothing of it.
+TEST(CutOutHardShadow, IsCutNoLessWhereOthersAreSampled) {
+  const Light light = bulb();
+  const auto rays_of = [&](bool others) {
+    World world = floor_world();
+    add_card(world, {{-0.5, -0.5, 0.9}, {1.0, 0.1, 0.2}, {-0.1, 1.0, 0.1}}, patterns[0]);
+    if (others) {
+      add_card(world, {{15, 15, 0.9}, {1, 0, 0}, {0, 1, 0}}, patterns[0]);
+      world.colors.assign(world.positions.size(), glm::vec4(1.0f));
+      world.colors.back().a = 0.9f;
+    }
+    ShadowRules settings;
+    settings.budget.max_level = 4;
+    ShadowFixture fixture(std::move(world), light, settings);
+    EXPECT_EQ(fixture.features().cut_outs_unbounded(), others);
+    RandomSpace random(11);
+    for (int i = 0; i < 40; ++i) {
+      const Frame pixel = pixel_at({random.between(-0.4, 0.4), random.between(-0.4, 0.4), 0.0});
+      (void)visibility(fixture, pixel, static_cast<std::uint64_t>(i));
+    }
+    return fixture.counts().shadow_rays;
+  };
+  EXPECT_LT(rays_of(true), 2 * rays_of(false));
+}
+
 // The samples of cells that outlines cross err either way, so that their sum falls like the cells'
 // side to the power of 3/2: to an eighth over two levels, of which half is asked for.
 TEST(CutOutHardShadow, LeftToSamplesGetsExacterWithEveryLevel) {
