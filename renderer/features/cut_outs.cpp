@@ -21,12 +21,12 @@ namespace {
 
 /// How far a piece may lie from its curve, in texels, as long as a part's lines are no more than a
 /// share of all: a thousandth of a pixel where eight pixels show a texel. What has many lines has
-/// many texels, and is seldom seen from so near.
+/// many texels, and is seldom seen from so near; where a pixel shows one, it is a 256th of that.
 struct Fineness {
   double tolerance;
   std::size_t share;
 };
-constexpr std::array finenesses{Fineness{1.0 / 8192.0, 64}, Fineness{1.0 / 1024.0, 8},
+constexpr std::array finenesses{Fineness{1.0 / 8192.0, 64}, Fineness{1.0 / 256.0, 8},
                                 Fineness{1.0 / 128.0, 1}};
 // Vertices' alphas for which a material's texture is looked at. More are as good as one a triangle.
 constexpr std::size_t most_factors = 16;
