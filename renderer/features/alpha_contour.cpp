@@ -10,7 +10,7 @@ namespace {
 // Each halving of an arc leaves a quarter of what it strays.
 constexpr int most_halvings = 12;
 // A texture with more cells on its curve is noise.
-constexpr std::size_t most_cells = std::size_t{1} << 22;
+constexpr std::size_t endless_cells = std::size_t{1} << 22;
 
 std::int64_t floor_division(std::int64_t a, std::int64_t b) {
   return a / b - (a % b < 0 ? 1 : 0);
@@ -169,7 +169,7 @@ void AlphaContour::find_mixed_cells() {
       left = right;
     }
     first_of_row_.push_back(static_cast<std::uint32_t>(columns_.size()));
-    endless_ = columns_.size() > most_cells;
+    endless_ = columns_.size() > endless_cells;
   }
 }
 
@@ -177,10 +177,16 @@ AlphaContour::Rows AlphaContour::rows(double y0, double y1) const {
   return {down_.cell_at(y0), down_.cell_at(y1) + 1};
 }
 
-std::int64_t AlphaContour::tiles(double x0, double x1) const {
-  if (across_.wrap == Wrap::clamp_to_edge) return 1;
-  return floor_division(across_.cell_at(x1), across_.period()) -
-         floor_division(across_.cell_at(x0), across_.period()) + 1;
+std::size_t AlphaContour::most_cells(std::int64_t row, double x0, double x1) const {
+  const auto in_period = static_cast<std::size_t>(down_.in_period(row));
+  const std::size_t of_tile = first_of_row_[in_period + 1] - first_of_row_[in_period];
+  const std::int64_t from = across_.cell_at(x0), to = across_.cell_at(x1);
+  const std::int64_t tiles =
+      across_.wrap == Wrap::clamp_to_edge
+          ? 1
+          : floor_division(to, across_.period()) - floor_division(from, across_.period()) + 1;
+  const auto cells = static_cast<std::size_t>(to - from + 1);
+  return of_tile == 0 ? 0 : std::min(cells, static_cast<std::size_t>(tiles) * (of_tile + 1));
 }
 
 void AlphaContour::find_cells(std::int64_t row, double x0, double x1, double y0, double y1,

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -54,8 +55,8 @@ class AlphaContour {
     std::int64_t end = 0;
   };
   [[nodiscard]] Rows rows(double y0, double y1) const;
-  /// How often the image is repeated between x0 and x1, begun repetitions too.
-  [[nodiscard]] std::int64_t tiles(double x0, double x1) const;
+  /// A bound on how many cells `find_cells` finds and what it takes to look for them.
+  [[nodiscard]] std::size_t most_cells(std::int64_t row, double x0, double x1) const;
 
   /// Appends the cells of a row between x0 and x1 that the curve passes through, in order. `y0` and
   /// `y1`: the heights that were asked for.

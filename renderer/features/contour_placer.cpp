@@ -59,14 +59,11 @@ glm::vec3 ContourPlacer::Side::placed(glm::dvec2 p) const {
   return glm::vec3(lo_position + t * along_position);
 }
 
-bool ContourPlacer::find_cells(const TexturedTriangle& triangle, const AlphaContour& contour,
-                               std::size_t& looks) {
-  cells_.clear();
-  const auto spend = [&looks](std::size_t count) {
-    const bool enough = count <= looks;
-    looks = enough ? looks - count : 0;
-    return enough;
-  };
+// Visits the cells near the triangle, row by row, as long as `visit` wants more. False where it
+// does not, or `looks` did not suffice.
+template <typename VisitCell>
+bool ContourPlacer::visit_cells(const TexturedTriangle& triangle, const AlphaContour& contour,
+                                std::size_t& looks, VisitCell visit) {
   for (const glm::dvec2& p : triangle.texels)
     if (!(std::abs(p.x) < farthest_texel && std::abs(p.y) < farthest_texel)) return false;
   if (contour.empty()) return true;
@@ -78,37 +75,39 @@ bool ContourPlacer::find_cells(const TexturedTriangle& triangle, const AlphaCont
     const double y1 = row + 1 == rows.end ? high.hi : static_cast<double>(row + 1);
     const Range wide = width_between(triangle, y0, y1);
     if (wide.empty()) continue;
-    if (!spend(static_cast<std::size_t>(contour.tiles(wide.lo, wide.hi)))) return false;
-    const std::size_t before = cells_.size();
+    const std::size_t cost = contour.most_cells(row, wide.lo, wide.hi) + 1;
+    if (cost > looks) return false;
+    looks -= cost;
+    cells_.clear();
     contour.find_cells(row, wide.lo, wide.hi, high.lo, high.hi, cells_);
-    if (!spend(cells_.size() - before)) return false;
+    for (const ContourCell& cell : cells_)
+      if (!visit(cell)) return false;
   }
   return true;
 }
 
 bool ContourPlacer::comes_near(const TexturedTriangle& triangle, const AlphaContour& contour,
                                std::size_t& looks) {
-  return !find_cells(triangle, contour, looks) || !cells_.empty();
+  return !visit_cells(triangle, contour, looks, [](const ContourCell&) { return false; });
 }
 
 bool ContourPlacer::hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contour,
                           std::size_t& looks) {
   TexturedTriangle line;
   line.texels = {p, q, q};
-  if (!find_cells(line, contour, looks)) return false;
-  for (const ContourCell& cell : cells_) {
+  const double length = glm::length(q - p);
+  // Touching counts as crossing; a curve is no farther from its chord than the chord is long.
+  const auto passes_by = [&](const ContourPiece& piece) {
+    const double h0 = cross(q - p, piece.from - p), h1 = cross(q - p, piece.to - p);
+    return (h0 < 0.0) == (h1 < 0.0) &&
+           std::min(std::abs(h0), std::abs(h1)) > glm::distance(piece.from, piece.to) * length;
+  };
+  const bool untouched = visit_cells(line, contour, looks, [&](const ContourCell& cell) {
     pieces_.clear();
     contour.find_pieces(cell, 1.0, pieces_);
-    for (const ContourPiece& piece : pieces_) {
-      // Touching counts as crossing; a curve is no farther from its chord than the chord is long.
-      const double margin = glm::distance(piece.from, piece.to);
-      const double length = glm::length(q - p);
-      const double h0 = cross(q - p, piece.from - p), h1 = cross(q - p, piece.to - p);
-      if (std::min(std::abs(h0), std::abs(h1)) <= margin * length || (h0 < 0.0) != (h1 < 0.0))
-        return false;
-    }
-  }
-  return !contour.keeps(0.5 * (p + q));
+    return std::all_of(pieces_.begin(), pieces_.end(), passes_by);
+  });
+  return untouched && !contour.keeps(0.5 * (p + q));
 }
 
 // Two triangles at a side with the same texture coordinates agree to the bit on which parts of a
@@ -163,10 +162,8 @@ std::optional<ContourPlacer::Line> ContourPlacer::clipped(const ContourPiece& pi
 bool ContourPlacer::place(const TexturedTriangle& triangle, const AlphaContour& contour,
                           double tolerance, std::size_t most_lines, std::size_t& looks,
                           std::vector<Line>& lines) {
-  if (!find_cells(triangle, contour, looks)) return false;
-  if (cells_.empty()) return true;
   set_sides(triangle);
-  for (const ContourCell& cell : cells_) {
+  return visit_cells(triangle, contour, looks, [&](const ContourCell& cell) {
     pieces_.clear();
     contour.find_pieces(cell, tolerance, pieces_);
     for (const ContourPiece& piece : pieces_) {
@@ -175,8 +172,8 @@ bool ContourPlacer::place(const TexturedTriangle& triangle, const AlphaContour& 
       if (lines.size() == most_lines) return false;
       lines.push_back(*line);
     }
-  }
-  return true;
+    return true;
+  });
 }
 
 }  // namespace asos

@@ -62,8 +62,9 @@ class ContourPlacer {
     const Side* side = nullptr;
   };
 
-  [[nodiscard]] bool find_cells(const TexturedTriangle& triangle, const AlphaContour& contour,
-                                std::size_t& looks);
+  template <typename VisitCell>
+  [[nodiscard]] bool visit_cells(const TexturedTriangle& triangle, const AlphaContour& contour,
+                                 std::size_t& looks, VisitCell visit);
   void set_sides(const TexturedTriangle& triangle);
   [[nodiscard]] std::optional<Line> clipped(const ContourPiece& piece) const;
   [[nodiscard]] glm::vec3 placed(const End& end) const;
@@ -72,7 +73,7 @@ class ContourPlacer {
   glm::dvec2 origin_{0.0};
   glm::dmat2 weights_{1.0};  // barycentric coordinates from places in texels
   glm::dvec3 corner_{0.0}, edge1_{0.0}, edge2_{0.0};
-  std::vector<ContourCell> cells_;
+  std::vector<ContourCell> cells_;  // of a row
   std::vector<ContourPiece> pieces_;
 };
 

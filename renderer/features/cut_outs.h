@@ -23,7 +23,7 @@ struct CutOutLine {
 /// before it have left has none and is left to samples, so the result depends on nothing else.
 struct CutOutBudget {
   std::size_t lines = std::size_t{1} << 21;  ///< some 130 MB with their hierarchy
-  std::size_t looks = std::size_t{1} << 25;  ///< at rows of a texture's repetitions, and at cells
+  std::size_t looks = std::size_t{1} << 25;  ///< at rows and cells of a texture's plane
 };
 
 /// The outlines of what textures cut out of a world's masked surfaces (glTF 2.0 section 3.9.4,

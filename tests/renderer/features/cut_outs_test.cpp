@@ -187,6 +187,10 @@ TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
     EXPECT_TRUE(left_out(world)) << wild;
     EXPECT_TRUE(FeatureSet(world).cut_outs_unbounded());
   }
+  // More repetitions than anybody could look at.
+  World endless = fan(Wrap::repeat, Filter::linear);
+  endless.materials[0].base_color_texture.uv_transform *= 1e6f;
+  EXPECT_TRUE(left_out(endless));
   // A line of the texture across the surface.
   World line = fan(Wrap::repeat, Filter::linear);
   for (glm::vec2& uv : line.texcoords[0]) uv.y = 0.0f;
