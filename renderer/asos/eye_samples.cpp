@@ -1,5 +1,6 @@
 #include "renderer/asos/eye_samples.h"
 
+#include "renderer/reflections/own_side.h"
 #include "renderer/sampling/random.h"
 #include "renderer/world/hit_plane.h"
 
@@ -25,6 +26,7 @@ SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
     scene.rays().closest(rays, hits, faces_);
     if (eye_->viewer.mirror)
       pass_mirror(*eye_->viewer.mirror, scene.world(), scene.rays(), faces_, rays, hits);
+    pass_own_side(eye_->viewer.passage, scene.world(), scene.rays(), faces_, rays, hits);
   }
   if (scene.features().cut_outs_unbounded()) find_cut_outs(first);
   eye_->counts->eye_rays += points.size();
@@ -77,9 +79,12 @@ bool EyeSamples::opaque(SampleId sample) const {
   const Hit& hit = hits_[sample];
   if (!hit.valid()) return true;
   const Material& material = eye_->scene->world().material_of(hit.triangle);
-  const bool whole =
-      material.alpha_mode == AlphaMode::opaque || eye_->scene->features().outlined(hit.triangle);
-  return whole && !(material.transmission > 0.0f);
+  if (material.alpha_mode != AlphaMode::opaque && !eye_->scene->features().outlined(hit.triangle))
+    return false;
+  // What lies behind the boundary of a volume is seen elsewhere.
+  const Viewer& viewer = eye_->viewer;
+  return !(material.transmission > 0.0f) ||
+         (bounds_volume(material) && viewer.bounces < viewer.shader.reflections());
 }
 
 SurfacePoint EyeSamples::point(SampleId sample) const {

@@ -20,7 +20,10 @@ namespace {
 
 /// The most that a surface makes of light, by its base colour.
 float brightest(const Material& material) {
-  const glm::vec3 c = glm::clamp(glm::vec3(material.base_color) + material.sheen.color, 0.0f, 1.0f);
+  glm::vec3 diffuse(material.base_color);
+  if (bounds_volume(material) && !material.transmission_texture.used())
+    diffuse *= 1.0f - material.transmission;
+  const glm::vec3 c = glm::clamp(diffuse + material.sheen.color, 0.0f, 1.0f);
   return std::max({c.x, c.y, c.z});
 }
 
@@ -245,14 +248,21 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const Material& material = eye_->scene->world().material_of(hit.triangle);
   const bool mirror = eye_->scene->dfr_of(hit.triangle) ||
                       static_cast<double>(least_roughness(material)) <= settings.roughest;
-  if (!mirror || material.unlit) return 0.0;
+  const bool refracts = bounds_volume(material);
+  if (!(mirror || refracts) || material.unlit) return 0.0;
   const SurfacePoint point = samples_->point(sample);
   const float side = region.square.side * static_cast<float>(eye_->block.width);
   const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
   const MirrorSurface surface = mirror_surface(eye_->scene->world(), hit, point, pyray, true);
   if (!surface.bent()) return 0.0;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
-  return reflected_angle(pyray, surface) / glm::radians(settings.widest_angle_deg);
+  const double widest = glm::radians(settings.widest_angle_deg);
+  const double mirrored = mirror ? reflected_angle(pyray, surface) / widest : 0.0;
+  if (!refracts) return mirrored;
+  const auto boundary =
+      VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample).direction);
+  const auto ratio = static_cast<double>(boundary->ratio_of(viewer.passage));
+  return std::max(mirrored, reflected_angle(pyray, refracting(surface, ratio)) / widest);
 }
 
 bool Refinement::glints(SampleId sample, double share) const {

@@ -1,6 +1,7 @@
 #include "renderer/asos/reflected_pyray.h"
 
 #include "renderer/asos/eye_caster.h"
+#include "renderer/asos/mirrored_sight.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/reflections/mirror_surface.h"
 
@@ -78,63 +79,6 @@ std::vector<BorderEdge> outline_in(const LeafRegion& region, const Bounds2& part
 glm::vec2 random_place(std::uint64_t seed) {
   const glm::dvec2 p = unit_pair_of(seed);
   return glm::vec2(p);
-}
-
-/// A mirrored pyray, and the mirror where its axis meets it.
-struct MirroredSight {
-  MirroredPyray pyray;
-  MirrorSurface surface;
-};
-
-// Where the axis of a part of the frame starts.
-glm::dvec3 start_of(const Frame& frame, const Bounds2& part) {
-  if (!frame.parallel()) return frame.apex();
-  const glm::vec2 middle = 0.5f * (part.lo + part.hi);
-  return frame.world({static_cast<double>(middle.x), static_cast<double>(middle.y), 0.0});
-}
-
-// The part of the parent's frame, in double precision: the reflection hangs on it. Its distance is
-// that of the plane through the sample's hit.
-IncidentPyray incident_pyray(const Frame& frame, const Reflection& reflection,
-                             const Bounds2& part) {
-  const glm::dvec2 size(part.hi - part.lo);
-  const glm::dvec2 middle = glm::dvec2(part.lo) + 0.5 * size;
-  IncidentPyray pyray;
-  pyray.perspective = !frame.parallel();
-  pyray.right = size.x * frame.base_u();
-  pyray.down = size.y * frame.base_v();
-  pyray.axis = pyray.perspective
-                   ? frame.base_corner() + middle.x * frame.base_u() + middle.y * frame.base_v()
-                   : frame.direction();
-  const glm::dvec3 n(reflection.point.geometric_normal);
-  pyray.distance = glm::dot(n, glm::dvec3(reflection.point.position) - start_of(frame, part)) /
-                   glm::dot(n, pyray.axis);
-  return pyray;
-}
-
-std::optional<MirroredSight> mirrored_sight(const EyeContext& eye, const Reflection& reflection,
-                                            const Bounds2& part, float width) {
-  IncidentPyray pyray = incident_pyray(*eye.frame, reflection, part);
-  MirroredSight sight;
-  MirrorSurface& surface = sight.surface;
-  surface = mirror_surface(eye.scene->world(), reflection.hit, reflection.point, pyray,
-                           eye.settings->mirror.curved == CurvedMirror::approximate);
-  // From the middle of the part, on the mirror's plane.
-  const glm::dvec3 start = start_of(*eye.frame, part);
-  pyray.distance = glm::dot(surface.geometric, surface.position - start) /
-                   glm::dot(surface.geometric, pyray.axis);
-  if (pyray.distance > 0.0 && std::isfinite(pyray.distance)) {
-    surface.position = start + pyray.distance * pyray.axis;
-  } else {
-    // Seen along its very plane: from where the sample met it.
-    pyray.distance = static_cast<double>(reflection.hit.t) / glm::length(pyray.axis);
-  }
-  const MirrorLobe lobe = lobe_around(surface, mirrored_direction(surface, pyray.axis), pyray.right,
-                                      static_cast<double>(width));
-  const auto reflected = mirrored(pyray, surface, lobe);
-  if (!reflected) return std::nullopt;
-  sight.pyray = *reflected;
-  return sight;
 }
 
 // The radiance that a pyray may show: a picture's white, or a light's.
@@ -226,7 +170,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
                      float width, RenderStatistics& counts) {
   // Mirror the leaf's pyray.
   const Bounds2 part = bounds_of(leaf.region);
-  const auto sight = mirrored_sight(eye, reflection, part, width);
+  const auto sight = mirrored_sight(eye, reflection, part, width, counts);
   if (!sight) return {{}, false, true, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
@@ -240,7 +184,9 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
                       eye.viewer.bounces + 1,
                       reflection.throughput(),
                       !reflection.shows_lights,
-                      plane_of(sight->surface)};
+                      plane_of(sight->surface),
+                      reflection.passage,
+                      sight->bundle};
   RenderStatistics own;
   EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
   mirrored_eye.budget = reflected_budget(
@@ -271,7 +217,9 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   // Its eye rays are reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
-  const bool flat = !sight->surface.bent() && !(reflection.point.spread.variance > 0.0f);
+  // A bundle is as exact as a plane is.
+  const bool flat =
+      (sight->bundle || !sight->surface.bent()) && !(reflection.point.spread.variance > 0.0f);
   return {caster.colour(0), split || caster.sum(0).mirror_cut, flat};
 }
 

@@ -53,7 +53,7 @@ class BlockTracer {
         lights_(job.scene.rays(), places_) {
     const World& world = job.scene.world();
     for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
-      if (job.settings.cull && !world.material_of(t).double_sided && shows_back(t)) continue;
+      if (job.settings.cull && !shows_both_sides(world.material_of(t)) && shows_back(t)) continue;
       if (const auto facet = make_facet(frame_, t, corners_of(world, t))) facets_.push_back(*facet);
     }
   }

@@ -111,7 +111,7 @@ class Extractor {
         facets_(world.triangles.size()),
         two_sided_(world.triangles.size()) {
     in_parallel(world.triangles.size(), stop,
-                [&](std::uint32_t t) { two_sided_[t] = world.material_of(t).double_sided; });
+                [&](std::uint32_t t) { two_sided_[t] = shows_both_sides(world.material_of(t)); });
   }
 
   ExtractedFeatures run() {

@@ -53,7 +53,9 @@ bool same_look(const World& world, const Material& a, const Material& b) {
                       m.base_color, m.metallic, m.roughness, m.emissive * m.emissive_strength,
                       m.alpha_mode, m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f,
                       m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.coat.factor,
-                      m.coat.roughness, m.sheen.color, m.sheen.roughness, m.dfr);
+                      m.coat.roughness, m.sheen.color, m.sheen.roughness, m.dfr, m.volume.thickness,
+                      m.volume.attenuation_distance, m.volume.attenuation_color,
+                      m.volume.dispersion);
   };
   const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
   return numbers(a) == numbers(b) &&

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/view.h"
 #include "renderer/reflections/mirror_plane.h"
+#include "renderer/reflections/ray_bundle.h"
 #include "renderer/shading/shade.h"
 
 #include <optional>
@@ -19,11 +20,14 @@ struct Viewer {
   float throughput = 1.0f;
   bool hides_lights = false;
   std::optional<MirrorPlane> mirror = std::nullopt;  ///< that its rays leave, if it is flat
+  VolumePath passage = {};                           ///< its rays', see ViewedRay
+  std::optional<RayBundle> bundle = std::nullopt;    ///< that its picture stands for, if refracted
   float pixel = 1.0f;  ///< side of the square that a pixel is the mean of, in pixels
 
   /// Whether its rays may meet lights that no surface shows.
   [[nodiscard]] bool sees_bare_lights() const {
-    return bounces > 0 && !hides_lights && !shader.lights_without_geometry().empty();
+    return bounces > passage.refractions && !hides_lights &&
+           !shader.lights_without_geometry().empty();
   }
 
   /// A camera whose picture is the shader's.
@@ -36,7 +40,8 @@ struct Viewer {
   }
   [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side,
                                  const PartShape& shape = square_part) const {
-    return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, shape};
+    return {ray,        hit,          side,  &spacing, width,  bounces,
+            throughput, hides_lights, shape, false,    passage};
   }
 };
 

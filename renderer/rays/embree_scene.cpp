@@ -103,7 +103,7 @@ void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha, std::span<con
 
   sides_.world = &world;
   for (const Part& part : world.parts) {
-    const bool single = !world.materials[part.material].double_sided;
+    const bool single = !shows_both_sides(world.materials[part.material]);
     sides_.single_sided.push_back(single);
     sides_.any_single_sided |= single && !part.shows_nothing();
   }

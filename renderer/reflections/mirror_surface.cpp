@@ -59,10 +59,21 @@ MirrorSurface mirror_surface(const World& world, const Hit& hit, const SurfacePo
                                         point.shading_normal);
   const glm::dvec3 turn_right(turn.right), turn_down(turn.down);
   surface.rise = hollow_rise(patch, turn_right, turn_down);
+  surface.fall = hollow_rise(patch, -turn_right, -turn_down);
   if (!bent) return surface;
   surface.turn_right = turn_right;
   surface.turn_down = turn_down;
   return surface;
+}
+
+Ray ray_leaving(const MirrorSurface& surface, glm::dvec3 direction) {
+  Ray ray;
+  ray.direction = glm::vec3(direction);
+  ray.origin = glm::vec3(surface.position);
+  const double slope = glm::dot(direction, surface.geometric);
+  ray.t_near = slope > 0.0 ? static_cast<float>(surface.clearance / slope)
+                           : std::numeric_limits<float>::infinity();
+  return ray;
 }
 
 std::optional<MirrorPlane> plane_of(const MirrorSurface& surface) {

@@ -17,6 +17,10 @@ namespace asos {
                                            const SurfacePoint& point, const IncidentPyray& pyray,
                                            bool bent);
 
+/// A ray that leaves it in a unit direction, along the way from its very position: a start above
+/// the surface would move what is seen. One that leads below the surface meets nothing.
+[[nodiscard]] Ray ray_leaving(const MirrorSurface& surface, glm::dvec3 direction);
+
 /// The plane of a flat one.
 [[nodiscard]] std::optional<MirrorPlane> plane_of(const MirrorSurface& surface);
 

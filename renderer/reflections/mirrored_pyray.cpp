@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -17,12 +18,8 @@ struct MirroredEdges {
   glm::dvec3 right, down;
 };
 
-glm::dvec3 across(glm::dvec3 v, glm::dvec3 unit_axis) {
-  return v - glm::dot(v, unit_axis) * unit_axis;
-}
-
 // How the reflected direction changes along an edge of the pyray: the derivative of D - 2 (D.N) N.
-glm::dvec3 mirrored_edge(glm::dvec3 axis, glm::dvec3 edge, glm::dvec3 normal, glm::dvec3 turn) {
+glm::dvec3 reflected_edge(glm::dvec3 axis, glm::dvec3 edge, glm::dvec3 normal, glm::dvec3 turn) {
   const double along = glm::dot(axis, normal);
   return edge - 2.0 * ((glm::dot(edge, normal) + glm::dot(axis, turn)) * normal + along * turn);
 }
@@ -32,11 +29,20 @@ MirroredEdges mirrored_edges(const IncidentPyray& pyray, const MirrorSurface& su
   const double length = glm::length(pyray.axis);
   const glm::dvec3 none(0.0);
   edges.axis = mirrored_direction(surface, pyray.axis);
-  edges.right = mirrored_edge(pyray.axis, pyray.perspective ? pyray.right : none, surface.normal,
-                              surface.turn_right) /
+  if (surface.ratio > 0.0) {
+    const glm::dvec3 axis = pyray.axis / length;
+    const double opening = pyray.perspective ? 1.0 / length : 0.0;
+    edges.right =
+        mirrored_edge(surface, axis, opening * across(pyray.right, axis), surface.turn_right);
+    edges.down =
+        mirrored_edge(surface, axis, opening * across(pyray.down, axis), surface.turn_down);
+    return edges;
+  }
+  edges.right = reflected_edge(pyray.axis, pyray.perspective ? pyray.right : none, surface.normal,
+                               surface.turn_right) /
                 length;
-  edges.down = mirrored_edge(pyray.axis, pyray.perspective ? pyray.down : none, surface.normal,
-                             surface.turn_down) /
+  edges.down = reflected_edge(pyray.axis, pyray.perspective ? pyray.down : none, surface.normal,
+                              surface.turn_down) /
                length;
   return edges;
 }
@@ -44,6 +50,11 @@ MirroredEdges mirrored_edges(const IncidentPyray& pyray, const MirrorSurface& su
 // An edge made longer by the lobe, which is turned like it.
 glm::dvec3 widened(glm::dvec3 edge, glm::dvec3 lobe_axis, double width) {
   return edge + (glm::dot(edge, lobe_axis) < 0.0 ? -width : width) * lobe_axis;
+}
+
+// An edge of a picture beside the mirrored axis; a refracted one keeps it.
+glm::dvec3 carried(glm::dvec3 edge, const MirrorSurface& surface) {
+  return surface.ratio > 0.0 ? edge : glm::reflect(edge, surface.normal);
 }
 
 double share_of(glm::dvec3 edge, glm::dvec3 wide) {
@@ -59,8 +70,7 @@ bool finite(glm::dvec3 v) {
 // The patch itself is not as long as it looks where it is seen very steeply.
 MirrorPatch mirrored_patch(const IncidentPyray& pyray, const MirrorSurface& surface) {
   const double scale = pyray.perspective ? pyray.distance : 1.0;
-  return {scale * glm::reflect(pyray.right, surface.normal),
-          scale * glm::reflect(pyray.down, surface.normal)};
+  return {scale * carried(pyray.right, surface), scale * carried(pyray.down, surface)};
 }
 
 // Where a pyramid of these edges has to begin for neither of them to be longer, where it leaves the
@@ -117,10 +127,43 @@ std::optional<MirroredPyray> diverging(const MirroredEdges& edges, double apex_d
   return out;
 }
 
+// The cosine to the normal behind a refracting surface, of a ray whose one before it is `cosine`; 0
+// beyond the critical angle.
+double cosine_behind(double cosine, double ratio) {
+  return std::sqrt(std::max(0.0, 1.0 - ratio * ratio * (1.0 - cosine * cosine)));
+}
+
+// Snell's law: r D + (r c - c') N with the cosines c before and c' behind.
+glm::dvec3 refracted(const MirrorSurface& surface, glm::dvec3 unit) {
+  const double cosine = -glm::dot(unit, surface.normal);
+  const double behind = cosine_behind(cosine, surface.ratio);
+  return glm::normalize(surface.ratio * unit + (surface.ratio * cosine - behind) * surface.normal);
+}
+
 }  // namespace
 
+MirrorSurface refracting(MirrorSurface surface, double ratio) {
+  surface.ratio = ratio;
+  surface.geometric = -surface.geometric;
+  std::swap(surface.rise, surface.fall);
+  return surface;
+}
+
+glm::dvec3 mirrored_edge(const MirrorSurface& surface, glm::dvec3 unit_axis, glm::dvec3 edge,
+                         glm::dvec3 turn) {
+  const double r = surface.ratio;
+  if (!(r > 0.0)) return reflected_edge(unit_axis, edge, surface.normal, turn);
+  // The derivative of r D + (r c - c') N.
+  const double cosine = -glm::dot(unit_axis, surface.normal);
+  const double behind = std::max(cosine_behind(cosine, r), steepest);
+  const double change = -(glm::dot(edge, surface.normal) + glm::dot(unit_axis, turn));
+  return r * edge + (r - r * r * cosine / behind) * change * surface.normal +
+         (r * cosine - behind) * turn;
+}
+
 glm::dvec3 mirrored_direction(const MirrorSurface& surface, glm::dvec3 direction) {
-  glm::dvec3 d = glm::normalize(glm::reflect(direction, surface.normal));
+  glm::dvec3 d = surface.ratio > 0.0 ? refracted(surface, glm::normalize(direction))
+                                     : glm::normalize(glm::reflect(direction, surface.normal));
   const double rise = glm::dot(d, surface.geometric);
   if (rise < least_rise) d = glm::normalize(d + (least_rise - rise) * surface.geometric);
   return d;
@@ -128,7 +171,7 @@ glm::dvec3 mirrored_direction(const MirrorSurface& surface, glm::dvec3 direction
 
 MirrorLobe lobe_around(const MirrorSurface& surface, glm::dvec3 mirrored, glm::dvec3 picture_right,
                        double width) {
-  const glm::dvec3 right = across(glm::reflect(picture_right, surface.normal), mirrored);
+  const glm::dvec3 right = across(carried(picture_right, surface), mirrored);
   MirrorLobe lobe;
   lobe.right = glm::normalize(right);
   lobe.down = glm::cross(mirrored, lobe.right);
@@ -153,8 +196,10 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
   const MirrorPatch patch = patch_of(pyray, surface.geometric);
   const bool sharp = !(lobe.width > 0.0);
   std::optional<MirroredPyray> out;
-  // A plane without blur mirrors the apex.
-  if (sharp && !surface.bent()) {
+  // A plane without blur mirrors the apex, and leaves parallel rays what they are. What it refracts
+  // has none any more.
+  const bool keeps_apex = surface.ratio == 0.0 || !pyray.perspective;
+  if (sharp && !surface.bent() && keeps_apex) {
     out = pyray.perspective
               ? diverging(edges, pyray.distance * glm::length(pyray.axis), lobe, surface)
               : parallel(edges, patch, surface);

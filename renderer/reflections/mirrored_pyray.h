@@ -24,7 +24,9 @@ struct MirrorSurface {
   glm::dvec3 geometric{0, 0, 1};  ///< unit, of the plane that reflected rays have to leave
   double clearance = 0.0;         ///< how far above that plane they start
   double hit_tolerance = 0.0;     ///< MirrorPlane's; 0: not a plane
-  double rise = 0.0;  ///< by how much a hollow one is higher at the corners of the pyray's patch
+  double rise = 0.0;   ///< by how much a hollow one is higher at the corners of the pyray's patch
+  double fall = 0.0;   ///< by how much a bulging one is lower there
+  double ratio = 0.0;  ///< of the indices before and behind it, by which it refracts; 0: it mirrors
   glm::dvec3 turn_right{0.0};  ///< turn of the unit normal across the pyray's patch; 0: flat
   glm::dvec3 turn_down{0.0};
 
@@ -41,8 +43,17 @@ struct MirrorLobe {
   double width = 0.0;
 };
 
-/// The direction in which the surface mirrors `direction` (any length): unit, and above the plane
-/// of the geometric normal. A direction that a bent normal mirrors below it is raised to it.
+/// The same surface where it lets rays through, bent by Snell's law: what was below it is above.
+[[nodiscard]] MirrorSurface refracting(MirrorSurface surface, double ratio);
+
+/// What of a vector is square to a unit axis.
+[[nodiscard]] inline glm::dvec3 across(glm::dvec3 v, glm::dvec3 unit_axis) {
+  return v - glm::dot(v, unit_axis) * unit_axis;
+}
+
+/// The direction in which the surface mirrors, or refracts, `direction` (any length): unit, and
+/// above the plane of the geometric normal. A direction that a bent normal mirrors below it is
+/// raised to it. Beyond the critical angle it is the last that is refracted.
 [[nodiscard]] glm::dvec3 mirrored_direction(const MirrorSurface& surface, glm::dvec3 direction);
 
 /// The lobe's square around the mirrored direction, turned like the picture that is mirrored.
@@ -56,6 +67,11 @@ struct MirrorPatch {
   glm::dvec3 down{0.0};
 };
 [[nodiscard]] MirrorPatch patch_of(const IncidentPyray& pyray, glm::dvec3 normal);
+
+/// How the mirrored, or refracted, unit direction changes where a unit direction changes by `edge`
+/// and the normal by `turn`.
+[[nodiscard]] glm::dvec3 mirrored_edge(const MirrorSurface& surface, glm::dvec3 unit_axis,
+                                       glm::dvec3 edge, glm::dvec3 turn);
 
 /// A reflected pyray.
 struct MirroredPyray {

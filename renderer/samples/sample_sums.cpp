@@ -1,5 +1,7 @@
 #include "renderer/samples/sample_sums.h"
 
+#include "renderer/reflections/own_side.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -87,6 +89,7 @@ void SampleSums::trace() {
   scene_->rays().closest(rays, hits, faces_);
   if (viewer_.mirror)
     pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
+  pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
   shade_batch();
   follow_reflections();
@@ -190,6 +193,8 @@ void SampleSums::follow_reflections() {
           pass_mirror(*next.mirror, scene_->world(), scene_->rays(), faces_, {&rays_[i], 1},
                       {&hits_[i], 1});
         }
+        pass_own_side(next.passage, scene_->world(), scene_->rays(), faces_, {&rays_[i], 1},
+                      {&hits_[i], 1});
         places_->start_pixel(next.sample.x, next.sample.y);
         (void)shade(next.sample, next.weight, next.viewed(hits_[i]));
       }

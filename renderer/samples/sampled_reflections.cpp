@@ -5,12 +5,11 @@
 #include "renderer/reflections/mirrored_pyray.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace asos {
 
 ViewedRay ReflectedSample::viewed(const Hit& hit) const {
-  return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights};
+  return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, {}, false, passage};
 }
 
 void SampledReflections::add(const Reflection& reflection, const PointSample& sample,
@@ -22,6 +21,7 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
   start.bounces = reflection.seen.bounces + 1;
   start.throughput = reflection.throughput();
   start.hides_lights = !reflection.shows_lights;
+  start.passage = reflection.passage;
   if (reflection.one_width()) {
     add_ray(reflection, start, reflection.width.x, glm::vec3(1.0f), shader);
     return;
@@ -38,8 +38,8 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   const ViewedRay& seen = reflection.seen;
   const PixelSpacing& spacing = seen.spacing ? *seen.spacing : shader.spacing();
   const IncidentPyray pyray = pyray_around(spacing, seen.ray, reflection.hit.t, start.side);
-  const MirrorSurface surface =
-      mirror_surface(*world_, reflection.hit, reflection.point, pyray, true);
+  MirrorSurface surface = mirror_surface(*world_, reflection.hit, reflection.point, pyray, true);
+  if (reflection.ratio > 0.0f) surface = refracting(surface, static_cast<double>(reflection.ratio));
   const auto picture = mirrored(pyray, surface, {});
   if (!picture) return;
   ReflectedSample next = start;
@@ -59,13 +59,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
     next.weight /= static_cast<float>(horizon.share_above());
     direction = glm::normalize(direction + (at.x - 0.5) * right + (at.y - 0.5) * down);
   }
-  next.ray.direction = glm::vec3(direction);
-  // Along the ray itself: a start above the surface would move what is mirrored.
-  next.ray.origin = glm::vec3(surface.position);
-  // One that bent normals send below the surface meets nothing, as a pyray would (View::ray).
-  const double slope = glm::dot(direction, surface.geometric);
-  next.ray.t_near = slope > 0.0 ? static_cast<float>(surface.clearance / slope)
-                                : std::numeric_limits<float>::infinity();
+  next.ray = ray_leaving(surface, direction);
   next.mirror = plane_of(surface);
   pending_.push_back(next);
 }

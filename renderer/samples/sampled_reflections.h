@@ -37,12 +37,13 @@ struct ReflectedSample {
   float throughput = 1.0f;
   bool hides_lights = false;
   std::optional<MirrorPlane> mirror;  ///< that the ray leaves, if it is flat
+  VolumePath passage;
 
   [[nodiscard]] ViewedRay viewed(const Hit& hit) const;
 };
 
-/// How sampling methods follow a reflection: by a ray to a random place of its lobe. The rays are
-/// gathered and go in packets.
+/// How sampling methods follow reflections and refractions: by a ray to a random place of the lobe.
+/// The rays are gathered and go in packets.
 class SampledReflections {
  public:
   /// Both have to outlive this.

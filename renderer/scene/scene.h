@@ -105,6 +105,16 @@ struct Iridescence {
   [[nodiscard]] bool used() const { return factor > 0.0f; }
 };
 
+/// KHR_materials_volume and KHR_materials_dispersion: what a closed surface that transmits
+/// encloses.
+struct Volume {
+  float thickness = 0.0f;        ///< in the mesh's units; 0: a thin wall, which encloses nothing
+  TextureUse thickness_texture;  ///< G, linear
+  float attenuation_distance = std::numeric_limits<float>::infinity();  ///< in the world's units
+  glm::vec3 attenuation_color{1.0f};  ///< linear: what white light becomes over that distance
+  float dispersion = 0.0f;            ///< 20 / Abbe number, 0 and more
+};
+
 /// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
 struct Material {
   std::string name;
@@ -123,20 +133,21 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;              ///< KHR_materials_unlit
   float ior = 1.5f;                ///< KHR_materials_ior
-  float transmission = 0.0f;       ///< KHR_materials_transmission, thin surface
+  float transmission = 0.0f;       ///< KHR_materials_transmission
   float specular = 1.0f;           ///< KHR_materials_specular: of a dielectric's reflection, 0 to 1
   glm::vec3 specular_color{1.0f};  ///< the same, linear, at normal incidence; may exceed 1
   TextureUse specular_texture;     ///< A of `specular`, linear
   TextureUse specular_color_texture;  ///< sRGB
   TextureUse transmission_texture;    ///< R, linear
   Clearcoat coat;
-  Sheen sheen;             ///< below the coat
-  Iridescence film;        ///< below the sheen
+  Sheen sheen;       ///< below the coat
+  Iridescence film;  ///< below the sheen
+  Volume volume;
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
 };
 
 /// All textures that a material names, whether it uses them or not.
-[[nodiscard]] inline std::array<const TextureUse*, 15> texture_uses(const Material& m) {
+[[nodiscard]] inline std::array<const TextureUse*, 16> texture_uses(const Material& m) {
   return {&m.base_color_texture,     &m.metallic_roughness_texture,
           &m.normal_texture,         &m.emissive_texture,
           &m.specular_texture,       &m.specular_color_texture,
@@ -144,7 +155,18 @@ struct Material {
           &m.coat.roughness_texture, &m.coat.normal_texture,
           &m.sheen.color_texture,    &m.sheen.roughness_texture,
           &m.film.texture,           &m.film.thickness_texture,
-          &m.occlusion_texture};
+          &m.occlusion_texture,      &m.volume.thickness_texture};
+}
+
+/// Whether the surface is the boundary of a volume: rays that pass it are bent, and meet both of
+/// its sides (KHR_materials_volume).
+[[nodiscard]] inline bool bounds_volume(const Material& m) {
+  return !m.unlit && m.transmission > 0.0f && m.volume.thickness > 0.0f;
+}
+
+/// Whether its back is met as its front is.
+[[nodiscard]] inline bool shows_both_sides(const Material& m) {
+  return m.double_sided || bounds_volume(m);
 }
 
 [[nodiscard]] inline bool has_normal_map(const Material& m) {

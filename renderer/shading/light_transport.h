@@ -68,8 +68,8 @@ struct TakenLights {
   [[nodiscard]] bool holds(std::size_t light) const { return !taken.empty() && taken[light] != 0; }
 };
 
-/// The part of the scene that a surface mirrors: the mean radiance over a square of directions
-/// around the mirrored one.
+/// The part of the scene that a surface mirrors, or shows through it: the mean radiance over a
+/// square of directions around the mirrored or refracted one.
 struct Reflection {
   const ViewedRay& seen;      ///< that meets the surface
   const SurfacePoint& point;  ///< where it does so
@@ -78,6 +78,8 @@ struct Reflection {
   glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per mean radiance
   int layer = 0;              ///< surfaces that are seen through before the point
   bool shows_lights = true;   ///< also those that shine evenly
+  float ratio = 0.0f;  ///< of the indices before and behind a surface that refracts; 0: mirrors
+  VolumePath passage = {};  ///< of the ray that leaves
 
   /// ViewedRay's, of what is mirrored.
   [[nodiscard]] float throughput() const {

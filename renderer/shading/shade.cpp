@@ -18,6 +18,14 @@ namespace {
 // The share of a layer behind others below which no display shows it, even at +8 stops.
 constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
 
+/// A volume's boundary that no light leaves at this angle.
+SurfaceMaterial total_reflector(SurfaceMaterial material) {
+  material.f0 = glm::vec3(1.0f);
+  material.f90 = material.dielectric_f0 = material.dielectric_f90 = 1.0f;
+  material.film.factor = 0.0f;
+  return material;
+}
+
 /// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
 float behind(const Ray& ray, const SurfacePoint& point, float t) {
   const float length = glm::length(ray.direction);
@@ -56,12 +64,16 @@ const Dfr* Shader::own_dfr(std::uint32_t triangle) const {
   return own ? &*own : nullptr;
 }
 
-std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
-                                              float roughness, glm::vec3 reflected) const {
+bool Shader::follows(const ViewedRay& seen, glm::vec3 share) const {
   // A reflection that no 8-bit picture shows is not worth a ray, whatever the light.
   constexpr float least_reflected = 1.0f / 256.0f;
-  const float most = seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
-  if (seen.bounces >= settings_.reflections || !(most >= least_reflected)) return std::nullopt;
+  const float most = seen.throughput * std::max({share.x, share.y, share.z});
+  return seen.bounces < settings_.reflections && most >= least_reflected;
+}
+
+std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
+                                              float roughness, glm::vec3 reflected) const {
+  if (!follows(seen, reflected)) return std::nullopt;
   // The bumps that a normal map's mean leaves out blur, too: the squared slopes add up.
   const double bumps = static_cast<double>(point.spread.variance);
   const Dfr* own = own_dfr(point.triangle);
@@ -99,8 +111,40 @@ bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point, floa
   const auto width = mirror_width(seen, point, roughness, reflected);
   if (!width) return false;
   const bool shows_lights = mirrored_lights(point.triangle, roughness) == MirroredLights::all;
-  return transport.reflect({seen, point, layer.hit, *width, reflected, layer.number, shows_lights},
-                           radiance, counts);
+  Reflection reflection{seen, point, layer.hit, *width, reflected, layer.number, shows_lights};
+  reflection.passage = layer.passage;
+  return transport.reflect(reflection, radiance, counts);
+}
+
+glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point, float roughness,
+                                const Layer& layer, glm::vec3 through, LightTransport& transport,
+                                glm::vec3& radiance, RenderStatistics& counts) const {
+  const VolumeBoundary& boundary = *layer.boundary;
+  const auto follow = [&](float ratio, int colour, glm::vec3 share) {
+    if (!follows(seen, share)) return false;
+    // A facet that is turned by an angle turns the refracted ray by |1 - ratio| of it, and a
+    // mirrored one by twice the angle.
+    const double alpha = static_cast<double>(roughness * roughness);
+    const double bumps = static_cast<double>(point.spread.variance);
+    const double mirrored = lobe_width(std::sqrt(std::sqrt(alpha * alpha + bumps)));
+    const auto width = static_cast<float>(0.5 * mirrored) * std::abs(1.0f - ratio);
+    Reflection refraction{seen,  point,        layer.hit,         glm::vec3(width),
+                          share, layer.number, !seen.hides_lights};
+    refraction.ratio = ratio;
+    refraction.passage = boundary.refracted(layer.passage);
+    refraction.passage.colour = colour;
+    return transport.reflect(refraction, radiance, counts);
+  };
+  const int only = layer.passage.colour;
+  const glm::vec3 ratio = boundary.ratio;
+  if (only >= 0 || ratio.x == ratio.z)
+    return follow(boundary.ratio_of(layer.passage), only, through) ? glm::vec3(0.0f) : through;
+  for (int c = 0; c < 3; ++c) {
+    glm::vec3 share(0.0f);
+    share[c] = through[c];
+    if (follow(ratio[c], c, share)) through[c] = 0.0f;
+  }
+  return through;
 }
 
 float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
@@ -133,7 +177,15 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
 
   if (!seen.diffuse && shows_emission(seen.hides_lights, layer.hit.triangle))
     radiance += below.share * material.emission;
-  const ViewedMaterial base = viewed(material, view.n_dot_v);
+  ViewedMaterial base{};
+  if (!layer.boundary) {
+    base = viewed(material, view.n_dot_v);
+  } else if (const auto cosine = layer.boundary->fresnel_cosine(view.n_dot_v, layer.passage)) {
+    base = viewed(material, *cosine);
+  } else {
+    base = viewed(total_reflector(material), view.n_dot_v);
+  }
+  if (layer.boundary) left *= 1.0f - largest(base.specular);
   add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
   return left;
 }
@@ -204,9 +256,11 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   Ray ray = seen.ray;
   Hit hit = seen.hit;
   std::uint32_t last = Hit::none;
+  VolumePath passage = seen.passage;
+  float passed = ray.t_near;  // so far the share is attenuated
   const glm::vec3 to_viewer = -seen.ray.direction;
   const auto light =
-      seen.bounces > 0 && !seen.hides_lights ? nearest_light_without_geometry(ray) : std::nullopt;
+      seen.reflected() && !seen.hides_lights ? nearest_light_without_geometry(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {
     if (light && !(hit.valid() && hit.t < light->t)) return sum + share * light->radiance;
@@ -217,6 +271,11 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
     const bool blended = needs_.alpha_blend &&
                          surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
+    const auto boundary = blended ? VolumeBoundary::met(world_, hit, ray.direction) : std::nullopt;
+    // The inner side of a boundary tells of what lies before it, wherever the ray started.
+    if (boundary && !boundary->entering) passage = boundary->reflected(passage);
+    if (passage.inside) share *= passage.left_after(hit.t - passed);
+    passed = hit.t;
 
     // A face of an analytic shape may be met twice, in front and at its back.
     if (hit.triangle != last || world_.is_face(hit.triangle)) {
@@ -224,7 +283,11 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
       const SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
       float left = 1.0f;
       if (material.opacity > 0.0f) {
-        const Layer here{share * material.opacity, layer, hit};
+        Layer here{share * material.opacity, layer, hit, passage};
+        if (boundary) {
+          here.boundary = &*boundary;
+          here.passage = boundary->reflected(passage);
+        }
         if (material.unlit) {
           sum += here.share * material.base_color * (1.0f - material.transmission);
         } else {
@@ -233,8 +296,18 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
       }
       if (!blended) return sum;
       // Thin glass tints what shines through it by its base colour.
-      share *= (1.0f - material.opacity) +
-               material.opacity * left * material.transmission * material.base_color;
+      if (boundary) {
+        glm::vec3 through = share * material.opacity * left * (1.0f - material.metallic) *
+                            material.transmission * material.base_color;
+        const Layer here{through, layer, hit, passage, &*boundary};
+        through =
+            add_refracted(seen, point, material.roughness, here, through, transport, sum, counts);
+        share = share * (1.0f - material.opacity) + through;
+        passage = boundary->refracted(passage);
+      } else {
+        share *= (1.0f - material.opacity) +
+                 material.opacity * left * material.transmission * material.base_color;
+      }
       if (std::max({share.x, share.y, share.z}) < invisible_share) return sum;
       last = hit.triangle;
     }

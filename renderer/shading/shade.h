@@ -8,6 +8,7 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
+#include "renderer/shading/volume_boundary.h"
 #include "renderer/world/needs.h"
 #include "renderer/world/world.h"
 
@@ -101,8 +102,8 @@ class Shader {
   [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point, float roughness,
                              glm::vec3 specular, LightTransport& transport, glm::vec3& radiance,
                              RenderStatistics& counts) const {
-    return add_mirrored(seen, point, roughness, {glm::vec3(1.0f), 0, seen.hit}, specular, transport,
-                        radiance, counts);
+    return add_mirrored(seen, point, roughness, {glm::vec3(1.0f), 0, seen.hit, seen.passage},
+                        specular, transport, radiance, counts);
   }
 
   /// The scene's, by the rule of the settings.
@@ -114,9 +115,11 @@ class Shader {
     glm::vec3 share{1.0f};
     int number = 0;
     Hit hit;
+    VolumePath passage;  ///< of what it reflects
+    const VolumeBoundary* boundary = nullptr;
   };
   /// All that a material shows: what it emits and reflects, layer by layer. Returns the share of
-  /// what lies below its layers that they let through.
+  /// what lies below its layers that they let through; a volume's boundary is one of them.
   float add_material(const ViewedRay& seen, const SurfacePoint& point,
                      const SurfaceMaterial& material, const Layer& layer, const MipChains* mips,
                      LightTransport& transport, glm::vec3& radiance,
@@ -127,6 +130,13 @@ class Shader {
   [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point, float roughness,
                                   const Layer& layer, glm::vec3 specular, LightTransport& transport,
                                   glm::vec3& radiance, RenderStatistics& counts) const;
+  /// Hands what shines through a volume's boundary to `transport`, where it is followed; `through`
+  /// is its share of the ray's radiance. Returns what is left of that.
+  [[nodiscard]] glm::vec3 add_refracted(const ViewedRay& seen, const SurfacePoint& point,
+                                        float roughness, const Layer& layer, glm::vec3 through,
+                                        LightTransport& transport, glm::vec3& radiance,
+                                        RenderStatistics& counts) const;
+  [[nodiscard]] bool follows(const ViewedRay& seen, glm::vec3 share) const;
   [[nodiscard]] const Dfr* own_dfr(std::uint32_t triangle) const;
 
   const World& world_;

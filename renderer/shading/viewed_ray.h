@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/volume_path.h"
 
 #include <glm/glm.hpp>
 
@@ -17,7 +18,7 @@ struct ViewedRay {
   /// How wide a pyray is, one unit ahead (2 tan(beta / 2)): a pixel, and the lobes of the blurred
   /// reflections on its way. A defocusing ratio widens it.
   float width = 0.0f;
-  int bounces = 0;          ///< reflections on its way
+  int bounces = 0;          ///< reflections and refractions on its way
   float throughput = 1.0f;  ///< the most that the picture gets of its radiance, by colour
   /// Lights that shine evenly, and the surfaces that show them, are dark: what reflects the ray has
   /// highlights of them (MirroredLights).
@@ -26,6 +27,10 @@ struct ViewedRay {
   /// Shows only what surfaces reflect diffusely, nothing of what they send out themselves: a ray
   /// that brings their light to another surface, which sees lights by itself.
   bool diffuse = false;
+  VolumePath passage = {};
+
+  /// Whether any surface has reflected it, and not only let it through.
+  [[nodiscard]] bool reflected() const { return bounces > passage.refractions; }
 };
 
 }  // namespace asos

@@ -38,10 +38,11 @@ constexpr std::array features{
                  "", "", ""},
     SceneFeature{&Needs::metals, "metals", "no material that is shown is metallic",
                  "reflectance from the base colour", "", "", ""},
-    SceneFeature{&Needs::mirrors, "mirrors",
-                 "no material that is shown is smooth enough, or has defocusing ratios of its own",
-                 "mirrored pyrays and rays, lights that only mirrors show", "", "",
-                 "Reflection rays"},
+    SceneFeature{
+        &Needs::mirrors, "mirrors",
+        "no material that is shown is smooth enough, bounds a volume, or has defocusing ratios "
+        "of its own",
+        "mirrored pyrays and rays, lights that only mirrors show", "", "", "Reflection rays"},
     SceneFeature{&Needs::shapes, "analytic shapes", "no object that is shown is one",
                  "faces among the rays' triangles, their contours and sections", "faces", "", ""},
     SceneFeature{&Needs::emission, "emissive materials", "no material that is shown shines",
@@ -118,7 +119,7 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.textures |= m.transmission > 0.0f && m.transmission_texture.used();
   needs.alpha_blend |= m.alpha_mode == AlphaMode::blend || m.transmission > 0.0f;
   needs.alpha_mask |= m.alpha_mode == AlphaMode::mask;
-  needs.culling |= !m.double_sided;
+  needs.culling |= !shows_both_sides(m);
   if (m.unlit) return;  // an unlit material uses nothing but its base colour
   needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
                     m.occlusion_texture.used() || m.specular_texture.used() ||
@@ -252,7 +253,7 @@ bool needs_mirrors(const World& world, const MaterialDfrs& dfrs) {
   const std::vector<std::size_t> shown = shown_materials(world);
   return std::any_of(shown.begin(), shown.end(), [&](std::size_t i) {
     const Material& m = world.materials[i];
-    return !m.unlit && may_mirror(m, dfrs[i]);
+    return !m.unlit && (may_mirror(m, dfrs[i]) || bounds_volume(m));
   });
 }
 

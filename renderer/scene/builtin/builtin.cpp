@@ -40,6 +40,8 @@ const std::vector<BuiltinScene>& builtin_scenes() {
        builtin::make_railing},
       {"foliage", "a young tree of cards, of which an image cuts out twigs with leaves",
        builtin::make_foliage},
+      {"glass", "a ball, a slab and a prism of glass, which bend light, on a chequered floor",
+       builtin::make_glass},
   };
   return scenes;
 }

@@ -26,5 +26,6 @@ namespace asos::builtin {
 [[nodiscard]] Scene make_workshop();
 [[nodiscard]] Scene make_railing();
 [[nodiscard]] Scene make_foliage();
+[[nodiscard]] Scene make_glass();
 
 }  // namespace asos::builtin

@@ -109,6 +109,24 @@ void write_film(const Iridescence& film, json& out, GltfDocument& document) {
     written["iridescenceThicknessTexture"] = texture_info(film.thickness_texture, document);
 }
 
+void write_volume(const Volume& volume, json& out, GltfDocument& document) {
+  if (volume.thickness > 0.0f) {
+    document.use_extension("KHR_materials_volume");
+    json& written = out["extensions"]["KHR_materials_volume"];
+    written = {{"thicknessFactor", volume.thickness},
+               {"attenuationColor", numbers(volume.attenuation_color)}};
+    // Without a distance it is infinite, for which JSON has no number.
+    if (std::isfinite(volume.attenuation_distance))
+      written["attenuationDistance"] = volume.attenuation_distance;
+    if (volume.thickness_texture.used())
+      written["thicknessTexture"] = texture_info(volume.thickness_texture, document);
+  }
+  if (volume.dispersion > 0.0f) {
+    document.use_extension("KHR_materials_dispersion");
+    out["extensions"]["KHR_materials_dispersion"]["dispersion"] = volume.dispersion;
+  }
+}
+
 json material_json(const Material& material, GltfDocument& document) {
   json out{{"name", material.name}};
   json& pbr = out["pbrMetallicRoughness"];
@@ -149,6 +167,7 @@ json material_json(const Material& material, GltfDocument& document) {
   write_coat(material.coat, out, document);
   write_sheen(material.sheen, out, document);
   write_film(material.film, out, document);
+  write_volume(material.volume, out, document);
   if (material.transmission != 0.0f) {
     document.use_extension("KHR_materials_transmission");
     json& transmission = out["extensions"]["KHR_materials_transmission"];

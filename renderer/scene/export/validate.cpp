@@ -95,6 +95,17 @@ std::string dfr_fault(const Dfr& dfr) {
   return {};
 }
 
+std::string volume_fault(const Volume& volume) {
+  if (!within(volume.thickness, 0.0, huge)) return "has a thickness that is no positive number";
+  if (!(volume.attenuation_distance > 0.0f)) return "has an attenuation distance of 0 or less";
+  if (!within(volume.dispersion, 0.0, huge)) return "has a dispersion that is no positive number";
+  for (int i = 0; i < 3; ++i) {
+    if (!within(volume.attenuation_color[i], 0.0, 1.0))
+      return "has an attenuation colour outside 0 to 1";
+  }
+  return {};
+}
+
 std::string material_fault(const Material& m, const Scene& scene) {
   for (int i = 0; i < 4; ++i) {
     if (!within(m.base_color[i], 0.0, 1.0)) return "has a base colour outside 0 to 1";
@@ -112,6 +123,7 @@ std::string material_fault(const Material& m, const Scene& scene) {
   if (!within(m.alpha_cutoff, 0.0, huge)) return "has an alpha cut-off that is no positive number";
   if (m.ior != 0.0f && !within(m.ior, 1.0, huge)) return "has an index of refraction below 1";
   if (!within(m.transmission, 0.0, 1.0)) return "has a transmission outside 0 to 1";
+  if (std::string fault = volume_fault(m.volume); !fault.empty()) return fault;
   if (!within(m.specular, 0.0, 1.0)) return "has a specular factor outside 0 to 1";
   for (int i = 0; i < 3; ++i) {
     if (!within(m.specular_color[i], 0.0, huge))

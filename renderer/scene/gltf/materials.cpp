@@ -42,6 +42,7 @@ class MaterialReader {
     read_coat(m);
     read_sheen(m);
     read_film(m);
+    read_volume(m);
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
@@ -60,6 +61,7 @@ class MaterialReader {
     use_coat(m);
     use_sheen(m);
     use_film(m);
+    use_volume(m);
     if (glossy) {
       use_specular_glossiness(*glossy, m);
     } else if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
@@ -206,6 +208,40 @@ class MaterialReader {
     if (!e || !m.film.used()) return;
     m.film.texture = use_in(*e, "iridescenceTexture", "iridescence");
     m.film.thickness_texture = use_in(*e, "iridescenceThicknessTexture", "iridescence thickness");
+  }
+
+  void read_volume(Material& m) {
+    if (const auto* e = extension(source_.extensions, "KHR_materials_volume")) {
+      Volume& volume = m.volume;
+      volume.thickness =
+          within(number(*e, "thicknessFactor").value_or(0.0), 0.0, 1e30, 0.0, "thickness factor");
+      read_attenuation_distance(*e, volume);
+      for (int c = 0; c < 3; ++c) {
+        volume.attenuation_color[c] = within(number_at(*e, "attenuationColor", c).value_or(1.0),
+                                             0.0, 1.0, 1.0, "attenuation colour");
+      }
+    }
+    if (const auto* e = extension(source_.extensions, "KHR_materials_dispersion")) {
+      m.volume.dispersion =
+          within(number(*e, "dispersion").value_or(0.0), 0.0, 1e6, 0.0, "dispersion");
+    }
+  }
+
+  void read_attenuation_distance(const tinygltf::Value& e, Volume& volume) {
+    const auto distance = number(e, "attenuationDistance");
+    if (!distance) return;
+    const auto single = static_cast<float>(*distance);
+    if (single > 0.0f) {
+      volume.attenuation_distance = single;
+    } else {
+      warnings_.add(place_ + ": its attenuation distance is not above 0; ignored");
+    }
+  }
+
+  void use_volume(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_volume");
+    if (!e || !(m.volume.thickness > 0.0f)) return;
+    m.volume.thickness_texture = use_in(*e, "thicknessTexture", "thickness");
   }
 
   void use_coat(Material& m) {

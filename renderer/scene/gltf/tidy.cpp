@@ -27,7 +27,7 @@ constexpr auto supported = std::to_array<std::string_view>(
      "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape",
      "KHR_animation_pointer",      "EXT_texture_webp",        "KHR_materials_pbrSpecularGlossiness",
      "KHR_materials_clearcoat",    "KHR_materials_sheen",     "KHR_materials_variants",
-     "KHR_materials_iridescence"});
+     "KHR_materials_iridescence",  "KHR_materials_volume",    "KHR_materials_dispersion"});
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {

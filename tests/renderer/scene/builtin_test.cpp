@@ -111,7 +111,8 @@ bool is_sheet(const std::string& scene, const std::string& mesh) {
         "shop panes"}},
       {"workshop", {"floor", "wall"}},
       {"railing", {"terrace", "railing"}},
-      {"foliage", {"lawn", "leaves"}}};
+      {"foliage", {"lawn", "leaves"}},
+      {"glass", {"dark squares", "light squares"}}};
   return sheets.at(scene).contains(mesh);
 }
 
@@ -153,7 +154,8 @@ TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
       {"neon", {10'000, 16'000}},
       {"workshop", {20'000, 35'000}},
       {"railing", {90, 120}},
-      {"foliage", {500, 900}}};
+      {"foliage", {500, 900}},
+      {"glass", {820, 820}}};
   const Scene scene = make(GetParam());
   EXPECT_GE(scene.instanced_triangles(), range.at(GetParam()).first);
   EXPECT_LE(scene.instanced_triangles(), range.at(GetParam()).second);
@@ -242,8 +244,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
                            return name;
                          });
 
-TEST(BuiltinScenes, AreTwentyWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 20u);
+TEST(BuiltinScenes, AreTwentyOneWithOfficeFirst) {
+  ASSERT_EQ(builtin_scenes().size(), 21u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }

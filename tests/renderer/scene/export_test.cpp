@@ -158,6 +158,11 @@ Scene rich_scene() {
   full.film.thickness_max_nm = 350.0f;
   full.film.texture.texture = 1;
   full.film.thickness_texture.texture = 0;
+  full.volume.thickness = 0.3f;
+  full.volume.thickness_texture.texture = 1;
+  full.volume.attenuation_distance = 0.7f;
+  full.volume.attenuation_color = {0.1f, 0.5f, 1.0f};
+  full.volume.dispersion = 0.36f;
   full.dfr = Dfr{{{{0.1, 0.9, 2.0}, {0.2, 1.0 / 3.0, 2.5}, {0.0, 1.0, 32.0}}}, 0.125};
   Material flat;
   flat.name = "flat";
@@ -238,11 +243,12 @@ TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   EXPECT_EQ(position["max"], json::array({1.0f, 1.0f, 1.0f / 3.0f}));
   EXPECT_EQ(primitive["attributes"].size(), 6u);
 
-  const json used = {
-      "KHR_lights_punctual",    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
-      "KHR_materials_ior",      "KHR_materials_iridescence",  "KHR_materials_sheen",
-      "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
-      "KHR_texture_transform"};
+  const json used = {"KHR_lights_punctual",        "KHR_materials_clearcoat",
+                     "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
+                     "KHR_materials_ior",          "KHR_materials_iridescence",
+                     "KHR_materials_sheen",        "KHR_materials_specular",
+                     "KHR_materials_transmission", "KHR_materials_unlit",
+                     "KHR_materials_volume",       "KHR_texture_transform"};
   EXPECT_EQ(root["extensionsUsed"], used);
   EXPECT_FALSE(root.contains("extensionsRequired"));
 
@@ -408,6 +414,10 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.film.ior, b.film.ior);
   EXPECT_EQ(a.film.thickness_min_nm, b.film.thickness_min_nm);
   EXPECT_EQ(a.film.thickness_max_nm, b.film.thickness_max_nm);
+  EXPECT_EQ(a.volume.thickness, b.volume.thickness);
+  EXPECT_EQ(a.volume.attenuation_distance, b.volume.attenuation_distance);
+  EXPECT_EQ(a.volume.attenuation_color, b.volume.attenuation_color);
+  EXPECT_EQ(a.volume.dispersion, b.volume.dispersion);
   EXPECT_EQ(a.coat.factor, b.coat.factor);
   EXPECT_EQ(a.coat.roughness, b.coat.roughness);
   EXPECT_EQ(a.sheen.color, b.sheen.color);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 // KHR_materials_clearcoat and KHR_materials_sheen as files say them: scene/gltf/MATERIALS.md.
 
 namespace asos {
@@ -93,6 +95,41 @@ TEST(ImportLayers, FilmsAreRead) {
   EXPECT_EQ(usual.thickness_min_nm, 100.0f);
   EXPECT_EQ(usual.thickness_max_nm, 400.0f);
   EXPECT_FALSE(film(json::object()).used());
+}
+
+TEST(ImportLayers, VolumesAreRead) {
+  const auto volume = [](json extension) {
+    return import_with("KHR_materials_volume", std::move(extension)).materials.at(0).volume;
+  };
+  const Volume all = volume({{"thicknessFactor", 0.5},
+                             {"thicknessTexture", {{"index", 0}}},
+                             {"attenuationDistance", 2.5},
+                             {"attenuationColor", {0.5, 0.25, 1}}});
+  EXPECT_EQ(all.thickness, 0.5f);
+  EXPECT_TRUE(all.thickness_texture.used());
+  EXPECT_EQ(all.attenuation_distance, 2.5f);
+  EXPECT_EQ(all.attenuation_color, glm::vec3(0.5f, 0.25f, 1.0f));
+  const Volume usual = volume({{"thicknessFactor", 1}});
+  EXPECT_EQ(usual.attenuation_distance, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(usual.attenuation_color, glm::vec3(1.0f));
+  EXPECT_EQ(volume(json::object()).thickness, 0.0f);
+  const Scene scene = import_with("KHR_materials_dispersion", {{"dispersion", 0.36}});
+  EXPECT_EQ(scene.materials.at(0).volume.dispersion, 0.36f);
+}
+
+TEST(ImportLayers, VolumesOutOfRangeAreRemarkedOn) {
+  for (const json& extension :
+       {json{{"thicknessFactor", -1}}, json{{"thicknessFactor", 1}, {"attenuationDistance", 0}},
+        json{{"thicknessFactor", 1}, {"attenuationDistance", -2}},
+        json{{"thicknessFactor", 1}, {"attenuationColor", {1, 2, 1}}}}) {
+    SCOPED_TRACE(extension.dump());
+    const Scene scene = import_with("KHR_materials_volume", extension);
+    EXPECT_EQ(scene.notes.warnings.size(), 1u);
+    const Volume& volume = scene.materials.at(0).volume;
+    EXPECT_GE(volume.thickness, 0.0f);
+    EXPECT_GT(volume.attenuation_distance, 0.0f);
+    EXPECT_LE(volume.attenuation_color.y, 1.0f);
+  }
 }
 
 TEST(ImportLayers, ByDefaultThereAreNone) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/geometry/bounds2.h"
+#include "renderer/reflections/mirrored_pyray.h"
+#include "renderer/reflections/ray_bundle.h"
+#include "renderer/shading/light_transport.h"
+
+#include <optional>
+
+namespace asos {
+
+/// A mirrored or refracted pyray, and the surface where its axis meets it.
+struct MirroredSight {
+  MirroredPyray pyray;
+  MirrorSurface surface;
+  std::optional<RayBundle> bundle;  ///< that the pyray stands for, once anything has refracted it
+};
+
+/// What a part of a viewer's frame becomes at the surface that it meets, where a lobe of `width` is
+/// around it. Refracted ones without a lobe are pyramids around bundles, for which one ray finds
+/// out how far they lead. Nothing where it has no extent or its numbers are not finite.
+[[nodiscard]] std::optional<MirroredSight> mirrored_sight(const EyeContext& eye,
+                                                          const Reflection& reflection,
+                                                          const Bounds2& part, float width,
+                                                          RenderStatistics& counts);
+
+}  // namespace asos

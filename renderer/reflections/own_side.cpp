@@ -1,0 +1,34 @@
+#include "renderer/reflections/own_side.h"
+
+#include "renderer/rays/back_face.h"
+
+#include <cmath>
+#include <limits>
+
+namespace asos {
+namespace {
+
+// More than are met where a ray grazes facets; a mesh whose triangles run in any order has more.
+constexpr int most_passed = 16;
+
+bool met_own_side(const VolumePath& passage, const World& world, const Ray& ray, const Hit& hit) {
+  return hit.valid() && world.triangle_part[hit.triangle] == passage.part &&
+         meets_back(world, hit, ray.direction) != passage.inside;
+}
+
+}  // namespace
+
+void pass_own_side(const VolumePath& passage, const World& world, const RayScene& scene,
+                   Culling faces, std::span<const Ray> rays, std::span<Hit> hits) {
+  if (!passage.left_boundary()) return;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    // What is attenuated is attenuated from where the ray starts.
+    Ray ray = rays[i];
+    for (int k = 0; k < most_passed && met_own_side(passage, world, ray, hits[i]); ++k) {
+      ray.t_near = std::nextafter(hits[i].t, std::numeric_limits<float>::infinity());
+      hits[i] = scene.closest(ray, faces);
+    }
+  }
+}
+
+}  // namespace asos
