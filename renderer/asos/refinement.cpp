@@ -20,9 +20,7 @@ namespace {
 
 /// The most that a surface makes of light, by its base colour.
 float brightest(const Material& material) {
-  glm::vec3 diffuse(material.base_color);
-  if (bounds_volume(material) && !material.transmission_texture.used())
-    diffuse *= 1.0f - material.transmission;
+  const glm::vec3 diffuse = diffuse_share(material) * glm::vec3(material.base_color);
   const glm::vec3 c = glm::clamp(diffuse + material.sheen.color, 0.0f, 1.0f);
   return std::max({c.x, c.y, c.z});
 }
@@ -107,7 +105,7 @@ std::span<const std::uint32_t> Refinement::saturated(std::uint32_t note) const {
 Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double share,
                                                     const LeafRegion& region) {
   const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
-  if (material.unlit) return {};
+  if (material.unlit || !(brightest(material) > 0.0f)) return {};
   const SurfacePoint point = samples_->point(sample);
   const Patch patch = patch_around(sample, region);
   const float reflected = brightest(material) * std::numbers::inv_pi_v<float>;
@@ -265,6 +263,13 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   return std::max(mirrored, reflected_angle(pyray, refracting(surface, ratio)) / widest);
 }
 
+// Whether that is too much of what shines through the boundary of a volume.
+bool Refinement::refracts_too_widely(SampleId sample, const LeafRegion& region) const {
+  const Hit& hit = samples_->hit(sample);
+  return bounds_volume(eye_->scene->world().material_of(hit.triangle)) &&
+         mirrored_width(sample, region) > 1.0;
+}
+
 bool Refinement::glints(SampleId sample, double share) const {
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = samples_->hit(sample);
@@ -292,7 +297,8 @@ bool Refinement::uneven_at_last(SampleId sample, double share, const LeafRegion&
       std::ldexp(eye_->viewer.pixel, -max_level) / static_cast<float>(eye_->block.width);
   return max_level > 0 && eye_->budget.refines() && !region.marginal &&
          samples_->hit(sample).valid() && region.square.side < 1.5f * finest &&
-         shading_error(sample, share, region).all() > eye_->budget.tolerance;
+         (shading_error(sample, share, region).all() > eye_->budget.tolerance ||
+          refracts_too_widely(sample, region));
 }
 
 // Whether the surface deviates from its plane by little, beside the patch: what lies closer to a

@@ -55,7 +55,8 @@ bool same_look(const World& world, const Material& a, const Material& b) {
                       m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.coat.factor,
                       m.coat.roughness, m.sheen.color, m.sheen.roughness, m.dfr, m.volume.thickness,
                       m.volume.attenuation_distance, m.volume.attenuation_color,
-                      m.volume.dispersion);
+                      m.volume.dispersion, m.diffuse_transmission.factor,
+                      m.diffuse_transmission.color);
   };
   const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
   return numbers(a) == numbers(b) &&

@@ -115,6 +115,17 @@ struct Volume {
   float dispersion = 0.0f;            ///< 20 / Abbe number, 0 and more
 };
 
+/// KHR_materials_diffuse_transmission: the share of what is not reflected by the lobe that goes
+/// through the surface, all ways alike, instead of back.
+struct DiffuseTransmission {
+  float factor = 0.0f;       ///< 0 to 1
+  glm::vec3 color{1.0f};     ///< linear, 0 to 1
+  TextureUse texture;        ///< A of `factor`, linear
+  TextureUse color_texture;  ///< sRGB
+
+  [[nodiscard]] bool used() const { return factor > 0.0f; }
+};
+
 /// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
 struct Material {
   std::string name;
@@ -143,19 +154,30 @@ struct Material {
   Sheen sheen;       ///< below the coat
   Iridescence film;  ///< below the sheen
   Volume volume;
+  DiffuseTransmission diffuse_transmission;
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
 };
 
 /// All textures that a material names, whether it uses them or not.
-[[nodiscard]] inline std::array<const TextureUse*, 16> texture_uses(const Material& m) {
-  return {&m.base_color_texture,     &m.metallic_roughness_texture,
-          &m.normal_texture,         &m.emissive_texture,
-          &m.specular_texture,       &m.specular_color_texture,
-          &m.transmission_texture,   &m.coat.texture,
-          &m.coat.roughness_texture, &m.coat.normal_texture,
-          &m.sheen.color_texture,    &m.sheen.roughness_texture,
-          &m.film.texture,           &m.film.thickness_texture,
-          &m.occlusion_texture,      &m.volume.thickness_texture};
+[[nodiscard]] inline std::array<const TextureUse*, 18> texture_uses(const Material& m) {
+  return {&m.base_color_texture,
+          &m.metallic_roughness_texture,
+          &m.normal_texture,
+          &m.emissive_texture,
+          &m.specular_texture,
+          &m.specular_color_texture,
+          &m.transmission_texture,
+          &m.coat.texture,
+          &m.coat.roughness_texture,
+          &m.coat.normal_texture,
+          &m.sheen.color_texture,
+          &m.sheen.roughness_texture,
+          &m.film.texture,
+          &m.film.thickness_texture,
+          &m.occlusion_texture,
+          &m.volume.thickness_texture,
+          &m.diffuse_transmission.texture,
+          &m.diffuse_transmission.color_texture};
 }
 
 /// Whether the surface is the boundary of a volume: rays that pass it are bent, and meet both of

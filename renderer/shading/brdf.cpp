@@ -62,12 +62,19 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   seen.specular = environment_specular(seen.f0, material.roughness, n_dot_v, seen.f90);
   seen.roughness = material.roughness;
   const glm::vec3 albedo =
-      material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission));
+      material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission) *
+                             (1.0f - material.diffuse_transmission));
   const float left = 1.0f - dielectric_f0;
   seen.diffuse = left * albedo;
   seen.falloff = left > 0.0f ? (dielectric_f90 - dielectric_f0) / left : 0.0f;
   seen.ambient = (material.occlusion * (1.0f - largest(seen.specular))) * albedo;
   return seen;
+}
+
+ViewedMaterial viewed_from_behind(SurfaceMaterial material, float n_dot_v) {
+  material.base_color = material.diffuse_transmission_color;
+  material.diffuse_transmission = 1.0f - material.diffuse_transmission;
+  return diffuse_part(viewed(material, n_dot_v));
 }
 
 ViewedMaterial diffuse_part(ViewedMaterial material) {

@@ -46,6 +46,10 @@ struct ViewedMaterial {
 /// through.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
 
+/// What shines through it diffusely (KHR_materials_diffuse_transmission), as its other side's
+/// diffuse part: weighed as its own is, for a viewer who is mirrored by the surface.
+[[nodiscard]] ViewedMaterial viewed_from_behind(SurfaceMaterial material, float n_dot_v);
+
 /// The same without its specular lobe, which keeps what it takes from the diffuse part.
 [[nodiscard]] ViewedMaterial diffuse_part(ViewedMaterial material);
 

@@ -24,6 +24,12 @@ struct Gloss {
   return m.coat.factor > 0.0f ? std::min(m.roughness, m.coat.roughness) : m.roughness;
 }
 
+/// The share of its base colour that it may reflect diffusely: none where a volume's boundary lets
+/// all through.
+[[nodiscard]] inline float diffuse_share(const Material& m) {
+  return bounds_volume(m) && !m.transmission_texture.used() ? 1.0f - m.transmission : 1.0f;
+}
+
 /// Whether highlights on it vary faster than diffuse light does.
 [[nodiscard]] inline bool may_be_glossy(const Material& m) {
   return m.metallic_roughness_texture.used() || least_roughness(m) < least_broad_roughness;

@@ -122,10 +122,12 @@ void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& ne
   for (const TextureUse* use :
        {&m.metallic_roughness_texture, &m.occlusion_texture, &m.specular_texture,
         &m.transmission_texture, &m.coat.texture, &m.coat.roughness_texture,
-        &m.sheen.roughness_texture, &m.film.texture, &m.film.thickness_texture})
+        &m.sheen.roughness_texture, &m.film.texture, &m.film.thickness_texture,
+        &m.diffuse_transmission.texture})
     add_use(uses, world, *use, TexelKind::data);
   add_use(uses, world, m.specular_color_texture, TexelKind::color);
   add_use(uses, world, m.sheen.color_texture, TexelKind::color);
+  add_use(uses, world, m.diffuse_transmission.color_texture, TexelKind::color);
   if (needs.normal_maps) {
     add_use(uses, world, m.normal_texture, TexelKind::normal);
     add_use(uses, world, m.coat.normal_texture, TexelKind::normal);

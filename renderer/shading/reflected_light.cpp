@@ -136,7 +136,8 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
                                                     glm::vec3 irradiance) {
   const ViewedMaterial& seen = point_.material;
   const bool mirrored = shows(point_.mirrored, light);
-  if (mirrored && seen.falloff == 0.0f) return {diffuse_brdf(seen, 0.0f)};
+  if (mirrored && (seen.falloff == 0.0f || seen.diffuse == glm::vec3(0.0f)))
+    return {diffuse_brdf(seen, 0.0f)};
   // Power over irradiance is the same for all colours: that of the strongest has the most digits.
   int strongest = 0;
   for (int i = 1; i < 3; ++i) {

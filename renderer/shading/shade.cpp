@@ -187,6 +187,15 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
   }
   if (layer.boundary) left *= 1.0f - largest(base.specular);
   add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
+  if (material.diffuse_transmission > 0.0f) {
+    SurfacePoint behind = point;
+    behind.geometric_normal = -point.geometric_normal;
+    behind.shading_normal = -point.shading_normal;
+    const ViewedPoint from_behind{behind, glm::reflect(to_viewer, point.shading_normal),
+                                  view.n_dot_v};
+    add_lit(seen, from_behind, viewed_from_behind(material, view.n_dot_v), below, transport,
+            radiance, counts);
+  }
   return left;
 }
 

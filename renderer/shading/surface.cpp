@@ -265,6 +265,17 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     }
   }
 
+  if (material.diffuse_transmission.used()) {
+    const DiffuseTransmission& through = material.diffuse_transmission;
+    surface.diffuse_transmission = through.factor;
+    surface.diffuse_transmission_color = through.color;
+    if (needs.textures && through.texture.used())
+      surface.diffuse_transmission *= sample(through.texture, TexelKind::data).a;
+    if (needs.textures && through.color_texture.used())
+      surface.diffuse_transmission_color *=
+          glm::vec3(sample(through.color_texture, TexelKind::color));
+  }
+
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
     if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {

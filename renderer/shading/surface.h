@@ -49,6 +49,8 @@ struct SurfaceMaterial {
   glm::vec3 base_color{1.0f};
   float opacity = 1.0f;  ///< coverage by the alpha mode, 0 to 1, without transmission
   float transmission = 0.0f;
+  float diffuse_transmission = 0.0f;  ///< share of the diffuse part that comes from behind
+  glm::vec3 diffuse_transmission_color{1.0f};
   float metallic = 0.0f;
   float roughness = 1.0f;
   glm::vec3 emission{0.0f};

@@ -110,7 +110,8 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const Material& material = world.material_of(hit.triangle);
   const glm::vec3 size = glm::abs(patch.right) + glm::abs(patch.down);
   if (material.unlit || !std::isfinite(size.x + size.y + size.z)) return 0.0f;
-  const glm::vec3 c = glm::vec3(material.base_color) + material.sheen.color;
+  const glm::vec3 c =
+      diffuse_share(material) * glm::vec3(material.base_color) + material.sheen.color;
   const float reflected = std::clamp(std::max({c.x, c.y, c.z}), 0.0f, 1.0f);
   const Bend bend = bend_of(world, hit, patch);
   const glm::vec3 position = ray.at(hit.t);

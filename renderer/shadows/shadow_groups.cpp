@@ -168,6 +168,9 @@ ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t inde
                                   std::uint64_t& rays_cast) {
   Group* group = group_of(point, patch);
   if (!group) return {};
+  // A group knows nothing of the other side of its surface, which light shines through diffusely.
+  const bool other_side = glm::dot(glm::dvec3(point.geometric_normal), group->plane.normal) < 0.0;
+  if (group->planar && other_side) return {};
   Answer& answer = group->answers[index];
   if (!answer.known) find(light, point, *group, answer, rays_cast);
   const bool on_plane =

@@ -125,6 +125,8 @@ void add_material(SceneNeeds& needs, const Material& m) {
                     m.occlusion_texture.used() || m.specular_texture.used() ||
                     m.specular_color_texture.used() || (m.emissive_texture.used() && emits(m));
   needs.textures |= m.film.texture.used() || m.film.thickness_texture.used();
+  needs.textures |=
+      m.diffuse_transmission.texture.used() || m.diffuse_transmission.color_texture.used();
   needs.textures |= m.sheen.color_texture.used() || m.sheen.roughness_texture.used();
   needs.textures |=
       m.coat.texture.used() || m.coat.roughness_texture.used() || m.coat.normal_texture.used();

@@ -127,6 +127,19 @@ void write_volume(const Volume& volume, json& out, GltfDocument& document) {
   }
 }
 
+void write_diffuse_transmission(const DiffuseTransmission& through, json& out,
+                                GltfDocument& document) {
+  if (!through.used()) return;
+  document.use_extension("KHR_materials_diffuse_transmission");
+  json& written = out["extensions"]["KHR_materials_diffuse_transmission"];
+  written = {{"diffuseTransmissionFactor", through.factor},
+             {"diffuseTransmissionColorFactor", numbers(through.color)}};
+  if (through.texture.used())
+    written["diffuseTransmissionTexture"] = texture_info(through.texture, document);
+  if (through.color_texture.used())
+    written["diffuseTransmissionColorTexture"] = texture_info(through.color_texture, document);
+}
+
 json material_json(const Material& material, GltfDocument& document) {
   json out{{"name", material.name}};
   json& pbr = out["pbrMetallicRoughness"];
@@ -168,6 +181,7 @@ json material_json(const Material& material, GltfDocument& document) {
   write_sheen(material.sheen, out, document);
   write_film(material.film, out, document);
   write_volume(material.volume, out, document);
+  write_diffuse_transmission(material.diffuse_transmission, out, document);
   if (material.transmission != 0.0f) {
     document.use_extension("KHR_materials_transmission");
     json& transmission = out["extensions"]["KHR_materials_transmission"];

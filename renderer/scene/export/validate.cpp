@@ -123,6 +123,12 @@ std::string material_fault(const Material& m, const Scene& scene) {
   if (!within(m.alpha_cutoff, 0.0, huge)) return "has an alpha cut-off that is no positive number";
   if (m.ior != 0.0f && !within(m.ior, 1.0, huge)) return "has an index of refraction below 1";
   if (!within(m.transmission, 0.0, 1.0)) return "has a transmission outside 0 to 1";
+  if (!within(m.diffuse_transmission.factor, 0.0, 1.0))
+    return "has a diffuse transmission outside 0 to 1";
+  for (int i = 0; i < 3; ++i) {
+    if (!within(m.diffuse_transmission.color[i], 0.0, 1.0))
+      return "has a diffuse transmission's colour outside 0 to 1";
+  }
   if (std::string fault = volume_fault(m.volume); !fault.empty()) return fault;
   if (!within(m.specular, 0.0, 1.0)) return "has a specular factor outside 0 to 1";
   for (int i = 0; i < 3; ++i) {

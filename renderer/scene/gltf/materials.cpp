@@ -43,6 +43,7 @@ class MaterialReader {
     read_sheen(m);
     read_film(m);
     read_volume(m);
+    read_diffuse_transmission(m);
     // Textures last: an unlit material needs none but its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
@@ -62,6 +63,7 @@ class MaterialReader {
     use_sheen(m);
     use_film(m);
     use_volume(m);
+    use_diffuse_transmission(m);
     if (glossy) {
       use_specular_glossiness(*glossy, m);
     } else if (const auto* e = extension(source_.extensions, "KHR_materials_specular")) {
@@ -225,6 +227,27 @@ class MaterialReader {
       m.volume.dispersion =
           within(number(*e, "dispersion").value_or(0.0), 0.0, 1e6, 0.0, "dispersion");
     }
+  }
+
+  void read_diffuse_transmission(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_diffuse_transmission");
+    if (!e) return;
+    DiffuseTransmission& through = m.diffuse_transmission;
+    through.factor = within(number(*e, "diffuseTransmissionFactor").value_or(0.0), 0.0, 1.0, 0.0,
+                            "diffuse transmission factor");
+    for (int c = 0; c < 3; ++c) {
+      through.color[c] = within(number_at(*e, "diffuseTransmissionColorFactor", c).value_or(1.0),
+                                0.0, 1.0, 1.0, "diffuse transmission colour");
+    }
+  }
+
+  void use_diffuse_transmission(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_diffuse_transmission");
+    DiffuseTransmission& through = m.diffuse_transmission;
+    if (!e || !through.used()) return;
+    through.texture = use_in(*e, "diffuseTransmissionTexture", "diffuse transmission");
+    through.color_texture =
+        use_in(*e, "diffuseTransmissionColorTexture", "diffuse transmission colour");
   }
 
   void read_attenuation_distance(const tinygltf::Value& e, Volume& volume) {

@@ -18,16 +18,34 @@ using nlohmann::json;
 
 namespace {
 
-constexpr auto supported = std::to_array<std::string_view>(
-    {"KHR_lights_punctual",        "EXT_lights_area",         "KHR_lights_area",
-     "KHR_materials_unlit",        "KHR_materials_ior",       "KHR_materials_emissive_strength",
-     "KHR_materials_transmission", "KHR_texture_transform",   "KHR_mesh_quantization",
-     "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
-     "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "MSFT_lod",
-     "KHR_materials_specular",     "KHR_implicit_shapes",     "ASOS_implicit_shape",
-     "KHR_animation_pointer",      "EXT_texture_webp",        "KHR_materials_pbrSpecularGlossiness",
-     "KHR_materials_clearcoat",    "KHR_materials_sheen",     "KHR_materials_variants",
-     "KHR_materials_iridescence",  "KHR_materials_volume",    "KHR_materials_dispersion"});
+constexpr auto supported = std::to_array<std::string_view>({"KHR_lights_punctual",
+                                                            "EXT_lights_area",
+                                                            "KHR_lights_area",
+                                                            "KHR_materials_unlit",
+                                                            "KHR_materials_ior",
+                                                            "KHR_materials_emissive_strength",
+                                                            "KHR_materials_transmission",
+                                                            "KHR_texture_transform",
+                                                            "KHR_mesh_quantization",
+                                                            "KHR_draco_mesh_compression",
+                                                            "EXT_meshopt_compression",
+                                                            "KHR_meshopt_compression",
+                                                            "EXT_mesh_gpu_instancing",
+                                                            "KHR_node_visibility",
+                                                            "MSFT_lod",
+                                                            "KHR_materials_specular",
+                                                            "KHR_implicit_shapes",
+                                                            "ASOS_implicit_shape",
+                                                            "KHR_animation_pointer",
+                                                            "EXT_texture_webp",
+                                                            "KHR_materials_pbrSpecularGlossiness",
+                                                            "KHR_materials_clearcoat",
+                                                            "KHR_materials_sheen",
+                                                            "KHR_materials_variants",
+                                                            "KHR_materials_iridescence",
+                                                            "KHR_materials_volume",
+                                                            "KHR_materials_dispersion",
+                                                            "KHR_materials_diffuse_transmission"});
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {

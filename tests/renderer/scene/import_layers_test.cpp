@@ -117,6 +117,25 @@ TEST(ImportLayers, VolumesAreRead) {
   EXPECT_EQ(scene.materials.at(0).volume.dispersion, 0.36f);
 }
 
+TEST(ImportLayers, DiffuseTransmissionIsRead) {
+  const auto through = [](json extension) {
+    const Scene scene = import_with("KHR_materials_diffuse_transmission", std::move(extension));
+    EXPECT_TRUE(scene.notes.warnings.empty());
+    EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
+    return scene.materials.at(0).diffuse_transmission;
+  };
+  const DiffuseTransmission all = through({{"diffuseTransmissionFactor", 0.5},
+                                           {"diffuseTransmissionTexture", {{"index", 0}}},
+                                           {"diffuseTransmissionColorFactor", {0.5, 0.25, 1}},
+                                           {"diffuseTransmissionColorTexture", {{"index", 0}}}});
+  EXPECT_EQ(all.factor, 0.5f);
+  EXPECT_EQ(all.color, glm::vec3(0.5f, 0.25f, 1.0f));
+  EXPECT_TRUE(all.texture.used());
+  EXPECT_TRUE(all.color_texture.used());
+  EXPECT_FALSE(through(json::object()).used());
+  EXPECT_EQ(through({{"diffuseTransmissionFactor", 1}}).color, glm::vec3(1.0f));
+}
+
 TEST(ImportLayers, VolumesOutOfRangeAreRemarkedOn) {
   for (const json& extension :
        {json{{"thicknessFactor", -1}}, json{{"thicknessFactor", 1}, {"attenuationDistance", 0}},

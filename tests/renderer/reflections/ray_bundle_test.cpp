@@ -1,0 +1,120 @@
+#include "renderer/reflections/ray_bundle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Bundles against rays of their own, traced one by one through a ball by Snell's law.
+
+namespace asos {
+namespace {
+
+constexpr double index = 1.5, radius = 2.0;
+
+struct Line {
+  glm::dvec3 origin, direction;
+};
+
+/// The line that leaves a ball around the origin at its near or its far side.
+Line through(const Line& in, double ratio, bool far) {
+  const double along = -glm::dot(in.origin, in.direction);
+  const double half = std::sqrt(radius * radius - glm::dot(in.origin, in.origin) + along * along);
+  const glm::dvec3 p = in.origin + (far ? along + half : along - half) * in.direction;
+  const glm::dvec3 n = (far ? -1.0 : 1.0) / radius * p;
+  const double c = -glm::dot(in.direction, n);
+  const double behind = std::sqrt(1.0 - ratio * ratio * (1.0 - c * c));
+  return {p, ratio * in.direction + (ratio * c - behind) * n};
+}
+
+/// The ball where a bundle meets it.
+MirrorSurface surface_at(const RayBundle& bundle, glm::dvec3 p, bool far, double ratio) {
+  MirrorSurface surface;
+  surface.position = p;
+  surface.normal = surface.geometric = (far ? -1.0 : 1.0) / radius * p;
+  const double t = glm::dot(p - bundle.origin, bundle.direction);
+  const auto moved = [&](glm::dvec3 edge) {
+    const glm::dvec3 n = surface.normal;
+    return edge - bundle.direction * (glm::dot(n, edge) / glm::dot(n, bundle.direction));
+  };
+  surface.turn_right = (far ? -1.0 : 1.0) / radius * moved(bundle.section(t).right);
+  surface.turn_down = (far ? -1.0 : 1.0) / radius * moved(bundle.section(t).down);
+  return refracting(surface, ratio);
+}
+
+RayBundle from_eye(double beside, double width) {
+  RayBundle bundle;
+  bundle.origin = {beside, 0.4, 9.0};
+  bundle.direction = glm::normalize(glm::dvec3(-0.1 * beside, 0.02, -1.0));
+  bundle.right = width * glm::normalize(across({1, 0, 0}, bundle.direction));
+  bundle.down = width * glm::normalize(across({0, -1, 0}, bundle.direction));
+  return bundle;
+}
+
+/// Through both of its sides.
+RayBundle bundle_through(const RayBundle& eye, Line* middle = nullptr) {
+  const Line first = through({eye.origin, eye.direction}, 1.0 / index, false);
+  const RayBundle inside = mirrored(eye, surface_at(eye, first.origin, false, 1.0 / index));
+  const Line second = through(first, index, true);
+  if (middle) *middle = second;
+  return mirrored(inside, surface_at(inside, second.origin, true, index));
+}
+
+TEST(RayBundle, ChangesAsItsRaysDo) {
+  constexpr double width = 1e-5;
+  for (const double beside : {0.0, 0.7, 1.4}) {
+    const RayBundle eye = from_eye(beside, width);
+    Line middle;
+    const RayBundle out = bundle_through(eye, &middle);
+    EXPECT_NEAR(glm::distance(out.origin, middle.origin), 0.0, 1e-9);
+    EXPECT_NEAR(glm::distance(out.direction, middle.direction), 0.0, 1e-9);
+    for (const glm::dvec2 at : {glm::dvec2(0.5, 0.0), {0.0, 0.5}, {-0.5, 0.5}}) {
+      const glm::dvec3 turned = eye.direction + at.x * eye.right + at.y * eye.down;
+      const Line ray =
+          through(through({eye.origin, glm::normalize(turned)}, 1.0 / index, false), index, true);
+      const glm::dvec3 moved = at.x * out.right_at + at.y * out.down_at;
+      const glm::dvec3 direction = at.x * out.right + at.y * out.down;
+      // To first order: what is left is of the second.
+      EXPECT_NEAR(glm::distance(ray.origin - middle.origin, moved), 0.0, 1e-3 * glm::length(moved));
+      EXPECT_NEAR(glm::distance(ray.direction - middle.direction, direction), 0.0,
+                  1e-3 * glm::length(direction));
+    }
+  }
+}
+
+TEST(RayBundle, PartsAreBundlesOfTheirOwn) {
+  const RayBundle eye = from_eye(0.7, 1e-3);
+  const Bounds2 corner{{0.5f, 0.0f}, {1.0f, 0.5f}};
+  const RayBundle part = bundle_through(eye).part(corner);
+  const RayBundle own = bundle_through(eye.part(corner));
+  EXPECT_NEAR(glm::distance(part.origin, own.origin), 0.0, 1e-5);
+  EXPECT_NEAR(glm::distance(part.direction, own.direction), 0.0, 1e-5);
+  EXPECT_NEAR(glm::distance(part.right, own.right), 0.0, 1e-2 * glm::length(own.right));
+}
+
+// Before the focus of the ball, in it, and beyond, where the picture is turned round.
+TEST(RayBundle, PyramidsPassThroughItsCorners) {
+  const RayBundle eye = from_eye(0.3, 1e-3);
+  const RayBundle out = bundle_through(eye);
+  MirrorSurface surface = surface_at(eye, out.origin, true, index);
+  surface.geometric = out.direction;
+  for (const double t : {0.2, 2.0, 5.0, 50.0}) {
+    const auto pyramid = pyramid_around(out, surface, t);
+    ASSERT_TRUE(pyramid) << t;
+    const PyrayPicture& p = pyramid->picture;
+    EXPECT_GT(pyramid->apex_distance, 0.0);
+    const MirrorPatch section = out.section(t);
+    const double ahead = pyramid->apex_distance + t;
+    const glm::dvec3 middle = out.origin + t * out.direction;
+    const double size = glm::length(section.right) + glm::length(section.down);
+    for (const glm::dvec2 at : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+      const glm::dvec3 corner = p.apex + ahead * (p.corner + at.x * p.right + at.y * p.down);
+      const glm::dvec3 expected =
+          middle +
+          across((at.x - 0.5) * section.right + (at.y - 0.5) * section.down, out.direction);
+      EXPECT_NEAR(glm::distance(corner, expected), 0.0, 1e-3 * size) << t;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos
