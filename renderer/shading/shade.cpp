@@ -121,7 +121,7 @@ glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point
                                 glm::vec3& radiance, RenderStatistics& counts) const {
   const VolumeBoundary& boundary = *layer.boundary;
   const auto follow = [&](float ratio, int colour, glm::vec3 share) {
-    if (!follows(seen, share)) return false;
+    if (layer.passage.straight || !follows(seen, share)) return false;
     // A facet that is turned by an angle turns the refracted ray by |1 - ratio| of it, and a
     // mirrored one by twice the angle.
     const double alpha = static_cast<double>(roughness * roughness);
@@ -313,6 +313,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
             add_refracted(seen, point, material.roughness, here, through, transport, sum, counts);
         share = share * (1.0f - material.opacity) + through;
         passage = boundary->refracted(passage);
+        passage.straight = passage.inside;
       } else {
         share *= (1.0f - material.opacity) +
                  material.opacity * left * material.transmission * material.base_color;

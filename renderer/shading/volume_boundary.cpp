@@ -29,7 +29,7 @@ std::optional<VolumeBoundary> VolumeBoundary::met(const World& world, const Hit&
 
 std::optional<float> VolumeBoundary::fresnel_cosine(float n_dot_v,
                                                     const VolumePath& passage) const {
-  if (entering) return n_dot_v;
+  if (entering || passage.straight) return n_dot_v;
   const float n = ratio_of(passage);
   const float squared = 1.0f - n * n * (1.0f - n_dot_v * n_dot_v);
   return squared > 0.0f ? std::optional(std::sqrt(squared)) : std::nullopt;

@@ -18,6 +18,7 @@ struct VolumePath {
   bool inside = false;           ///< on its inner side
   int colour = -1;               ///< of red, green and blue, the only one that it brings; -1: all
   int refractions = 0;           ///< on its way, among ViewedRay's bounces
+  bool straight = false;         ///< it has come in unbent, and leaves so
   glm::vec3 attenuation_color{1.0f};  ///< Volume's, inside
   float attenuation_distance = std::numeric_limits<float>::infinity();
 
@@ -34,6 +35,7 @@ struct VolumePath {
     next.inside = inner_side;
     next.colour = colour;
     next.refractions = refractions;
+    next.straight = inner_side && straight;
     if (!inner_side) return next;
     next.attenuation_color = volume.attenuation_color;
     next.attenuation_distance = volume.attenuation_distance;

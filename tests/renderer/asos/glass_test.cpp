@@ -1,115 +1,18 @@
-#include "renderer/shading/sky.h"
-#include "tests/support/render_picture.h"
+#include "tests/renderer/asos/glass_world.h"
 #include "tests/support/shape_world.h"
-#include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <optional>
 #include <vector>
 
-// Volumes of glass against closed forms: Snell's law, and Beer's and Lambert's.
+// Volumes of glass against closed forms of Snell's law.
 
-namespace asos::test::glass_test {
+namespace asos::test::glass {
 namespace {
-
-constexpr int picture_side = 12;  // of a picture, in pixels
-constexpr std::array methods{Method::asos, Method::sobol};
-
-/// Glass that reflects nothing, unless it has to reflect all.
-Material clear(float index) {
-  Material m = matte(glm::vec3(1.0f));
-  m.roughness = 0.0f;
-  m.specular = 0.0f;
-  m.transmission = 1.0f;
-  m.volume.thickness = 1.0f;
-  m.ior = index;
-  return m;
-}
-
-Material wall(glm::vec3 colour) {
-  Material m = unlit(colour);
-  m.double_sided = true;
-  return m;
-}
-
-/// A convex solid around a point within it, one part: its faces by their corners.
-void add_solid(World& world, const std::vector<std::vector<glm::vec3>>& faces, glm::vec3 within,
-               const Material& material) {
-  std::vector<TinyVertex> vertices;
-  std::vector<glm::uvec3> triangles;
-  for (std::vector<glm::vec3> face : faces) {
-    glm::vec3 n = glm::normalize(glm::cross(face[1] - face[0], face[2] - face[0]));
-    if (glm::dot(n, face[0] - within) < 0.0f) {
-      std::reverse(face.begin(), face.end());
-      n = -n;
-    }
-    const auto first = static_cast<std::uint32_t>(vertices.size());
-    for (const glm::vec3 p : face) vertices.push_back({p, n, {0, 0}});
-    for (std::uint32_t k = 2; k < face.size(); ++k)
-      triangles.emplace_back(first, first + k - 1, first + k);
-  }
-  add_part(world, vertices, triangles, material);
-}
-
-/// An outline in the xz plane, drawn out along y.
-void add_bar(World& world, const std::vector<glm::dvec2>& outline, float half_height,
-             const Material& material) {
-  std::vector<glm::vec3> low, high;
-  glm::vec3 middle(0.0f);
-  for (const glm::dvec2 p : outline) {
-    low.emplace_back(p.x, -half_height, p.y);
-    high.emplace_back(p.x, half_height, p.y);
-    middle += low.back() + high.back();
-  }
-  std::vector<std::vector<glm::vec3>> faces{low, high};
-  for (std::size_t i = 0; i < low.size(); ++i) {
-    const std::size_t k = (i + 1) % low.size();
-    faces.push_back({low[i], low[k], high[k], high[i]});
-  }
-  add_solid(world, faces, middle / static_cast<float>(2 * low.size()), material);
-}
-
-/// A plate through the origin, turned about y so that rays along -z meet it at this angle.
-void add_plate(World& world, double angle, double thickness, const Material& material) {
-  const glm::dvec2 out(std::sin(angle), std::cos(angle)), along(std::cos(angle), -std::sin(angle));
-  const glm::dvec2 half = 0.5 * thickness * out;
-  add_bar(world, {half - 5.0 * along, half + 5.0 * along, -half + 5.0 * along, -half - 5.0 * along},
-          5.0f, material);
-}
-
-/// White where x is below an edge, black beyond.
-void add_edge(World& world, double x, double z, double reach = 10.0) {
-  const auto at = static_cast<float>(x), far = static_cast<float>(reach);
-  const auto depth = static_cast<float>(z);
-  add_quad(world, {at - far, -far, depth}, {far, 0, 0}, {0, 2 * far, 0}, wall(glm::vec3(1.0f)));
-  add_quad(world, {at, -far, depth}, {far, 0, 0}, {0, 2 * far, 0}, wall(glm::vec3(0.0f)));
-}
-
-std::vector<glm::vec3> picture(const RenderScene& scene, const Camera& camera, Method method,
-                               std::shared_ptr<const Sky> sky = nullptr) {
-  RenderSettings settings;
-  settings.width = settings.height = picture_side;
-  settings.method = method;
-  settings.sampling.spp = method == Method::asos ? 1 : 256;
-  settings.sky = std::move(sky);
-  return render_picture(scene, camera, settings).film.radiance;
-}
-
-glm::dvec3 mean(const std::vector<glm::vec3>& pixels) {
-  glm::dvec3 sum(0.0);
-  for (const glm::vec3 p : pixels) sum += glm::dvec3(p);
-  return sum / static_cast<double>(pixels.size());
-}
-
-/// Where the edge between white on the left and black appears in a picture this wide.
-double edge_in(const std::vector<glm::vec3>& pixels, double width) {
-  return (mean(pixels).y - 0.5) * width;
-}
 
 TEST(Glass, APlateShiftsWhatLiesBehindIt) {
   constexpr double n = 1.5, thickness = 0.4;
@@ -229,47 +132,6 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
   }
 }
 
-TEST(Glass, AttenuatesByTheWayThroughIt) {
-  constexpr double n = 1.5, thickness = 0.4;
-  Material green = clear(static_cast<float>(n));
-  green.volume.attenuation_color = {0.25f, 0.9f, 0.0f};
-  green.volume.attenuation_distance = 0.5f;
-  for (const double i : {0.0, 0.8}) {
-    const double way = thickness / std::cos(std::asin(std::sin(i) / n));
-    World world;
-    add_plate(world, i, thickness, green);
-    add_quad(world, {-50, -50, -20}, {100, 0, 0}, {0, 100, 0}, wall(glm::vec3(1.0f)));
-    const auto scene = make_render_scene(std::move(world));
-    for (const Method method : methods) {
-      const glm::dvec3 seen = mean(picture(*scene, orthographic(0.5), method));
-      EXPECT_NEAR(seen.x, std::pow(0.25, way / 0.5), 1e-3);
-      EXPECT_NEAR(seen.y, std::pow(0.9, way / 0.5), 1e-3);
-      EXPECT_NEAR(seen.z, 0.0, 1e-3);
-    }
-  }
-}
-
-TEST(Glass, AddsNoLight) {
-  Material glass = clear(1.5f);
-  glass.specular = 1.0f;
-  const auto white = std::make_shared<const Sky>(glm::vec3(1.0f));
-  for (const float roughness : {0.0f, 0.3f, 0.8f}) {
-    glass.roughness = roughness;
-    World world;
-    add_shape(world, sphere(1.0), glm::dmat4(1.0), glass);
-    const auto scene = make_render_scene(std::move(world));
-    for (const Method method : methods) {
-      const std::vector<glm::vec3> seen = picture(*scene, orthographic(2.2), method, white);
-      EXPECT_LE(mean(seen).y, 1.001) << roughness << ", method " << static_cast<int>(method);
-      if (roughness > 0.0f) continue;
-      for (const glm::vec3 p : seen) {
-        EXPECT_LE(p.y, 1.001f) << "method " << static_cast<int>(method);
-        EXPECT_GE(p.y, 0.98f) << "method " << static_cast<int>(method);
-      }
-    }
-  }
-}
-
 /// What a ray along -z beside the axis sees through a ball of radius 1: where it meets a plane.
 std::optional<glm::dvec2> through_ball(glm::dvec2 at, double n, double z) {
   const double h2 = glm::dot(at, at);
@@ -341,4 +203,4 @@ TEST(Glass, ABallShowsTheWholeOfAChequeredWall) {
 }
 
 }  // namespace
-}  // namespace asos::test::glass_test
+}  // namespace asos::test::glass
