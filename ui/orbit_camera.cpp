@@ -48,6 +48,31 @@ void OrbitCamera::orbit(double azimuth_rad, double elevation_rad) {
   ++revision_;
 }
 
+void OrbitCamera::turn_to(double azimuth_rad, double elevation_rad) {
+  if (!std::isfinite(azimuth_rad) || !std::isfinite(elevation_rad)) return;
+  azimuth_rad_ = elevation_rad_ = roll_rad_ = 0.0;
+  orbit(azimuth_rad, elevation_rad);
+}
+
+void OrbitCamera::set_projection(Camera::Type type) {
+  if (type == lens_.type) return;
+  const double height_to_distance = 2.0 * std::tan(0.5 * lens_.fov_y_rad);
+  if (type == Camera::Type::orthographic) {
+    lens_.height = height_to_distance * distance_;
+    distance_ = std::max(distance_, glm::length(pivot_) + 2.0 * scene_radius_);
+  } else {
+    distance_ = lens_.height / height_to_distance;
+  }
+  lens_.type = type;
+  ++revision_;
+}
+
+void OrbitCamera::set_fov_y(double fov_y_rad) {
+  if (!(fov_y_rad > 0.0 && fov_y_rad < std::numbers::pi)) return;
+  lens_.fov_y_rad = fov_y_rad;
+  ++revision_;
+}
+
 void OrbitCamera::pan(double right, double down) {
   if (!std::isfinite(right) || !std::isfinite(down)) return;
   const double height = lens_.type == Camera::Type::perspective

@@ -25,6 +25,13 @@ class OrbitCamera {
   void pan(double right, double down);
   /// Multiplies the distance (orthographic: the height seen), within the scene's range.
   void dolly(double factor);
+  /// Looks at the pivot from this side, level.
+  void turn_to(double azimuth_rad, double elevation_rad);
+  /// Shows what lies at the pivot's depth as large as before. An orthographic camera stands far
+  /// enough away that it cuts nothing of the scene off.
+  void set_projection(Camera::Type type);
+  /// Full vertical field of view of a perspective, between 0 and pi; others are ignored.
+  void set_fov_y(double fov_y_rad);
   /// Keeps the direction and puts the pivot into the picture's middle.
   void look_at(glm::dvec3 pivot);
   /// Turns the view where it stands: to the left and up; stops at straight up and straight down.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace asos {
@@ -79,6 +80,25 @@ void Viewpoint::take_over(const Camera& camera, int index) {
   }
   if (distance > 0.0) camera_.set(camera, distance, radius);
   chosen_revision_ = camera_.revision();
+}
+
+void Viewpoint::look_from(Side side) {
+  if (!scene_) return;
+  constexpr double half_turn = std::numbers::pi, quarter = 0.5 * half_turn;
+  switch (side) {
+    case Side::front:
+      return camera_.turn_to(0.0, 0.0);
+    case Side::back:
+      return camera_.turn_to(half_turn, 0.0);
+    case Side::right:
+      return camera_.turn_to(quarter, 0.0);
+    case Side::left:
+      return camera_.turn_to(-quarter, 0.0);
+    case Side::top:
+      return camera_.turn_to(0.0, quarter);
+    case Side::bottom:
+      return camera_.turn_to(0.0, -quarter);
+  }
 }
 
 void Viewpoint::frame_all() {

@@ -33,6 +33,9 @@ class Viewpoint {
   /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
   /// scene.
   void take_over(const Camera& camera, int index = -1);
+  /// Looks at the same point from one side of the scene, as far away as before.
+  enum class Side { front, back, right, left, top, bottom };
+  void look_from(Side side);
   /// Keeps the direction and moves so that the whole scene fills the picture; orbits the scene's
   /// middle from then on. Until the camera is moved, the scene fills pictures of other shapes, too.
   void frame_all();

@@ -48,6 +48,53 @@ TEST(OrbitCamera, TakesOverAnyCameraExactly) {
   }
 }
 
+TEST(OrbitCamera, TurnsToASide) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({3, 4, 5}, {1, 2, 3}, {0.3, 1, 0.2}), 2.0, 1.0);
+  const glm::dvec3 pivot = orbit.pivot();
+  const auto expect_view = [&](double azimuth, double elevation, glm::dvec3 from, glm::dvec3 up) {
+    orbit.turn_to(azimuth, elevation);
+    EXPECT_LT(difference(orbit.camera().world_from_camera,
+                         camera_at(pivot + 2.0 * from, pivot, up).world_from_camera),
+              1e-12);
+  };
+  expect_view(0.0, 0.0, {0, 0, 1}, {0, 1, 0});
+  expect_view(0.5 * pi, 0.0, {1, 0, 0}, {0, 1, 0});
+  expect_view(pi, 0.0, {0, 0, -1}, {0, 1, 0});
+  expect_view(0.0, 0.5 * pi, {0, 1, 0}, {0, 0, -1});
+  expect_view(0.0, -0.5 * pi, {0, -1, 0}, {0, 0, 1});
+}
+
+// What a pixel shows at the pivot's depth stays there.
+TEST(OrbitCamera, ShowsThePivotsDepthAsLargeInEitherProjection) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 0, 5}, {0, 0, 3}, {0, 1, 0}), 2.0, 4.0);
+  const auto height = [&] {
+    const Ray ray = View(orbit.camera(), 100, 100).ray(50.0, 20.0);
+    return ray.origin.y + ray.direction.y * (orbit.pivot().z - ray.origin.z) / ray.direction.z;
+  };
+  const double before = height();
+  EXPECT_GT(before, 0.1);
+  orbit.set_projection(Camera::Type::orthographic);
+  EXPECT_EQ(orbit.camera().type, Camera::Type::orthographic);
+  EXPECT_NEAR(height(), before, 1e-6);  // rays are floats
+  EXPECT_GE(orbit.eye().z, 8.0) << "outside the scene, of which it would cut something off";
+  orbit.set_projection(Camera::Type::perspective);
+  EXPECT_NEAR(height(), before, 1e-6);  // rays are floats
+  EXPECT_NEAR(orbit.distance(), 2.0, 1e-12);
+}
+
+TEST(OrbitCamera, TakesAFieldOfViewThatIsOne) {
+  OrbitCamera orbit;
+  orbit.set(camera_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}), 5.0, 1.0);
+  orbit.set_fov_y(1.25);
+  EXPECT_EQ(orbit.camera().fov_y_rad, 1.25);
+  for (const double bad : {0.0, -1.0, pi, std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity()})
+    orbit.set_fov_y(bad);
+  EXPECT_EQ(orbit.camera().fov_y_rad, 1.25);
+}
+
 TEST(OrbitCamera, TakesOverCamerasAtThePoles) {
   for (const double y : {1.0, -1.0}) {
     for (const glm::dvec3 up :

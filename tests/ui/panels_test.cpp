@@ -380,6 +380,10 @@ TEST_F(PanelsTest, EveryWidgetThatChangesSomethingHasATooltip) {
                            "View",
                            "Frame all",
                            "Reset view",
+                           "Front",
+                           "Right",
+                           "Top",
+                           "Field of view",
                            "Open...",
                            "Save picture"}) {
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;

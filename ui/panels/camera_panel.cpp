@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,47 @@ void camera_list(Controls& controls, Viewpoint& viewpoint, const std::vector<Cam
   }
 }
 
+void side_buttons(Controls& controls, Viewpoint& viewpoint) {
+  using Side = Viewpoint::Side;
+  struct Button {
+    const char* name;
+    const char* tooltip;
+    Side side;
+  };
+  constexpr std::array buttons{
+      Button{"Front", "Look at the same point along -Z. Keys: 1; Ctrl + 1 from behind.",
+             Side::front},
+      Button{"Right", "Look at the same point along -X. Keys: 3; Ctrl + 3 from the left.",
+             Side::right},
+      Button{"Top", "Look at the same point from above. Keys: 7; Ctrl + 7 from below.", Side::top},
+  };
+  const float gaps = 2.0f * ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gaps) / 3.0f;
+  for (const Button& button : buttons) {
+    if (button.side != Side::front) ImGui::SameLine();
+    if (controls.button(button.name, button.tooltip, width)) viewpoint.look_from(button.side);
+  }
+}
+
+constexpr std::array projections{
+    Controls::Option{"Perspective", "What is farther away looks smaller. Key: 5."},
+    Controls::Option{"Orthographic", "What is farther away looks as large. Key: 5."},
+};
+
+void lens_controls(Controls& controls, OrbitCamera& camera) {
+  const Camera now = camera.camera();
+  int chosen = now.type == Camera::Type::perspective ? 0 : 1;
+  if (controls.options("Projection", projections, chosen, {false, std::nullopt}))
+    camera.set_projection(chosen == 0 ? Camera::Type::perspective : Camera::Type::orthographic);
+  if (chosen == 1) return;
+  constexpr float usual_deg = 45.0f;
+  float fov_deg = static_cast<float>(glm::degrees(now.fov_y_rad));
+  if (controls.slider(
+          "Field of view", "From the picture's lower edge to its upper one, in degrees.", fov_deg,
+          {1.0f, 170.0f, usual_deg}, [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
+    camera.set_fov_y(glm::radians(static_cast<double>(fov_deg)));
+}
+
 }  // namespace
 
 void camera_panel(Controls& controls, Previewer& previewer) {
@@ -45,6 +88,8 @@ void camera_panel(Controls& controls, Previewer& previewer) {
                       width)) {
     viewpoint.choose_camera(viewpoint.chosen_camera());
   }
+  side_buttons(controls, viewpoint);
+  lens_controls(controls, viewpoint.camera());
 }
 
 }  // namespace asos

@@ -24,11 +24,12 @@ constexpr std::array help_lines{
     HelpLine{"Double click", "orbit about this point"},
     HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
     HelpLine{"Home, F", "frame the whole scene"},
+    HelpLine{"1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
     HelpLine{"Click", "see how a pixel was split"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + wheel, + and -", "zoom into the pixels"},
     HelpLine{"Right drag, zoomed", "move the picture"},
-    HelpLine{"1", "back to one to one"},
+    HelpLine{"0", "back to one to one"},
     HelpLine{"S, X", "store the picture, flip to it and back"},
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
@@ -44,8 +45,7 @@ constexpr std::array help_lines{
     HelpLine{"P, F12", "save the picture as PNG"},
     HelpLine{"Ctrl + S", "save it as EXR, larger, or with the window"},
     HelpLine{"F1, ?", "this help"},
-    HelpLine{"Esc", "close what is open"},
-    HelpLine{"Ctrl + Q", "quit"},
+    HelpLine{"Esc; Ctrl + Q", "close what is open; quit"},
 };
 
 }  // namespace
@@ -120,6 +120,21 @@ void pause_or_go_on(Refinement& refinement) {
   }
 }
 
+void camera_shortcuts(Viewpoint& viewpoint) {
+  using Side = Viewpoint::Side;
+  constexpr std::array keys{Key::one, Key::three, Key::seven};
+  constexpr std::array sides{Side::front, Side::right, Side::top};
+  constexpr std::array opposites{Side::back, Side::left, Side::bottom};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (shortcut_pressed(keys[i])) viewpoint.look_from(sides[i]);
+    if (shortcut_pressed(keys[i], true)) viewpoint.look_from(opposites[i]);
+  }
+  if (!shortcut_pressed(Key::five)) return;
+  OrbitCamera& camera = viewpoint.camera();
+  const bool perspective = camera.camera().type == Camera::Type::perspective;
+  camera.set_projection(perspective ? Camera::Type::orthographic : Camera::Type::perspective);
+}
+
 // Escape closes, one thing after the other, and never quits.
 void close_something(UiState& state, Previewer& previewer) {
   if (state.show_help) {
@@ -164,7 +179,8 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());
   if (shortcut_pressed(Key::f6)) state.focus_panel = true;
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
-  if (shortcut_pressed(Key::one)) state.view.reset();
+  if (shortcut_pressed(Key::zero)) state.view.reset();
+  if (previewer.scene()) camera_shortcuts(previewer.viewpoint());
   const glm::vec2 middle = state.view.area_middle();
   if (shortcut_pressed(Key::plus)) state.view.zoom_at(middle, 1);
   if (shortcut_pressed(Key::minus)) state.view.zoom_at(middle, -1);
