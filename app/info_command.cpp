@@ -18,12 +18,14 @@ namespace {
 struct InfoArguments {
   std::string scene;
   std::string variant;
+  std::string scene_of_file;
   NeedsChoice needs = NeedsChoice::scene;
   bool json = false;
 };
 
 int run_info(const InfoArguments& arguments, const Streams& streams) {
-  Result<Scene> scene = open_scene_argument(arguments.scene, {.variant = arguments.variant});
+  Result<Scene> scene = open_scene_argument(
+      arguments.scene, {.variant = arguments.variant, .scene = arguments.scene_of_file});
   // All of what a render would do first, for what a scene does not need is known only then.
   const auto ready = scene
                          .and_then([&](const Scene& opened) {
@@ -46,7 +48,7 @@ Command add_info_command(CLI::App& program) {
   CLI::App* parser = program.add_subcommand(
       "info", "Say what a scene holds, what is unsupported and what is left out");
   add_scene_argument(*parser, arguments->scene, true);
-  add_variant_option(*parser, arguments->variant);
+  add_scene_choices(*parser, arguments->scene_of_file, arguments->variant);
   add_needs_option(*parser, arguments->needs);
   parser->add_flag("--json", arguments->json, "Answer in JSON");
   parser->footer(

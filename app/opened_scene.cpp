@@ -20,8 +20,9 @@ std::optional<ClipTime> time_of_from(const PictureArguments& wanted) {
 Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
   const std::optional<ClipTime> as_before = time_of_from(wanted);
   const bool moves = wanted.clip.any() || as_before;
-  Result<Scene> scene =
-      open_scene_argument(wanted.scene, {.keep_rig = moves, .variant = variant_of(wanted)});
+  LoadOptions options = load_options_of(wanted);
+  options.keep_rig = moves;
+  Result<Scene> scene = open_scene_argument(wanted.scene, options);
   if (!scene) return tl::unexpected(scene.error());
   OpenedScene opened;
   opened.at_rest_ = *std::move(scene);

@@ -294,9 +294,12 @@ void add_look_options(CLI::App& app, PictureArguments& arguments) {
   add_needs_option(app, arguments.needs);
 }
 
-std::string variant_of(const PictureArguments& arguments) {
+LoadOptions load_options_of(const PictureArguments& arguments) {
   const bool same = arguments.from && arguments.from->scene == arguments.scene;
-  return arguments.variant.empty() && same ? arguments.from->variant : arguments.variant;
+  LoadOptions options = same ? arguments.from->load_options() : LoadOptions{};
+  if (!arguments.variant.empty()) options.variant = arguments.variant;
+  if (!arguments.scene_of_file.empty()) options.scene = arguments.scene_of_file;
+  return options;
 }
 
 Result<RenderSettings> with_sky(const PictureArguments& arguments) {

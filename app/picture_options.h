@@ -5,6 +5,7 @@
 #include "app/values.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
+#include "renderer/scene/load.h"
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
 
@@ -20,7 +21,8 @@ namespace asos {
 /// The arguments that the window and `render` share: a scene, how to render it, and from where.
 struct PictureArguments {
   std::string scene = "builtin:office";
-  std::string variant;  ///< of its materials, as asked for; see variant_of
+  std::string variant;        ///< of its materials, as asked for; see load_options_of
+  std::string scene_of_file;  ///< by number or name, as asked for; likewise
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
@@ -48,9 +50,9 @@ void add_needs_option(CLI::App& app, NeedsChoice& needs);
 /// choose methods and their quality by themselves.
 void add_look_options(CLI::App& app, PictureArguments& arguments);
 
-/// The variant of the scene's materials that is shown: the one asked for, or else that of the saved
-/// picture whose settings are taken, if it is of the same scene. Empty: none.
-[[nodiscard]] std::string variant_of(const PictureArguments& arguments);
+/// Which of the file's scenes is shown in which variant of its materials: those asked for, or else
+/// those of the saved picture whose settings are taken, if it is of the same file.
+[[nodiscard]] LoadOptions load_options_of(const PictureArguments& arguments);
 
 /// The settings with the sky that was asked for, which is read where it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);

@@ -106,10 +106,11 @@ tl::unexpected<Error> interrupted_error() {
 }
 
 // The parts of the saved picture that are not overridden: its lights belong to its scene alone.
-PictureDescription wanted_picture(const PictureArguments& wanted) {
+PictureDescription wanted_picture(const PictureArguments& wanted, const SceneContents& shown) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
   picture.needs = wanted.needs;
-  if (picture.scene != wanted.scene) {
+  const int number = picture.scene_number < 0 ? shown.default_scene : picture.scene_number;
+  if (picture.scene != wanted.scene || number != shown.shown_scene) {
     picture.lights.reset();
     picture.dfrs.reset();
   }
@@ -184,7 +185,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const FrameRequest
   if (!outputs) return tl::unexpected(outputs.error());
   std::optional<AbandonableWork> building(std::in_place, last_words(arguments));
   const PictureArguments& wanted = arguments.picture;
-  const PictureDescription picture = wanted_picture(wanted);
+  const PictureDescription picture = wanted_picture(wanted, work.scene.contents());
 
   // Make it ready to render; with a limit of time the picture begins with what rays alone can tell
   if (bar.pictures() == 1) bar.say("Building ...");
@@ -320,7 +321,7 @@ Command add_render_command(CLI::App& program) {
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
-  add_variant_option(*parser, arguments->picture.variant);
+  add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant);
   add_clip_options(*parser, arguments->picture.clip);
   parser
       ->add_option("--frames", arguments->frames,

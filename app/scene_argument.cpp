@@ -95,7 +95,11 @@ Result<Scene> make_builtin_scene(const std::string& text) {
   return load_scene(std::string(builtin_prefix) + name);
 }
 
-void add_variant_option(CLI::App& app, std::string& variant) {
+void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant) {
+  app.add_option("--scene", scene,
+                 "Which of the file's scenes, by its number from 0 or its name [the file's "
+                 "default]")
+      ->type_name("N|NAME");
   app.add_option("--variant", variant,
                  "Which of the file's variants of its materials, by name (KHR_materials_variants) "
                  "[none: the materials that it shows by default]")

@@ -23,8 +23,8 @@ namespace asos {
 /// The built-in scene called `name` ("office" or "builtin:office").
 [[nodiscard]] Result<Scene> make_builtin_scene(const std::string& name);
 
-/// The option that names one of the file's variants of its materials.
-void add_variant_option(CLI::App& app, std::string& variant);
+/// The options that choose one of the file's scenes, and one of its variants of its materials.
+void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant);
 
 /// The positional argument SCENE. `required`: there is no default.
 void add_scene_argument(CLI::App& app, std::string& scene, bool required);

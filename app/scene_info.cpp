@@ -90,7 +90,8 @@ Json contents_json(const SceneContents& contents) {
           {"morphs", std::move(morphs)},
           {"variants", contents.variants},
           {"scenes", contents.scenes},
-          {"shown_scene", contents.shown_scene}};
+          {"shown_scene", contents.shown_scene},
+          {"default_scene", contents.default_scene}};
 }
 
 std::string quoted(const Json& name) {
@@ -129,7 +130,12 @@ std::string contents_lines(const Json& info) {
                                         : "\"" + n.get<std::string>() + "\"";
   };
   text += numbered_lines("Variants", info["variants"], name);
-  if (info["scenes"].size() > 1) text += numbered_lines("Scenes", info["scenes"], name);
+  const Json& scenes = info["scenes"];
+  for (std::size_t i = 0; scenes.size() > 1 && i < scenes.size(); ++i) {
+    if (i == 0) text += fmt::format("Scenes:     {}\n", scenes.size());
+    text += fmt::format("  {}: {}{}\n", i, name(scenes[i]),
+                        info["shown_scene"] == i ? ", the one described here" : "");
+  }
   return text;
 }
 

@@ -9,8 +9,14 @@ namespace {
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
   return [](const SceneSource& source) {
-    return load_scene(source.path, {.keep_rig = true, .variant = source.variant});
+    return load_scene(source.path,
+                      {.keep_rig = true, .variant = source.variant, .scene = source.scene});
   };
+}
+
+/// Where the file's default is meant, that is what is asked for, whichever it becomes.
+std::string name_of(const SceneContents& contents, int scene) {
+  return scene == contents.default_scene ? std::string() : std::to_string(scene);
 }
 
 }  // namespace
@@ -30,14 +36,25 @@ void OpenScene::open(const std::string& source) {
   ask_for({source});
 }
 
+void OpenScene::open(SceneSource source) {
+  ask_for(std::move(source));
+}
+
 void OpenScene::reload() {
   if (scene_) show_variant(scene_->geometry->contents.variant);
 }
 
 void OpenScene::show_variant(const std::string& variant) {
   if (!scene_) return;
-  ask_for({scene_->geometry->source, variant});
+  const SceneContents& contents = scene_->geometry->contents;
+  ask_for({scene_->geometry->source, variant, name_of(contents, contents.shown_scene)});
   reloading_ = true;
+}
+
+void OpenScene::show_scene(int index) {
+  if (!scene_) return;
+  const SceneContents& contents = scene_->geometry->contents;
+  ask_for({scene_->geometry->source, contents.variant, name_of(contents, index)});
 }
 
 bool OpenScene::is(const RenderScene& scene) const {

@@ -26,10 +26,13 @@ class OpenScene {
   /// Loads in the background. The open scene stays until the new one is there, and where that
   /// fails. A saved picture (.png, .exr) brings its scene, camera, lights and settings.
   void open(const std::string& source);
+  void open(SceneSource source);
   /// Loads the open scene's file again; the view stays.
   void reload();
   /// The same with this variant of its materials, or empty: none.
   void show_variant(const std::string& variant);
+  /// Another of the file's scenes, seen as it asks for; an index into SceneContents::scenes.
+  void show_scene(int index);
 
   explicit operator bool() const { return scene_ != nullptr; }
   const RenderScene* operator->() const { return scene_.get(); }

@@ -30,8 +30,13 @@ Result<PictureDescription> read_picture(const std::string& source) {
   return picture;
 }
 
+SceneSource source_of(const PictureDescription& picture) {
+  const LoadOptions options = picture.load_options();
+  return {picture.scene, options.variant, options.scene};
+}
+
 void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds& forced,
-               const std::string& variant) {
+               const SceneSource& asked) {
   const auto start = std::chrono::steady_clock::now();
   if (is_picture(outcome.source)) {
     Result<PictureDescription> picture = read_picture(outcome.source);
@@ -41,9 +46,7 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
     }
     outcome.picture = *std::move(picture);
   }
-  const SceneSource source = outcome.picture
-                                 ? SceneSource{outcome.picture->scene, outcome.picture->variant}
-                                 : SceneSource{outcome.source, variant};
+  const SceneSource source = outcome.picture ? source_of(*outcome.picture) : asked;
   for (const std::string& file : source_files(source)) outcome.files.push_back(FileStamp::of(file));
   const Result<Scene> scene = load(source);
   outcome.load_seconds = seconds_since(start);
@@ -60,7 +63,7 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
   LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
   // Memory can run out anywhere in a large scene; that is an error to show, not an end.
   try {
-    load_into(outcome, load, forced, source.variant);
+    load_into(outcome, load, forced, source);
   } catch (const std::bad_alloc&) {
     outcome.scene = unexpected(Error{source.path, "not enough memory to load this scene"});
   } catch (const std::exception& e) {

@@ -15,10 +15,11 @@
 
 namespace asos {
 
-/// What to open: "builtin:NAME" or a path, which it stands for, and which variant of its materials.
+/// What to open: "builtin:NAME" or a path, which it stands for, and what of it is shown.
 struct SceneSource {
   std::string path;
-  std::string variant{};  ///< empty: none
+  std::string variant{};  ///< of its materials; empty: none
+  std::string scene{};    ///< of the file's; see LoadOptions
 
   operator const std::string&() const { return path; }
 };

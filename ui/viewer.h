@@ -2,13 +2,12 @@
 
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
-
-#include <string>
+#include "ui/scene_loader.h"
 
 namespace asos {
 
 struct ViewerOptions {
-  std::string source = "builtin:office";  ///< path or "builtin:NAME", opened in the background
+  SceneSource source{"builtin:office"};  ///< opened in the background
   /// The settings to start with. width and height are the picture's size that the window tries to
   /// offer; from then on the picture follows the window.
   RenderSettings settings;

@@ -83,6 +83,7 @@ constexpr const char* tone_key = "tone";
 
 // Told only where there is one, likewise.
 constexpr const char* variant_key = "variant";
+constexpr const char* scene_number_key = "scene_number";
 
 template <typename Fields, typename Display>
 void each_display_value(Fields& fields, Display& display) {
@@ -97,6 +98,10 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
   fields("scene", read.scene);
   read.scene = path_of_text(read.scene);
   if (fields.has(variant_key)) fields(variant_key, read.variant);
+  if (fields.has(scene_number_key)) {
+    fields(scene_number_key, read.scene_number);
+    if (read.scene_number < 0) fields.refuse(scene_number_key, "is below 0");
+  }
   fields("origin", read.origin);
   fields.named("needs", needs_names, read.needs);
   if (const OrderedJson* at = fields.take("camera"))
@@ -134,6 +139,12 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
 
 }  // namespace
 
+LoadOptions PictureDescription::load_options() const {
+  return {.keep_rig = time.has_value(),
+          .variant = variant,
+          .scene = scene_number < 0 ? std::string() : std::to_string(scene_number)};
+}
+
 Camera PictureDescription::camera_from(glm::dvec3 other_origin) const {
   Camera moved = camera;
   moved.world_from_camera[3] += glm::dvec4(origin - other_origin, 0.0);
@@ -155,6 +166,9 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
   PictureDescription description;
   description.scene = absolute_source(scene.geometry->source);
   description.variant = scene.geometry->contents.variant;
+  if (const SceneContents& contents = scene.geometry->contents;
+      contents.shown_scene != contents.default_scene)
+    description.scene_number = contents.shown_scene;
   description.origin = scene.world().origin;
   description.camera = camera;
   description.settings = settings;
@@ -173,6 +187,7 @@ std::string description_text(const PictureDescription& description) {
   fields("format", PictureDescription::format);
   fields("scene", text_of_path(description.scene));
   if (!description.variant.empty()) fields(variant_key, description.variant);
+  if (description.scene_number >= 0) fields(scene_number_key, description.scene_number);
   fields("origin", description.origin);
   fields.named("needs", needs_names, description.needs);
   fields.other("camera", camera_json(description.camera));

@@ -5,6 +5,7 @@
 #include "renderer/film/tone.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
+#include "renderer/scene/load.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/shading/sky_choice.h"
@@ -40,6 +41,7 @@ struct PictureDescription {
 
   std::string scene;       ///< "builtin:NAME", or a path, which `describe` makes absolute
   std::string variant;     ///< of the scene's materials (LoadOptions); empty: none
+  int scene_number = -1;   ///< of the file's scenes, where it is not its default; -1: that
   glm::dvec3 origin{0.0};  ///< World::origin, which camera and lights are relative to
   Camera camera;
   RenderSettings settings;
@@ -50,6 +52,8 @@ struct PictureDescription {
   std::optional<ClipTime> time;              ///< of what moves; none: as the file's nodes place it
   PictureDisplay display;
 
+  /// How the scene's file is opened.
+  [[nodiscard]] LoadOptions load_options() const;
   /// The camera and the lights relative to another origin.
   [[nodiscard]] Camera camera_from(glm::dvec3 other_origin) const;
   [[nodiscard]] std::vector<Light> lights_from(glm::dvec3 other_origin) const;
@@ -73,7 +77,8 @@ struct PictureDescription {
 [[nodiscard]] Error scene_of_picture_error(const std::string& file, const Error& error);
 
 /// The scene that was loaded, at rest and with its rig where the picture is of another time, made
-/// ready, lit and blurring as the picture says. Errors name its file.
+/// ready, lit and blurring as the picture says, whose settings have their sky. Errors name its
+/// file.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
     const Scene& scene, const PictureDescription& description);
 /// The same of a scene that is at the picture's time already, on the stage of the one at rest;

@@ -40,6 +40,7 @@ struct SceneContents {
   std::vector<Morph> morphs;
   std::vector<std::string> scenes;     ///< the file's
   int shown_scene = -1;                ///< index into `scenes`; -1: all nodes
+  int default_scene = -1;              ///< the one that is shown unless another is asked for
   std::vector<std::string> variants;   ///< KHR_materials_variants
   std::string variant;                 ///< the one of them that is shown; empty: none
   std::size_t cameras_not_placed = 0;  ///< of the file's cameras, those that no shown node has

@@ -30,6 +30,8 @@ Result<Scene> load_scene(const std::string& source, const LoadOptions& options) 
   if (source.starts_with(prefix)) {
     if (!options.variant.empty())
       return unexpected(Error{source, "built-in scenes have no variants of their materials"});
+    if (!options.scene.empty())
+      return unexpected(Error{source, "built-in scenes have no other scenes to choose from"});
     return load_builtin(source, std::string_view(source).substr(prefix.size()));
   }
   if (source.empty()) return unexpected(Error{"scene", "no file is named"});

@@ -10,11 +10,11 @@
 namespace asos {
 
 struct LoadOptions {
-  int scene_index = -1;  ///< which of the file's scenes; -1: the file's default
   /// Refused above this, before anything of that size is allocated.
   std::uint64_t max_triangles = 60'000'000;
   bool keep_rig = false;     ///< Scene::rig is set where the file has animations
   std::string variant = {};  ///< of the file's materials (KHR_materials_variants); empty: none
+  std::string scene = {};  ///< of the file's, by its number from 0 or its name; empty: its default
 };
 
 /// Opens "builtin:NAME" or the path of a .gltf or .glb file. The error names the file and the

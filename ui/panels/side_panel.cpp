@@ -1,5 +1,6 @@
 #include "ui/panels/side_panel.h"
 
+#include "ui/panels/scenes_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/variants_panel.h"
 #include "ui/screenshot.h"
@@ -53,6 +54,7 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
   const RenderScene* scene = previewer.scene().get();
   // First, so that what is said of a file at rest does not move its buttons when it plays.
   timeline_panel(controls, previewer.playback());
+  scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
   if (scene) warnings_panel(controls, notes_of(*scene));
   antialiasing_panel(controls, previewer, jobs.forecast);

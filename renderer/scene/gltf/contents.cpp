@@ -36,9 +36,11 @@ std::string scenes_line(const SceneContents& contents) {
   const std::string one = listed({contents.scenes[static_cast<std::size_t>(contents.shown_scene)]});
   const std::string shown = one == "0" ? std::to_string(contents.shown_scene) : one;
   const std::size_t others = contents.scenes.size() - 1;
-  return fmt::format("{} of the file {} not shown: {}; the picture is of scene {}",
-                     counted(others, "other scene", "other scenes"), others == 1 ? "is" : "are",
-                     listed(contents.scenes, contents.shown_scene), shown);
+  return fmt::format(
+      "{} of the file {} not shown: {}; the picture is of scene {} (--scene "
+      "shows another)",
+      counted(others, "other scene", "other scenes"), others == 1 ? "is" : "are",
+      listed(contents.scenes, contents.shown_scene), shown);
 }
 
 }  // namespace

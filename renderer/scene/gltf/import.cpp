@@ -2,6 +2,7 @@
 #include "renderer/scene/gltf/contents.h"
 #include "renderer/scene/gltf/importer.h"
 #include "renderer/scene/gltf/materials.h"
+#include "renderer/scene/gltf/scene_choice.h"
 #include "renderer/scene/gltf/variants.h"
 #include "renderer/scene/load.h"
 #include "renderer/scene/rig.h"
@@ -18,25 +19,6 @@ namespace asos {
 namespace gltf {
 namespace {
 
-Checked<int> choose_scene(Document& doc, const LoadOptions& options) {
-  const auto count = static_cast<int>(doc.model.scenes.size());
-  if (options.scene_index >= count) {
-    return fault(fmt::format("has {} scenes, so there is no scene {}", count, options.scene_index));
-  }
-  if (options.scene_index >= 0) return options.scene_index;
-  if (count == 0) {
-    if (!doc.model.nodes.empty()) doc.warnings.add("has no scene; all its nodes are shown");
-    return -1;
-  }
-  if (doc.model.defaultScene >= count) {
-    doc.warnings.add(fmt::format("its default scene {} does not exist; scene 0 is shown",
-                                 doc.model.defaultScene));
-  } else if (doc.model.defaultScene >= 0) {
-    return doc.model.defaultScene;
-  }
-  return 0;
-}
-
 /// A file, and what an import learns of it once, whatever the time.
 class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile> {
  public:
@@ -49,10 +31,14 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     clips_ = read_clips(doc_, accessors_);
     still_.morphing_nodes = morphing_nodes(clips_);
     still_.wanted = keeps_rig();
-    const Checked<int> chosen = choose_scene(doc_, options_);
-    if (!chosen) return fault(chosen.error());
-    shown_scene_ = *chosen;
-    if (*chosen >= 0) base_.name = doc_.model.scenes[static_cast<std::size_t>(*chosen)].name;
+    shown_scene_ = default_scene_ = default_scene(doc_);
+    if (!options_.scene.empty()) {
+      const Checked<int> chosen = find_scene(doc_, options_.scene);
+      if (!chosen) return fault(chosen.error());
+      shown_scene_ = *chosen;
+    }
+    if (shown_scene_ >= 0)
+      base_.name = doc_.model.scenes[static_cast<std::size_t>(shown_scene_)].name;
     base_.source = path_;
     Textures textures(doc_, accessors_, base_);
     import_materials(doc_, textures, base_);
@@ -73,6 +59,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     if (!scene) return scene;
     scene->time = time;
     scene->contents = contents_of(doc_, clips_, graph.shown(shown_scene_), shown_scene_);
+    scene->contents.default_scene = default_scene_;
     Warnings said = doc_.warnings;
     scene->notes.warnings_dropped = said.dropped();
     scene->notes.warnings = said.take();
@@ -115,7 +102,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   std::vector<NodePose> rest_;
   std::vector<Clip> clips_;
   StillMeshes still_;
-  int shown_scene_ = -1;
+  int default_scene_ = -1, shown_scene_ = -1;
   Scene base_;  // with what does not move: materials and their pictures
   Warnings said_at_load_;
 };

@@ -94,6 +94,7 @@ PictureDescription odd_description() {
   PictureDescription d;
   d.scene = "/some where/ä.glb";
   d.variant = "Dusk \"\u2744\"";
+  d.scene_number = 3;
   d.origin = {1e7, 0.1, -3};
   d.camera.name = "c";
   const double a = 0.7;
@@ -122,6 +123,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
   EXPECT_EQ(read->scene, d.scene);
   EXPECT_EQ(read->time, d.time);
   EXPECT_EQ(read->variant, d.variant);
+  EXPECT_EQ(read->scene_number, 3);
   EXPECT_EQ(read->origin, d.origin);
   EXPECT_EQ(read->settings, d.settings);
   EXPECT_EQ(read->sky, d.sky);

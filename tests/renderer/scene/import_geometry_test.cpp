@@ -258,11 +258,11 @@ TEST(ImportGeometry, ShowsTheSceneThatIsAskedFor) {
   b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 9}}});
   b.json["scenes"].push_back({{"nodes", {1, 0}}, {"name", "both"}});
   EXPECT_EQ(load(b)->instances.size(), 1u);
-  const Result<Scene> second = load(b, {.scene_index = 1});
+  const Result<Scene> second = load(b, {.scene = "1"});
   ASSERT_TRUE(second);
   EXPECT_EQ(second->instances.size(), 2u);
   EXPECT_EQ(second->name, "both");
-  EXPECT_FALSE(load(b, {.scene_index = 2}));
+  EXPECT_FALSE(load(b, {.scene = "2"}));
 }
 
 TEST(ImportGeometry, HidesInvisibleNodesAndCoarserLevelsOfDetail) {

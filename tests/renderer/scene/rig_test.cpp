@@ -261,7 +261,8 @@ TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
   const std::vector<std::string> said = remarks(scene.notes);
   for (const char* line :
        {"1 animation is not played: 'Wave\\n'; everything stands where the file's nodes place it",
-        "1 other scene of the file is not shown: 'other'; the picture is of scene 0",
+        "1 other scene of the file is not shown: 'other'; the picture is of scene 0 (--scene "
+        "shows another)",
         "1 camera is in no node that is shown and cannot be looked through",
         "1 variant is not shown: 'red'; materials are as without (--variant shows one)"})
     EXPECT_EQ(std::ranges::count(said, line), 1) << line;

@@ -1,0 +1,86 @@
+#include "renderer/picture/picture_text.h"
+#include "renderer/scene/load.h"
+#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/ui/test_scenes.h"
+#include "tests/ui/ui_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace asos::test::scenes_test {
+namespace {
+
+/// A scene of one square, and one of two far apart; the second is the file's own.
+GltfBuilder two_scenes() {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["nodes"].push_back({{"mesh", 0}, {"translation", {30, 0, 0}}});
+  b.json["scenes"] = {{{"nodes", {0}}, {"name", "One\n"}}, {{"nodes", {0, 1}}}};
+  b.json["scene"] = 1;
+  return b;
+}
+
+class Scenes : public testing::Test {
+ protected:
+  Scenes() {
+    rig.set_blind(true);
+    rig.previewer().edits().settings().asos.max_level = 1;
+    open(folder_.write("scenes.glb", two_scenes().glb()));
+  }
+  void open(const std::string& source) {
+    const std::uint64_t opened = scene().times_opened();
+    scene().open(source);
+    arrive(opened);
+  }
+  void arrive(std::uint64_t opened) {
+    EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+    EXPECT_TRUE(rig.settle());
+  }
+  void choose(const std::string& name) {
+    const std::uint64_t opened = scene().times_opened();
+    rig.click("Scene");
+    rig.frame();
+    rig.click("Scene/" + name);
+    arrive(opened);
+  }
+  OpenScene& scene() { return rig.previewer().scene(); }
+  [[nodiscard]] std::size_t triangles() { return scene()->world().triangles.size(); }
+  [[nodiscard]] double distance() { return rig.previewer().viewpoint().camera().distance(); }
+
+  TemporaryFolder folder_;
+  UiRig rig{{}, {660, 700}};
+};
+
+TEST_F(Scenes, AreChosenFromAList) {
+  EXPECT_EQ(triangles(), 4u);
+  const double far = distance();
+  choose("0: One\\n");
+  EXPECT_EQ(triangles(), 2u);
+  EXPECT_LT(distance(), 0.2 * far) << "it is framed, not seen from where the other was";
+  choose("1");
+  EXPECT_EQ(triangles(), 4u);
+}
+
+TEST_F(Scenes, StayWhereTheFileIsLoadedAgain) {
+  choose("0: One\\n");
+  const std::uint64_t opened = scene().times_opened();
+  scene().reload();
+  arrive(opened);
+  EXPECT_EQ(triangles(), 2u);
+}
+
+TEST_F(Scenes, ComeBackWithSavedPictures) {
+  EXPECT_EQ(rig.previewer().render().description({}).scene_number, -1) << "the file's own";
+  choose("0: One\\n");
+  const PictureDescription said = rig.previewer().render().description({});
+  EXPECT_EQ(said.scene_number, 0);
+  const std::string picture = folder_.file("one.png");
+  ASSERT_TRUE(write_png(picture, rig.previewer().render().film(), {}, picture_text(said)));
+  open("builtin:boxes");
+  EXPECT_FALSE(rig.content().controls().all().contains("Scene"));
+  open(picture);
+  EXPECT_EQ(triangles(), 2u);
+}
+
+}  // namespace
+}  // namespace asos::test::scenes_test
