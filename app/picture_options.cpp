@@ -201,12 +201,14 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
 
 void add_sky_options(CLI::App& app, PictureArguments& arguments) {
   add_parsed_option(app, "--sky", "WHAT",
-                    "What surrounds the scene and lights it from all sides: neutral (grey), R,G,B "
-                    "(linear), R,G,B:R,G,B (zenith:horizon), or FILE.hdr or FILE.exr "
-                    "(equirectangular)",
+                    "What surrounds the scene and lights it from all sides: neutral (grey), an "
+                    "environment (studio, daylight, dusk, white, grey: with a light for a scene "
+                    "that has none), R,G,B (linear), R,G,B:R,G,B (zenith:horizon), or FILE.hdr or "
+                    "FILE.exr (equirectangular)",
                     parse_sky,
                     [&](SkyChoice sky) {
                       sky.turn_deg = arguments.sky.turn_deg;
+                      sky.brightness = arguments.sky.brightness;
                       arguments.sky = std::move(sky);
                     })
       ->default_str("neutral");
@@ -215,6 +217,11 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments) {
                     "above, -360 to 360 degrees",
                     number(-360, 360), [&](double degrees) { arguments.sky.turn_deg = degrees; })
       ->default_str("0");
+  add_parsed_option(app, "--sky-brightness", "TIMES",
+                    "What the radiance of a sky from a file is multiplied by, 0 to 1000",
+                    number(0, SkyChoice::most_brightness),
+                    [&](double times) { arguments.sky.brightness = times; })
+      ->default_str("1");
 }
 
 // The camera, but for what is shown of its picture.

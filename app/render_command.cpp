@@ -109,11 +109,15 @@ tl::unexpected<Error> interrupted_error() {
 PictureDescription wanted_picture(const PictureArguments& wanted, const SceneContents& shown) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
   picture.needs = wanted.needs;
+  picture.settings.sky = wanted.settings.sky;
+  // An environment brings lights along; those of another one go with it.
+  const bool brought = picture.sky.environment && picture.sky != wanted.sky;
   const int number = picture.scene_number < 0 ? shown.default_scene : picture.scene_number;
   if (picture.scene != wanted.scene || number != shown.shown_scene) {
     picture.lights.reset();
     picture.dfrs.reset();
   }
+  if (brought) picture.lights.reset();
   return picture;
 }
 

@@ -61,6 +61,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   bar.say("Building ...");
   PictureDescription picture;
   picture.needs = wanted.needs;
+  picture.settings.sky = with->sky;
   const auto prepared = scene->at(scene->time(), picture).and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;

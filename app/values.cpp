@@ -1,6 +1,7 @@
 #include "app/values.h"
 
 #include "renderer/geometry/coordinates.h"
+#include "renderer/shading/environments.h"
 
 #include <fmt/format.h>
 
@@ -121,6 +122,12 @@ Result<Dfr> parse_dfr(std::string_view text) {
 
 Result<SkyChoice> parse_sky(std::string_view text) {
   if (text == "neutral") return SkyChoice{};
+  for (const EnvironmentRow& row : environments) {
+    if (text != row.name) continue;
+    SkyChoice sky;
+    sky.environment = row.value;
+    return sky;
+  }
   if (text.ends_with(".hdr") || text.ends_with(".exr"))
     return SkyChoice{{}, std::string(text), 0.0};
   constexpr float brightest = 1e6f;
@@ -130,7 +137,8 @@ Result<SkyChoice> parse_sky(std::string_view text) {
       colon == std::string_view::npos ? zenith : read_list<float, 3>(text.substr(colon + 1), ',');
   if (!zenith || !horizon)
     return refuse(text,
-                  "not neutral, R,G,B such as 0.3,0.5,0.9, R,G,B:R,G,B (zenith and horizon) or a "
+                  "not neutral, studio, daylight, dusk, white, grey, R,G,B such as 0.3,0.5,0.9, "
+                  "R,G,B:R,G,B (zenith and horizon) or a "
                   "file that ends in .hdr or .exr");
   for (const auto& colour : {*zenith, *horizon})
     for (const float value : colour)

@@ -1,5 +1,7 @@
 #include "ui/scene_edits.h"
 
+#include "renderer/prepared/environment_lights.h"
+
 #include <utility>
 
 namespace asos {
@@ -38,7 +40,16 @@ std::vector<EditedLight>& SceneEdits::edit_lights() {
 }
 
 void SceneEdits::reset_lights() {
-  if (scene_) edit_lights() = lights_to_edit(scene_->own_lighting->lights);
+  if (scene_) edit_lights() = lights_to_edit(lights_under(*scene_, now_.settings.sky.get()));
+}
+
+void SceneEdits::set_sky(std::shared_ptr<const Sky> sky) {
+  const auto brings_lights = [this](const std::shared_ptr<const Sky>& s) {
+    return scene_ && changes_lights(*scene_, s.get());
+  };
+  const bool relit = brings_lights(sky) || brings_lights(now_.settings.sky);
+  now_.settings.sky = std::move(sky);
+  if (relit) reset_lights();
 }
 
 MaterialDfrs& SceneEdits::edit_dfrs() {
@@ -51,10 +62,13 @@ void SceneEdits::reset_dfrs() {
 }
 
 void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
-  reset_lights();
+  edit_lights() = lights_to_edit(scene_->own_lighting->lights);
   reset_dfrs();
   relighter_.start_from(now_.look);
-  if (!picture) return;
+  if (!picture) {
+    if (changes_lights(*scene_, now_.settings.sky.get())) reset_lights();
+    return;
+  }
   // The scene has the picture's lights and ratios already: they are no edit.
   now_.look.lights = lights_to_edit(scene_->lights());
   now_.look.dfrs = scene_->dfrs();

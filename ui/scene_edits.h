@@ -31,8 +31,11 @@ class SceneEdits {
   /// the background, without its hierarchies being built anew.
   [[nodiscard]] const std::vector<EditedLight>& lights() const { return now_.look.lights; }
   [[nodiscard]] std::vector<EditedLight>& edit_lights();
-  /// The scene's own lights, as they were when it was opened.
+  /// The lights that the scene was opened with, or those that its sky brings.
   void reset_lights();
+  /// Another sky, null: the neutral one; the lights of a scene without its own follow where it or
+  /// the one before brings any (lights_under).
+  void set_sky(std::shared_ptr<const Sky> sky);
   /// How the scene's materials blur what they mirror. Edits reach the scene as those of lights do.
   [[nodiscard]] const MaterialDfrs& dfrs() const { return now_.look.dfrs; }
   [[nodiscard]] MaterialDfrs& edit_dfrs();

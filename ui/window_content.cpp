@@ -119,7 +119,7 @@ void WindowContent::draw(const FrameInput& in) {
 
 // Takes over the results of other threads.
 void WindowContent::take_outcomes() {
-  update_sky(previewer_.edits().settings(), state_.sky, sky_reader_);
+  update_sky(previewer_.edits(), state_.sky, sky_reader_);
   update_equal_time(previewer_, state_.equal_time, equal_time_, state_.frames);
   forecast_.update();
 }

@@ -5,6 +5,7 @@
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
+#include "renderer/prepared/environment_lights.h"
 #include "renderer/sampling/random.h"
 #include "renderer/study/timed_render.h"
 
@@ -58,6 +59,7 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   const Result<Scene> scene = open_scene_argument(source);
   if (!scene) return tl::unexpected(scene.error());
   auto ready = prepare(*scene, forced_by(plan_.needs)).and_then(with_boundaries);
+  if (ready) ready = lit_under(*ready, subject.look.opened_sky.get());
   if (!ready) return tl::unexpected(ready.error());
   if ((*ready)->world().surface_count() == 0)
     return tl::unexpected(Error{source, "the scene is empty: there is nothing to compare"});

@@ -7,6 +7,7 @@
 #include "renderer/picture/light_json.h"
 #include "renderer/picture/path_text.h"
 #include "renderer/picture/settings_json.h"
+#include "renderer/prepared/environment_lights.h"
 #include "renderer/scene/rig.h"
 #include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
@@ -261,6 +262,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_posed(const Scene& scene,
   if (!prepared) return prepared;
   if (description.lights)
     prepared = with_lights(*prepared, description.lights_from((*prepared)->world().origin));
+  else
+    prepared = lit_under(*prepared, description.settings.sky.get());
   if (prepared && description.dfrs) prepared = with_dfrs(*prepared, *description.dfrs);
   return std::move(prepared).map_error([&](const Error& error) {
     return Error{scene.source, "is not the scene that the picture was made of: " + error.message()};

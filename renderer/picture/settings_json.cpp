@@ -5,6 +5,7 @@
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/path_text.h"
 #include "renderer/settings/names.h"
+#include "renderer/shading/environments.h"
 
 #include <algorithm>
 
@@ -49,6 +50,8 @@ void each_setting(Fields& fields, Settings& s) {
 // Only written where they are on: pictures from before there was such a choice have none.
 constexpr const char* sky_shadows_key = "sky_shadows";
 constexpr const char* bounces_key = "bounces";
+constexpr const char* sky_brightness_key = "brightness";
+constexpr const char* environment_key = "environment";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -77,12 +80,15 @@ void read_dfr(FieldReader& settings, std::optional<Dfr>& dfr) {
 
 OrderedJson sky_json(const SkyChoice& sky) {
   FieldWriter fields;
-  if (sky.colours) {
+  if (sky.environment) {
+    fields.named(environment_key, environments, *sky.environment);
+  } else if (sky.colours) {
     fields("zenith", sky.colours->zenith);
     fields("horizon", sky.colours->horizon);
   } else if (!sky.file.empty()) {
     fields("file", text_of_path(sky.file));
     fields("turn_deg", sky.turn_deg);
+    if (sky.brightness != 1.0) fields(sky_brightness_key, sky.brightness);
   } else {
     return "neutral";
   }
@@ -93,10 +99,15 @@ void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
   const OrderedJson* at = settings.take("sky");
   if (!at || *at == "neutral") return;
   FieldReader fields(*at, "sky");
-  if (at->contains("file")) {
+  if (fields.has(environment_key)) {
+    fields.named(environment_key, environments, sky.environment.emplace());
+  } else if (at->contains("file")) {
     fields("file", sky.file);
     sky.file = path_of_text(sky.file);
     fields("turn_deg", sky.turn_deg);
+    if (fields.has(sky_brightness_key)) fields(sky_brightness_key, sky.brightness);
+    if (!(sky.brightness >= 0.0 && sky.brightness <= SkyChoice::most_brightness))
+      fields.refuse(sky_brightness_key, "is out of range");
   } else {
     sky.colours = SkyChoice::Colours{};
     fields("zenith", sky.colours->zenith);

@@ -3,6 +3,7 @@
 #include "renderer/lights/light_math.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/environments.h"
 
 #include <fmt/format.h>
 
@@ -64,12 +65,20 @@ Parts parts_of(double right, double down) {
 
 }  // namespace
 
-Sky::Sky(glm::vec3 zenith, glm::vec3 horizon) : zenith_(zenith), horizon_(horizon) {
+Sky::Sky(glm::vec3 zenith, glm::vec3 horizon)
+    : zenith_(zenith), horizon_(horizon), nadir_(horizon) {
   choice_.colours = {zenith, horizon};
 }
 
+Sky::Sky(Environment environment)
+    : zenith_(row_of(environment).zenith),
+      horizon_(row_of(environment).horizon),
+      nadir_(row_of(environment).nadir) {
+  choice_.environment = environment;
+}
+
 Sky::Sky(SkyMap map, double turn_deg, std::string file)
-    : map_(std::make_shared<const SkyMap>(std::move(map))), choice_{{}, std::move(file), 0.0} {
+    : map_(std::make_shared<const SkyMap>(std::move(map))), choice_{{}, std::move(file)} {
   *this = turned(turn_deg);
 }
 
@@ -82,11 +91,19 @@ Sky Sky::turned(double turn_deg) const {
   return sky;
 }
 
+Sky Sky::brightened(double times) const {
+  Sky sky = *this;
+  if (map_) sky.choice_.brightness = sky.brightness_ = times;
+  return sky;
+}
+
 std::string Sky::name() const {
+  if (choice_.environment) return row_of(*choice_.environment).name;
   if (choice_.colours) return colours(choice_.colours->zenith, choice_.colours->horizon);
-  return choice_.turn_deg == 0.0
-             ? choice_.file
-             : fmt::format("{}, turned by {} degrees", choice_.file, choice_.turn_deg);
+  std::string name = choice_.file;
+  if (choice_.turn_deg != 0.0) name += fmt::format(", turned by {} degrees", choice_.turn_deg);
+  if (choice_.brightness != 1.0) name += fmt::format(", {} times as bright", choice_.brightness);
+  return name;
 }
 
 glm::dvec3 Sky::in_map(glm::dvec3 d) const {
@@ -128,9 +145,13 @@ glm::dvec3 Sky::mean_of_parts(const Directions& all, int across_right, int acros
 glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
   const Across r = across(direction, right), s = across(direction, down);
   // A square, or a range of heights, of the variance of the part.
-  if (map_) return map_->mean(in_map(direction), std::hypot(r.length, s.length) / sqrt2);
+  if (map_)
+    return brightness_ *
+           glm::dvec3(map_->mean(in_map(direction), std::hypot(r.length, s.length) / sqrt2));
   const double half_range = 0.5 * std::hypot(r.up, s.up);
-  return horizon_ + mean_above_0(direction.y, half_range) * (zenith_ - horizon_);
+  const glm::dvec3 above = horizon_ + mean_above_0(direction.y, half_range) * (zenith_ - horizon_);
+  if (nadir_ == horizon_) return above;
+  return above + mean_above_0(-direction.y, half_range) * (nadir_ - horizon_);
 }
 
 SkyDirection Sky::bright_direction(glm::dvec2 place) const {
@@ -145,22 +166,31 @@ double Sky::bright_density(glm::vec3 direction) const {
 }
 
 glm::vec3 Sky::ambient(glm::vec3 normal) const {
-  if (map_) return sky_visibility * map_->irradiance_over_pi(in_map(normal));
-  if (zenith_ == horizon_) return sky_visibility * glm::vec3(zenith_);
+  if (map_)
+    return sky_visibility * static_cast<float>(brightness_) *
+           map_->irradiance_over_pi(in_map(normal));
+  if (constant()) return sky_visibility * glm::vec3(zenith_);
   // The integral over the sphere of the product of two clamped cosines whose axes are theta apart
   // is 2/3 (sin(theta) + (pi - theta) cos(theta)) (the arc-cosine kernel of Cho and Saul 2009).
   const glm::dvec3 n(normal);
-  const double theta = std::atan2(std::hypot(n.x, n.z), n.y);
-  const double share = 2.0 / (3.0 * std::numbers::pi) *
-                       (std::sin(theta) + (std::numbers::pi - theta) * std::cos(theta));
-  return sky_visibility * glm::vec3(horizon_ + share * (zenith_ - horizon_));
+  const auto share = [&n](double up) {
+    const double theta = std::atan2(std::hypot(n.x, n.z), up * n.y);
+    return 2.0 / (3.0 * std::numbers::pi) *
+           (std::sin(theta) + (std::numbers::pi - theta) * std::cos(theta));
+  };
+  const glm::dvec3 upper = horizon_ + share(1.0) * (zenith_ - horizon_);
+  if (nadir_ == horizon_) return sky_visibility * glm::vec3(upper);
+  return sky_visibility * glm::vec3(upper + share(-1.0) * (nadir_ - horizon_));
 }
 
 Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice) {
+  if (choice.environment) return std::make_shared<const Sky>(*choice.environment);
   if (choice.colours)
     return std::make_shared<const Sky>(choice.colours->zenith, choice.colours->horizon);
   if (choice.file.empty()) return nullptr;
-  return read_sky(choice.file, choice.turn_deg);
+  return read_sky(choice.file, choice.turn_deg).map([&](const std::shared_ptr<const Sky>& sky) {
+    return std::make_shared<const Sky>(sky->brightened(choice.brightness));
+  });
 }
 
 SkyChoice choice_of(const Sky* sky) {

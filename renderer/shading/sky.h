@@ -22,6 +22,8 @@ class Sky {
   /// From the horizon to the zenith linear in the sine of the elevation; below the horizon as at
   /// the horizon.
   Sky(glm::vec3 zenith, glm::vec3 horizon);
+  /// From the horizon to the zenith, and to the nadir, linear in the sine of the angle.
+  explicit Sky(Environment environment);
   /// An equirectangular picture that is turned about +Y, counter-clockwise as seen from above; at 0
   /// its middle is at -Z. `file` is where it comes from.
   Sky(SkyMap map, double turn_deg, std::string file);
@@ -47,12 +49,15 @@ class Sky {
   /// The same sky with its picture turned by so much from where it was at first. One without a
   /// picture stays as it is.
   [[nodiscard]] Sky turned(double turn_deg) const;
+  /// The same sky with the radiance of its picture so many times what it was at first, likewise.
+  [[nodiscard]] Sky brightened(double times) const;
 
   /// Whether it is the same all over.
-  [[nodiscard]] bool constant() const { return !map_ && zenith_ == horizon_; }
+  [[nodiscard]] bool constant() const { return !map_ && zenith_ == horizon_ && nadir_ == horizon_; }
   [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
 
-  /// As on the command line, "R,G,B:R,G,B" or the file, and by how much it is turned.
+  /// As on the command line: the environment, "R,G,B:R,G,B" or the file, how it is turned and how
+  /// bright.
   [[nodiscard]] std::string name() const;
   /// The choice that it was made from.
   [[nodiscard]] const SkyChoice& choice() const { return choice_; }
@@ -68,7 +73,9 @@ class Sky {
 
   glm::dvec3 zenith_{0.0};
   glm::dvec3 horizon_{0.0};
+  glm::dvec3 nadir_{0.0};  // as the horizon, but of environments
   std::shared_ptr<const SkyMap> map_;
+  double brightness_ = 1.0;  // of the picture
   double turn_cos_ = 1.0;
   double turn_sin_ = 0.0;
   SkyChoice choice_;

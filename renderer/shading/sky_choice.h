@@ -12,8 +12,11 @@ namespace asos {
 
 class Sky;
 
+/// Surroundings that the program brings along; see environments.h.
+enum class Environment { studio, daylight, dusk, white, grey };
+
 /// The surroundings of a scene, as a person asks for them: nothing but the neutral grey, two
-/// colours, a file.
+/// colours, a file, an environment.
 struct SkyChoice {
   struct Colours {
     glm::vec3 zenith{0.0f};  ///< linear
@@ -23,6 +26,10 @@ struct SkyChoice {
   std::optional<Colours> colours;
   std::string file;       ///< empty: none
   double turn_deg = 0.0;  ///< of a file, about +Y, counter-clockwise as seen from above
+  /// Of a file: what its radiance is multiplied by, 0 to most_brightness.
+  double brightness = 1.0;
+  static constexpr double most_brightness = 1000.0;
+  std::optional<Environment> environment = std::nullopt;
 
   bool operator==(const SkyChoice&) const = default;
 };

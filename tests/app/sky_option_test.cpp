@@ -1,6 +1,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/picture/picture_description.h"
 #include "tests/app/run_asos.h"
+#include "tests/renderer/scene/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -52,6 +53,53 @@ TEST_F(SkyOption, IsWhatIsSeenAroundTheScene) {
   const auto said = read_description(folder_.file("file.exr"));
   ASSERT_TRUE(said);
   EXPECT_EQ(said->sky, (SkyChoice{{}, file, 45.0})) << "the picture says what its sky was";
+}
+
+TEST_F(SkyOption, AFileIsAsBrightAsAskedFor) {
+  const std::string file = picture("sky.exr", {1, 0.5f, 0.125f});
+  EXPECT_EQ(render("bright.exr", {"--sky-brightness", "4", "--sky", file}).exit_code, 0);
+  EXPECT_EQ(pixel("bright.exr"), glm::vec3(4, 2, 0.5f));
+  EXPECT_EQ(run_asos({"render", "--from", folder_.file("bright.exr"), "-o", folder_.file("a.exr")})
+                .exit_code,
+            0);
+  EXPECT_EQ(pixel("a.exr"), glm::vec3(4, 2, 0.5f));
+  EXPECT_EQ(run_asos({"render", "--from", folder_.file("bright.exr"), "--sky-brightness", "0", "-o",
+                      folder_.file("b.exr")})
+                .exit_code,
+            0);
+  EXPECT_EQ(pixel("b.exr"), glm::vec3(0));
+  for (const char* bad : {"-1", "1001", "nan", "inf", "x"})
+    EXPECT_EQ(render("x.exr", {"--sky", file, "--sky-brightness", bad}).exit_code, 2) << bad;
+}
+
+// A file without lights: its rig gives way to the sun, which the picture keeps.
+TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
+  const std::string file = folder_.write("bare.glb", test::GltfBuilder::square().glb());
+  const auto shot = [&](const std::vector<std::string>& words, const std::string& to) {
+    const AsosRun run =
+        run_asos(std::vector<std::string>{"render"} + words +
+                 std::vector<std::string>{"-o", folder_.file(to), "--size", "24x16"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return read_exr(folder_.file(to)).value().film.radiance;
+  };
+  const auto lights = [&](const std::string& name) {
+    std::vector<std::string> names;
+    if (const auto said = read_description(folder_.file(name)).value().lights)
+      for (const Light& light : *said) names.push_back(light.name);
+    return names;
+  };
+  const auto plain = shot({file}, "plain.exr");
+  const auto day = shot({file, "--sky", "daylight"}, "day.exr");
+  EXPECT_TRUE(plain != day);
+  EXPECT_EQ(read_description(folder_.file("day.exr")).value().sky.environment,
+            Environment::daylight);
+  EXPECT_EQ(lights("plain.exr").size(), 0u) << "its own";
+  EXPECT_EQ(lights("day.exr"), std::vector<std::string>{"sun"});
+  EXPECT_TRUE(shot({"--from", folder_.file("day.exr")}, "again.exr") == day);
+  EXPECT_TRUE(shot({"--from", folder_.file("day.exr"), "--sky", "neutral"}, "back.exr") == plain);
+  const auto dusk = shot({file, "--sky", "dusk"}, "dusk.exr");
+  EXPECT_TRUE(shot({"--from", folder_.file("day.exr"), "--sky", "dusk"}, "later.exr") == dusk);
+  EXPECT_EQ(render("x.exr", {"--sky", "noon"}).exit_code, 2);
 }
 
 TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {

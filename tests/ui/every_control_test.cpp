@@ -303,6 +303,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   use_all("a sky of one colour",
           [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(2.0f)); });
+  use_all("a preset sky",
+          [&] { settings().sky = std::make_shared<const Sky>(Environment::studio); });
   use_all("a gradient", [&] { s.sky.gradient = true; });
   use_all("a gradient of two colours",
           [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(0.2f), glm::vec3(0.5f)); });

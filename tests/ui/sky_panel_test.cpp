@@ -87,6 +87,44 @@ TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
   for (int i = 0; i < 40; ++i) rig.frame();
   rig.chord(Key::ctrl, Key::z);
   EXPECT_EQ(sky()->choice().turn_deg, 0.0);
+  EXPECT_TRUE(restarted());
+  const float before = corner().x;
+  slide("Brightness", 0.3f, 0.8f);
+  EXPECT_GT(sky()->choice().brightness, 1.1);
+  EXPECT_TRUE(restarted());
+  EXPECT_NEAR(static_cast<double>(corner().x / before), sky()->choice().brightness, 1e-3);
+}
+
+TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
+  const auto names = [this] {
+    std::string all;
+    for (const Light& light : rig.previewer().scene()->lights()) all += light.name + " ";
+    return all;
+  };
+  const auto choose = [this](const std::string& name) {
+    rig.click("Preset sky");
+    rig.frame();
+    rig.click("Preset sky/" + name);
+    EXPECT_TRUE(restarted());
+  };
+  EXPECT_EQ(names(), "key fill ");
+  rig.click("Sky/Preset");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  EXPECT_EQ(names(), "key fill ");
+  choose("daylight");
+  EXPECT_EQ(sky()->choice().environment, Environment::daylight);
+  EXPECT_EQ(names(), "sun ");
+  choose("white");
+  EXPECT_EQ(names(), "");
+  for (int i = 0; i < 40; ++i) rig.frame();
+  rig.chord(Key::ctrl, Key::z);
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(sky()->choice().environment, Environment::daylight);
+  EXPECT_EQ(names(), "sun ") << "undone together";
+  rig.click("Sky/Neutral");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(names(), "key fill ");
 }
 
 }  // namespace

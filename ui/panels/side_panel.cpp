@@ -62,7 +62,7 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
   lights_panel(controls, previewer, state.lights, state.picked);
   shadows_panel(controls, previewer.edits().settings(), scene);
   reflections_panel(controls, previewer, state.reflections, state.picked);
-  sky_panel(controls, previewer.edits().settings(), state.sky, jobs.sky_reader);
+  sky_panel(controls, previewer.edits(), state.sky, jobs.sky_reader);
   compare_panel(controls, previewer, state.frames);
   equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
   check_panel(controls, previewer, state.check, jobs.check);

@@ -1,5 +1,6 @@
 #include "ui/panels/sky_panel.h"
 
+#include "renderer/shading/environments.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -9,16 +10,21 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace asos {
 
 namespace {
 
-enum class SkyKind { neutral, colour, gradient, file };
+enum class SkyKind { neutral, environment, colour, gradient, file };
 
 constexpr std::array sky_kinds{
     Controls::Option{"Neutral", "The same grey from everywhere: for a scene on its own."},
+    Controls::Option{"Preset",
+                     "Surroundings that the program brings along, with a sun where there is one "
+                     "for a scene without lights."},
     Controls::Option{"Colour", "One colour from everywhere."},
     Controls::Option{"Gradient",
                      "From one colour at the zenith to another at the horizon and below it."},
@@ -35,19 +41,37 @@ SkyKind kind_of_sky(const RenderSettings& settings, const SkyEdit& choice) {
   const Sky* sky = settings.sky.get();
   if (!sky) return SkyKind::neutral;
   if (sky->is_picture()) return SkyKind::file;
+  if (sky->choice().environment) return SkyKind::environment;
   return sky->choice().colours->zenith != sky->choice().colours->horizon || choice.gradient
              ? SkyKind::gradient
              : SkyKind::colour;
 }
 
-void choose_kind(RenderSettings& settings, SkyEdit& choice, SkyKind kind) {
+void choose_kind(SceneEdits& edits, SkyEdit& choice, SkyKind kind) {
   choice.gradient = kind == SkyKind::gradient;
   choice.file = kind == SkyKind::file;
   choice.error.clear();
-  if (kind == SkyKind::neutral) settings.sky.reset();
-  if (kind == SkyKind::colour) settings.sky = std::make_shared<const Sky>(first_zenith);
+  if (kind == SkyKind::neutral) edits.set_sky(nullptr);
+  if (kind == SkyKind::environment)
+    edits.set_sky(std::make_shared<const Sky>(environments.front().value));
+  if (kind == SkyKind::colour) edits.set_sky(std::make_shared<const Sky>(first_zenith));
   if (kind == SkyKind::gradient)
-    settings.sky = std::make_shared<const Sky>(first_zenith, first_horizon);
+    edits.set_sky(std::make_shared<const Sky>(first_zenith, first_horizon));
+}
+
+void environment_controls(Controls& controls, SceneEdits& edits) {
+  std::vector<std::string> names;
+  std::string hint = "What surrounds the scene.";
+  int chosen = 0;
+  for (const EnvironmentRow& row : environments) {
+    if (row.value == *edits.settings().sky->choice().environment)
+      chosen = static_cast<int>(names.size());
+    names.emplace_back(row.name);
+    hint += fmt::format(" {}: {}", row.name, row.hint);
+  }
+  if (controls.list("Preset sky", hint.c_str(), names, chosen))
+    edits.set_sky(
+        std::make_shared<const Sky>(environments[static_cast<std::size_t>(chosen)].value));
 }
 
 /// Radiance as a colour of 0 to 1 and how many times as bright it is.
@@ -120,15 +144,21 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
           "Turn", "About the vertical, counter-clockwise as seen from above, in degrees.", turn,
           {-180.0f, 180.0f, 0.0f}, [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
     settings.sky = std::make_shared<const Sky>(settings.sky->turned(static_cast<double>(turn)));
+  double brightness = settings.sky->choice().brightness;
+  if (controls.number("Brightness",
+                      "How many times as bright as the picture the sky is, 0 to 1000.", brightness,
+                      {{0.0, SkyChoice::most_brightness, 1.0}, 0.01, true},
+                      [](double times) { return fmt::format("{:.4g} x", times); }))
+    settings.sky = std::make_shared<const Sky>(settings.sky->brightened(brightness));
 }
 
 }  // namespace
 
-void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader) {
+void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
   auto outcome = reader.take_outcome();
   if (!outcome) return;
   if (*outcome) {
-    settings.sky = std::move(**outcome);
+    edits.set_sky(std::move(**outcome));
     choice.file = false;
     choice.read = std::exchange(choice.reading, std::nullopt);
   } else {
@@ -136,14 +166,18 @@ void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader) {
   }
 }
 
-void sky_panel(Controls& controls, RenderSettings& settings, SkyEdit& choice, SkyReader& reader) {
+void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
   if (!controls.section("Sky", false)) return;
+  RenderSettings& settings = edits.settings();
   const SkyKind kind = kind_of_sky(settings, choice);
   int chosen = static_cast<int>(kind);
   if (controls.options("Sky", sky_kinds, chosen, {false, std::nullopt}))
-    choose_kind(settings, choice, static_cast<SkyKind>(chosen));
+    choose_kind(edits, choice, static_cast<SkyKind>(chosen));
   switch (kind_of_sky(settings, choice)) {
     case SkyKind::neutral:
+      break;
+    case SkyKind::environment:
+      environment_controls(controls, edits);
       break;
     case SkyKind::colour:
     case SkyKind::gradient:

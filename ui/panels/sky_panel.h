@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/settings/settings.h"
 #include "ui/file_watch.h"
 #include "ui/panels/controls.h"
+#include "ui/scene_edits.h"
 #include "ui/sky_reader.h"
 
 #include <optional>
@@ -22,9 +22,9 @@ struct SkyEdit {
 };
 
 /// Call once a frame, whether the panel is shown or not: takes over what was read.
-void update_sky(RenderSettings& settings, SkyEdit& choice, SkyReader& reader);
+void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader);
 
 /// The controls of the scene's surroundings.
-void sky_panel(Controls& controls, RenderSettings& settings, SkyEdit& choice, SkyReader& reader);
+void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader);
 
 }  // namespace asos

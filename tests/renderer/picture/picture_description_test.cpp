@@ -106,6 +106,7 @@ PictureDescription odd_description() {
   d.settings = odd_settings();
   d.sky.file = "/skies/one.hdr";
   d.sky.turn_deg = 45.1;
+  d.sky.brightness = 1.0 / 3.0;
   d.needs = NeedsChoice::all;
   d.lights = odd_lights();
   d.dfrs = MaterialDfrs{std::nullopt, Dfr{{DfrCurve{0.1, 0.9, 31.5}, {}, {}}, 1.0 / 3.0}};
@@ -147,10 +148,12 @@ TEST(PictureDescription, NoSettingIsAsByDefaultInTheTestAbove) {
   }
 }
 
-TEST(PictureDescription, SkiesAreNeutralColoursOrFiles) {
+TEST(PictureDescription, SkiesAreNeutralColoursFilesOrEnvironments) {
+  SkyChoice dusk, bright{{}, "/a b.exr", 1.5, 1000.0};
+  dusk.environment = Environment::dusk;
   for (const SkyChoice& sky :
        {SkyChoice{}, SkyChoice{SkyChoice::Colours{{0.1f, 2, 3}, {0, 0, 0}}, "", 0.0},
-        SkyChoice{{}, "/a b.exr", -12.5}}) {
+        SkyChoice{{}, "/a b.exr", -12.5}, dusk, bright}) {
     const auto read = settings_from_json(settings_json({}, sky));
     ASSERT_TRUE(read.has_value()) << read.error().message();
     EXPECT_EQ(read->sky, sky);

@@ -2,6 +2,7 @@
 
 #include "renderer/sampling/random.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/environments.h"
 
 #include <gtest/gtest.h>
 
@@ -95,6 +96,48 @@ TEST(Sky, OfOneColourIsThatEverywhere) {
       EXPECT_FLOAT_EQ(map.radiance(p.direction)[k], c[k]);
       EXPECT_FLOAT_EQ(map.radiance(p.direction, p.right, p.down)[k], c[k]);
       EXPECT_FLOAT_EQ(map.ambient(p.direction)[k], sky_visibility * c[k]);
+    }
+  }
+}
+
+TEST(Sky, APictureIsSoManyTimesAsBrightAllOver) {
+  const Sky dim(noise_map(32), 20.0, "noise");
+  const Sky bright = dim.brightened(0.5).brightened(8.0);
+  EXPECT_EQ(bright.name(), "noise, turned by 20 degrees, 8 times as bright");
+  EXPECT_EQ(bright.choice().brightness, 8.0);
+  for (int i = 0; i < 32; ++i) {
+    const Patch3 p = random_patch(i, 0.3);
+    EXPECT_EQ(bright.radiance(p.direction), 8.0f * dim.radiance(p.direction));
+    EXPECT_EQ(bright.radiance(p.direction, p.right, p.down),
+              8.0f * dim.radiance(p.direction, p.right, p.down));
+    EXPECT_EQ(bright.around(p.direction, 0.4f), 8.0f * dim.around(p.direction, 0.4f));
+    EXPECT_EQ(bright.ambient(p.direction), 8.0f * dim.ambient(p.direction));
+    EXPECT_EQ(bright.bright_density(p.direction), dim.bright_density(p.direction));
+  }
+  const Sky colour(glm::vec3(0.5f));
+  EXPECT_EQ(colour.brightened(8.0).radiance({0, 1, 0}), glm::vec3(0.5f)) << "no picture";
+}
+
+// As by summing over all directions what they say of themselves: linear in the sine of the angle.
+TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
+  for (const EnvironmentRow& row : environments) {
+    SCOPED_TRACE(row.name);
+    const Sky sky(row.value);
+    EXPECT_EQ(sky.name(), row.name);
+    EXPECT_EQ(sky.radiance({0, 1, 0}), row.zenith);
+    EXPECT_EQ(sky.radiance({0, 0, -1}), row.horizon);
+    EXPECT_EQ(sky.radiance({0, -1, 0}), row.nadir);
+    const Radiance radiance = [&](glm::dvec3 d) {
+      const glm::dvec3 end(d.y > 0.0 ? row.zenith : row.nadir), horizon(row.horizon);
+      return (horizon + std::abs(d.y) * (end - horizon)).g;
+    };
+    for (const glm::vec3 n : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(0.6f, 0.8f, 0),
+                              glm::vec3(0, -0.28f, 0.96f)})
+      EXPECT_NEAR(static_cast<double>(sky.ambient(n).g / sky_visibility), irradiance(radiance, n),
+                  1e-4);
+    for (int i = 0; i < 32; ++i) {
+      const Patch3 p = random_patch(i, 0.4);
+      EXPECT_NEAR(mean_of(sky, p), brute_force(radiance, p), 0.005);
     }
   }
 }

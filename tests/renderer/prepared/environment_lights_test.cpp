@@ -1,0 +1,73 @@
+#include "renderer/prepared/environment_lights.h"
+
+#include "renderer/lights/prepared_light.h"
+#include "renderer/scene/load.h"
+#include "renderer/shading/environments.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace asos {
+namespace {
+
+std::shared_ptr<const RenderScene> ready(const Scene& scene) {
+  return prepare(scene).value();
+}
+
+/// A built-in scene without its lights.
+Scene unlit(const std::string& source) {
+  Scene scene = load_scene(source).value();
+  scene.lights.clear();
+  return scene;
+}
+
+TEST(EnvironmentLights, TakeThePlaceOfARigOnly) {
+  const auto dark = ready(unlit("builtin:boxes"));
+  const auto lit = ready(load_scene("builtin:boxes").value());
+  ASSERT_EQ(dark->lights().size(), 2u);
+  for (const EnvironmentRow& row : environments) {
+    SCOPED_TRACE(row.name);
+    const Sky sky(row.value);
+    EXPECT_FALSE(changes_lights(*lit, &sky));
+    EXPECT_EQ(lit_under(lit, &sky).value(), lit);
+    const std::vector<Light> lights = lights_under(*dark, &sky);
+    EXPECT_EQ(changes_lights(*dark, &sky), row.value != Environment::studio);
+    if (row.value == Environment::studio) {
+      EXPECT_EQ(lights.at(0).name, "key");
+      continue;
+    }
+    EXPECT_TRUE(std::ranges::all_of(lights, [](const Light& l) { return l.name == "sun"; }));
+    EXPECT_EQ(lit_under(dark, &sky).value()->lights().size(), lights.size());
+  }
+  EXPECT_FALSE(changes_lights(*dark, nullptr));
+  EXPECT_EQ(lit_under(dark, nullptr).value(), dark);
+  const Sky colours(glm::vec3(0.1f), glm::vec3(0.9f));
+  EXPECT_FALSE(changes_lights(*dark, &colours));
+}
+
+// A white diffuse surface that faces the sun, which gives it E / pi, and sees the sky behind it.
+TEST(EnvironmentLights, SunsBringWhiteSurfacesNearWhite) {
+  const auto dark = ready(unlit("builtin:boxes"));
+  for (const Environment e : {Environment::daylight, Environment::dusk}) {
+    const Sky sky(e);
+    const std::vector<Light> lights = lights_under(*dark, &sky);
+    ASSERT_EQ(lights.size(), 1u);
+    const glm::dvec3 to_sun = -lights[0].direction;
+    EXPECT_NEAR(glm::length(to_sun), 1.0, 1e-12);
+    EXPECT_GT(to_sun.y, 0.1) << "it is up";
+    const Receiver receiver{glm::dvec3(0.0), to_sun, to_sun};
+    const glm::dvec3 sun =
+        glm::dvec3(unshadowed_irradiance(prepare_light(lights[0]), receiver)) / std::numbers::pi;
+    const glm::dvec3 radiance = sun + glm::dvec3(sky.ambient(to_sun));
+    EXPECT_NEAR(sun.x, static_cast<double>(lights[0].intensity) / std::numbers::pi, 1e-3);
+    EXPECT_GT(radiance.x, 0.8);
+    EXPECT_LT(radiance.x, 1.2);
+  }
+}
+
+}  // namespace
+}  // namespace asos
