@@ -11,10 +11,11 @@
 namespace asos::fuzz {
 namespace {
 
-constexpr std::array<const char*, 20> words{
-    "builtin:boxes", "neutral", "all",    "scene",       "perspective", "orthographic", "asos",
-    "sobol",         "null",    "lights", "camera",      "settings",    "sky",          "dfrs",
-    "display",       "origin",  "type",   "point light", "file",        "turn_deg"};
+constexpr std::array<const char*, 24> words{
+    "builtin:boxes", "neutral",  "all",          "scene",       "perspective", "orthographic",
+    "asos",          "sobol",    "null",         "lights",      "camera",      "settings",
+    "sky",           "dfrs",     "display",      "origin",      "type",        "point light",
+    "file",          "turn_deg", "scene_number", "environment", "dusk",        "brightness"};
 
 /// The picture with some changes to its description; empty where it has none.
 std::string with_other_description(const std::uint8_t* data, std::size_t size, unsigned seed) {
