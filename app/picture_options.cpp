@@ -143,6 +143,12 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
           " (CGF'98 section 3)",
       number(1, RenderSettings::max_filter_width), [&](double w) { settings.filter_width = w; })
       ->default_str(fmt::format("{}", settings.filter_width));
+  add_parsed_option(app, "--line-width", "W",
+                    "Of the scene's lines, and the diameter of its points, in pixels: 0 (they are "
+                    "left out) to 16",
+                    number(0, RenderSettings::max_line_width),
+                    [&](double w) { settings.line_width = w; })
+      ->default_str(fmt::format("{}", settings.line_width));
   app.add_flag("--jitter", settings.asos.jitter,
                "Jitter the samples of cells that stay unresolved at MAX");
   add_parsed_option(

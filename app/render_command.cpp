@@ -14,6 +14,7 @@
 #include "app/render_report.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/with_strokes.h"
 #include "renderer/scene/remarks.h"
 #include "renderer/scene/source_files.h"
 
@@ -194,18 +195,20 @@ Result<RenderReport> render(const RenderArguments& arguments, const FrameRequest
   // Make it ready to render; with a limit of time the picture begins with what rays alone can tell
   if (bar.pictures() == 1) bar.say("Building ...");
   const auto started = std::chrono::steady_clock::now();
-  const auto prepared = work.scene.at(frame.time, picture);
+  auto prepared = work.scene.at(frame.time, picture);
+  if (!prepared) return tl::unexpected(prepared.error());
+  CameraChoice choice = wanted.camera;
+  if (wanted.from) choice.given = picture.camera_from((*prepared)->world().origin);
+  const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
+  const Result<Camera> camera = work.scene.camera(**prepared, choice, aspect);
+  if (!camera) return tl::unexpected(camera.error());
+  prepared = with_strokes(*std::move(prepared), stroke_picture(*camera, wanted.settings));
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
-  CameraChoice choice = wanted.camera;
-  if (wanted.from) choice.given = picture.camera_from(ready.world().origin);
-  const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
-  const Result<Camera> camera = work.scene.camera(ready, choice, aspect);
-  if (!camera) return tl::unexpected(camera.error());
   RenderReport report = report_of(arguments, ready, *camera);
-  if (ready.world().surface_count() == 0 && !arguments.allow_empty)
+  if (ready.world().shows_nothing() && !arguments.allow_empty)
     return tl::unexpected(nothing_drawn(report));
   report.kept = bar.pictures() > 1 && is_rendered(arguments, report.description, work.sources);
   if (report.kept) return report;

@@ -220,8 +220,8 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
             {"lights", lights_json(scene)},
             {"cameras", cameras_json(scene)},
             {"bounds", bounds_json(ready.world())},
-            {"points_not_drawn", notes.points_not_drawn},
-            {"lines_not_drawn", notes.lines_not_drawn},
+            {"line_segments", scene.instanced_segments()},
+            {"points", scene.instanced_points()},
             {"unsupported_extensions", notes.unsupported_extensions},
             {"not_shown", notes.not_shown},
             {"warnings", notes.warnings},
@@ -241,6 +241,9 @@ std::string scene_info_text(const Json& of_scene) {
                       number("triangles"), number("instances"), number("meshes"));
   if (number("shapes") > 0)
     text += fmt::format("Shapes:     {} of the instances are analytic\n", number("shapes"));
+  if (number("line_segments") > 0)
+    text += fmt::format("Lines:      {} segments\n", number("line_segments"));
+  if (number("points") > 0) text += fmt::format("Points:     {}\n", number("points"));
   text += bounds_line(info["bounds"]);
   text += fmt::format("Materials:  {}, with {} textures of {} images\n", number("materials"),
                       number("textures"), number("images"));
@@ -252,10 +255,6 @@ std::string scene_info_text(const Json& of_scene) {
   text += contents_lines(info);
   for (const Json& line : info["not_shown"])
     text += fmt::format("Not shown:  {}\n", line.get<std::string>());
-  if (number("points_not_drawn") > 0)
-    text += fmt::format("Not drawn:  {} points\n", number("points_not_drawn"));
-  if (number("lines_not_drawn") > 0)
-    text += fmt::format("Not drawn:  {} line segments\n", number("lines_not_drawn"));
   if (!info["unsupported_extensions"].empty())
     text += fmt::format("Unsupported extensions: {}\n", list(info["unsupported_extensions"]));
   for (const Json& extension : info["unsupported_extensions"])

@@ -9,6 +9,7 @@
 #include "app/trace_report.h"
 #include "renderer/asos/pixel_trace.h"
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/with_strokes.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -62,13 +63,16 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   PictureDescription picture;
   picture.needs = wanted.needs;
   picture.settings.sky = with->sky;
-  const auto prepared = scene->at(scene->time(), picture).and_then(with_boundaries);
+  auto prepared = scene->at(scene->time(), picture);
   if (!prepared) return tl::unexpected(prepared.error());
-  const RenderScene& ready = **prepared;
   const RenderSettings settings = as_published(*with);
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  const Result<Camera> camera = scene->camera(ready, wanted.camera, aspect);
+  const Result<Camera> camera = scene->camera(**prepared, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
+  prepared = with_strokes(*std::move(prepared), stroke_picture(*camera, settings))
+                 .and_then(with_boundaries);
+  if (!prepared) return tl::unexpected(prepared.error());
+  const RenderScene& ready = **prepared;
   const View view(*camera, settings.width, settings.height,
                   radius_around_origin(ready.world().bounds));
   return trace_json(trace_pixel(ready, view, settings, arguments.pixel.x, arguments.pixel.y), ready,

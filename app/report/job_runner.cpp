@@ -6,6 +6,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
 #include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/with_strokes.h"
 #include "renderer/sampling/random.h"
 #include "renderer/study/timed_render.h"
 
@@ -58,14 +59,18 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   scene_.reset();  // before the next one takes memory
   const Result<Scene> scene = open_scene_argument(source);
   if (!scene) return tl::unexpected(scene.error());
-  auto ready = prepare(*scene, forced_by(plan_.needs)).and_then(with_boundaries);
+  auto ready = prepare(*scene, forced_by(plan_.needs));
   if (ready) ready = lit_under(*ready, subject.look.opened_sky.get());
   if (!ready) return tl::unexpected(ready.error());
-  if ((*ready)->world().surface_count() == 0)
+  if ((*ready)->world().shows_nothing())
     return tl::unexpected(Error{source, "the scene is empty: there is nothing to compare"});
   const auto camera = choose_camera((*ready)->world(), choice_of(subject.look.camera),
                                     static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
+  // As wide as they are unless another width is asked for.
+  ready = with_strokes(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})
+              .and_then(with_boundaries);
+  if (!ready) return tl::unexpected(ready.error());
   scene_ = *std::move(ready);
   camera_ = *camera;
   open_subject_ = subject;

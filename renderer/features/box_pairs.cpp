@@ -47,7 +47,7 @@ Box box_of(const World& world, std::uint32_t triangle) {
 }
 
 std::vector<std::uint32_t> along_morton_curve(const World& world, const std::stop_token& stop) {
-  const std::size_t n = world.triangles.size();
+  const std::size_t n = world.solid_triangles();
   std::vector<Keyed> keyed(n);
   in_parallel(n, stop, [&](std::uint32_t t) {
     const Box box = box_of(world, t);

@@ -11,9 +11,10 @@
 
 namespace asos {
 
-/// The boxes of a world's triangles, in a tree of eight children a node whose leaves follow a
-/// Morton curve (Karras 2012 orders triangles so; here the tree is the implicit complete one).
-/// Finds the pairs of triangles whose boxes overlap. Immutable: any number of threads.
+/// The boxes of a world's triangles but for those of lines and points, in a tree of eight children
+/// a node whose leaves follow a Morton curve (Karras 2012 orders triangles so; here the tree is the
+/// implicit complete one). Finds the pairs of triangles whose boxes overlap. Immutable: any number
+/// of threads.
 class BoxTree {
  public:
   static constexpr std::size_t width = 8;

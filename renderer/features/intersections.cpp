@@ -86,7 +86,7 @@ class Collider {
   // A look at a pair costs far more than counting it. So count those of a few leaves first, chosen
   // by a fixed rule.
   [[nodiscard]] bool hopeless() const {
-    const std::size_t n = world_.triangles.size();
+    const std::size_t n = world_.solid_triangles();
     const std::size_t leaves = boxes_.leaf_count();
     if (n * (n - 1) / 2 <= survey_slack * budget_.pairs) return false;
     std::vector<std::size_t> pairs(std::clamp<std::size_t>((std::size_t{1} << 26) / n, 32, 256));
@@ -157,13 +157,13 @@ class Collider {
 }  // namespace
 
 IntersectionBudget IntersectionBudget::of(const World& world) {
-  const std::size_t n = world.triangles.size();
+  const std::size_t n = world.solid_triangles();
   return {std::max<std::size_t>(10'000, 4 * n), 1'000'000 + 256 * n};
 }
 
 Intersections find_intersections(const World& world, const IntersectionBudget& budget,
                                  const std::stop_token& stop) {
-  if (world.triangles.size() < 2) return {};
+  if (world.solid_triangles() < 2) return {};
   return Collider(world, budget, stop).run();
 }
 

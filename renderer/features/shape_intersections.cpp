@@ -218,13 +218,14 @@ void cross_faces(const World& world, ShapeIntersections& found) {
 
 ShapeIntersections find_shape_intersections(const World& world) {
   ShapeIntersections found;
-  const auto triangles = static_cast<std::uint32_t>(world.triangles.size());
+  const auto triangles = static_cast<std::uint32_t>(world.solid_triangles());
+  const auto first_face = static_cast<std::uint32_t>(world.triangles.size());
   if (world.faces.size() * std::uint64_t{triangles} > most_pairs) {
     found.complete = false;
     return found;
   }
   for (std::uint32_t f = 0; f < world.faces.size(); ++f) {
-    FaceCutter cutter(world, triangles + f, found);
+    FaceCutter cutter(world, first_face + f, found);
     for (std::uint32_t t = 0; t < triangles; ++t) cutter.cut(t);
   }
   cross_faces(world, found);

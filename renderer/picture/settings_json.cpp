@@ -47,11 +47,12 @@ void each_setting(Fields& fields, Settings& s) {
   fields("seed", s.seed);
 }
 
-// Only written where they are on: pictures from before there was such a choice have none.
+// Only written where they are not as usual: pictures from before there was such a choice have none.
 constexpr const char* sky_shadows_key = "sky_shadows";
 constexpr const char* bounces_key = "bounces";
 constexpr const char* sky_brightness_key = "brightness";
 constexpr const char* environment_key = "environment";
+constexpr const char* line_width_key = "line_width";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -130,6 +131,8 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   fields.other("sky", sky_json(sky));
   if (settings.shadow.sky) fields(sky_shadows_key, true);
   if (settings.shadow.bounces > 0) fields(bounces_key, settings.shadow.bounces);
+  if (settings.line_width != RenderSettings{}.line_width)
+    fields(line_width_key, settings.line_width);
   return fields.take();
 }
 
@@ -144,6 +147,8 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
     fields(sky_shadows_key, read.settings.shadow.sky);
   if (json.is_object() && json.contains(bounces_key))
     fields(bounces_key, read.settings.shadow.bounces);
+  if (json.is_object() && json.contains(line_width_key))
+    fields(line_width_key, read.settings.line_width);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

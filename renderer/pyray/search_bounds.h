@@ -32,11 +32,15 @@ struct SearchBounds {
   /// Edges that start at one of these vertices do not count.
   std::uint32_t first_ignored_vertex = 0;
   std::uint32_t ignored_vertices = 0;
+  /// Nor do those that start at one of these: lines and points cast no shadows.
+  std::uint32_t first_shadowless_vertex = 0;
+  std::uint32_t shadowless_vertices = 0;
   /// Once so many entries were looked at, no more nodes are opened.
   std::size_t most_entries = std::numeric_limits<std::size_t>::max();
 
   [[nodiscard]] bool ignores(std::uint32_t vertex) const {
-    return vertex - first_ignored_vertex < ignored_vertices;
+    return vertex - first_ignored_vertex < ignored_vertices ||
+           vertex - first_shadowless_vertex < shadowless_vertices;
   }
 };
 

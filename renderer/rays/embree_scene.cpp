@@ -31,6 +31,7 @@ bool all_filtered(const SceneNeeds& forced) {
 }
 
 constexpr unsigned first_group_of_faces = 6;
+constexpr unsigned first_group_of_strokes = 12;
 
 }  // namespace
 
@@ -90,15 +91,20 @@ void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha, std::span<con
     if (light.own_part >= 0) owned[static_cast<std::size_t>(light.own_part)] = 1;
   }
   for (std::size_t id = 0; id < groups_.size(); ++id) {
-    groups_[id] = {&world, alpha, static_cast<SurfaceKind>(id % 3), id % 6 >= 3, {}, scale_};
+    groups_[id] = {&world, alpha,  static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
+                   {},     scale_, id >= first_group_of_strokes};
   }
   for (std::uint32_t i = 0; i < world.surface_count(); ++i) {
     const auto kind = static_cast<std::size_t>(surface_kind(world.material_of(i)));
     const bool own = owned[world.triangle_part[i]] != 0;
-    groups_[kind + (own ? 3u : 0u) + (world.is_face(i) ? 6u : 0u)].triangles.push_back(i);
+    const std::size_t first = world.strokes.has_triangle(i) ? first_group_of_strokes
+                              : world.is_face(i)            ? first_group_of_faces
+                                                            : 0;
+    groups_[first + kind + (own ? 3u : 0u)].triangles.push_back(i);
   }
   for (const Group& group : groups_) {
-    see_through_ |= group.kind != SurfaceKind::opaque && !group.triangles.empty();
+    see_through_ |=
+        group.kind != SurfaceKind::opaque && !group.shadowless && !group.triangles.empty();
   }
 
   sides_.world = &world;
@@ -162,7 +168,7 @@ RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world) {
 
 void EmbreeScene::add(unsigned id, const World& world, const SceneNeeds& forced) {
   Group& group = groups_[id];
-  const bool faces = id >= first_group_of_faces;
+  const bool faces = id >= first_group_of_faces && id < first_group_of_strokes;
   if (group.triangles.empty() && !(faces && forced.shapes)) return;
   RTCGeometry geometry = nullptr;
   if (!faces) {
@@ -172,7 +178,8 @@ void EmbreeScene::add(unsigned id, const World& world, const SceneNeeds& forced)
     set_faces(geometry, group);
   }
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-  if (all_filtered(forced) || group.owned || group.kind != SurfaceKind::opaque) {
+  if (all_filtered(forced) || group.owned || group.shadowless ||
+      group.kind != SurfaceKind::opaque) {
     rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);
     rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
   }

@@ -57,8 +57,9 @@ class EmbreeScene {
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
   void add(unsigned id, const World& world, const SceneNeeds& forced);
 
-  // Three kinds, then the three of lights' own parts; then the same for faces of shapes.
-  std::array<Group, 12> groups_;
+  // Three kinds, then the three of lights' own parts; then the same for faces of shapes; then three
+  // kinds of lines and points.
+  std::array<Group, 15> groups_;
   Sides sides_;
   bool see_through_ = false;
   float scale_ = 1.0f;

@@ -41,10 +41,11 @@ template <typename Keeps>
 void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
   const Group& group = *static_cast<const Group*>(args.geometryUserPtr);
   const std::int32_t ignored_part = context_of(args).ignored_part;
+  const bool passes_all = group.shadowless && context_of(args).of_shadows;
   for (unsigned i = 0; i < args.N; ++i) {
     if (args.valid[i] != -1) continue;
     const Candidate candidate{args, group, i};
-    if (candidate.ignored(ignored_part) || !keeps(candidate)) args.valid[i] = 0;
+    if (passes_all || candidate.ignored(ignored_part) || !keeps(candidate)) args.valid[i] = 0;
   }
 }
 

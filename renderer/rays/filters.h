@@ -32,7 +32,8 @@ struct Group {
   SurfaceKind kind = SurfaceKind::opaque;
   bool owned = false;  ///< its parts are the surfaces of lights
   std::vector<std::uint32_t> triangles;
-  float scale = 1.0f;  ///< EmbreeScene::scale
+  float scale = 1.0f;       ///< EmbreeScene::scale
+  bool shadowless = false;  ///< lines and points, which no query for shadows meets
 
   [[nodiscard]] std::uint32_t triangle(unsigned primitive) const {
     return triangles.empty() ? primitive : triangles[primitive];
@@ -69,7 +70,8 @@ struct Context {
   const Group* groups;
   const Sides* sides;
   std::int32_t ignored_part;
-  float scale;             ///< Embree's lengths over the world's: EmbreeScene::scale
+  float scale;  ///< Embree's lengths over the world's: EmbreeScene::scale
+  bool of_shadows = false;
   Lanes* lanes = nullptr;  ///< collects what lets light through; closest hits do without
   std::span<const std::uint8_t> outlined = {};  ///< see RayScene::blockers
 
@@ -87,7 +89,8 @@ struct Context {
 };
 static_assert(offsetof(Context, base) == 0, "the filters cast Embree's context back");
 
-/// The filter of a geometry for closest hits: drops an ignored part, and holes; with lanes, blended
+/// The filter of a geometry for closest hits: drops an ignored part, what casts no shadow where
+/// these are asked for, and holes; with lanes, blended
 /// surfaces too, whose attenuation is collected.
 void closest_filter(const RTCFilterFunctionNArguments* args);
 

@@ -45,6 +45,7 @@ struct RayScene::Impl {
                      std::int32_t ignored_part) const {
     Lanes left;
     Context occluding = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
+    occluding.of_shadows = true;
     occluding.lanes = &left;
     tracing::with_width(width, count, [&](auto lanes) {
       tracing::occlude_packets<lanes()>(embree.scene(), occluding, rays,
@@ -153,6 +154,7 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
     return;
   }
   Context context = impl_->nearest(rays.size(), ignored_part);
+  context.of_shadows = true;
   if (!impl_->embree.see_through()) {
     impl_->intersect(context, rays, [blockers](std::size_t i, std::size_t, const Hit& hit) {
       blockers[i] = {hit, hit.valid() ? 0.0f : 1.0f, false, false};

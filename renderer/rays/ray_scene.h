@@ -57,7 +57,7 @@ struct Blocker {
 ///
 /// Queries for shadows take the part (index into World::parts) that shines the light in question
 /// and does not shade it: `Light::own_part` of a light that it was built with, or -1 for none. A
-/// part that is no light's own is never ignored.
+/// part that is no light's own is never ignored. No such query meets lines and points.
 ///
 /// The same call gives the same bits on one machine. A query for one ray, and spans cut
 /// differently, may differ in a hit's last bits, so what goes into one span must not depend on the

@@ -3,8 +3,6 @@
 #include "renderer/files/printable.h"
 #include "renderer/scene/extension_remarks.h"
 
-#include <fmt/format.h>
-
 namespace asos {
 
 std::vector<std::string> remarks(const SceneNotes& notes) {
@@ -13,10 +11,6 @@ std::vector<std::string> remarks(const SceneNotes& notes) {
   for (const std::string& extension : notes.unsupported_extensions)
     lines.push_back(unsupported_line(extension));
   for (const std::string& line : notes.not_shown) lines.push_back(printable(line));
-  if (notes.points_not_drawn > 0)
-    lines.push_back(fmt::format("{} points are not drawn", notes.points_not_drawn));
-  if (notes.lines_not_drawn > 0)
-    lines.push_back(fmt::format("{} line segments are not drawn", notes.lines_not_drawn));
   return lines;
 }
 

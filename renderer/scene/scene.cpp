@@ -1,6 +1,29 @@
 #include "renderer/scene/scene.h"
 
 namespace asos {
+namespace {
+
+/// The sum of `count` of the meshes that instances place as they are.
+template <typename Count>
+std::uint64_t over_instances(const Scene& scene, Count count) {
+  std::uint64_t sum = 0;
+  for (const Instance& i : scene.instances) {
+    if (i.shape >= 0 || i.mesh < 0 || static_cast<std::size_t>(i.mesh) >= scene.meshes.size())
+      continue;
+    sum += count(scene.meshes[static_cast<std::size_t>(i.mesh)]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::uint64_t Scene::instanced_segments() const {
+  return over_instances(*this, [](const Mesh& mesh) { return mesh.segments.size(); });
+}
+
+std::uint64_t Scene::instanced_points() const {
+  return over_instances(*this, [](const Mesh& mesh) { return mesh.points.size(); });
+}
 
 std::uint64_t Scene::instanced_triangles() const {
   std::uint64_t count = 0;

@@ -195,8 +195,8 @@ struct Material {
   return m.normal_texture.used() || m.coat.normal_texture.used();
 }
 
-/// One primitive's triangles in its own space. Attribute arrays are empty or as long as
-/// `positions`; every index is below that length; positions and normals are finite.
+/// One primitive's triangles, or its lines or points, in its own space. Attribute arrays are empty
+/// or as long as `positions`; every index is below that length; positions and normals are finite.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
@@ -205,7 +205,11 @@ struct Mesh {
   std::vector<glm::vec2> texcoords[2];
   std::vector<glm::vec4> colors;  ///< linear RGBA
   std::vector<glm::uvec3> triangles;
-  int material = -1;  ///< index into Scene::materials; -1: glTF's default material
+  std::vector<glm::uvec2> segments;   ///< of LINES, LINE_STRIP and LINE_LOOP
+  std::vector<std::uint32_t> points;  ///< of POINTS
+  int material = -1;                  ///< index into Scene::materials; -1: glTF's default material
+
+  [[nodiscard]] bool has_strokes() const { return !segments.empty() || !points.empty(); }
 };
 
 /// A mesh placed in the world. A negative determinant mirrors it. Where it is a shape, the shape is
@@ -256,8 +260,6 @@ struct SceneNotes {
   std::uint64_t warnings_dropped = 0;               ///< that the last of them counts
   std::vector<std::string> unsupported_extensions;  ///< optional ones that are not honoured
   std::vector<std::string> not_shown;               ///< parts that another choice would show
-  std::uint64_t points_not_drawn = 0;               ///< POINTS primitives' vertices
-  std::uint64_t lines_not_drawn = 0;                ///< segments of LINES, LINE_STRIP, LINE_LOOP
 };
 
 class Rig;
@@ -280,6 +282,9 @@ struct Scene {
 
   /// The triangles of all instances: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;
+  /// The segments of lines, and the points, of all instances.
+  [[nodiscard]] std::uint64_t instanced_segments() const;
+  [[nodiscard]] std::uint64_t instanced_points() const;
 };
 
 }  // namespace asos

@@ -21,7 +21,11 @@ bool valid_mesh(const Mesh& mesh) {
     return false;
   }
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
-                     [n](glm::uvec3 t) { return t.x < n && t.y < n && t.z < n; });
+                     [n](glm::uvec3 t) { return t.x < n && t.y < n && t.z < n; }) &&
+         std::all_of(mesh.segments.begin(), mesh.segments.end(),
+                     [n](glm::uvec2 s) { return s.x < n && s.y < n; }) &&
+         std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [n](std::uint32_t p) { return p < n; });
 }
 
 bool valid_textures(const Scene& scene, const Material& m) {

@@ -64,6 +64,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
         {"contrast", s.sampling.contrast, 1.0},
         {"roughest-mirror", s.mirror.roughest, 1.0},
         {"mirror-angle", s.mirror.widest_angle_deg, 180.0},
+        {"line-width", s.line_width, RenderSettings::max_line_width},
         {"filter-width", s.filter_width, RenderSettings::max_filter_width, 1.0},
         {"contrast-scale", s.sampling.contrast_scale, SamplingSettings::max_contrast_scale}}) {
     // The comparison is written so that NaN fails it.

@@ -99,6 +99,7 @@ struct MirrorSettings {
 /// `validated` says what is out of range; nothing is clamped silently.
 struct RenderSettings {
   static constexpr double max_filter_width = 4.0;
+  static constexpr double max_line_width = 16.0;
 
   int width = 1280;  ///< pixels, 1 to 32768
   int height = 720;
@@ -107,6 +108,8 @@ struct RenderSettings {
   /// Side, in pixels, of the square around its middle that a pixel is the mean of, 1 to 4 (CGF'98
   /// section 3); for the methods whose row says so (MethodRow), for the others pixels are 1 wide.
   double filter_width = 1.0;
+  /// Of lines, and the diameter of points, in pixels, 0 (they are left out) to 16.
+  double line_width = 1.0;
   AsosSettings asos;
   SamplingSettings sampling;
   TextureSettings texture;

@@ -26,6 +26,8 @@ double world_reach(const World& world) {
 
 SearchBounds own_part_ignored(const World& world, const PreparedLight& light) {
   SearchBounds bounds;
+  bounds.first_shadowless_vertex = world.strokes.first_vertex;
+  bounds.shadowless_vertices = world.strokes.vertex_count;
   if (light.own_part < 0) return bounds;
   const Part& part = world.parts[static_cast<std::size_t>(light.own_part)];
   bounds.first_ignored_vertex = part.first_vertex;
@@ -153,8 +155,8 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
 // Whether the boxes of the scene's parts prove it. With very many parts a ray costs less.
 bool ShadowGroups::nothing_between(const PreparedLight& light, const Shaft& shaft) const {
   const std::vector<Part>& parts = scene_.world.parts;
-  if (parts.size() > most_boxes) return false;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  if (scene_.world.solid_parts() > most_boxes) return false;
+  for (std::size_t i = 0; i < scene_.world.solid_parts(); ++i) {
     const bool own = light.own_part >= 0 && i == static_cast<std::size_t>(light.own_part);
     if (!own && !parts[i].shows_nothing() &&
         (parts[i].bounds.empty() || shaft.meets(parts[i].bounds)))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace asos {
 
@@ -80,12 +81,18 @@ class Reach {
 
 // What is seen decides, not the bounds, whose corners are empty in most scenes.
 void add_surfaces(const World& world, Reach& reach) {
-  const bool each_triangle = world.triangles.size() <= most_triangles;
+  const std::size_t triangles = world.solid_triangles();
+  const bool each_triangle = triangles <= most_triangles;
   if (each_triangle) {
-    for (const glm::uvec3& triangle : world.triangles)
+    for (const glm::uvec3& triangle : std::span(world.triangles).first(triangles))
       for (int k = 0; k < 3; ++k) reach.add(glm::dvec3(world.positions[triangle[k]]));
   }
-  for (const Part& part : world.parts) {
+  // Not what they are drawn as, which depends on the picture.
+  for (const auto* strokes : {&world.strokes.segments, &world.strokes.points}) {
+    for (const Stroke& stroke : *strokes)
+      reach.add(glm::dvec3(stroke.a)), reach.add(glm::dvec3(stroke.b));
+  }
+  for (const Part& part : std::span(world.parts).first(world.solid_parts())) {
     if ((part.face_count > 0 || !each_triangle) && !part.bounds.empty())
       reach.add_corners(part.bounds);
   }
@@ -97,13 +104,22 @@ void frame_also(World& world, const World& other) {
   const auto first = static_cast<std::uint32_t>(world.positions.size());
   world.positions.insert(world.positions.end(), other.positions.begin(), other.positions.end());
   for (const glm::uvec3 triangle : other.triangles) world.triangles.push_back(triangle + first);
-  world.parts.insert(world.parts.end(), other.parts.begin(), other.parts.end());
+  const auto solid = [](const World& w) { return static_cast<std::ptrdiff_t>(w.solid_parts()); };
+  world.parts.insert(world.parts.begin() + solid(world), other.parts.begin(),
+                     other.parts.begin() + solid(other));
+  world.strokes.first_part += static_cast<std::uint32_t>(solid(other));
+  for (const auto member : {&Strokes::segments, &Strokes::points})
+    (world.strokes.*member)
+        .insert((world.strokes.*member).end(), (other.strokes.*member).begin(),
+                (other.strokes.*member).end());
+  world.strokes.bounds.grow(other.strokes.bounds);
   world.bounds.grow(other.bounds);
 }
 
 FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio) {
   const double aspect = std::isfinite(aspect_ratio) && aspect_ratio > 0.0 ? aspect_ratio : 1.0;
-  Box bounds = world.bounds;
+  Box bounds = world.strokes.drawn() ? world.strokes.others : world.bounds;
+  bounds.grow(world.strokes.bounds);
   if (bounds.empty()) bounds.grow(glm::vec3(0.0f));
   const glm::dvec3 lo(bounds.lo), hi(bounds.hi), middle = 0.5 * (lo + hi);
   double radius = 0.5 * glm::length(hi - lo);

@@ -5,6 +5,7 @@
 #include "renderer/scene/tessellate.h"
 #include "renderer/world/origin.h"
 #include "renderer/world/placed_mesh.h"
+#include "renderer/world/placed_strokes.h"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,8 @@ class Flattener {
     // Numbers of faces begin where those of triangles end.
     for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
     add_rest();
+    if (std::string fault = add_strokes(scene_, world_); !fault.empty())
+      return refuse(scene_, fault);
     std::vector<Light> lights = placed_lights(world_.origin);
     return FlattenedScene{std::move(world_), std::move(lights)};
   }
@@ -159,6 +162,7 @@ class Flattener {
       boxes.push_back(box);
     }
     if (given_origin_) world_.origin = *given_origin_;
+    if (boxes.empty() && !given_origin_) world_.origin = origin_of_strokes(scene_);
     if (boxes.empty()) return {};
     given_origin_ ? all.grow(*given_origin_)
                   : void(world_.origin = choose_origin(boxes, all.middle()));

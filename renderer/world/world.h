@@ -4,6 +4,7 @@
 #include "renderer/geometry/shape_face.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
+#include "renderer/world/strokes.h"
 
 #include <glm/glm.hpp>
 
@@ -42,11 +43,13 @@ struct World {
   std::vector<ShapeFace> faces;              ///< of analytic shapes
   std::vector<std::uint32_t> triangle_part;  ///< the part of each triangle, then of each face
   std::vector<Part> parts;
-  std::vector<Material> materials;  ///< the scene's, then glTF's default material
+  /// The scene's, then glTF's default material, then those that lines and points have.
+  std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Camera> cameras;  ///< relative to origin
   Box bounds;                   ///< of the positions that triangles use; empty if none
+  Strokes strokes;              ///< the lines and points
 
   /// Every surface that a ray meets has one number: a triangle's index, or that of a face of an
   /// analytic shape behind them all.
@@ -57,6 +60,16 @@ struct World {
   [[nodiscard]] std::uint32_t surface_count() const {
     return static_cast<std::uint32_t>(triangles.size() + faces.size());
   }
+  /// The parts that are not of lines and points come first.
+  [[nodiscard]] std::size_t solid_parts() const {
+    return strokes.empty() ? parts.size() : strokes.first_part;
+  }
+  /// So do the triangles that are not of lines and points.
+  [[nodiscard]] std::size_t solid_triangles() const {
+    return triangles.size() - strokes.triangle_count;
+  }
+  /// Whether a picture can show anything of it.
+  [[nodiscard]] bool shows_nothing() const { return surface_count() == 0 && strokes.empty(); }
 
   /// The index of a surface's material in `materials`.
   [[nodiscard]] std::uint32_t material_index(std::uint32_t surface) const {

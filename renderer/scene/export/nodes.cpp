@@ -7,6 +7,7 @@ using nlohmann::json;
 namespace {
 
 constexpr int float_type = 5126, uint_type = 5125;
+constexpr int points_mode = 0, lines_mode = 1;
 constexpr int vertex_target = 34962, index_target = 34963;
 
 /// Doubles are written with as many digits as they have, so nothing is rounded.
@@ -41,10 +42,13 @@ json mesh_json(const Mesh& mesh, GltfDocument& document) {
   attribute("TEXCOORD_0", mesh.texcoords[0], "VEC2");
   attribute("TEXCOORD_1", mesh.texcoords[1], "VEC2");
   attribute("COLOR_0", mesh.colors, "VEC4");
-  // The indices go out as the plain numbers that the triangles are made of.
-  std::vector<std::uint32_t> indices;
+  // The indices go out as the plain numbers that the triangles, or lines or points, are made of.
+  std::vector<std::uint32_t> indices = mesh.points;
   indices.reserve(3 * mesh.triangles.size());
   for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+  for (const glm::uvec2& s : mesh.segments) indices.insert(indices.end(), {s.x, s.y});
+  if (!mesh.points.empty()) primitive["mode"] = points_mode;
+  if (!mesh.segments.empty()) primitive["mode"] = lines_mode;
   primitive["indices"] = document.add_accessor(indices, "SCALAR", uint_type, index_target);
   if (mesh.material >= 0) primitive["material"] = mesh.material;
   json out{{"primitives", json::array({primitive})}};
@@ -123,10 +127,10 @@ json named_node(const std::string& name) {
 }
 
 void write_meshes(const Scene& scene, GltfDocument& document) {
-  // glTF has no empty meshes: one without triangles is left out, and its instances stay as nodes.
+  // glTF has no empty meshes: one that shows nothing is left out, and its instances stay as nodes.
   std::vector<int> mesh_of(scene.meshes.size(), -1);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (scene.meshes[i].triangles.empty()) continue;
+    if (scene.meshes[i].triangles.empty() && !scene.meshes[i].has_strokes()) continue;
     mesh_of[i] = document.add("meshes", mesh_json(scene.meshes[i], document));
   }
   const std::vector<int> shape_of = write_shapes(scene, document);

@@ -56,6 +56,12 @@ std::string mesh_fault(const Mesh& mesh, const Scene& scene) {
   for (const glm::uvec3& t : mesh.triangles) {
     if (std::max({t.x, t.y, t.z}) >= count) return "has an index beyond its vertices";
   }
+  const auto beyond = [count](std::uint32_t v) { return v >= count; };
+  const bool segments_beyond =
+      std::any_of(mesh.segments.begin(), mesh.segments.end(),
+                  [&](glm::uvec2 s) { return beyond(s.x) || beyond(s.y); });
+  if (segments_beyond || std::any_of(mesh.points.begin(), mesh.points.end(), beyond))
+    return "has an index beyond its vertices";
   if (mesh.material != -1 && !index_into(mesh.material, scene.materials.size())) {
     return fmt::format("uses material {}, which does not exist", mesh.material);
   }

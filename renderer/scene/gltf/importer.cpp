@@ -101,12 +101,12 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
     return {};
   }
   const std::uint64_t count = drawn_count(primitive.mode, *elements);
-  if (!is_drawn(primitive.mode, count * copies.size(), place)) return {};
+  if (!is_drawn(primitive.mode, place)) return {};
   // Before anything of this size is allocated.
   triangles_ += count * copies.size();
   if (triangles_ > options_.max_triangles) {
-    return fault(
-        fmt::format("has more than {} triangles, which is the limit", options_.max_triangles));
+    return fault(fmt::format("has more than {} triangles, lines and points, which is the limit",
+                             options_.max_triangles));
   }
   if (scene_.instances.size() + copies.size() > most_instances) {
     return fault(fmt::format("has more than {} objects, which is the limit", most_instances));
@@ -124,15 +124,9 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
   return {};
 }
 
-bool Importer::is_drawn(int mode, std::uint64_t count, const std::string& place) {
-  if (mode >= TINYGLTF_MODE_TRIANGLES && mode <= TINYGLTF_MODE_TRIANGLE_FAN) return true;
-  if (mode == TINYGLTF_MODE_POINTS) {
-    scene_.notes.points_not_drawn += count;
-  } else if (mode >= TINYGLTF_MODE_LINE && mode <= TINYGLTF_MODE_LINE_STRIP) {
-    scene_.notes.lines_not_drawn += count;
-  } else {
-    doc_.warnings.add_loss(fmt::format("{} has the unknown mode {}; left out", place, mode));
-  }
+bool Importer::is_drawn(int mode, const std::string& place) {
+  if (mode >= TINYGLTF_MODE_POINTS && mode <= TINYGLTF_MODE_TRIANGLE_FAN) return true;
+  doc_.warnings.add_loss(fmt::format("{} has the unknown mode {}; left out", place, mode));
   return false;
 }
 
@@ -175,7 +169,7 @@ std::optional<Mesh> Importer::load_mesh(PrimitiveRequest request, const std::str
     doc_.warnings.add_loss(fmt::format("{} is left out: {}", request.place, loaded.error()));
     return std::nullopt;
   }
-  if (loaded->mesh.triangles.empty()) return std::nullopt;
+  if (loaded->mesh.triangles.empty() && !loaded->mesh.has_strokes()) return std::nullopt;
   world_from_mesh[3] += glm::dvec4(loaded->offset, 0.0);
   loaded->mesh.name = name;
   return std::move(loaded->mesh);
@@ -206,11 +200,11 @@ void Importer::check_unshown() {
 }
 
 Checked<void> Importer::check_drawn() {
-  if (scene_.instanced_triangles() > 0 || !scene_.shapes.empty()) return {};
-  const bool other = scene_.notes.points_not_drawn + scene_.notes.lines_not_drawn > 0;
+  if (scene_.instanced_triangles() + scene_.instanced_segments() + scene_.instanced_points() > 0 ||
+      !scene_.shapes.empty())
+    return {};
   if (!doc_.warnings.first_loss().empty()) return fault(doc_.warnings.first_loss());
-  doc_.warnings.add(other ? "nothing to draw: points and lines are not drawn"
-                          : "nothing to draw: the scene has no triangles");
+  doc_.warnings.add("nothing to draw: the scene has no triangles, lines or points");
   return {};
 }
 

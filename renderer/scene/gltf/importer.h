@@ -44,7 +44,7 @@ class Importer {
   [[nodiscard]] Checked<void> add_shape(int index, const tinygltf::Node& node, const Shape& shape);
   [[nodiscard]] Checked<void> add_primitive(int index, int p, const SkinPose* skin,
                                             const std::vector<glm::dmat4>& copies);
-  [[nodiscard]] bool is_drawn(int mode, std::uint64_t count, const std::string& place);
+  [[nodiscard]] bool is_drawn(int mode, const std::string& place);
   [[nodiscard]] int load(int index, int p, const SkinPose* skin, const std::string& place,
                          glm::dmat4& world_from_mesh);
   [[nodiscard]] std::optional<Mesh> load_mesh(PrimitiveRequest request, const std::string& name,

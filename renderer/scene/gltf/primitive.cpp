@@ -48,6 +48,13 @@ Checked<std::optional<DracoPrimitive>> decode_draco(const PrimitiveRequest& requ
   return std::optional<DracoPrimitive>();
 }
 
+/// What a mode is made of, in words.
+const char* pieces_of(int mode) {
+  if (mode == TINYGLTF_MODE_POINTS) return "points";
+  return is_stroke(mode) ? "line segments" : "triangles";
+}
+
+/// Segments and points as `triangles_of` hands them over.
 Checked<std::vector<glm::uvec3>> read_triangles(const PrimitiveRequest& request,
                                                 const std::optional<DracoPrimitive>& draco,
                                                 Accessors& accessors, std::size_t vertices,
@@ -71,7 +78,23 @@ Checked<std::vector<glm::uvec3>> read_triangles(const PrimitiveRequest& request,
     warnings.add(fmt::format("{}: {} vertices are left over from its last triangle", request.place,
                              indices.size() % 3));
   }
+  if (request.primitive.mode == TINYGLTF_MODE_LINE && indices.size() % 2 != 0)
+    warnings.add(fmt::format("{}: a vertex is left over from its last line", request.place));
   return triangles_of(request.primitive.mode, indices);
+}
+
+/// A mesh of lines or points, which have no more than positions and colours.
+Mesh stroke_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& strokes) {
+  Mesh mesh;
+  mesh.positions = std::move(data.positions);
+  mesh.colors = std::move(data.colors);
+  for (const glm::uvec3 s : strokes) {
+    if (mode == TINYGLTF_MODE_POINTS)
+      mesh.points.push_back(s.x);
+    else
+      mesh.segments.emplace_back(s.x, s.y);
+  }
+  return mesh;
 }
 
 /// The vertices that triangles use, where that is well below all of them: files often share one
@@ -139,6 +162,8 @@ std::string declared_faults(const tinygltf::Primitive& primitive, Accessors& acc
 
 Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& accessors,
                                    Warnings& warnings) {
+  if (is_stroke(request.primitive.mode) && draco_extension(request.primitive))
+    return fault("it is compressed by Draco, which knows triangles only");
   const auto draco = decode_draco(request, accessors, warnings);
   if (!draco) return fault(draco.error());
   AttributeSource source(request, *draco ? &**draco : nullptr, accessors, warnings);
@@ -154,8 +179,9 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
     return t.x >= *vertices || t.y >= *vertices || t.z >= *vertices;
   });
   if (triangles->size() < declared) {
-    warnings.add_loss(fmt::format("{}: {} of {} triangles use vertices that do not exist; dropped",
-                                  request.place, declared - triangles->size(), declared));
+    warnings.add_loss(fmt::format("{}: {} of {} {} use vertices that do not exist; dropped",
+                                  request.place, declared - triangles->size(), declared,
+                                  pieces_of(request.primitive.mode)));
   }
   const Selection used = select_used(*triangles, *vertices);
   Checked<VertexData> data = source.read(used);
@@ -165,9 +191,13 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
   if (request.skin) loaded.offset = apply_skin(*data, *triangles, request, warnings);
   if (const std::size_t dropped = drop_infinite(*data, *triangles); dropped > 0) {
     warnings.add_loss(
-        fmt::format("{}: {} of {} triangles have positions that are not finite; "
+        fmt::format("{}: {} of {} {} have positions that are not finite; "
                     "dropped",
-                    request.place, dropped, declared));
+                    request.place, dropped, declared, pieces_of(request.primitive.mode)));
+  }
+  if (is_stroke(request.primitive.mode)) {
+    loaded.mesh = stroke_mesh(request.primitive.mode, std::move(*data), *triangles);
+    return loaded;
   }
   complete_normals(*data, *triangles, request.place, warnings);
   check_texcoords(request, *data, warnings);

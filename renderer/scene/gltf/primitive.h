@@ -33,7 +33,7 @@ struct LoadedMesh {
 /// How many vertices of a primitive go into drawing it: its indices, or else its positions.
 [[nodiscard]] Checked<std::uint64_t> element_count(const tinygltf::Primitive& primitive,
                                                    Accessors& accessors);
-/// Triangles, or for the modes that are not drawn points or segments, that `elements` make.
+/// Triangles, points or segments of lines that `elements` make.
 [[nodiscard]] std::uint64_t drawn_count(int mode, std::uint64_t elements);
 
 /// The faults of a primitive's accessors, without reading their data; empty if nothing.
@@ -41,8 +41,9 @@ struct LoadedMesh {
                                           Accessors& accessors);
 
 /// The triangles of one primitive: attributes read, morphed, skinned, and completed with normals
-/// and tangents. Triangles with vertices that do not exist or are not finite are dropped with a
-/// warning. Faults: there are no usable positions or indices.
+/// and tangents; or its lines or points, with positions and colours alone. What has vertices that
+/// do not exist or are not finite is dropped with a warning. Faults: there are no usable positions
+/// or indices.
 [[nodiscard]] Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request,
                                                  Accessors& accessors, Warnings& warnings);
 

@@ -21,8 +21,8 @@ using nlohmann::ordered_json;
 RenderSettings odd_settings() {
   RenderSettings s;
   // A member that is added stops this line from compiling: write it, read it, and set it below.
-  const auto& [width, height, crop, method, filter_width, asos, sampling, texture, shadow, mirror,
-               sky, cull, seed, threads] = s;
+  const auto& [width, height, crop, method, filter_width, line_width, asos, sampling, texture,
+               shadow, mirror, sky, cull, seed, threads] = s;
   const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
   const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
   const auto& [filter, resolution] = texture;
@@ -42,6 +42,7 @@ RenderSettings odd_settings() {
   s.asos.fat = 4;
   s.asos.refine_shading = false;
   s.filter_width = 1.0 + 1.0 / 3.0;
+  s.line_width = 2.5;
   s.asos.jitter = true;
   s.sampling.spp = 25;
   s.sampling.contrast = 1.0 / 7.0;

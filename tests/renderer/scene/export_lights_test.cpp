@@ -51,7 +51,8 @@ Light polygon() {
 Scene lit_scene() {
   const Axes axes;
   Scene scene;
-  scene.meshes = {{"triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {}, {}, {{0, 1, 2}}, -1}};
+  scene.meshes = {
+      {"triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {}, {}, {{0, 1, 2}}, {}, {}, -1}};
   scene.meshes[0].normals.assign(3, {0, 0, 1});
   scene.instances = {{"seen", 0, glm::dmat4(1.0)}, {"shown", 0, glm::dmat4(1.0), true}};
   Light ball = light_of(Light::Type::point, "ball");

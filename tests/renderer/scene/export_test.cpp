@@ -277,6 +277,30 @@ TEST_F(ExportTest, GltfHoldsItsBufferAsDataUri) {
   EXPECT_EQ(uri.size() - prefix.size(), (bytes + 2) / 3 * 4);
 }
 
+TEST_F(ExportTest, LinesAndPointsComeBack) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.1f, 2, -3}};
+  mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0.5f}};
+  mesh.segments = {{0, 1}, {2, 0}};
+  scene.meshes.push_back(mesh);
+  mesh.segments.clear();
+  mesh.points = {2, 1};
+  scene.meshes.push_back(mesh);
+  scene.instances = {{"lines", 0, glm::dmat4(1.0)}, {"points", 1, glm::dmat4(1.0)}};
+  ASSERT_TRUE(export_gltf(scene, path("lines.glb")));
+  expect_sound_accessors(parse_glb(content_of(path("lines.glb"))));
+  const Result<Scene> back = import_gltf(path("lines.glb"));
+  ASSERT_TRUE(back) << back.error().message();
+  ASSERT_EQ(back->meshes.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back->meshes[i].positions, scene.meshes[i].positions);
+    EXPECT_EQ(back->meshes[i].colors, scene.meshes[i].colors);
+    EXPECT_EQ(back->meshes[i].segments, scene.meshes[i].segments);
+    EXPECT_EQ(back->meshes[i].points, scene.meshes[i].points);
+  }
+}
+
 TEST_F(ExportTest, EmptySceneIsValid) {
   Scene scene;
   scene.meshes = {Mesh{}};

@@ -45,7 +45,7 @@ glm::vec3 front(const World& world, std::size_t triangle) {
   return glm::normalize(glm::cross(world.positions[t.y] - a, world.positions[t.z] - a));
 }
 
-TEST(ImportGeometry, DrawsEveryTriangleModeAndCountsTheOthers) {
+TEST(ImportGeometry, DrawsEveryMode) {
   // Five points of a convex polygon, such that all modes give triangles that face +Z.
   struct Case {
     int mode;
@@ -63,14 +63,55 @@ TEST(ImportGeometry, DrawsEveryTriangleModeAndCountsTheOthers) {
       const Result<Scene> scene = load(b);
       ASSERT_TRUE(scene) << scene.error().message();
       EXPECT_EQ(scene->instanced_triangles(), c.triangles);
-      EXPECT_EQ(scene->notes.points_not_drawn, c.points);
-      EXPECT_EQ(scene->notes.lines_not_drawn, c.lines);
+      EXPECT_EQ(scene->instanced_points(), c.points);
+      EXPECT_EQ(scene->instanced_segments(), c.lines);
       const Result<World> world = test::flat_world(*scene);
       ASSERT_TRUE(world);
       for (std::size_t t = 0; t < world->triangles.size(); ++t) {
         expect_near(front(*world, t), {0, 0, 1});
       }
     }
+  }
+}
+
+TEST(ImportGeometry, JoinsLinesAsTheirModesSay) {
+  using Segments = std::vector<glm::uvec2>;
+  for (const auto& [mode, segments] : {std::pair{1, Segments{{3, 0}, {1, 2}}},
+                                       std::pair{2, Segments{{3, 0}, {0, 1}, {1, 2}, {2, 3}}},
+                                       std::pair{3, Segments{{3, 0}, {0, 1}, {1, 2}}}}) {
+    GltfBuilder b;
+    const std::vector<glm::vec3> points{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}};
+    const std::vector<glm::vec4> colors{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    b.primitive({{"POSITION", b.vec3(points)}, {"COLOR_0", b.vec4(colors)}}, mode)["indices"] =
+        b.indices({3, 0, 1, 2});
+    const Result<Scene> scene = load(b);
+    ASSERT_TRUE(scene) << scene.error().message();
+    ASSERT_EQ(scene->meshes.size(), 1u);
+    EXPECT_EQ(scene->meshes[0].segments, segments) << mode;
+    EXPECT_EQ(scene->meshes[0].positions, points);
+    EXPECT_EQ(scene->meshes[0].colors, colors);
+    EXPECT_TRUE(scene->notes.warnings.empty());
+  }
+}
+
+TEST(ImportGeometry, LeavesOutBrokenLinesAndPoints) {
+  const float nan = std::nanf("");
+  for (const int mode : {0, 1}) {
+    GltfBuilder b;
+    const int positions = b.vec3({{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}, {1, 2, 0}});
+    b.primitive({{"POSITION", positions}}, mode)["indices"] = b.indices({0, 1, 2, 3, 3, 9, 1});
+    const Result<Scene> scene = load(b);
+    ASSERT_TRUE(scene) << scene.error().message();
+    EXPECT_EQ(scene->instanced_points(), mode == 0 ? 5u : 0u);
+    EXPECT_EQ(scene->instanced_segments(), mode == 1 ? 1u : 0u);
+    std::string all;
+    for (const std::string& warning : scene->notes.warnings) all += warning + "\n";
+    EXPECT_NE(all.find(mode == 0 ? "1 of 7 points use vertices that do not exist"
+                                 : "1 of 3 line segments use vertices that do not exist"),
+              std::string::npos)
+        << all;
+    EXPECT_NE(all.find("not finite"), std::string::npos) << all;
+    EXPECT_EQ(all.find("a vertex is left over") != std::string::npos, mode == 1) << all;
   }
 }
 

@@ -1,0 +1,59 @@
+#include "renderer/prepared/with_strokes.h"
+
+#include <fmt/format.h>
+
+#include <new>
+#include <utility>
+
+namespace asos {
+namespace {
+
+Result<void> check_size(const RenderScene& scene, const StrokePicture& picture) {
+  const World& world = scene.world();
+  const StrokeSize more = size_of_strokes(world, picture);
+  const std::uint64_t triangles = world.solid_triangles() + more.triangles;
+  if (triangles > most_triangles)
+    return unexpected(Error{scene.geometry->source,
+                            fmt::format("has {} triangles with its lines and points; the limit is "
+                                        "{}",
+                                        triangles, most_triangles)});
+  return {};
+}
+
+Result<std::shared_ptr<const RenderScene>> draw_in_memory(const RenderScene& scene,
+                                                          const StrokePicture& picture) {
+  const Geometry& before = *scene.geometry;
+  World world = before.world;
+  draw_strokes(world, picture);
+  auto geometry =
+      build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips);
+  if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
+  Geometry& built = **geometry;
+  built.name = before.name;
+  built.source = before.source;
+  built.notes = before.notes;
+  built.contents = before.contents;
+  built.time = before.time;
+  built.rig = before.rig;
+  built.stage = before.stage;
+  built.build_seconds = before.build_seconds;
+  RenderScene drawn = scene;
+  drawn.geometry = *std::move(geometry);
+  return assembled(std::move(drawn));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const RenderScene>> with_strokes(std::shared_ptr<const RenderScene> scene,
+                                                        const StrokePicture& picture) {
+  const Strokes& strokes = scene->world().strokes;
+  if (strokes.empty() || (!(picture.width > 0.0) && !strokes.drawn())) return scene;
+  if (const auto fits = check_size(*scene, picture); !fits) return unexpected(fits.error());
+  try {
+    return draw_in_memory(*scene, picture);
+  } catch (const std::bad_alloc&) {
+    return unexpected(Error{scene->geometry->source, "does not fit into this machine's memory"});
+  }
+}
+
+}  // namespace asos

@@ -1,0 +1,128 @@
+#include "renderer/world/placed_strokes.h"
+
+#include "renderer/geometry/coordinates.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+
+namespace asos {
+namespace {
+
+const Mesh* strokes_of(const Scene& scene, const Instance& instance) {
+  if (instance.shape >= 0) return nullptr;
+  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+  return mesh.has_strokes() ? &mesh : nullptr;
+}
+
+/// Calls `visit` with the vertices that strokes of a mesh use.
+template <typename Visit>
+void each_vertex(const Mesh& mesh, Visit visit) {
+  for (const glm::uvec2 s : mesh.segments) visit(s.x), visit(s.y);
+  for (const std::uint32_t p : mesh.points) visit(p);
+}
+
+glm::dvec3 placed(const Instance& instance, glm::vec3 position) {
+  return glm::dvec3(instance.world_from_mesh * glm::dvec4(position, 1.0));
+}
+
+/// A material's colour, alone: lines and points have no normals to be lit by, and no inside.
+Material unlit_material(const Material& material) {
+  Material unlit;
+  unlit.name = material.name;
+  unlit.base_color = material.base_color;
+  unlit.alpha_mode = material.alpha_mode;
+  unlit.alpha_cutoff = material.alpha_cutoff;
+  unlit.metallic = 0.0f;
+  unlit.double_sided = true;
+  unlit.unlit = true;
+  return unlit;
+}
+
+class Placer {
+ public:
+  Placer(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+
+  std::string run() {
+    world_.strokes.first_part = static_cast<std::uint32_t>(world_.parts.size());
+    for (const Instance& instance : scene_.instances) {
+      const Mesh* mesh = strokes_of(scene_, instance);
+      if (!mesh) continue;
+      if (std::string fault = add(instance, *mesh); !fault.empty()) return fault;
+    }
+    return {};
+  }
+
+ private:
+  std::string add(const Instance& instance, const Mesh& mesh) {
+    bool fits = true;
+    each_vertex(mesh, [&](std::uint32_t v) {
+      fits = fits && within_reach(placed(instance, mesh.positions[v]) - world_.origin);
+    });
+    if (!fits)
+      return fmt::format("instance '{}' has lines or points that single precision does not reach",
+                         instance.name);
+    Part part;
+    part.name = instance.name.empty() ? mesh.name : instance.name;
+    part.material = material(mesh.material);
+    const auto index = static_cast<std::uint32_t>(world_.parts.size());
+    for (const glm::uvec2 s : mesh.segments)
+      world_.strokes.segments.push_back(stroke(instance, mesh, s, index));
+    for (const std::uint32_t p : mesh.points)
+      world_.strokes.points.push_back(stroke(instance, mesh, glm::uvec2(p), index));
+    world_.parts.push_back(std::move(part));
+    return {};
+  }
+
+  Stroke stroke(const Instance& instance, const Mesh& mesh, glm::uvec2 ends, std::uint32_t part) {
+    Stroke out;
+    out.a = glm::vec3(placed(instance, mesh.positions[ends.x]) - world_.origin);
+    out.b = glm::vec3(placed(instance, mesh.positions[ends.y]) - world_.origin);
+    if (!mesh.colors.empty()) out.color_a = mesh.colors[ends.x], out.color_b = mesh.colors[ends.y];
+    out.part = part;
+    world_.strokes.bounds.grow(out.a);
+    world_.strokes.bounds.grow(out.b);
+    return out;
+  }
+
+  std::uint32_t material(int of_scene) {
+    const auto [known, is_new] =
+        materials_.try_emplace(of_scene, static_cast<std::uint32_t>(world_.materials.size()));
+    if (is_new) {
+      const std::size_t from =
+          of_scene >= 0 ? static_cast<std::size_t>(of_scene) : scene_.materials.size();
+      world_.materials.push_back(unlit_material(world_.materials[from]));
+    }
+    return known->second;
+  }
+
+  const Scene& scene_;
+  World& world_;
+  std::map<int, std::uint32_t> materials_;  // the world's unlit one for each of the scene's
+};
+
+}  // namespace
+
+glm::dvec3 origin_of_strokes(const Scene& scene) {
+  glm::dvec3 lo(std::numeric_limits<double>::infinity()), hi = -lo;
+  for (const Instance& instance : scene.instances) {
+    const Mesh* mesh = strokes_of(scene, instance);
+    if (!mesh) continue;
+    each_vertex(*mesh, [&](std::uint32_t v) {
+      const glm::dvec3 p = placed(instance, mesh->positions[v]);
+      lo = glm::min(lo, p), hi = glm::max(hi, p);
+    });
+  }
+  const glm::dvec3 middle = 0.5 * (lo + hi);
+  const bool finite = std::isfinite(middle.x) && std::isfinite(middle.y) && std::isfinite(middle.z);
+  return finite ? middle : glm::dvec3(0.0);
+}
+
+std::string add_strokes(const Scene& scene, World& world) {
+  return Placer(scene, world).run();
+}
+
+}  // namespace asos

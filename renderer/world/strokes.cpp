@@ -1,0 +1,228 @@
+#include "renderer/world/strokes.h"
+
+#include "renderer/world/world.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace asos {
+namespace {
+
+// Up to this width, in pixels, an eighth of a disk's outline is as good as straight.
+constexpr double small_point = 2.0;
+constexpr int small_corners = 8;
+constexpr int large_corners = 16;
+
+int corners_of(double width) {
+  return width <= small_point ? small_corners : large_corners;
+}
+
+/// A camera's axes, in which x and y of a place over its depth are its place in the picture, one
+/// unit ahead.
+class Eye {
+ public:
+  explicit Eye(const StrokePicture& picture)
+      : right_(picture.camera.world_from_camera[0]),
+        up_(picture.camera.world_from_camera[1]),
+        back_(picture.camera.world_from_camera[2]),
+        eye_(picture.camera.world_from_camera[3]),
+        perspective_(picture.camera.type == Camera::Type::perspective) {
+    const double tall =
+        perspective_ ? 2.0 * std::tan(0.5 * picture.camera.fov_y_rad) : picture.camera.height;
+    width_ = picture.width * tall / picture.height;
+  }
+
+  /// To the right, up, and ahead.
+  [[nodiscard]] glm::dvec3 seen(glm::dvec3 world) const {
+    const glm::dvec3 d = world - eye_;
+    return {glm::dot(d, right_), glm::dot(d, up_), -glm::dot(d, back_)};
+  }
+  /// The place in the world of one that is seen, nearer by a width.
+  [[nodiscard]] glm::vec3 drawn(glm::dvec3 seen) const {
+    if (perspective_)
+      seen *= std::max(0.5, 1.0 - width_);
+    else
+      seen.z -= width_;
+    return glm::vec3(eye_ + seen.x * right_ + seen.y * up_ - seen.z * back_);
+  }
+  [[nodiscard]] glm::vec3 towards_eye() const { return glm::vec3(glm::normalize(back_)); }
+  [[nodiscard]] glm::dvec2 projected(glm::dvec3 seen) const {
+    return perspective_ ? glm::dvec2(seen) / seen.z : glm::dvec2(seen);
+  }
+  /// Of half of a line at a place that is seen, across the line of sight.
+  [[nodiscard]] double half_width(glm::dvec3 seen) const {
+    return 0.5 * width_ * (perspective_ ? std::abs(seen.z) : 1.0);
+  }
+  [[nodiscard]] bool perspective() const { return perspective_; }
+
+ private:
+  glm::dvec3 right_, up_, back_, eye_;
+  bool perspective_;
+  double width_ = 0.0;  // one unit ahead, or anywhere where rays are parallel
+};
+
+class Drawer {
+ public:
+  Drawer(World& world, const StrokePicture& picture, bool coloured)
+      : world_(world), eye_(picture), corners_(corners_of(picture.width)), coloured_(coloured) {}
+
+  // One part after the other, for its triangles are consecutive.
+  void run() {
+    std::size_t segment = 0, point = 0;
+    const Strokes& strokes = world_.strokes;
+    for (std::uint32_t p = strokes.first_part; p < world_.parts.size(); ++p) {
+      part_ = &world_.parts[p];
+      part_->first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
+      part_->first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+      for (; segment < strokes.segments.size() && strokes.segments[segment].part == p; ++segment)
+        add_segment(strokes.segments[segment]);
+      for (; point < strokes.points.size() && strokes.points[point].part == p; ++point)
+        add_point(strokes.points[point]);
+      part_->triangle_count =
+          static_cast<std::uint32_t>(world_.triangles.size()) - part_->first_triangle;
+      part_->vertex_count =
+          static_cast<std::uint32_t>(world_.positions.size()) - part_->first_vertex;
+      world_.bounds.grow(part_->bounds);
+    }
+  }
+
+ private:
+  // What lies nearer than this share of the farther end's depth has no place in a picture.
+  static constexpr double nearest_share = 1e-6;
+
+  void add_segment(const Stroke& stroke) {
+    const glm::dvec3 a = eye_.seen(glm::dvec3(stroke.a)), b = eye_.seen(glm::dvec3(stroke.b));
+    if (!eye_.perspective()) return add_ribbon(stroke, a, b, 0.0, 1.0);
+    const double near = nearest_share * std::max(std::abs(a.z), std::abs(b.z));
+    for (const double side : {1.0, -1.0}) {
+      // The stretch from t0 to t1 whose depth times `side` is `near` or more.
+      const double za = side * a.z - near, zb = side * b.z - near;
+      if (za < 0.0 && zb < 0.0) continue;
+      const double cut = za / (za - zb);
+      add_ribbon(stroke, a, b, za < 0.0 ? cut : 0.0, zb < 0.0 ? cut : 1.0);
+    }
+  }
+
+  void add_ribbon(const Stroke& stroke, glm::dvec3 a, glm::dvec3 b, double t0, double t1) {
+    const std::array<glm::dvec3, 2> ends{glm::mix(a, b, t0), glm::mix(a, b, t1)};
+    const glm::dvec2 along = eye_.projected(ends[1]) - eye_.projected(ends[0]);
+    const double length = glm::length(along);
+    if (!(length > 0.0) || !std::isfinite(length)) return;
+    const glm::dvec3 across(-along.y / length, along.x / length, 0.0);
+    const auto first = static_cast<std::uint32_t>(world_.positions.size());
+    for (int end = 0; end < 2; ++end) {
+      const auto t = static_cast<float>(end == 0 ? t0 : t1);
+      const glm::vec4 color = glm::mix(stroke.color_a, stroke.color_b, t);
+      const glm::dvec3 half = across * eye_.half_width(ends[end]);
+      add_vertex(ends[end] + half, color);
+      add_vertex(ends[end] - half, color);
+    }
+    add_triangle({first, first + 1, first + 2});
+    add_triangle({first + 2, first + 1, first + 3});
+  }
+
+  void add_point(const Stroke& stroke) {
+    const glm::dvec3 middle = eye_.seen(glm::dvec3(stroke.a));
+    if (eye_.perspective() && middle.z == 0.0) return;
+    // A regular polygon of n corners has the area n / 2 sin(2 pi / n) r^2.
+    const double step = 2.0 * std::numbers::pi / corners_;
+    const double radius = eye_.half_width(middle) * std::sqrt(step / std::sin(step));
+    const auto first = static_cast<std::uint32_t>(world_.positions.size());
+    for (int i = 0; i < corners_; ++i) {
+      const double angle = step * i;
+      add_vertex(middle + radius * glm::dvec3(std::cos(angle), std::sin(angle), 0.0),
+                 stroke.color_a);
+    }
+    for (std::uint32_t i = 2; i < static_cast<std::uint32_t>(corners_); ++i)
+      add_triangle({first, first + i - 1, first + i});
+  }
+
+  void add_vertex(glm::dvec3 seen, glm::vec4 color) {
+    const glm::vec3 position = eye_.drawn(seen);
+    world_.positions.push_back(position);
+    part_->bounds.grow(position);
+    world_.normals.push_back(eye_.towards_eye());
+    if (!world_.tangents.empty()) world_.tangents.emplace_back(0.0f);
+    for (std::vector<glm::vec2>& texcoords : world_.texcoords)
+      if (!texcoords.empty()) texcoords.emplace_back(0.0f);
+    if (coloured_) world_.colors.push_back(color);
+  }
+
+  void add_triangle(glm::uvec3 corners) {
+    world_.triangles.push_back(corners);
+    world_.triangle_part.push_back(static_cast<std::uint32_t>(part_ - world_.parts.data()));
+  }
+
+  World& world_;
+  Eye eye_;
+  int corners_;
+  bool coloured_;  // vertices have colours
+  Part* part_ = nullptr;
+};
+
+/// Takes the surfaces of another picture away.
+void clear_strokes(World& world) {
+  Strokes& strokes = world.strokes;
+  if (!strokes.drawn()) return;
+  world.positions.resize(strokes.first_vertex);
+  world.normals.resize(strokes.first_vertex);
+  if (!world.tangents.empty()) world.tangents.resize(strokes.first_vertex);
+  for (std::vector<glm::vec2>& texcoords : world.texcoords)
+    if (!texcoords.empty()) texcoords.resize(strokes.first_vertex);
+  if (!world.colors.empty()) world.colors.resize(strokes.first_vertex);
+  world.triangles.resize(strokes.first_triangle);
+  world.triangle_part.erase(
+      world.triangle_part.begin() + strokes.first_triangle,
+      world.triangle_part.begin() + strokes.first_triangle + strokes.triangle_count);
+  for (std::size_t p = strokes.first_part; p < world.parts.size(); ++p) {
+    Part& part = world.parts[p];
+    part.triangle_count = part.vertex_count = 0;
+    part.bounds = Box();
+  }
+  world.bounds = strokes.others;
+  strokes.triangle_count = strokes.vertex_count = 0;
+}
+
+bool coloured(const std::vector<Stroke>& strokes) {
+  return std::any_of(strokes.begin(), strokes.end(), [](const Stroke& s) {
+    return s.color_a != glm::vec4(1.0f) || s.color_b != glm::vec4(1.0f);
+  });
+}
+
+}  // namespace
+
+StrokeSize size_of_strokes(const World& world, const StrokePicture& picture) {
+  const auto corners = static_cast<std::uint64_t>(corners_of(picture.width));
+  const std::uint64_t segments = world.strokes.segments.size();
+  const std::uint64_t points = world.strokes.points.size();
+  // A segment may pass the camera, and has a ribbon on either side then.
+  return {4 * segments + (corners - 2) * points, 8 * segments + corners * points};
+}
+
+void draw_strokes(World& world, const StrokePicture& picture) {
+  clear_strokes(world);
+  Strokes& strokes = world.strokes;
+  if (strokes.empty() || !(picture.width > 0.0)) return;
+  strokes.others = world.bounds;
+  strokes.first_vertex = static_cast<std::uint32_t>(world.positions.size());
+  strokes.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
+  const bool any_colours =
+      !world.colors.empty() || coloured(strokes.segments) || coloured(strokes.points);
+  if (any_colours) world.colors.resize(world.positions.size(), glm::vec4(1.0f));
+
+  // Numbers of faces begin where those of triangles end.
+  const std::vector<std::uint32_t> of_faces(world.triangle_part.begin() + strokes.first_triangle,
+                                            world.triangle_part.end());
+  world.triangle_part.resize(strokes.first_triangle);
+  Drawer(world, picture, any_colours).run();
+  strokes.vertex_count = static_cast<std::uint32_t>(world.positions.size()) - strokes.first_vertex;
+  strokes.triangle_count =
+      static_cast<std::uint32_t>(world.triangles.size()) - strokes.first_triangle;
+  world.triangle_part.insert(world.triangle_part.end(), of_faces.begin(), of_faces.end());
+  world.positions.reserve(world.positions.size() + 1);  // see World::positions
+}
+
+}  // namespace asos

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "renderer/geometry/box.h"
+#include "renderer/geometry/camera.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+struct World;
+
+/// A segment of a line, or a point, whose two ends are one, relative to World::origin.
+struct Stroke {
+  glm::vec3 a;
+  glm::vec3 b;
+  glm::vec4 color_a{1.0f};  ///< linear RGBA, of the vertices
+  glm::vec4 color_b{1.0f};
+  std::uint32_t part = 0;  ///< index into World::parts
+};
+
+/// The lines and points of a world. They are surfaces only as long as somebody looks at them: see
+/// draw_strokes. Their parts are the last ones, and so are their triangles and vertices.
+struct Strokes {
+  std::vector<Stroke> segments;
+  std::vector<Stroke> points;
+  Box bounds;  ///< of all of them
+  std::uint32_t first_part = 0;
+  // As they are drawn:
+  std::uint32_t first_triangle = 0;
+  std::uint32_t triangle_count = 0;
+  std::uint32_t first_vertex = 0;
+  std::uint32_t vertex_count = 0;
+  Box others;  ///< World::bounds without them
+
+  [[nodiscard]] bool empty() const { return segments.empty() && points.empty(); }
+  /// Whether a triangle of the world, or one of its vertices, draws one of them.
+  [[nodiscard]] bool has_triangle(std::uint32_t triangle) const {
+    return triangle - first_triangle < triangle_count;
+  }
+  [[nodiscard]] bool has_vertex(std::uint32_t vertex) const {
+    return vertex - first_vertex < vertex_count;
+  }
+  [[nodiscard]] bool drawn() const { return vertex_count > 0; }
+};
+
+/// The picture that lines and points are drawn for.
+struct StrokePicture {
+  Camera camera;       ///< relative to World::origin
+  int height = 1;      ///< pixels
+  double width = 1.0;  ///< of lines, and the diameter of points, in pixels; 0: there are none
+};
+
+/// The triangles, and vertices, that `draw_strokes` would add.
+struct StrokeSize {
+  std::uint64_t triangles = 0;
+  std::uint64_t vertices = 0;
+};
+[[nodiscard]] StrokeSize size_of_strokes(const World& world, const StrokePicture& picture);
+
+/// Makes surfaces that face the camera of a world's lines and points, in place of those for another
+/// picture: of each segment the ribbon whose picture is the rectangle of that width around the
+/// segment's, with butt ends; of each point a regular polygon with the area of its disk. They are
+/// as far away as what they stand for, but for one width of theirs, so that lines upon a surface
+/// are not buried in it. What is behind the camera, for mirrors to show, is as wide as if it were
+/// before it. Needs 32 bits for triangles and vertices (size_of_strokes). Leaves what is without
+/// extent in the picture out.
+void draw_strokes(World& world, const StrokePicture& picture);
+
+}  // namespace asos
