@@ -12,6 +12,7 @@ Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
       edits_(scene_, settings, hooks.wake),
       playback_(scene_, edits_, hooks.wake),
       viewpoint_(scene_, edits_.settings()),
+      strokes_(hooks.wake),
       render_(hooks.wake, refinement_) {}
 
 void Previewer::update(double now_seconds) {
@@ -21,6 +22,7 @@ void Previewer::update(double now_seconds) {
   playback_.update(!render_.out_of_date(subject()) && !render_.first_picture_pending(),
                    now_seconds);
   viewpoint_.follow_chosen();
+  strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
 }
 
@@ -51,6 +53,8 @@ std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   if (render_.out_of_date(subject()) || edits_.relighting()) return 0.0;
   if (playback_.playing()) return Playback::frame_seconds;
   std::optional<double> due = viewpoint_.seconds_to_settle(now_seconds);
+  if (const std::optional<double> drawing = strokes_.seconds_to_update(now_seconds))
+    due = std::min(due.value_or(*drawing), *drawing);
   if (const std::optional<double> limit = refinement_.seconds_to_limit(render_.progress()))
     due = std::min(due.value_or(*limit), *limit);
   return due;

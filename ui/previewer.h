@@ -7,6 +7,7 @@
 #include "ui/preview_render.h"
 #include "ui/refinement.h"
 #include "ui/scene_edits.h"
+#include "ui/stroke_drawer.h"
 #include "ui/viewpoint.h"
 
 #include <functional>
@@ -56,6 +57,7 @@ class Previewer {
   SceneEdits edits_;
   Playback playback_;
   Viewpoint viewpoint_;
+  StrokeDrawer strokes_;
   Refinement refinement_;
   PreviewRender render_;
 };

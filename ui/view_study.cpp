@@ -175,7 +175,7 @@ class ViewStudy::Work {
 
 Result<void> ViewStudy::start(const Subject& subject) {
   if (busy()) return unexpected(Error{"study", "the one before has not ended yet"});
-  if (!subject.scene || subject.scene->world().surface_count() == 0)
+  if (!subject.scene || subject.scene->world().shows_nothing())
     return unexpected(Error{"study", "the scene is empty: there is nothing to compare"});
   if (scenes_of(subject.plan).size() != 1)
     return unexpected(Error{"study", "a view is of one scene"});

@@ -54,14 +54,14 @@ class EveryControlTest : public PanelsTest {
     const DisplaySettings& d = s.display;
     switch (part) {
       case Part::settings:
-        return numbers(static_cast<int>(r.method), r.asos.eps, r.asos.max_level,
-                       static_cast<int>(r.asos.leaf), static_cast<int>(r.asos.rule),
-                       static_cast<int>(r.asos.detect), r.asos.refine_shading, r.asos.jitter,
-                       r.filter_width, r.sampling.spp, r.seed, static_cast<int>(r.texture.filter),
-                       r.cull, r.shadow.cast, static_cast<int>(r.shadow.quality), r.shadow.bounces,
-                       r.shadow.divisions, static_cast<int>(r.shadow.light_rule),
-                       r.texture.resolution, r.mirror.bounces, r.mirror.roughest,
-                       static_cast<int>(r.mirror.curved), r.mirror.widest_angle_deg);
+        return numbers(
+            static_cast<int>(r.method), r.asos.eps, r.asos.max_level, static_cast<int>(r.asos.leaf),
+            static_cast<int>(r.asos.rule), static_cast<int>(r.asos.detect), r.asos.refine_shading,
+            r.asos.jitter, r.filter_width, r.line_width, r.sampling.spp, r.seed,
+            static_cast<int>(r.texture.filter), r.cull, r.shadow.cast,
+            static_cast<int>(r.shadow.quality), r.shadow.bounces, r.shadow.divisions,
+            static_cast<int>(r.shadow.light_rule), r.texture.resolution, r.mirror.bounces,
+            r.mirror.roughest, static_cast<int>(r.mirror.curved), r.mirror.widest_angle_deg);
       case Part::mirrors: {
         std::string text = numbers(p.edits().state().look.dfrs_revision, r.mirror.dfr.has_value());
         for (const DfrCurve& c : r.mirror.dfr.value_or(Dfr{}).rgb)

@@ -18,8 +18,8 @@ namespace {
 
 using test::two_triangles;
 
-/// Knows "red", "green", "slow" (green, after `release`) and "many" (of triangles); all else is an
-/// error.
+/// Knows "red", "green", "slow" (green, after `release`), "lines" (red, and one) and "many" (of
+/// triangles); all else is an error.
 class Loader {
  public:
   LoadFunction function() {
@@ -30,6 +30,15 @@ class Loader {
       if (source == "slow") {
         while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return two_triangles({0, 1, 0}, source);
+      }
+      if (source == "lines") {
+        Scene scene = two_triangles({1, 0, 0}, source);
+        Mesh line;
+        line.positions = {{-1, 0, 0.5f}, {1, 0.1f, 0.5f}};
+        line.segments = {{0, 1}};
+        scene.instances.push_back({"line", static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+        scene.meshes.push_back(std::move(line));
+        return scene;
       }
       if (source == "many") {
         Result<Scene> scene = load_scene("builtin:dense");
@@ -89,6 +98,67 @@ TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
             glm::vec3(1, 0, 0));
   EXPECT_EQ(previewer.render().restarts(), 1u);
   EXPECT_GT(wakes, 0);
+}
+
+TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("lines");
+  ASSERT_TRUE(opened("lines"));
+  const auto positions = [&] { return previewer.scene()->world().positions; };
+  ASSERT_TRUE(update_until([&] { return previewer.scene()->world().strokes.drawn(); }));
+  ASSERT_TRUE(finished());
+  const auto pixel = previewer.render().film().index(24, 15);
+  EXPECT_EQ(previewer.render().film().radiance.size(), 48u * 32u);
+  EXPECT_GT(previewer.render().film().radiance[pixel].g, 0.5f) << "the line is white";
+
+  // As they were while it moves.
+  const auto before = positions();
+  for (int i = 0; i < 20; ++i) {
+    previewer.viewpoint().camera().orbit(0.01, 0.0);
+    previewer.update(now += 0.05);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(positions(), before);
+  }
+  const std::optional<double> due = previewer.seconds_to_update(now);
+  ASSERT_TRUE(due);
+  EXPECT_LE(*due, 0.15);
+  now += 0.2;
+  EXPECT_TRUE(update_until([&] { return positions() != before; }));
+  EXPECT_TRUE(finished());
+
+  // Another width, and none.
+  const auto thin = positions();
+  previewer.edits().settings().line_width = 3.0;
+  previewer.update(now);
+  now += 0.2;
+  EXPECT_TRUE(update_until([&] { return positions() != thin; }));
+  previewer.edits().settings().line_width = 0.0;
+  previewer.update(now);
+  now += 0.2;
+  EXPECT_TRUE(update_until([&] { return !previewer.scene()->world().strokes.drawn(); }));
+  EXPECT_TRUE(finished());
+}
+
+// Where lights and lines change at once, neither is lost.
+TEST_F(PreviewerTest, LinesAndLightsChangeTogether) {
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("lines");
+  ASSERT_TRUE(opened("lines"));
+  for (int i = 0; i < 20; ++i) {
+    std::optional<Dfr>& dfr = previewer.edits().edit_dfrs()[0];
+    dfr = Dfr{};
+    dfr->perturbation = 0.01 * i;
+    previewer.edits().settings().line_width = 1.0 + 0.1 * i;
+    for (int k = 0; k < 3; ++k) {
+      previewer.update(now += 0.1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  now += 0.2;
+  ASSERT_TRUE(finished());
+  ASSERT_TRUE(previewer.scene()->dfrs()[0]);
+  EXPECT_EQ(previewer.scene()->dfrs()[0]->perturbation, 0.01 * 19);
+  EXPECT_TRUE(previewer.scene()->world().strokes.drawn());
 }
 
 TEST_F(PreviewerTest, UsesTheFilesCameraAndOrbitsWhatItLooksAt) {

@@ -180,6 +180,19 @@ void filter_control(Controls& controls, RenderSettings& settings) {
     settings.filter_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
 }
 
+void line_control(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  auto width = static_cast<float>(settings.line_width);
+  if (controls.slider("Lines",
+                      "Width of the scene's lines, and the diameter of its points, 0 to 16 pixels; "
+                      "0 leaves them out. Ctrl+click to type a value.",
+                      width,
+                      {0.0f, static_cast<float>(RenderSettings::max_line_width),
+                       static_cast<float>(usual.line_width)},
+                      [](float w) { return fmt::format("{:.2f} pixels", w); }))
+    settings.line_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
+}
+
 void texture_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   choose(controls, "Textures", texture_filters, settings.texture.filter, usual.texture.filter);
@@ -225,6 +238,7 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast&
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
   if (row_of(settings.method).samples_by_eps) adaptive_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
+  if (scene && !scene->world().strokes.empty()) line_control(controls, settings);
   if (!scene || scene->needs.textures) texture_controls(controls, settings);
   if (scene && !scene->needs.culling) return;
   controls.checkbox("Culling",
