@@ -107,6 +107,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   const auto positions = [&] { return previewer.scene()->world().positions; };
   ASSERT_TRUE(update_until([&] { return previewer.scene()->world().strokes.drawn(); }));
   ASSERT_TRUE(finished());
+  previewer.update(now);
   const auto pixel = previewer.render().film().index(24, 15);
   EXPECT_EQ(previewer.render().film().radiance.size(), 48u * 32u);
   EXPECT_GT(previewer.render().film().radiance[pixel].g, 0.5f) << "the line is white";

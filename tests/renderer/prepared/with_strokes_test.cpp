@@ -272,6 +272,10 @@ TEST(WithStrokes, AnotherPictureReplacesTheFirstOnes) {
   EXPECT_EQ(again->world().triangles, once->world().triangles);
   EXPECT_EQ(again->world().triangle_part, once->world().triangle_part);
   EXPECT_EQ(again->world().colors, once->world().colors);
+  const auto none = with_strokes(again, picture(first, 0.0)).value();
+  EXPECT_EQ(none->world().positions, scene->world().positions);
+  EXPECT_EQ(none->world().bounds.lo, scene->world().bounds.lo);
+  EXPECT_EQ(none->world().bounds.hi, scene->world().bounds.hi);
 }
 
 TEST(WithStrokes, VerticesColoursRunAlongALine) {
