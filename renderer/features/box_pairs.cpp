@@ -46,8 +46,8 @@ Box box_of(const World& world, std::uint32_t triangle) {
   return box;
 }
 
-std::vector<std::uint32_t> along_morton_curve(const World& world, const std::stop_token& stop) {
-  const std::size_t n = world.solid_triangles();
+std::vector<std::uint32_t> along_morton_curve(const World& world, std::size_t n,
+                                              const std::stop_token& stop) {
   std::vector<Keyed> keyed(n);
   in_parallel(n, stop, [&](std::uint32_t t) {
     const Box box = box_of(world, t);
@@ -69,8 +69,8 @@ constexpr std::size_t nodes_for(std::size_t children) {
 
 }  // namespace
 
-BoxTree::BoxTree(const World& world, const std::stop_token& stop)
-    : triangles_(along_morton_curve(world, stop)) {
+BoxTree::BoxTree(const World& world, std::size_t triangles, const std::stop_token& stop)
+    : triangles_(along_morton_curve(world, triangles, stop)) {
   if (triangles_.empty()) return;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr OneBox nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};

@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// The boxes of a world's triangles but for those of lines and points, in a tree of eight children
+/// The boxes of a world's first triangles, in a tree of eight children
 /// a node whose leaves follow a Morton curve (Karras 2012 orders triangles so; here the tree is the
 /// implicit complete one). Finds the pairs of triangles whose boxes overlap. Immutable: any number
 /// of threads.
@@ -20,7 +20,9 @@ class BoxTree {
   static constexpr std::size_t width = 8;
 
   /// Throws SearchStopped once `stop` is requested.
-  explicit BoxTree(const World& world, const std::stop_token& stop = {});
+  BoxTree(const World& world, std::size_t triangles, const std::stop_token& stop = {});
+  explicit BoxTree(const World& world, const std::stop_token& stop = {})
+      : BoxTree(world, world.triangles.size(), stop) {}
 
   [[nodiscard]] std::size_t leaf_count() const { return levels_.empty() ? 0 : levels_[0].size(); }
 

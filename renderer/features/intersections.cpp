@@ -59,8 +59,16 @@ bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
 
 class Collider {
  public:
-  Collider(const World& world, const IntersectionBudget& budget, const std::stop_token& stop)
-      : world_(world), budget_(budget), stop_(stop), boxes_(world, stop) {}
+  /// Of surfaces with each other, or of lines and points with surfaces.
+  enum class Of { surfaces, strokes };
+
+  Collider(const World& world, Of of, const IntersectionBudget& budget, const std::stop_token& stop)
+      : world_(world),
+        of_(of),
+        count_(of == Of::strokes ? world.triangles.size() : world.solid_triangles()),
+        budget_(budget),
+        stop_(stop),
+        boxes_(world, count_, stop) {}
 
   Intersections run() {
     if (hopeless()) return {{}, false};
@@ -86,7 +94,7 @@ class Collider {
   // A look at a pair costs far more than counting it. So count those of a few leaves first, chosen
   // by a fixed rule.
   [[nodiscard]] bool hopeless() const {
-    const std::size_t n = world_.solid_triangles();
+    const std::size_t n = count_;
     const std::size_t leaves = boxes_.leaf_count();
     if (n * (n - 1) / 2 <= survey_slack * budget_.pairs) return false;
     std::vector<std::size_t> pairs(std::clamp<std::size_t>((std::size_t{1} << 26) / n, 32, 256));
@@ -107,6 +115,8 @@ class Collider {
   }
 
   void test(std::uint32_t s, std::uint32_t t, Local& local) const {
+    if (of_ == Of::strokes && world_.strokes.has_triangle(s) == world_.strokes.has_triangle(t))
+      return;
     // Neighbours along an edge meet there and nowhere else, unless they lie in one plane.
     if (meeting(world_.triangles[s], world_.triangles[t]).count > 1) return;
     const Corners a = corners_of(world_, s), b = corners_of(world_, t);
@@ -146,6 +156,8 @@ class Collider {
   static constexpr std::size_t batch = 1024;
 
   const World& world_;
+  Of of_;
+  std::size_t count_;  // of the triangles that are looked at
   IntersectionBudget budget_;
   std::stop_token stop_;
   BoxTree boxes_;
@@ -163,8 +175,16 @@ IntersectionBudget IntersectionBudget::of(const World& world) {
 
 Intersections find_intersections(const World& world, const IntersectionBudget& budget,
                                  const std::stop_token& stop) {
-  if (world.solid_triangles() < 2) return {};
-  return Collider(world, budget, stop).run();
+  Intersections found;
+  if (world.solid_triangles() > 1)
+    found = Collider(world, Collider::Of::surfaces, budget, stop).run();
+  if (world.solid_triangles() == 0 || !world.strokes.drawn()) return found;
+  // Surfaces do not lose theirs where lines are too many.
+  const std::size_t n = world.strokes.triangle_count;
+  const IntersectionBudget more{budget.lines + 4 * n, budget.pairs + 256 * n};
+  const Intersections of_strokes = Collider(world, Collider::Of::strokes, more, stop).run();
+  found.lines.insert(found.lines.end(), of_strokes.lines.begin(), of_strokes.lines.end());
+  return found;
 }
 
 }  // namespace asos

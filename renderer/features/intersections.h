@@ -41,8 +41,8 @@ struct Intersections {
 /// these lines. Triangles that only touch or overlap in one plane have none, and neighbours along
 /// an edge are passed over. Pairs are found in a tree of boxes (BoxTree). The
 /// result does not depend on threads. A scene that is nothing but overlaps is given up after a
-/// look at a few of its triangles. Lines and points are not looked at: where they enter a surface,
-/// samples tell. Throws SearchStopped once `stop` is requested.
+/// look at a few of its triangles. So are lines and points, which are looked for where they enter
+/// surfaces; without them the rest stays. Throws SearchStopped once `stop` is requested.
 [[nodiscard]] Intersections find_intersections(const World& world, const IntersectionBudget& budget,
                                                const std::stop_token& stop = {});
 

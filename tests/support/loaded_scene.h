@@ -53,6 +53,7 @@ inline std::string broken_promise_of(const Result<Scene>& scene, const std::stri
     // Only sizes may be refused here: the importer vouches for everything else.
     const std::string& reason = world.error().reason;
     const bool of_size = reason.find("units across") != std::string::npos ||
+                         reason.find("single precision") != std::string::npos ||
                          reason.find("not finite") != std::string::npos;
     return of_size ? "" : "the importer lets through: " + reason;
   }

@@ -199,6 +199,20 @@ TEST(WithStrokes, ALineUponASurfaceIsNotBuriedInIt) {
   EXPECT_NEAR(blackened / (2.0 * length), 1.0, 0.01);
 }
 
+TEST(WithStrokes, ALineIsCutWhereItEntersASurface) {
+  const auto scene =
+      prepared(scene_of({square(1.0f, 0.0f), lines({{-0.8f, -0.3f, -0.9f}, {0.7f, 0.4f, 0.8f}})}));
+  const Camera camera = camera_for(*scene);
+  RenderSettings settings = settings_of(6.0);
+  const auto drawn = with_strokes(scene, stroke_picture(camera, settings)).value();
+  EXPECT_GT(drawn->features().counts().intersection, 0u);
+  const Picture exact = render_picture(*drawn, camera, settings);
+  EXPECT_EQ(exact.statistics.missed_splits, 0u);
+  settings.method = Method::sobol;
+  settings.sampling.spp = 4096;
+  EXPECT_LT(largest_difference(exact.film, render_picture(*drawn, camera, settings).film), 4e-3);
+}
+
 TEST(WithStrokes, LinesAndPointsCastNoShadows) {
   // Between the wall and the sun, and the sky, but beyond the picture's edge.
   std::vector<glm::vec3> near;
