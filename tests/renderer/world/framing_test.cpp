@@ -20,15 +20,17 @@ struct Shown {
 
   Shown(const World& world, const Camera& camera, glm::ivec2 size) {
     const Frame frame = View(camera, size.x, size.y).frame(0, 0, size.x, size.y);
-    for (const glm::uvec3& triangle : world.triangles) {
-      for (int k = 0; k < 3; ++k) {
-        const glm::dvec3 h = frame.homogeneous(glm::dvec3(world.positions[triangle[k]]));
-        EXPECT_GT(h.z, 0.0) << "behind the camera";
-        const glm::dvec2 at = glm::dvec2(h) / (frame.parallel() ? 1.0 : h.z);
-        lo = glm::min(lo, at);
-        hi = glm::max(hi, at);
-      }
-    }
+    const auto show = [&](glm::vec3 position) {
+      const glm::dvec3 h = frame.homogeneous(glm::dvec3(position));
+      EXPECT_GT(h.z, 0.0) << "behind the camera";
+      const glm::dvec2 at = glm::dvec2(h) / (frame.parallel() ? 1.0 : h.z);
+      lo = glm::min(lo, at);
+      hi = glm::max(hi, at);
+    };
+    for (const glm::uvec3& triangle : world.triangles)
+      for (int k = 0; k < 3; ++k) show(world.positions[triangle[k]]);
+    for (const Stroke& line : world.strokes.segments) show(line.a), show(line.b);
+    for (const Stroke& point : world.strokes.points) show(point.a);
   }
   [[nodiscard]] double tighter() const { return std::max(hi.x - lo.x, hi.y - lo.y); }
 };
