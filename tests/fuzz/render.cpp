@@ -116,7 +116,7 @@ void require_same_part(const Film& whole, const Film& part, PixelRect rect) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto loaded = load_scene(input_file("scene.glb", data, size), {-1, 20'000});
+  const auto loaded = load_scene(input_file("scene.glb", data, size), {.max_triangles = 20'000});
   if (!loaded) return 0;
   Choice choice(chosen_by({reinterpret_cast<const char*>(data), size}));
   RenderSettings settings = settings_of(choice);
