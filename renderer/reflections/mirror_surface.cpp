@@ -32,8 +32,8 @@ void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSur
   surface.clearance = std::min(surface.clearance, rounding);
 }
 
-// At half of either edge, to second order and with room for the next, where the normals lean towards
-// each other.
+// At half of either edge, to second order and with room for the next, where the normals lean
+// towards each other.
 double hollow_rise(const MirrorPatch& patch, glm::dvec3 turn_right, glm::dvec3 turn_down) {
   const double along_right = glm::dot(turn_right, patch.right);
   const double along_down = glm::dot(turn_down, patch.down);
