@@ -237,6 +237,9 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
 
 TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   rig.previewer().scene().open("missing");
+  // Its message comes before all else, whenever it comes.
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  rig.frame();
   rig.content().state().recent = {path};
   rig.key(Key::escape);
   rig.click("Open...");
