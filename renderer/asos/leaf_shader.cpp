@@ -50,23 +50,30 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
 
   // Leaves that splitting would not make even are sampled.
   std::uint32_t fewest = 0;
+  Sampled what = Sampled::noisy;
   if (refinement_->glints(leaf.sample, leaf.weight)) {
     fewest = few_samples;
   } else if (leaf.sampled) {
     // So few that agree by chance are not to be believed.
     const double likely = eye_->budget.samples_of_uneven(leaf.weight, 0.0);
     fewest = std::max(enough_samples, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
+    if (!may_be_glossy(material_of(leaf))) what = Sampled::smooth;
   } else if (refinement_->cut_out(leaf.sample, leaf.region)) {
     fewest = enough_samples;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
     fewest = enough_samples;
   }
-  if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest)) return;
+  if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest, what))
+    return;
 
   // Textured surfaces are divided into TR x TR samples of a pixel; all else is one leaf.
   if (add_texture_samples(leaf)) return;
   const glm::vec3 radiance = add_leaf(leaf, refinement_->even_around(leaf.sample, leaf.region));
   note_result(leaf, radiance);
+}
+
+const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
+  return eye_->scene->world().material_of(samples_->hit(leaf.sample).triangle);
 }
 
 // Shades a leaf by its one sample and adds it to its root.
@@ -175,12 +182,12 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
 }
 
 bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
-                             double weight, std::uint32_t fewest) {
+                             double weight, std::uint32_t fewest, Sampled what) {
   if (!sampler_) {
     sampler_.emplace(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block, eye_->seed,
                      eye_->mask);
   }
-  const RegionSampler::Goal goal = goal_of(weight, fewest);
+  const RegionSampler::Goal goal = goal_of(weight, fewest, what);
   const PyrayLeaf leaf{root, sample, weight, region, 0, true};
   if (!eye_->mask) {
     sampler_->add(region, goal);
@@ -195,15 +202,17 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
                       sampler_->sample(region, goal, *eye_->counts, kernel ? &*kernel : nullptr));
 }
 
-// The standard error that the part's weight deserves; one sample for each finest cell at least, and
-// four at most, or sixteen where what is mirrored may be far brighter than white.
-RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest) const {
+// The standard error that the part's weight deserves, and twice that where noise is all there is:
+// what is noisiest has most of a picture's error, so that samples are better spent there. One for
+// each finest cell at least, and four at most, or sixteen of what may be far brighter than white.
+RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sampled what) const {
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
+  const bool noisy = what == Sampled::noisy;
   RegionSampler::Goal goal;
-  goal.standard_error = eye_->budget.standard_error(weight);
+  goal.standard_error = (noisy ? 2.0 : 1.0) * eye_->budget.standard_error(weight);
   goal.least = eye_->budget.samples(weight, 1.0, fewest);
-  goal.most = eye_->budget.samples(weight, reflected ? 16.0 : 4.0, fewest);
+  goal.most = eye_->budget.samples(weight, noisy || reflected ? 16.0 : 4.0, fewest);
   return goal;
 }
 
@@ -231,7 +240,7 @@ void LeafShader::note_variation(const ShadedLeaf& shaded) {
   if (eye_->mask || !eye_->budget.refines() || leaf.region.marginal || leaf.weight == 1.0 ||
       !hit.valid())
     return;
-  const Material& material = eye_->scene->world().material_of(hit.triangle);
+  const Material& material = material_of(leaf);
   if (material.unlit || !may_be_glossy(material)) return;
   variation_.add(shaded);
 }

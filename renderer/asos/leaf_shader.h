@@ -31,11 +31,14 @@ class LeafShader {
 
   void shade(std::span<const PyrayLeaf> leaves);
 
+  /// What is sampled, which says how well: what splitting would make even as well, as that would;
+  /// and noise, such as bumpy and bent mirrors are full of, as it can be afforded.
+  enum class Sampled { smooth, noisy };
   /// Samples a part of a root as a whole, evenly over it and over each light together: at least
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.
   bool add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region, double weight,
-                   std::uint32_t fewest);
+                   std::uint32_t fewest, Sampled what = Sampled::noisy);
   /// So many tell how far their mean may be off.
   static constexpr std::uint32_t enough_samples = 16;
 
@@ -54,9 +57,11 @@ class LeafShader {
   void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
-  [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest) const;
+  [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest,
+                                            Sampled what) const;
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
+  [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
 

@@ -8,6 +8,8 @@ namespace asos {
 void NormalVariation::find(int side, std::span<const glm::vec3> normals,
                            std::span<const std::uint32_t> surfaces, std::uint32_t background) {
   side_ = side;
+  normals_.assign(normals.begin(), normals.end());
+  surfaces_.assign(surfaces.begin(), surfaces.end());
   errors_.assign(normals.size(), 0.0f);
   if (side < 3) return;
   // `along` is the pixel's place on the axis on which neighbours are `step` apart.
@@ -32,8 +34,22 @@ void NormalVariation::find(int side, std::span<const glm::vec3> normals,
 }
 
 float NormalVariation::error(int x, int y) const {
-  if (x < 0 || y < 0 || x >= side_ || y >= side_) return 0.0f;
-  return errors_[static_cast<std::size_t>(y * side_ + x)];
+  return holds(x, y) ? errors_[index(x, y)] : 0.0f;
+}
+
+float NormalVariation::strays(int x, int y, glm::vec3 right, glm::vec3 down) const {
+  if (!holds(x, y)) return 0.0f;
+  const std::size_t middle = index(x, y);
+  float most = 0.0f;
+  const auto look = [&](int column, int row, glm::vec3 turn) {
+    if (!holds(column, row) || surfaces_[index(column, row)] != surfaces_[middle]) return;
+    most = std::max(most, glm::length(normals_[index(column, row)] - normals_[middle] - turn));
+  };
+  look(x + 1, y, right);
+  look(x - 1, y, -right);
+  look(x, y + 1, down);
+  look(x, y - 1, -down);
+  return most;
 }
 
 }  // namespace asos

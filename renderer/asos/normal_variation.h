@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,9 +24,23 @@ class NormalVariation {
   /// neighbours show other surfaces.
   [[nodiscard]] float error(int x, int y) const;
 
+  /// How far, in radians, the neighbours' normals are from where a turn of pixel (x, y)'s by
+  /// `right` and `down` from one pixel to the next would lead: what one triangle says of a surface
+  /// whose triangles are smaller than that. 0 outside of the block, and beside other surfaces.
+  [[nodiscard]] float strays(int x, int y, glm::vec3 right, glm::vec3 down) const;
+
  private:
+  [[nodiscard]] bool holds(int x, int y) const {
+    return x >= 0 && y >= 0 && x < side_ && y < side_;
+  }
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y * side_ + x);
+  }
+
   int side_ = 0;
   std::vector<float> errors_;
+  std::vector<glm::vec3> normals_;
+  std::vector<std::uint32_t> surfaces_;
 };
 
 }  // namespace asos

@@ -144,13 +144,19 @@ Refinement::ShadingError Refinement::shading_error(SampleId sample, double share
 
 // Normals that vary from pixel to pixel: in a part of a pixel, as much less as its area is.
 float Refinement::normal_error(SampleId sample, const LeafRegion& region) const {
-  const auto width = static_cast<float>(eye_->block.width);
-  const float error = normals_.error(static_cast<int>(region.square.centre_u() * width) - border_,
-                                     static_cast<int>(region.square.centre_v() * width) - border_);
+  const glm::ivec2 pixel = pixel_of(region);
+  const float error = normals_.error(pixel.x, pixel.y);
   const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
   if (error == 0.0f || material.unlit) return 0.0f;
-  const float part = region.square.side * width;
+  const float part = region.square.side * static_cast<float>(eye_->block.width);
   return brightest(material) * error * part * part;
+}
+
+// The root that a region's middle lies in, as NormalVariation counts them.
+glm::ivec2 Refinement::pixel_of(const LeafRegion& region) const {
+  const auto width = static_cast<float>(eye_->block.width);
+  return glm::ivec2(width * glm::vec2(region.square.centre_u(), region.square.centre_v())) -
+         border_;
 }
 
 // How the light of lights that have a size, or a cone, falls off across a leaf.
@@ -252,6 +258,14 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const float side = region.square.side * static_cast<float>(eye_->block.width);
   const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
   const MirrorSurface surface = mirror_surface(eye_->scene->world(), hit, point, pyray, true);
+  // Where triangles are smaller than the patch, one of them does not tell how the mirror bends.
+  constexpr double strays_far = 0.02;
+  const glm::ivec2 pixel = pixel_of(region);
+  const auto across = static_cast<double>(side);
+  const float strays = normals_.strays(pixel.x, pixel.y, glm::vec3(surface.turn_right / across),
+                                       glm::vec3(surface.turn_down / across));
+  const double strayed = static_cast<double>(strays * side) / strays_far;
+  if (strayed > 1.0) return strayed;
   if (!surface.bent()) return 0.0;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
   const double widest = glm::radians(settings.widest_angle_deg);

@@ -74,6 +74,7 @@ class Refinement {
   [[nodiscard]] double leaf_price(SampleId sample) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] glm::ivec2 pixel_of(const LeafRegion& region) const;
   [[nodiscard]] bool refracts_too_widely(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;

@@ -119,6 +119,41 @@ TEST(CurvedMirror, ConvergesWhenItIsRough) {
   EXPECT_LT(noise, 1e-3);
 }
 
+// The normals of a mesh's corners lean to and fro by a little, from one to the next, four to a
+// pixel: each triangle says that the mirror is bent far more than it is.
+TEST(CurvedMirror, IsSampledWhereTrianglesSmallerThanPixelsDoNotTellItsBend) {
+  constexpr int side = 160;
+  constexpr float leans = 0.005f;
+  std::vector<test::TinyVertex> vertices;
+  std::vector<glm::uvec3> triangles;
+  for (int z = 0; z <= side; ++z) {
+    for (int x = 0; x <= side; ++x) {
+      const glm::vec2 at = glm::vec2(x, z) / static_cast<float>(side);
+      vertices.push_back({{4.0f * at.x - 2.0f, 0.0f, 4.0f * at.y - 2.0f},
+                          glm::normalize(glm::vec3(x % 2 == 0 ? leans : -leans, 1.0f, 0.0f)),
+                          at});
+    }
+  }
+  for (int z = 0; z < side; ++z) {
+    for (int x = 0; x < side; ++x) {
+      const auto a = static_cast<std::uint32_t>(z * (side + 1) + x);
+      const std::uint32_t c = a + side + 1;
+      triangles.emplace_back(a, c, a + 1);
+      triangles.emplace_back(a + 1, c, c + 1);
+    }
+  }
+  World world;
+  test::add_part(world, vertices, triangles, mirror(0.0f));
+  for (int i = 0; i < 8; ++i) {
+    const float x = 0.5f * static_cast<float>(i) - 2.0f;
+    add_quad(world, {x, 0.3f, -2.5f}, {0.1f, 0, 0}, {0, 2.5f, 0}, shown(glm::vec3(0.9f)));
+  }
+  const auto scene = make_render_scene(std::move(world));
+  const auto reference = picture(*scene, sobol(1024));
+  RenderSettings settings;
+  EXPECT_LT(rmse(picture(*scene, settings), reference), 2.0 / 256.0) << "two tolerances";
+}
+
 // Two mirrors that face each other, as deep as it goes: nothing grows, nothing is lost.
 TEST(FacingMirrors, AreFollowedToTheLastBounce) {
   World world;

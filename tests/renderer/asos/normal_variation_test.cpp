@@ -67,6 +67,28 @@ TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
     for (int x = 0; x < side; ++x) EXPECT_EQ(normals.error(x, y), 0.0f) << x << ' ' << y;
 }
 
+// What is foretold is a triangle's own turn; a cylinder's neighbours are where that of its circle
+// leads, but for its bend.
+TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
+  const double step = 0.02, bend = 2.0 - 2.0 * std::cos(step);
+  NormalVariation normals;
+  normals.find(side, turned([&](int x) { return step * x; }), one_surface, background);
+  for (int x = 0; x < side; ++x) {
+    const auto along = [&](double turn) {
+      const double a = step * x;
+      return glm::vec3(turn * std::cos(a), 0.0, -turn * std::sin(a));
+    };
+    EXPECT_NEAR(normals.strays(x, 3, along(step), glm::vec3(0)), 0.0, bend) << x;
+    EXPECT_NEAR(normals.strays(x, 3, along(3.0 * step), glm::vec3(0)), 2.0 * step, bend) << x;
+    EXPECT_NEAR(normals.strays(x, 3, along(step), along(0.3)), 0.3, bend) << x;
+  }
+  EXPECT_EQ(normals.strays(-1, 3, glm::vec3(1), glm::vec3(1)), 0.0f);
+  std::vector<std::uint32_t> surfaces(side * side);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i] = static_cast<std::uint32_t>(i);
+  normals.find(side, turned([&](int x) { return step * x; }), surfaces, background);
+  EXPECT_EQ(normals.strays(3, 3, glm::vec3(1), glm::vec3(1)), 0.0f) << "other surfaces";
+}
+
 TEST(NormalVariation, AreNoneOutsideAndInBlocksTooSmallToTell) {
   NormalVariation normals;
   normals.find(side, turned([](int x) { return 0.3 * x * x; }), one_surface, background);
