@@ -111,7 +111,7 @@ HWY_INLINE Lanes with_sheen(const LitBatch& points, const SightLanes& at, Lanes 
                             std::size_t i) {
   const FloatTag d;
   if (hn::AllFalse(d, hn::Gt(loaded(points.sheen, i), hn::Zero(d)))) return others;
-  struct alignas(64) Floats : std::array<float, hn::MaxLanes(d)> {};
+  struct alignas(64) Floats : std::array<float, hn::MaxLanes(FloatTag())> {};
   Floats n_dot_l, n_dot_v, n_dot_h, value;
   hn::Store(at.n_dot_l, d, n_dot_l.data());
   hn::Store(at.n_dot_v, d, n_dot_v.data());
