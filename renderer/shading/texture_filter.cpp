@@ -21,12 +21,16 @@ struct LevelPatch {
 
 // Less than this is not seen, and keeps areas above 0.
 constexpr float thinnest = 1.0f / 32.0f;
+// Longer edges are all the same, for every texture repeats itself along them; the fourth powers of
+// these are finite.
+constexpr float longest_edge = 1e9f;
 
 /// An edge as long as it has to be for the variance along it, w^2 / 12, to be right: a tent of
 /// texels that are boxes themselves adds 1/4 to it, the finest level's own tent would have added
 /// 1/6 of its texels.
 glm::vec2 less_of_texels(glm::vec2 edge, float texels) {
   const float length2 = glm::dot(edge, edge);
+  if (!(length2 > 1e-30f)) return {};  // what it would be divided by is no number
   const float left2 = length2 + 2.0f / (texels * texels) - 3.0f;
   return edge * std::sqrt(std::max(left2, thinnest * thinnest) / length2);
 }
@@ -58,7 +62,12 @@ TexelPatch bounded(TexelPatch patch, float most) {
 LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch,
                     TexelBudget budget) {
   const float longest = patch.longest();
-  if (!(longest > least_footprint) || !std::isfinite(longest * longest)) return {};
+  const float squares = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
+  if (!(longest > least_footprint) || !std::isfinite(squares)) return {};
+  if (longest > longest_edge) {
+    const float shorter = longest_edge / longest;
+    patch = {shorter * patch.right, shorter * patch.down};
+  }
   if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
     patch = principal_axes(patch);
   LevelPatch found{0, patch};

@@ -107,6 +107,32 @@ TEST(TextureFilter, StripesStaySharpAcrossAndAverageAlong) {
     EXPECT_NEAR(t.look(TexelKind::data, {u, 0.4f}, wide, low).r, 0.5f, 1e-5f) << u;
 }
 
+TEST(TextureFilter, AFootprintIsTheMeanHoweverLongAndThin) {
+  // Columns from black to white: a lookup is far from their mean at most places.
+  const Textured t(make_image(16, 16, [](int x, int) { return grey(x / 15.0); }));
+  for (const float turn : {0.0f, 0.3f}) {
+    const glm::vec2 along(std::cos(turn), std::sin(turn));
+    for (float length = 1e2f; length < 1e17f; length *= 3.0f) {
+      for (float width = 1e-38f; width < length; width *= 1e3f) {
+        const glm::vec2 right = length * along, across = width * glm::vec2(-along.y, along.x);
+        for (const glm::vec2 down : {across, right + across, glm::vec2(0.0f), right}) {
+          const glm::vec2 uv(0.02f, 0.3f);
+          EXPECT_NEAR(t.look(TexelKind::data, uv, right, down).r, 0.5f, 0.02f)
+              << length << " x " << width;
+          EXPECT_NEAR(t.look(TexelKind::data, uv, down, right).r, 0.5f, 0.02f)
+              << length << " x " << width;
+        }
+      }
+    }
+  }
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  const glm::vec2 wide(1.0f, 0.0f);
+  const glm::vec2 unknown(0.0f, none);
+  const glm::vec4 point = sample_texture(t.world, t.use, 0, 0.02f, 0.3f, Encoding::linear);
+  EXPECT_EQ(t.look(TexelKind::data, {0.02f, 0.3f}, wide, unknown), point);
+  EXPECT_EQ(t.look(TexelKind::data, {0.02f, 0.3f}, unknown, wide), point);
+}
+
 TEST(TextureFilter, AFootprintFarSmallerThanATexelIsTheLookupToTheBit) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<float> u(-2.0f, 3.0f);
