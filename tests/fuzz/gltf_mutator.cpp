@@ -1,5 +1,6 @@
 #include "tests/fuzz/gltf_mutator.h"
 
+#include "tests/fuzz/gltf_features.h"
 #include "tests/fuzz/json_mutator.h"
 
 #include <algorithm>
@@ -138,7 +139,49 @@ constexpr auto words = std::to_array<const char*>({"POSITION",
                                                    "/nodes/0/rotation",
                                                    "joints",
                                                    "skins",
-                                                   "inverseBindMatrices"});
+                                                   "inverseBindMatrices",
+                                                   "KHR_materials_variants",
+                                                   "KHR_node_visibility",
+                                                   "MSFT_lod",
+                                                   "variants",
+                                                   "mappings",
+                                                   "visible",
+                                                   "ids",
+                                                   "ior",
+                                                   "dispersion",
+                                                   "thicknessFactor",
+                                                   "attenuationDistance",
+                                                   "attenuationColor",
+                                                   "transmissionFactor",
+                                                   "clearcoatFactor",
+                                                   "clearcoatNormalTexture",
+                                                   "sheenColorFactor",
+                                                   "sheenRoughnessFactor",
+                                                   "iridescenceFactor",
+                                                   "iridescenceIor",
+                                                   "iridescenceThicknessMaximum",
+                                                   "diffuseFactor",
+                                                   "glossinessFactor",
+                                                   "specularGlossinessTexture",
+                                                   "diffuseTransmissionFactor",
+                                                   "KHR_meshopt_compression",
+                                                   "KHR_texture_basisu",
+                                                   "polygon",
+                                                   "linear",
+                                                   "corners",
+                                                   "from",
+                                                   "to",
+                                                   "min",
+                                                   "max",
+                                                   "exponent",
+                                                   "perturbation",
+                                                   "source",
+                                                   "mimeType",
+                                                   "image/webp",
+                                                   "texCoord",
+                                                   "index",
+                                                   "scene",
+                                                   "scenes"});
 
 struct Parts {
   Json json;
@@ -253,6 +296,7 @@ std::string mutated_gltf(std::string_view file, unsigned seed) {
   if (!parts) return "";
   std::mt19937 random(seed);
   const unsigned choice = random() % 4;
+  if (random() % 2 == 0) add_feature(parts->json, random);
   if (choice != 0) mutate(parts->json, words, random);
   if (choice != 1) {
     for (unsigned i = random() % 4 + 1; i > 0; --i) change_numbers(parts->bin, random);

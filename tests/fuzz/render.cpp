@@ -1,12 +1,17 @@
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/with_strokes.h"
 #include "renderer/scene/load.h"
+#include "renderer/scene/rig.h"
 #include "renderer/session/film_render.h"
+#include "renderer/shading/environments.h"
 #include "renderer/shading/sky.h"
+#include "renderer/shading/sky_choice.h"
 #include "tests/fuzz/gltf_mutator.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/support/temporary_folder.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string_view>
@@ -77,6 +82,18 @@ RenderSettings settings_of(Choice& choice) {
   s.seed = choice.of(3);
   if (choice.of(2) == 0)
     s.sky = std::make_shared<const Sky>(glm::vec3(0.2f, 0.4f, 1.0f), glm::vec3(0.9f));
+  if (choice.of(4) == 1) {
+    const std::size_t any =
+        static_cast<std::size_t>(choice.of(static_cast<int>(environments.size())));
+    SkyChoice chosen;
+    chosen.environment = environments[any].value;
+    const auto made = make_sky(chosen);
+    require(made.has_value(), "environments need no file");
+    s.sky = *made;
+  }
+  s.shadow.sky = choice.of(4) == 1;
+  s.shadow.bounces = choice.of(8) == 1 ? 1 : 0;
+  if (choice.of(2) == 1) s.line_width = RenderSettings::max_line_width / (1 << choice.of(8));
   return s;
 }
 
@@ -116,21 +133,30 @@ void require_same_part(const Film& whole, const Film& part, PixelRect rect) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto loaded = load_scene(input_file("scene.glb", data, size), {.max_triangles = 20'000});
-  if (!loaded) return 0;
   Choice choice(chosen_by({reinterpret_cast<const char*>(data), size}));
   RenderSettings settings = settings_of(choice);
   require(validated(settings).has_value(), "the settings are those of a person");
-  const auto scene = prepare(*loaded);
+  auto loaded =
+      load_scene(input_file("scene.glb", data, size), {.max_triangles = 20'000, .keep_rig = true});
+  if (loaded && loaded->rig) {
+    constexpr std::array seconds{0.5, 0.0, 0.3, 1e9};
+    loaded = loaded->rig->pose(ClipTime{0, seconds[static_cast<std::size_t>(choice.of(4))]});
+  }
+  if (!loaded) return 0;
+  const auto bare = prepare(*loaded);
+  if (!bare) return 0;
+  const Camera camera = camera_of((*bare)->world(), choice);
+  const auto scene = with_strokes(*bare, stroke_picture(camera, settings));
   if (!scene) return 0;
   if (!check_method(**scene, settings)) settings.method = Method::asos;
-  const Camera camera = camera_of((*scene)->world(), choice);
   const Film film = render(*scene, camera, settings);
   const int also = choice.of(4);
   if (also == 1) {
     const auto forced = prepare(*loaded, SceneNeeds::all());
     require(forced.has_value(), "what is forced on refuses nothing");
-    require(render(*forced, camera, settings).radiance == film.radiance,
+    const auto drawn = with_strokes(*forced, stroke_picture(camera, settings));
+    require(drawn.has_value(), "what is forced on refuses no lines");
+    require(render(*drawn, camera, settings).radiance == film.radiance,
             "what is forced on changes no pixel");
   }
   if (also == 2) {

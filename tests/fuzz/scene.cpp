@@ -3,12 +3,27 @@
 #include "tests/fuzz/harness.h"
 #include "tests/support/loaded_scene.h"
 
+#include <string>
 #include <string_view>
 
-// Any file is a scene that keeps the promises of scene.h, at rest and at times, or is refused in
-// words.
+// Any file is a scene that keeps the promises of scene.h, at rest and at times, with a variant of
+// its materials and with another of its scenes, or is refused in words.
 
 namespace asos::fuzz {
+namespace {
+
+/// The file's other scenes and its variants are scenes as well.
+std::string broken_promise_of_choices(const SceneContents& contents, const std::string& path) {
+  std::string broken;
+  if (!contents.variants.empty())
+    broken = test::broken_promise_of(load_scene(path, {.variant = contents.variants.back()}), path);
+  if (broken.empty() && contents.scenes.size() > 1)
+    broken = test::broken_promise_of(
+        load_scene(path, {.scene = std::to_string(contents.scenes.size() - 1)}), path);
+  return broken;
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string path = input_file("scene.glb", data, size);
@@ -16,6 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string broken = test::broken_promise_of(scene, path);
   if (broken.empty() && scene && scene->rig)
     broken = test::broken_promise_of(scene->rig->pose(ClipTime{0, 0.5}), path);
+  if (broken.empty() && scene) broken = broken_promise_of_choices(scene->contents, path);
   require(broken.empty(), broken);
   return 0;
 }

@@ -13,6 +13,25 @@
 
 namespace asos::test {
 
+/// Which of a material's layers, or what lies below them, breaks a promise; null: none.
+inline const char* broken_layer_of(const Material& m) {
+  const auto share = [](float value) { return value >= 0.0f && value <= 1.0f; };
+  const auto shares = [&](glm::vec3 v) { return share(v.x) && share(v.y) && share(v.z); };
+  const auto size = [](float value) { return value >= 0.0f && std::isfinite(value); };
+  if (!share(m.coat.factor) || !share(m.coat.roughness)) return "a coat";
+  if (!shares(m.sheen.color) || !share(m.sheen.roughness)) return "a sheen";
+  if (!share(m.film.factor) || !(m.film.ior >= 1.0f && std::isfinite(m.film.ior)) ||
+      !size(m.film.thickness_min_nm) || !size(m.film.thickness_max_nm))
+    return "a film";
+  if (!share(m.transmission) || !size(m.volume.thickness) ||
+      !(m.volume.attenuation_distance > 0.0f) || !shares(m.volume.attenuation_color) ||
+      !size(m.volume.dispersion))
+    return "a volume";
+  if (!share(m.diffuse_transmission.factor) || !shares(m.diffuse_transmission.color))
+    return "what shines through";
+  return nullptr;
+}
+
 inline std::string broken_promise_of(const Material& m) {
   const auto share = [](double value) { return value >= 0.0 && value <= 1.0; };
   if (m.ior != 0.0f && !(m.ior >= 1.0f && std::isfinite(m.ior))) return "an index of refraction";
@@ -20,6 +39,7 @@ inline std::string broken_promise_of(const Material& m) {
   for (int c = 0; c < 3; ++c)
     if (!(m.specular_color[c] >= 0.0f && std::isfinite(m.specular_color[c])))
       return "a specular colour";
+  if (const char* broken = broken_layer_of(m)) return broken;
   if (!m.dfr) return "";
   if (!share(m.dfr->perturbation)) return "a perturbation";
   for (const DfrCurve& curve : m.dfr->rgb)
