@@ -60,6 +60,12 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// What gnuplot complained of, to go on a sentence with.
+std::string reason_in(const std::string& log) {
+  const std::string said = text_of(log);
+  return said.empty() ? " and does not say why; the disk may be full" : ": " + said;
+}
+
 /// Whether gnuplot wrote both plots to their ends: on a full disk it does not say that it could
 /// not.
 bool are_whole(const std::string& path) {
@@ -177,10 +183,10 @@ Result<std::vector<Plot>> draw_plots(const SceneReport& scene, const std::string
       return tl::unexpected(written.error());
     const std::string log = path + ".log";
     if (run_gnuplot(path + ".gp", log) != 0)
-      return tl::unexpected(Error{path + ".gp", "gnuplot failed: " + text_of(log)});
+      return tl::unexpected(Error{path + ".gp", "gnuplot failed" + reason_in(log)});
     if (!are_whole(path))
       return tl::unexpected(
-          Error{path, "gnuplot could not write the plot to its end: " + text_of(log)});
+          Error{path, "gnuplot did not write the plot to its end" + reason_in(log)});
     fs::remove(log);
     plots.push_back({quantity.title, path});
   }

@@ -343,5 +343,30 @@ TEST(ReportCommand, SaysAtTheStartThatGnuplotIsMissing) {
   EXPECT_FALSE(fs::exists(folder.file("report"))) << "found out before anything was rendered";
 }
 
+TEST(ReportCommand, NamesThePlotThatGnuplotDoesNotDraw) {
+  const test::TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  const std::pair<std::string, std::string> ends[] = {
+      {"echo 'no \033[2Jfont' >&2; exit 3", "gnuplot failed: no \\x1b[2Jfont"},
+      {"kill -9 $$", "gnuplot failed and does not say why"},
+      {"exit 0", "does not say why; the disk may be full"},
+      {"echo '<svg>' >\"${1%.gp}.svg\"", "gnuplot did not write the plot to its end"},
+  };
+  for (const auto& [does, said] : ends) {
+    const std::string program =
+        folder.write("gnuplot", "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n" + does + "\n");
+    fs::permissions(program, fs::perms::owner_all);
+    setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+    const AsosRun outcome = run_asos({"report", "builtin:boxes", "-o", folder.file("report"),
+                                      "--size", "12x8", "--methods", "asos", "--budget", "0.02"});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(outcome.exit_code, 1) << does;
+    EXPECT_TRUE(contains(outcome.err, "plots/1-boxes-rmse")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, said)) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder.file("report/report.html"))) << does;
+    fs::remove_all(folder.file("report"));
+  }
+}
+
 }  // namespace
 }  // namespace asos
