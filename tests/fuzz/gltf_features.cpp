@@ -131,8 +131,8 @@ void extend_primitive(Json& document, Json& mesh, std::mt19937& random) {
     return;
   }
   constexpr const char* variants = "KHR_materials_variants";
-  document["extensions"][variants]["variants"] = {{{"name", "a"}}, {{"name", "b"}}};
-  object_in(*primitive, "extensions")[variants]["mappings"] =
+  object_in(document["extensions"], variants)["variants"] = {{{"name", "a"}}, {{"name", "b"}}};
+  object_in(object_in(*primitive, "extensions"), variants)["mappings"] =
       Json::array({{{"material", any_index(document, "materials", random)},
                     {"variants", Json::array({random() % 3})}}});
   use(document, variants);
