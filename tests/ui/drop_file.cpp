@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -86,6 +87,19 @@ class Source {
   std::string uri_;
 };
 
+/// A path as a URI has it (RFC 3986): all but its unreserved characters in percents.
+std::string uri_of(const std::string& path) {
+  std::string uri = "file://";
+  for (const char c : path) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       std::strchr("/-._~", c) != nullptr;
+    char escaped[4];
+    std::snprintf(escaped, sizeof escaped, "%%%02X", static_cast<unsigned char>(c));
+    uri += plain ? std::string(1, c) : escaped;
+  }
+  return uri;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,7 +111,7 @@ int main(int argc, char** argv) {
   if (!display) return 2;
   const Window target = std::strtoul(argv[1], nullptr, 0);
   const std::string path = std::filesystem::absolute(argv[2]).string();
-  const bool taken = Source(display, target, "file://" + path + "\r\n").drop();
+  const bool taken = Source(display, target, uri_of(path) + "\r\n").drop();
   XCloseDisplay(display);
   return taken ? 0 : 1;
 }

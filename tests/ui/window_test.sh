@@ -11,84 +11,12 @@ set -u
 program=$1
 drop=$2
 scene=${3:-builtin:boxes}
-skip=77
+source "$(dirname "$0")/virtual_screen.sh"
 
-for tool in Xvfb xdotool import convert compare; do
-  if ! command -v "$tool" >/dev/null; then
-    echo "skipped: $tool is not installed"
-    exit $skip
-  fi
-done
-
-work=$(mktemp -d)
-xvfb= app=
-clean_up() {
-  [ -n "$app" ] && kill "$app" 2>/dev/null
-  [ -n "$xvfb" ] && kill "$xvfb" 2>/dev/null
-  wait 2>/dev/null
-  rm -rf "$work"
-}
-trap clean_up EXIT
-fail() {
-  echo "failed: $*"
-  cat "$work/log" 2>/dev/null
-  exit 1
-}
-# Waits until a command succeeds; at most a minute, which no machine takes.
-wait_until() {
-  local what=$1
-  shift
-  for _ in $(seq 600); do
-    "$@" && return
-    if [ -n "$app" ]; then kill -0 "$app" 2>/dev/null || fail "the program ended: $what"; fi
-    sleep 0.1
-  done
-  fail "$what"
-}
-
-# Xvfb picks a free display itself and writes its number; it may write it before it answers, and on
-# a busy machine another server may have taken the number meanwhile. It would begin anew, and refuse
-# whoever comes meanwhile, when its last client leaves.
-displays=0
-answers() {
-  local number
-  number=$(cat "$work/display")
-  if [ -n "$number" ] && DISPLAY=:$number xdotool getdisplaygeometry >/dev/null 2>&1; then
-    export DISPLAY=:$number
-    return 0
-  fi
-  kill -0 "$xvfb" 2>/dev/null && [ "$((++asked % 50))" -ne 0 ] && return 1
-  [ "$((++displays))" -gt 5 ] && fail 'Xvfb did not start'
-  [ -n "$xvfb" ] && kill "$xvfb" 2>/dev/null
-  : >"$work/display"
-  exec 3>"$work/display"
-  Xvfb -displayfd 3 -screen 0 1680x900x24 -nolisten tcp -noreset >/dev/null 2>&1 &
-  xvfb=$!
-  exec 3>&-
-  return 1
-}
-asked=0
-: >"$work/display"
-wait_until 'no display answers' answers
-export LIBGL_ALWAYS_SOFTWARE=1
-export XDG_PICTURES_DIR=$work
-export XDG_CONFIG_HOME=$work
-
-window=
-start() {
-  "$program" "$@" --no-shadows >"$work/log" 2>&1 &
-  app=$!
-}
 start "$scene" --size 640x400 --max 1 --reflections 0
-found_window() {
-  window=$(xdotool search --onlyvisible --class asos 2>/dev/null | head -1)
-  [ -n "$window" ]
-}
 wait_until 'no window' found_window
 wait_until 'no title' eval '[[ $(xdotool getwindowname "$window") == *" - ASOS" ]]'
 
-shot() { import -window root "$1"; }
-geometry() { eval "$(xdotool getwindowgeometry --shell "$window")"; }
 # The picture's area shows a picture: many colours, not one surface.
 shows_picture() {
   shot "$1"
@@ -100,28 +28,6 @@ shows_picture() {
   [ "$deviation" -gt 30 ] && [ "$colours" -gt 50 ]
 }
 wait_for_picture() { wait_until "$1 shows no picture" shows_picture "$1"; }
-# How many pixels of an area (WxH+X+Y) differ between two pictures of the screen.
-differing() {
-  convert "$1" -crop "$3" +repage "$work/a.png"
-  convert "$2" -crop "$3" +repage "$work/b.png"
-  compare -metric AE "$work/a.png" "$work/b.png" null: 2>&1
-}
-# NEW BEFORE AREA: the area has changed since BEFORE by some hundred pixels, or is as it was then.
-changed() {
-  shot "$1"
-  [ "$(printf '%.0f' "$(differing "$1" "$2" "$3")")" -gt "${4:-300}" ]
-}
-same() {
-  shot "$1"
-  [ "$(printf '%.0f' "$(differing "$1" "$2" "$3")")" -eq 0 ]
-}
-# It comes to rest: two pictures of the screen in a row are the same.
-at_rest() {
-  shot "$work/rest.png"
-  sleep 0.4
-  same "$1" "$work/rest.png" "$2"
-}
-
 wait_for_picture window_start.png
 geometry
 right=$((X + WIDTH))
