@@ -54,7 +54,8 @@ void change_number(Json& number, std::span<const char* const> words, std::mt1993
   if (random() % 3 == 0) {
     number = other_value(words, random);
   } else if (number.is_number_integer()) {
-    number = number.get<std::int64_t>() + static_cast<int>(random() % 5) - 2;
+    // Round the ends of its type, as unsigned numbers do.
+    number = static_cast<std::int64_t>(number.get<std::uint64_t>() + random() % 5 - 2);
   } else {
     constexpr std::array factors{0.0, -1.0, 0.5, 2.0, 1e-3, 1e3, 1e-20, 1e20, 1.0000001};
     number = number.get<double>() * factors[below(factors.size(), random)];
