@@ -1,3 +1,4 @@
+#include "renderer/film/exr_claims.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/image_text.h"
 #include "renderer/film/part_file.h"
@@ -25,6 +26,7 @@ namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t{1} << 29;
 constexpr std::uint64_t most_exr_bytes = std::uint64_t{8} << 30;
+constexpr std::uint64_t most_pixels_per_byte = 1100;
 constexpr std::size_t longest_name = 255;
 
 // OpenEXR reports errors by exceptions; none leaves this file.
@@ -130,13 +132,15 @@ ImageText attributes_of(const Imf::Header& header) {
   return text;
 }
 
+tl::unexpected<Error> unreadable(const std::string& path, std::string_view reason) {
+  return unexpected(Error{path, fmt::format("is no EXR that can be read: {}", reason)});
+}
+
 // Without OpenEXR's own mention of a file.
 tl::unexpected<Error> unreadable(const std::string& path, const std::exception& e) {
   const std::string_view what = e.what();
   const std::size_t head = what.find("\". ");
-  return unexpected(
-      Error{path, fmt::format("is no EXR that can be read: {}",
-                              head == std::string_view::npos ? what : what.substr(head + 3))});
+  return unreadable(path, head == std::string_view::npos ? what : what.substr(head + 3));
 }
 
 }  // namespace
@@ -163,6 +167,8 @@ Result<void> write_exr(const std::string& path, const Film& film, const ImageTex
 }
 
 Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {
+  if (const std::string fault = fault_of_exr_claims(file); !fault.empty())
+    return unreadable(path, fault);
   try {
     BytesStream stream(file);
     const Imf::InputFile input(stream, 0);
@@ -184,6 +190,8 @@ Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
                         }};
   const auto file = read_file(path, rules);
   if (!file) return unexpected(Error{path, file.error()});
+  if (const std::string fault = fault_of_exr_claims(*file); !fault.empty())
+    return unreadable(path, fault);
   try {
     BytesStream bytes(*file);
     Imf::InputFile input(bytes, 0);
@@ -199,6 +207,10 @@ Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
       if (std::string unwanted = check(width, height); !unwanted.empty())
         return unexpected(Error{path, std::move(unwanted)});
     }
+    // No compression makes more of less, and rows are made before they are read.
+    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) >
+        most_pixels_per_byte * file->size())
+      return unreadable(path, "it ends too early");
     ExrImage read;
     read.film = Film(static_cast<int>(width), static_cast<int>(height));
     input.setFrameBuffer(slices(read.film.radiance.data(), window.min, width, height));
