@@ -87,6 +87,7 @@ void use(Json& document, const char* extension) {
 }
 
 double share(std::mt19937& random) {
+  if (random() % 16 == 0) return unlikely_number(random);
   return static_cast<double>(random() % 5) / 4.0;
 }
 
