@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -12,6 +13,8 @@ namespace asos {
 namespace {
 
 constexpr std::int64_t most_texels = std::int64_t{1} << 26;
+// The sun has 2e9 nits. Squares of what is this bright, and brightened, are finite.
+constexpr float most_radiance = 1e15f;
 
 struct SkyPicture {
   int width = 0;
@@ -41,14 +44,20 @@ Result<SkyPicture> read_exr_sky(const std::string& path) {
 }
 
 Result<void> check_texels(const std::string& path, const SkyPicture& picture) {
-  std::size_t infinite = 0, negative = 0;
+  std::size_t infinite = 0, negative = 0, blinding = 0;
   for (const glm::vec3& c : picture.texels) {
     if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) {
       ++infinite;
     } else if (c.x < 0.0f || c.y < 0.0f || c.z < 0.0f) {
       ++negative;
+    } else if (std::max({c.x, c.y, c.z}) > most_radiance) {
+      ++blinding;
     }
   }
+  if (blinding > 0)
+    return unexpected(
+        Error{path, fmt::format("{} of its {} pixels are brighter than {:g}: no sky is", blinding,
+                                picture.texels.size(), most_radiance)});
   if (infinite + negative == 0) return {};
   return unexpected(
       Error{path, fmt::format("{} of its {} pixels are not finite and {} are negative: no sky is",

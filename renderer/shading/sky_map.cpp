@@ -119,8 +119,8 @@ glm::dvec3 irradiance_over_pi_of(const std::vector<SkyPatch>& patches, glm::dvec
     weight += w;
   }
   // The weights add up to pi but for texels on the horizon: divided by their sum, a constant sky
-  // stays what it is.
-  return sum / weight;
+  // stays what it is. Of a single texel all around nothing is above the horizon.
+  return weight > 0.0 ? sum / weight : patches.front().radiance;
 }
 
 SkyRows find_irradiance(const SkyRows& level) {

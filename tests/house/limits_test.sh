@@ -39,6 +39,7 @@ limit 'text in a picture' '16 MB' renderer/film/image_text.h 'most_image_text = 
 limit 'textures' '16384 pixels a side' $gltf/image_limits.h 'largest_side = 16384;'
 limit 'textures' '1100 for each byte' $gltf/image_limits.h 'most_pixels_per_byte = 1100;'
 limit 'skies' '2^26 pixels' renderer/shading/sky_file.cpp 'most_texels = std::int64_t{1} << 26;'
+limit 'how bright skies are' '1e15' renderer/shading/sky_file.cpp 'most_radiance = 1e15f;'
 limit "pieces of cut-outs' outlines" '2 million' renderer/features/cut_outs.h \
   'lines = std::size_t{1} << 21;'
 limit 'triangles' '60 million' renderer/scene/load.h "max_triangles = 60'000'000;"

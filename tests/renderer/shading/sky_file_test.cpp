@@ -1,9 +1,11 @@
 #include "renderer/film/image_io.h"
+#include "renderer/shading/environment.h"
 #include "renderer/shading/sky.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace asos {
@@ -71,6 +73,34 @@ TEST_F(SkyFile, WithTexelsThatAreNoRadianceIsRefused) {
   EXPECT_NE(sky.error().message().find("0 of its 32 pixels are not finite and 1 are negative"),
             std::string::npos)
       << sky.error().message();
+}
+
+TEST_F(SkyFile, OfASingleRowLightsAllAlike) {
+  Film film(2, 1);
+  film.radiance = {{0.25f, 1.0f, 0.0f}, {0.75f, 1.0f, 0.0f}};
+  ASSERT_TRUE(write_exr(path("row.exr"), film, {}));
+  const auto sky = read_sky(path("row.exr"));
+  ASSERT_TRUE(sky) << sky.error().message();
+  for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(1, 0, 0)}) {
+    const glm::vec3 light = (*sky)->ambient(normal);
+    EXPECT_NEAR(light.r, 0.5f * sky_visibility, 1e-6f);
+    EXPECT_NEAR(light.g, sky_visibility, 1e-6f);
+    EXPECT_EQ(light.b, 0.0f);
+  }
+}
+
+TEST_F(SkyFile, TooBrightToBeAddedUpIsRefused) {
+  for (const float bright : {1.1e15f, 1e30f, 3.4e38f}) {
+    const auto sky = read_sky(exr_with("bright.exr", {0.0f, bright, 0.0f}));
+    ASSERT_FALSE(sky) << bright;
+    EXPECT_EQ(sky.error().message(),
+              path("bright.exr") + ": 1 of its 32 pixels are brighter than 1e+15: no sky is");
+  }
+  const auto sky = read_sky(exr_with("bright.exr", {0.0f, 9.9e14f, 0.0f}));
+  ASSERT_TRUE(sky) << sky.error().message();
+  const Sky brightest = (*sky)->brightened(SkyChoice::most_brightness);
+  const float found = brightest.ambient({0, 1, 0}).g;
+  EXPECT_TRUE(std::isfinite(found * found)) << found;
 }
 
 TEST_F(SkyFile, OfTheWrongKindIsRefused) {
