@@ -230,6 +230,21 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments) {
       ->default_str("1");
 }
 
+void add_stage_options(CLI::App& app, RenderSettings& settings) {
+  add_parsed_option(app, "--background", "WHAT",
+                    "What the eye sees where no surface is, while mirrors, glass and light keep "
+                    "the environment (--sky): environment, blurred (it), transparent (an alpha "
+                    "channel: straight in PNG, premultiplied in EXR), R,G,B (linear) or "
+                    "R,G,B:R,G,B (from the picture's upper to its lower border)",
+                    parse_background,
+                    [&](const Background& background) { settings.background = background; })
+      ->default_str("environment");
+  add_choice(app, "--ground", "WHAT",
+             "What the scene stands on: off (nothing), on (a plate at its lowest point, which "
+             "shows shadows) or mirror (which mirrors, too, sharper where it is looked along)",
+             ground_names, settings.ground);
+}
+
 // The camera, but for what is shown of its picture.
 void add_camera_choice(CLI::App& app, CameraChoice& camera) {
   CLI::Option* index = add_parsed_option(
@@ -259,6 +274,7 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
       ->default_str(fmt::format("{}x{}", settings.width, settings.height));
   add_method_options(app, settings);
   add_sky_options(app, arguments);
+  add_stage_options(app, settings);
   add_needs_option(app, arguments.needs);
 }
 

@@ -1,6 +1,7 @@
 #include "app/values.h"
 
 #include "renderer/geometry/coordinates.h"
+#include "renderer/settings/names.h"
 #include "renderer/shading/environments.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -42,6 +44,23 @@ std::optional<std::array<T, N>> read_list(std::string_view text, char separator)
     text.remove_prefix(i + 1 == N ? text.size() : end + 1);
   }
   return values;
+}
+
+// "R,G,B" or "R,G,B:R,G,B"; one colour counts twice. `otherwise`: what to say of all else.
+Result<std::pair<glm::vec3, glm::vec3>> read_colours(std::string_view text, const char* otherwise) {
+  constexpr float brightest = 1e6f;
+  const std::size_t colon = text.find(':');
+  const auto first = read_list<float, 3>(text.substr(0, colon), ',');
+  const auto second =
+      colon == std::string_view::npos ? first : read_list<float, 3>(text.substr(colon + 1), ',');
+  if (!first || !second) return refuse(text, otherwise);
+  for (const auto& colour : {*first, *second})
+    for (const float value : colour)
+      if (!(value >= 0.0f && value <= brightest))
+        return refuse(text, fmt::format("colours have to be from 0 to {}", brightest));
+  const auto& a = *first;
+  const auto& b = *second;
+  return std::pair{glm::vec3(a[0], a[1], a[2]), glm::vec3(b[0], b[1], b[2])};
 }
 
 }  // namespace
@@ -130,23 +149,30 @@ Result<SkyChoice> parse_sky(std::string_view text) {
   }
   if (text.ends_with(".hdr") || text.ends_with(".exr"))
     return SkyChoice{{}, std::string(text), 0.0};
-  constexpr float brightest = 1e6f;
-  const std::size_t colon = text.find(':');
-  const auto zenith = read_list<float, 3>(text.substr(0, colon), ',');
-  const auto horizon =
-      colon == std::string_view::npos ? zenith : read_list<float, 3>(text.substr(colon + 1), ',');
-  if (!zenith || !horizon)
-    return refuse(text,
-                  "not neutral, studio, daylight, dusk, white, grey, R,G,B such as 0.3,0.5,0.9, "
-                  "R,G,B:R,G,B (zenith and horizon) or a "
-                  "file that ends in .hdr or .exr");
-  for (const auto& colour : {*zenith, *horizon})
-    for (const float value : colour)
-      if (!(value >= 0.0f && value <= brightest))
-        return refuse(text, fmt::format("colours have to be from 0 to {}", brightest));
-  const auto& z = *zenith;
-  const auto& h = *horizon;
-  return SkyChoice{SkyChoice::Colours{{z[0], z[1], z[2]}, {h[0], h[1], h[2]}}, "", 0.0};
+  const auto colours = read_colours(text,
+                                    "not neutral, studio, daylight, dusk, white, grey, R,G,B such "
+                                    "as 0.3,0.5,0.9, R,G,B:R,G,B (zenith and horizon) or a "
+                                    "file that ends in .hdr or .exr");
+  if (!colours) return tl::unexpected(colours.error());
+  return SkyChoice{SkyChoice::Colours{colours->first, colours->second}, "", 0.0};
+}
+
+Result<Background> parse_background(std::string_view text) {
+  Background background;
+  for (const auto& kind : background_names) {
+    if (kind.value == BackgroundKind::colours || text != kind.name) continue;
+    background.kind = kind.value;
+    return background;
+  }
+  const auto colours =
+      read_colours(text,
+                   "not environment, blurred, transparent, R,G,B such as 0.3,0.5,0.9 or "
+                   "R,G,B:R,G,B (from the picture's upper to its lower border)");
+  if (!colours) return tl::unexpected(colours.error());
+  background.kind = BackgroundKind::colours;
+  background.top = colours->first;
+  background.bottom = colours->second;
+  return background;
 }
 
 }  // namespace asos

@@ -16,6 +16,16 @@ namespace {
 // calls, small enough that one tile does not cost the whole picture.
 constexpr int cell_side = 64;
 
+/// What lies behind pixels that surfaces do not cover, as everywhere: a checkerboard.
+glm::vec3 before_checkers(const Film& film, std::size_t i) {
+  const glm::vec3 radiance = film.radiance[i];
+  if (film.coverage.empty() || !(film.coverage[i] < 1.0f)) return radiance;
+  constexpr std::size_t side = 8;  // of a square, in pixels
+  const auto width = static_cast<std::size_t>(film.width);
+  const bool pale = (i % width / side + i / width / side) % 2 == 0;
+  return radiance + (1.0f - film.coverage[i]) * glm::vec3(pale ? 0.4f : 0.25f);
+}
+
 }  // namespace
 
 Result<GlDisplay> GlDisplay::make() {
@@ -70,7 +80,7 @@ void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, b
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
-      picture_.at(i) = glm::u8vec4(bytes_of(film.radiance[i]), 255);
+      picture_.at(i) = glm::u8vec4(bytes_of(before_checkers(film, i)), 255);
   }
   picture_.mark(rect);
 }
@@ -132,7 +142,7 @@ void GlDisplay::convert_compared(const Film& film, const StoredFrame& frame,
       const glm::u8vec3 colour =
           compared_.difference
               ? heat_colour(per_scale * difference_of(stored, film.radiance[i], compared_.shown))
-              : bytes_of(stored);
+              : bytes_of(before_checkers(frame.film, i));
       compared_layer_.at(i) = glm::u8vec4(colour, 255);
     }
   }

@@ -13,9 +13,11 @@ namespace {
 Result<std::unique_ptr<PictureWriter>> writer_of(const PictureOrder& order) {
   const PixelRect part = order.snapshot.settings.visible();
   const PictureSizePx size{part.width, part.height};
+  const bool clear = order.snapshot.settings.background.kind == BackgroundKind::transparent;
+  const Alpha alpha = clear ? Alpha::coverage : Alpha::none;
   if (std::filesystem::path(order.path).extension() == ".exr")
-    return make_exr_writer(order.path, size, order.text);
-  return make_png_writer(order.path, size, order.display, order.text);
+    return make_exr_writer(order.path, size, order.text, alpha);
+  return make_png_writer(order.path, size, order.display, order.text, alpha);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 Film stretched(const Film& old, int width, int height) {
   Film film(width, height);
   if (old.width <= 0 || old.height <= 0) return film;
+  film.coverage.resize(old.coverage.empty() ? 0 : film.radiance.size());
   for (int y = 0; y < height; ++y) {
     const int from_y = static_cast<int>(static_cast<std::int64_t>(y) * old.height / height);
     for (int x = 0; x < width; ++x) {
@@ -18,6 +19,8 @@ Film stretched(const Film& old, int width, int height) {
       film.radiance[film.index(x, y)] = old.radiance[old.index(from_x, from_y)];
       film.split_level[film.index(x, y)] = old.split_level[old.index(from_x, from_y)];
       film.cause[film.index(x, y)] = old.cause[old.index(from_x, from_y)];
+      if (!film.coverage.empty())
+        film.coverage[film.index(x, y)] = old.coverage[old.index(from_x, from_y)];
     }
   }
   return film;

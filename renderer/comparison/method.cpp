@@ -167,6 +167,29 @@ const MethodRow& row_of(Method method) {
   return rows[static_cast<std::size_t>(method)];
 }
 
+namespace {
+
+/// What is rendered beside a picture with a transparent background: how much of its pixels surfaces
+/// cover. The same boundaries and samples, without light.
+RenderSettings coverage_of(RenderSettings settings) {
+  settings.background.coverage = true;
+  settings.sky = nullptr;
+  settings.shadow = {};
+  settings.shadow.cast = false;
+  return settings;
+}
+
+void add_coverage(const BlockJob& job, const MethodRow& method, BlockResult& result) {
+  const RenderSettings settings = coverage_of(job.settings);
+  const BlockResult covered = method.render({job.scene, job.view, settings, job.block, job.stop});
+  result.tile.coverage.reserve(covered.tile.radiance.size());
+  for (const glm::vec3& share : covered.tile.radiance)
+    result.tile.coverage.push_back((share.x + share.y + share.z) / 3.0f);
+  result.statistics.eye_rays += covered.statistics.eye_rays;
+}
+
+}  // namespace
+
 BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
   const auto row = std::find_if(methods.begin(), methods.end(), [&](const MethodRow& method) {
     return method.value == job.settings.method;
@@ -181,6 +204,9 @@ BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods
     const auto mean = static_cast<double>(result.statistics.rays()) / static_cast<double>(pixels);
     result.tile.rays.assign(pixels, static_cast<float>(mean));
   }
+  if (job.settings.background.kind == BackgroundKind::transparent &&
+      !job.settings.background.coverage)
+    add_coverage(job, *row, result);
   return result;
 }
 

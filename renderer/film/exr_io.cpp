@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -83,28 +84,43 @@ Imf::FrameBuffer slices(const glm::vec3* radiance, const Imath::V2i& first, std:
   return buffer;
 }
 
-Imf::Header header_of(PictureSizePx size, const ImageText& attributes) {
+Imf::Slice alpha_slice(const float* alpha, const Imath::V2i& first, std::int64_t width,
+                       std::int64_t rows) {
+  return Imf::Slice::Make(Imf::FLOAT, alpha, first, width, rows, sizeof(float),
+                          sizeof(float) * static_cast<std::size_t>(width));
+}
+
+Imf::Header header_of(PictureSizePx size, const ImageText& attributes, Alpha alpha) {
   Imf::Header header(size.width, size.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const char* channel : {"R", "G", "B"})
     header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+  if (alpha == Alpha::coverage) header.channels().insert("A", Imf::Channel(Imf::FLOAT));
   for (const auto& [key, value] : attributes) header.insert(key, Imf::StringAttribute(value));
   return header;
 }
 
 class ExrWriter : public PictureWriter {
  public:
-  ExrWriter(PartFile file, std::string path, PictureSizePx size, const ImageText& attributes)
-      : file_(std::move(file)), path_(std::move(path)), size_(size), stream_(file_) {
-    output_.emplace(stream_, header_of(size, attributes), 0);
+  ExrWriter(PartFile file, std::string path, PictureSizePx size, const ImageText& attributes,
+            Alpha alpha)
+      : file_(std::move(file)), path_(std::move(path)), size_(size), alpha_(alpha), stream_(file_) {
+    output_.emplace(stream_, header_of(size, attributes, alpha), 0);
   }
 
-  [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance) override {
+  [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance,
+                                      std::span<const float> coverage) override {
     const int rows = static_cast<int>(radiance.size() / static_cast<std::size_t>(size_.width));
     if (rows == 0) return {};
     try {
-      output_->setFrameBuffer(
-          slices(radiance.data(), {0, output_->currentScanLine()}, size_.width, rows));
+      const Imath::V2i first(0, output_->currentScanLine());
+      Imf::FrameBuffer buffer = slices(radiance.data(), first, size_.width, rows);
+      std::vector<float> covered(coverage.begin(), coverage.end());
+      if (alpha_ == Alpha::coverage) {
+        covered.resize(radiance.size(), 1.0f);
+        buffer.insert("A", alpha_slice(covered.data(), first, size_.width, rows));
+      }
+      output_->setFrameBuffer(buffer);
       output_->writePixels(rows);
     } catch (const std::exception& e) {
       return unexpected(Error{path_, fmt::format("could not be written: {}", e.what())});
@@ -120,6 +136,7 @@ class ExrWriter : public PictureWriter {
   PartFile file_;
   std::string path_;
   PictureSizePx size_;
+  Alpha alpha_;
   PartStream stream_;
   std::optional<Imf::OutputFile> output_;
 };
@@ -146,7 +163,7 @@ tl::unexpected<Error> unreadable(const std::string& path, const std::exception& 
 }  // namespace
 
 Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, PictureSizePx size,
-                                                       const ImageText& attributes) {
+                                                       const ImageText& attributes, Alpha alpha) {
   if (size.width <= 0 || size.height <= 0) return unexpected(Error{path, "the picture is empty"});
   for (const auto& [key, value] : attributes)
     if (key.empty() || key.size() > longest_name || key.find('\0') != std::string::npos)
@@ -154,16 +171,18 @@ Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, 
   Result<PartFile> file = PartFile::create(path);
   if (!file) return unexpected(file.error());
   try {
-    return std::make_unique<ExrWriter>(std::move(*file), path, size, attributes);
+    return std::make_unique<ExrWriter>(std::move(*file), path, size, attributes, alpha);
   } catch (const std::exception& e) {
     return unexpected(Error{path, fmt::format("could not be written: {}", e.what())});
   }
 }
 
 Result<void> write_exr(const std::string& path, const Film& film, const ImageText& attributes) {
-  auto writer = make_exr_writer(path, {film.width, film.height}, attributes);
+  auto writer = make_exr_writer(path, {film.width, film.height}, attributes, alpha_of(film));
   if (!writer) return unexpected(writer.error());
-  return (*writer)->add_rows(film.radiance).and_then([&] { return (*writer)->finish(); });
+  return (*writer)->add_rows(film.radiance, film.coverage).and_then([&] {
+    return (*writer)->finish();
+  });
 }
 
 Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {
@@ -213,7 +232,12 @@ Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
       return unreadable(path, "it ends too early");
     ExrImage read;
     read.film = Film(static_cast<int>(width), static_cast<int>(height));
-    input.setFrameBuffer(slices(read.film.radiance.data(), window.min, width, height));
+    Imf::FrameBuffer buffer = slices(read.film.radiance.data(), window.min, width, height);
+    if (header.channels().findChannel("A")) {
+      read.film.coverage.resize(read.film.radiance.size());
+      buffer.insert("A", alpha_slice(read.film.coverage.data(), window.min, width, height));
+    }
+    input.setFrameBuffer(buffer);
     input.readPixels(window.min.y, window.max.y);
     read.attributes = attributes_of(header);
     return read;

@@ -76,13 +76,18 @@ void copy_shared(const std::vector<T>& from, const PixelRect& from_rect, std::ve
   });
 }
 
-// Costs that are not told are 0.
-void copy_costs(const std::vector<float>& from, const PixelRect& from_rect, std::vector<float>& to,
-                const PixelRect& to_rect) {
+// What is not told is `otherwise`.
+void copy_told(const std::vector<float>& from, const PixelRect& from_rect, std::vector<float>& to,
+               const PixelRect& to_rect, float otherwise) {
   if (from.size() >= pixels_of(from_rect)) return copy_shared(from, from_rect, to, to_rect);
   each_shared_row(from_rect, to_rect, [&](std::ptrdiff_t, std::ptrdiff_t into, int count) {
-    std::fill_n(to.begin() + into, count, 0.0f);
+    std::fill_n(to.begin() + into, count, otherwise);
   });
+}
+
+void copy_costs(const std::vector<float>& from, const PixelRect& from_rect, std::vector<float>& to,
+                const PixelRect& to_rect) {
+  copy_told(from, from_rect, to, to_rect, 0.0f);
 }
 
 }  // namespace
@@ -93,6 +98,7 @@ void copy_pixels(const FinishedTile& from, FinishedTile& to) {
   copy_shared(from.cause, from.rect, to.cause, to.rect);
   if (!to.rays.empty()) copy_costs(from.rays, from.rect, to.rays, to.rect);
   if (!to.seconds.empty()) copy_costs(from.seconds, from.rect, to.seconds, to.rect);
+  if (!to.coverage.empty()) copy_told(from.coverage, from.rect, to.coverage, to.rect, 1.0f);
 }
 
 Film::Film(int w, int h)
@@ -117,6 +123,8 @@ void Film::put(const FinishedTile& tile) {
   copy_shared(tile.cause, tile.rect, cause, whole);
   copy_costs(tile.rays, tile.rect, rays, whole);
   copy_costs(tile.seconds, tile.rect, seconds, whole);
+  if (!tile.coverage.empty() && coverage.empty()) coverage.assign(radiance.size(), 1.0f);
+  if (!coverage.empty()) copy_told(tile.coverage, tile.rect, coverage, whole, 1.0f);
 }
 
 glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev) {

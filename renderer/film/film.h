@@ -22,11 +22,14 @@ struct FinishedTile {
   /// spread over them evenly. Empty: not known, as of coarse passes.
   std::vector<float> rays;
   std::vector<float> seconds;
+  /// The share of each pixel that surfaces cover, 0 to 1: where the background is transparent, and
+  /// `radiance` is theirs alone. Empty: all is covered.
+  std::vector<float> coverage;
   bool coarse = false;  ///< better pixels follow
 };
 
 /// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
-/// keeps it, as 0 where `from` does not tell it.
+/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
 /// A whole picture: linear radiance, the split map by level and by cause, and what each pixel cost,
@@ -39,6 +42,7 @@ struct Film {
   std::vector<SplitCause> cause;
   std::vector<float> rays;
   std::vector<float> seconds;
+  std::vector<float> coverage;  ///< as a tile's; empty until a tile tells any
 
   Film() = default;
   Film(int w, int h);

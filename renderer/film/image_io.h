@@ -31,7 +31,7 @@ struct RgbImage {
 /// printable ASCII characters and no spaces at their ends.
 [[nodiscard]] Result<void> write_png(const std::string& path, const RgbImage& image);
 
-/// The picture as `display` shows it.
+/// The picture as `display` shows it, with an alpha channel where the film has coverage.
 [[nodiscard]] Result<void> write_png(const std::string& path, const Film& film,
                                      const DisplayTransform& display, const ImageText& text);
 
@@ -47,7 +47,7 @@ struct RgbImage {
 [[nodiscard]] Result<RgbImage> read_png(const std::string& path);
 
 struct ExrImage {
-  Film film;  ///< without split levels
+  Film film;  ///< without split levels; with coverage where the file has an A channel
   ImageText attributes;
 };
 /// `check` is asked before anything of the picture's size is made.

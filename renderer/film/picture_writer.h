@@ -18,8 +18,10 @@ namespace asos {
 class PictureWriter {
  public:
   virtual ~PictureWriter() = default;
-  /// The next rows: linear radiance, row-major, whole rows.
-  [[nodiscard]] virtual Result<void> add_rows(std::span<const glm::vec3> radiance) = 0;
+  /// The next rows: linear radiance, row-major, whole rows. `coverage`, where the picture has an
+  /// alpha channel: one a pixel, or none where all is covered.
+  [[nodiscard]] virtual Result<void> add_rows(std::span<const glm::vec3> radiance,
+                                              std::span<const float> coverage = {}) = 0;
   /// After the last row.
   [[nodiscard]] virtual Result<void> finish() = 0;
 };
@@ -29,13 +31,22 @@ struct PictureSizePx {
   int height = 0;
 };
 
-/// A PNG of what `display` shows.
+/// Whether a picture's file tells how much of its pixels is covered.
+enum class Alpha { none, coverage };
+
+[[nodiscard]] inline Alpha alpha_of(const Film& film) {
+  return film.coverage.empty() ? Alpha::none : Alpha::coverage;
+}
+
+/// A PNG of what `display` shows; with alpha, of the covered part of each pixel (straight alpha).
 [[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_png_writer(
     const std::string& path, PictureSizePx size, const DisplayTransform& display,
-    const ImageText& text);
-/// An EXR of 32-bit floats.
+    const ImageText& text, Alpha alpha = Alpha::none);
+/// An EXR of 32-bit floats; with alpha, radiance is that of the covered part times its share of the
+/// pixel (premultiplied, as EXR has it).
 [[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path,
                                                                      PictureSizePx size,
-                                                                     const ImageText& attributes);
+                                                                     const ImageText& attributes,
+                                                                     Alpha alpha = Alpha::none);
 
 }  // namespace asos

@@ -2,6 +2,7 @@
 #include "renderer/film/picture_writer.h"
 #include "renderer/film/png_rows.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -9,35 +10,47 @@
 namespace asos {
 namespace {
 
+// Where nothing is told, as of a sample that was not finite, nothing is covered.
+std::uint8_t alpha_byte(float covered) {
+  if (!(covered > 0.0f)) return 0;
+  return static_cast<std::uint8_t>(std::min(covered, 1.0f) * 255.0f + 0.5f);
+}
+
 class PngWriter : public PictureWriter {
  public:
-  PngWriter(std::unique_ptr<PngRows> rows, const DisplayTransform& display)
-      : rows_(std::move(rows)), display_(display) {}
+  PngWriter(std::unique_ptr<PngRows> rows, const DisplayTransform& display, Alpha alpha)
+      : rows_(std::move(rows)), display_(display), alpha_(alpha) {}
 
-  [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance) override {
-    rgb_.clear();
-    for (const glm::vec3& r : radiance) {
-      const glm::u8vec3 c = display_bytes(r, display_);
-      rgb_.insert(rgb_.end(), {c.x, c.y, c.z});
+  [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance,
+                                      std::span<const float> coverage) override {
+    bytes_.clear();
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+      const float covered = alpha_ == Alpha::none || coverage.empty() ? 1.0f : coverage[i];
+      const glm::vec3 of_part =
+          covered > 0.0f && covered < 1.0f ? radiance[i] / covered : radiance[i];
+      const glm::u8vec3 c = display_bytes(of_part, display_);
+      bytes_.insert(bytes_.end(), {c.x, c.y, c.z});
+      if (alpha_ == Alpha::coverage) bytes_.push_back(alpha_byte(covered));
     }
-    return rows_->add_rows(rgb_);
+    return rows_->add_rows(bytes_);
   }
   [[nodiscard]] Result<void> finish() override { return rows_->finish(); }
 
  private:
   std::unique_ptr<PngRows> rows_;
   DisplayTransform display_;
-  std::vector<std::uint8_t> rgb_;
+  Alpha alpha_;
+  std::vector<std::uint8_t> bytes_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<PictureWriter>> make_png_writer(const std::string& path, PictureSizePx size,
                                                        const DisplayTransform& display,
-                                                       const ImageText& text) {
-  return PngRows::create(path, size.width, size.height, text)
+                                                       const ImageText& text, Alpha alpha) {
+  return PngRows::create(path, size.width, size.height, text, alpha == Alpha::coverage ? 4 : 3)
       .map([&](std::unique_ptr<PngRows> rows) -> std::unique_ptr<PictureWriter> {
-        return std::make_unique<PngWriter>(std::move(rows), display);
+        return std::make_unique<PngWriter>(std::move(rows), display, alpha);
       });
 }
 
@@ -53,9 +66,11 @@ Result<void> write_png(const std::string& path, const RgbImage& image) {
 
 Result<void> write_png(const std::string& path, const Film& film, const DisplayTransform& display,
                        const ImageText& text) {
-  auto writer = make_png_writer(path, {film.width, film.height}, display, text);
+  auto writer = make_png_writer(path, {film.width, film.height}, display, text, alpha_of(film));
   if (!writer) return unexpected(writer.error());
-  return (*writer)->add_rows(film.radiance).and_then([&] { return (*writer)->finish(); });
+  return (*writer)->add_rows(film.radiance, film.coverage).and_then([&] {
+    return (*writer)->finish();
+  });
 }
 
 Result<void> write_split_map_png(const std::string& path, const Film& film, SplitMapKey key,

@@ -56,17 +56,19 @@ bool guarded(png_structp png, const F& f) {
 
 }  // namespace
 
-PngRows::PngRows(PartFile file, std::string path, int width)
-    : file_(std::move(file)), path_(std::move(path)), width_(width) {}
+PngRows::PngRows(PartFile file, std::string path, std::size_t row_bytes)
+    : file_(std::move(file)), path_(std::move(path)), row_bytes_(row_bytes) {}
 
 Result<std::unique_ptr<PngRows>> PngRows::create(const std::string& path, int width, int height,
-                                                 const ImageText& text) {
+                                                 const ImageText& text, int channels) {
   if (width <= 0 || height <= 0) return unexpected(Error{path, "the picture is empty"});
   const auto chunks = as_chunks(path, text);
   if (!chunks) return unexpected(chunks.error());
   Result<PartFile> file = PartFile::create(path);
   if (!file) return unexpected(file.error());
-  std::unique_ptr<PngRows> rows(new PngRows(std::move(*file), path, width));
+  std::unique_ptr<PngRows> rows(
+      new PngRows(std::move(*file), path,
+                  static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)));
   rows->png_ =
       png_create_write_struct(PNG_LIBPNG_VER_STRING, &rows->message_, keep_message, ignore_warning);
   if (rows->png_) rows->info_ = png_create_info_struct(rows->png_);
@@ -75,12 +77,12 @@ Result<std::unique_ptr<PngRows>> PngRows::create(const std::string& path, int wi
   const png_infop info = rows->info_;
   std::FILE* const stream = rows->file_.stream();
   const png_text_struct* const first = chunks->data();
+  const int kind = channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
   const int count = static_cast<int>(chunks->size());
   const bool begun = guarded(png, [&] {
     png_init_io(png, stream);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+                 kind, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_text(png, info, first, count);
     png_write_info(png, info);
   });
@@ -97,11 +99,11 @@ Error PngRows::failure() const {
   return {path_, "the picture could not be encoded (" + message_ + ")"};
 }
 
-Result<void> PngRows::add_rows(std::span<const std::uint8_t> rgb) {
-  const std::size_t row = 3 * static_cast<std::size_t>(width_);
-  const std::uint8_t* const end = rgb.data() + rgb.size() / row * row;
+Result<void> PngRows::add_rows(std::span<const std::uint8_t> pixels) {
+  const std::size_t row = row_bytes_;
+  const std::uint8_t* const end = pixels.data() + pixels.size() / row * row;
   const bool written = guarded(png_, [&] {
-    for (const std::uint8_t* at = rgb.data(); at != end; at += row) png_write_row(png_, at);
+    for (const std::uint8_t* at = pixels.data(); at != end; at += row) png_write_row(png_, at);
   });
   return written ? Result<void>{} : unexpected(failure());
 }

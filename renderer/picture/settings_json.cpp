@@ -53,6 +53,8 @@ constexpr const char* bounces_key = "bounces";
 constexpr const char* sky_brightness_key = "brightness";
 constexpr const char* environment_key = "environment";
 constexpr const char* line_width_key = "line_width";
+constexpr const char* background_key = "background";
+constexpr const char* ground_key = "ground";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -117,6 +119,25 @@ void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
   if (const std::string fault = fields.fault(); !fault.empty()) settings.refuse("sky", fault);
 }
 
+OrderedJson background_json(const Background& background) {
+  FieldWriter fields;
+  fields.named("kind", background_names, background.kind);
+  fields("top", background.top);
+  fields("bottom", background.bottom);
+  return fields.take();
+}
+
+void read_background(FieldReader& settings, Background& background) {
+  const OrderedJson* at = settings.take(background_key);
+  if (!at) return;
+  FieldReader fields(*at, background_key);
+  fields.named("kind", background_names, background.kind);
+  fields("top", background.top);
+  fields("bottom", background.bottom);
+  if (const std::string fault = fields.fault(); !fault.empty())
+    settings.refuse(background_key, fault);
+}
+
 }  // namespace
 
 OrderedJson settings_json(const RenderSettings& settings) {
@@ -133,6 +154,9 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   if (settings.shadow.bounces > 0) fields(bounces_key, settings.shadow.bounces);
   if (settings.line_width != RenderSettings{}.line_width)
     fields(line_width_key, settings.line_width);
+  if (settings.background != Background{})
+    fields.other(background_key, background_json(settings.background));
+  if (settings.ground != Ground::off) fields.named(ground_key, ground_names, settings.ground);
   return fields.take();
 }
 
@@ -149,6 +173,10 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
     fields(bounces_key, read.settings.shadow.bounces);
   if (json.is_object() && json.contains(line_width_key))
     fields(line_width_key, read.settings.line_width);
+  if (json.is_object() && json.contains(background_key))
+    read_background(fields, read.settings.background);
+  if (json.is_object() && json.contains(ground_key))
+    fields.named(ground_key, ground_names, read.settings.ground);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

@@ -67,7 +67,8 @@ struct RenderScene {
        settings.shadow.light_rule, culling_of(settings), filtered ? &scene.mips() : nullptr,
        PixelSpacing::of(view), settings.sky.get(), mirrors ? settings.mirror.bounces : 0,
        static_cast<float>(settings.mirror.roughest),
-       settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs()});
+       settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs(),
+       Backdrop(settings.background, view)});
 }
 
 /// What a person should know of the scene: of its file, and of its boundaries as soon as they are

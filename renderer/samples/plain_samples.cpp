@@ -19,14 +19,19 @@ PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
       mips_(viewer.shader.settings().mips),
       sky_(viewer.shader.settings().sky),
       usable_(SampledLights::takes_all(viewer.shader.lights(), viewer.shader.settings().shadows) &&
-              !world_.normals.empty() && !viewer.sees_bare_lights() && !viewer.passage.inside),
+              !world_.normals.empty() && !viewer.sees_bare_lights() && !viewer.passage.inside &&
+              !viewer.shader.settings().backdrop.shows_coverage()),
       reflections_(viewer.bounces < viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       same_sky_(!sky_ || sky_->constant()) {
+  if (!viewer.sees_bare_lights()) {
+    const Backdrop environment;
+    background_ =
+        (viewer.bounces == 0 ? viewer.shader.settings().backdrop : environment).everywhere(sky_);
+  }
   if (!same_sky_) return;
   constexpr glm::vec3 any(0.0f, 1.0f, 0.0f);
   ambient_ = sky_ ? sky_->ambient(any) : glm::vec3(ambient_radiance);
-  if (!viewer.sees_bare_lights()) background_ = asos::background(sky_, any, nullptr, 0.0f);
 }
 
 bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {

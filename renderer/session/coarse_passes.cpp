@@ -53,6 +53,9 @@ class BlockMiddles {
     return std::span(radiance_).first(blocks.size());
   }
 
+  /// Whether the ray through the middle of block i met a surface.
+  [[nodiscard]] bool met(std::size_t i) const { return hits_[i].valid(); }
+
  private:
   const PlannedRender& render_;
   Shader shader_;
@@ -64,13 +67,15 @@ class BlockMiddles {
   std::array<glm::vec3, most_blocks_in_group> radiance_{};
 };
 
-FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance) {
+/// One colour, all of it covered, or nothing.
+FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered) {
   FinishedTile tile;
   tile.rect = rect;
   const auto pixels = static_cast<std::size_t>(rect.width * rect.height);
   tile.radiance.assign(pixels, radiance);
   tile.split_level.assign(pixels, 0);
   tile.cause.assign(pixels, SplitCause::none);
+  if (!covered) tile.coverage.assign(pixels, 0.0f);
   return tile;
 }
 
@@ -89,6 +94,7 @@ void CoarsePasses::work(const PlannedRender& render, TileCollector& tiles,
 void CoarsePasses::work_middles(const PlannedRender& render, TileCollector& tiles,
                                 const std::stop_token& stop) {
   BlockMiddles middles(render);
+  const bool clear = render.snapshot.settings.background.kind == BackgroundKind::transparent;
   while (!stop.stop_requested()) {
     const std::size_t index = next_middles_++;
     if (index >= render.plan.groups.size()) return;
@@ -97,8 +103,9 @@ void CoarsePasses::work_middles(const PlannedRender& render, TileCollector& tile
     const auto radiance = middles.see(blocks, stop);
     if (radiance.empty()) return;
     FinishedTile tile = tiles.blank_tile(group);
+    if (clear) tile.coverage.assign(tile.radiance.size(), 0.0f);
     for (std::size_t i = 0; i < blocks.size(); ++i)
-      copy_pixels(flat_tile(blocks[i].rect, radiance[i]), tile);
+      copy_pixels(flat_tile(blocks[i].rect, radiance[i], !clear || middles.met(i)), tile);
     tiles.publish_coarse(index, Pass::coarse, std::move(tile));
   }
 }
@@ -116,6 +123,8 @@ void CoarsePasses::work_centres(const PlannedRender& render, TileCollector& tile
     if (index >= render.plan.groups.size()) return;
     const BlockGroup& group = render.plan.groups[index];
     FinishedTile tile = tiles.blank_tile(group);
+    if (settings.background.kind == BackgroundKind::transparent)
+      tile.coverage.assign(tile.radiance.size(), 0.0f);
     for (const WorkPlan::Block& block : blocks_of(render.plan, group)) {
       if (stop.stop_requested()) return;
       copy_pixels(render_block(*render.snapshot.scene, render.view, settings, block.rect).tile,

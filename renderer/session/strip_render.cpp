@@ -38,7 +38,8 @@ Result<StripsEnd> render_strips(const Snapshot& snapshot, PictureWriter& writer,
     };
     const auto rendered = render.render(std::move(part), go_on, tell);
     if (!rendered) return StripsEnd::stopped;
-    if (const auto written = writer.add_rows(rendered->film.radiance); !written)
+    if (const auto written = writer.add_rows(rendered->film.radiance, rendered->film.coverage);
+        !written)
       return unexpected(written.error());
     y += strip.height;
   }

@@ -4,6 +4,14 @@
 #include <utility>
 
 namespace asos {
+namespace {
+
+/// For the coverage of a part that tells any.
+void make_room(const FinishedTile& part, FinishedTile& whole) {
+  if (!part.coverage.empty()) whole.coverage.resize(whole.radiance.size(), 1.0f);
+}
+
+}  // namespace
 
 TileCollector::TileCollector(const WorkPlan& plan, std::function<void()> on_tiles)
     : plan_(&plan), on_tiles_(std::move(on_tiles)), groups_(plan.groups.size()) {}
@@ -24,6 +32,7 @@ void TileCollector::publish_coarse(std::size_t group, Pass pass, FinishedTile&& 
   {
     const std::lock_guard lock(mutex_);
     for (const BlockResult& block : groups_[group].blocks) {
+      make_room(block.tile, tile);
       if (block.tile.radiance.empty()) continue;
       copy_pixels(block.tile, tile);
     }
@@ -44,6 +53,7 @@ void TileCollector::publish_unfinished() {
       tile.cause.resize(pixels);
       tile.rays.resize(pixels);
       tile.seconds.resize(pixels);
+      if (!block.tile.coverage.empty()) tile.coverage.resize(pixels);
       copy_pixels(block.tile, tile);
       tile.rect.x -= plan_->visible.x;
       tile.rect.y -= plan_->visible.y;
@@ -60,7 +70,10 @@ bool TileCollector::finish_block(std::size_t block, BlockResult&& result) {
   tile.coarse = false;
   tile.rays.resize(tile.radiance.size());
   tile.seconds.resize(tile.radiance.size());
-  for (const BlockResult& one : whole) copy_pixels(one.tile, tile);
+  for (const BlockResult& one : whole) {
+    make_room(one.tile, tile);
+    copy_pixels(one.tile, tile);
+  }
   return publish(group, Pass::final_pixels, std::move(tile));
 }
 

@@ -72,6 +72,9 @@ enum class CurvedMirror {
 /// stands for; point: they are looked up where its ray hits.
 enum class TextureFilter { footprint, point };
 
+/// What the scene stands on: nothing, a plate that shows shadows, or one that mirrors, too.
+enum class Ground { off, on, mirror };
+
 /// The features that a person asks for: those that the scene needs, or all, for the same picture.
 enum class NeedsChoice { scene, all };
 

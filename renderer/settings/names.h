@@ -74,6 +74,18 @@ inline constexpr std::array light_type_names{
     Named<Light::Type>{"polygon", Light::Type::polygon},
 };
 
+inline constexpr std::array background_names{
+    Named<BackgroundKind>{"environment", BackgroundKind::environment},
+    Named<BackgroundKind>{"blurred", BackgroundKind::blurred},
+    Named<BackgroundKind>{"colours", BackgroundKind::colours},
+    Named<BackgroundKind>{"transparent", BackgroundKind::transparent},
+};
+inline constexpr std::array ground_names{
+    Named<Ground>{"off", Ground::off},
+    Named<Ground>{"on", Ground::on},
+    Named<Ground>{"mirror", Ground::mirror},
+};
+
 inline constexpr std::array needs_names{
     Named<NeedsChoice>{"scene", NeedsChoice::scene},
     Named<NeedsChoice>{"all", NeedsChoice::all},

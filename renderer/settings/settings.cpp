@@ -91,6 +91,16 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   if (s.shadow.quality < ShadowQuality::refined ||
       s.shadow.quality > ShadowQuality::extended_adaptive)
     return unexpected(Error{"shadow-quality", "is not one of the program's"});
+  for (const glm::vec3& colour : {s.background.top, s.background.bottom})
+    for (int c = 0; c < 3; ++c)
+      if (!(colour[c] >= 0.0f && colour[c] <= Background::brightest))
+        return unexpected(Error{
+            "background", fmt::format("{} is not from 0 to {}", colour[c], Background::brightest)});
+  if (s.background.kind < BackgroundKind::environment ||
+      s.background.kind > BackgroundKind::transparent)
+    return unexpected(Error{"background", "is not one of the program's"});
+  if (s.ground < Ground::off || s.ground > Ground::mirror)
+    return unexpected(Error{"ground", "is not one of the program's"});
   if (s.mirror.dfr) {
     const auto within = [](double x, double hi) { return x >= 0.0 && x <= hi; };
     for (const DfrCurve& c : s.mirror.dfr->rgb) {

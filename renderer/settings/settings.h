@@ -3,6 +3,7 @@
 #include "renderer/geometry/pixel_rect.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
+#include "renderer/settings/background.h"
 #include "renderer/settings/choices.h"
 
 #include <cstdint>
@@ -116,6 +117,8 @@ struct RenderSettings {
   ShadowSettings shadow;
   MirrorSettings mirror;
   std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
+  Background background;           ///< what the eye sees of them
+  Ground ground = Ground::off;     ///< see with_ground
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
   int seed = 0;      ///< of the scrambling of Sobol samples, from 0; another one: other noise
   int threads = 0;   ///< workers; 0: as many as the machine has cores for

@@ -38,16 +38,19 @@ float behind(const Ray& ray, const SurfacePoint& point, float t) {
   return std::max(std::nextafter(t, std::numeric_limits<float>::infinity()), t + error);
 }
 
+/// For who wants no light.
+class NoTransport final : public LightTransport {
+ public:
+  void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
+};
+
 }  // namespace
 
 Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
                const Lighting& lighting, ShadingSettings settings)
-    : world_(world),
-      needs_(needs),
-      rays_(rays),
-      lighting_(lighting),
-      settings_(settings),
-      lights_(lighting.prepared(settings.light_rule)) {}
+    : world_(world), needs_(needs), rays_(rays), lighting_(lighting), settings_(settings) {
+  if (!settings.backdrop.shows_coverage()) lights_ = lighting.prepared(settings.light_rule);
+}
 
 std::optional<LightHit> Shader::nearest_light_without_geometry(const Ray& ray) const {
   std::optional<LightHit> nearest;
@@ -259,6 +262,21 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
                            RenderStatistics& counts) const {
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
                             seen.side, seen.shape};
+  if (settings_.backdrop.shows_coverage()) {
+    NoTransport none;
+    return glm::vec3(1.0f) - look_along(seen, extent, none, counts).behind;
+  }
+  const Layers met = look_along(seen, extent, transport, counts);
+  if (met.behind == glm::vec3(0.0f)) return met.radiance;
+  const PixelSpacing* spacing = extent.point() ? nullptr : extent.spacing;
+  const glm::vec3 beyond =
+      seen.bounces == 0 ? settings_.backdrop.radiance(settings_.sky, seen.ray, spacing, seen.side)
+                        : background(settings_.sky, seen.ray.direction, spacing, seen.side);
+  return met.radiance + met.behind * beyond;
+}
+
+Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& extent,
+                                  LightTransport& transport, RenderStatistics& counts) const {
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   glm::vec3 sum{0.0f};
   glm::vec3 share{1.0f};  // of what lies behind the layers so far
@@ -272,11 +290,8 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
       seen.reflected() && !seen.hides_lights ? nearest_light_without_geometry(ray) : std::nullopt;
 
   for (int layer = 0; layer < max_layers; ++layer) {
-    if (light && !(hit.valid() && hit.t < light->t)) return sum + share * light->radiance;
-    if (!hit.valid()) {
-      return sum + share * background(settings_.sky, -to_viewer,
-                                      extent.point() ? nullptr : extent.spacing, seen.side);
-    }
+    if (light && !(hit.valid() && hit.t < light->t)) return {sum + share * light->radiance};
+    if (!hit.valid()) return {sum, share};
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
     const bool blended = needs_.alpha_blend &&
                          surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
@@ -303,7 +318,8 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
           left = add_material(seen, point, material, here, mips, transport, sum, counts);
         }
       }
-      if (!blended) return sum;
+      if (!blended) return {sum};
+      if (boundary && settings_.backdrop.shows_coverage() && settings_.reflections > 0) return {};
       // Thin glass tints what shines through it by its base colour.
       if (boundary) {
         glm::vec3 through = share * material.opacity * left * (1.0f - material.metallic) *
@@ -318,7 +334,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
         share *= (1.0f - material.opacity) +
                  material.opacity * left * material.transmission * material.base_color;
       }
-      if (std::max({share.x, share.y, share.z}) < invisible_share) return sum;
+      if (std::max({share.x, share.y, share.z}) < invisible_share) return {sum};
       last = hit.triangle;
     }
 
@@ -327,7 +343,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
     hit = rays_.closest(ray, settings_.faces);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }
-  return sum;
+  return {sum};
 }
 
 }  // namespace asos

@@ -6,6 +6,7 @@
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
+#include "renderer/shading/backdrop.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/volume_boundary.h"
@@ -45,6 +46,7 @@ struct ShadingSettings {
   float roughest_mirror = 0.35f;       ///< see RenderSettings
   const Dfr* dfr = nullptr;            ///< of all that mirrors; null: of each material its own
   const MaterialDfrs* dfrs = nullptr;  ///< the materials' own; null: none has any
+  Backdrop backdrop;                   ///< what eye rays see behind all surfaces
 };
 
 /// Samples the light that a scene sends along rays: every method shades through this one class.
@@ -60,7 +62,9 @@ class Shader {
   /// Linear radiance arriving along a ray. Blended surfaces are composited in depth order. Lights
   /// that cast shadows, and reflections, go by way of `transport`. Counts the rays that go on
   /// behind a blended surface. Results that are not finite are returned as they are; the caller
-  /// drops and counts them.
+  /// drops and counts them. Where the backdrop shows coverage: what share of the ray surfaces hide,
+  /// by colour; a volume's boundary hides all where it is followed, for what is seen in it is the
+  /// environment.
   [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
                                    RenderStatistics& counts) const;
   /// Along an eye ray.
@@ -110,6 +114,13 @@ class Shader {
   [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }
 
  private:
+  /// What surfaces on a ray send along it, and how much of the backdrop is seen behind them.
+  struct Layers {
+    glm::vec3 radiance{0.0f};
+    glm::vec3 behind{0.0f};
+  };
+  [[nodiscard]] Layers look_along(const ViewedRay& seen, const SampleExtent& extent,
+                                  LightTransport& transport, RenderStatistics& counts) const;
   /// A layer that a ray meets: its share of the ray's radiance, and how many lie before it.
   struct Layer {
     glm::vec3 share{1.0f};

@@ -107,5 +107,19 @@ TEST(Values, Skies) {
     EXPECT_FALSE(parse_sky(text)) << text;
 }
 
+TEST(Values, BackgroundsAreNamesOrColours) {
+  EXPECT_EQ(parse_background("environment").value(), Background{});
+  EXPECT_EQ(parse_background("blurred").value().kind, BackgroundKind::blurred);
+  EXPECT_EQ(parse_background("transparent").value().kind, BackgroundKind::transparent);
+  const Background gradient = parse_background("0,0.5,1:2,0,0").value();
+  EXPECT_EQ(gradient.kind, BackgroundKind::colours);
+  EXPECT_EQ(gradient.top, glm::vec3(0.0f, 0.5f, 1.0f));
+  EXPECT_EQ(gradient.bottom, glm::vec3(2.0f, 0.0f, 0.0f));
+  EXPECT_EQ(parse_background("1,1,1").value().bottom, glm::vec3(1.0f));
+  for (const char* bad :
+       {"", "colours", "1,2", "1,2,3:", "-1,0,0", "nan,0,0", "1,1,2e6", "1,1,1,1"})
+    EXPECT_FALSE(parse_background(bad)) << bad;
+}
+
 }  // namespace
 }  // namespace asos

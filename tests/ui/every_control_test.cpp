@@ -70,7 +70,10 @@ class EveryControlTest : public PanelsTest {
       }
       case Part::sky:
         return s.sky.error + (r.sky ? r.sky->name() : "") +
-               numbers(s.sky.file, r.sky.use_count(), r.shadow.sky);
+               numbers(s.sky.file, r.sky.use_count(), r.shadow.sky,
+                       static_cast<int>(r.background.kind), static_cast<int>(r.ground),
+                       r.background.top.x, r.background.top.y, r.background.top.z,
+                       r.background.bottom.x, r.background.bottom.y, r.background.bottom.z);
       case Part::check:
         return numbers(static_cast<int>(s.equal_time.method), s.equal_time.restarts, s.check.check,
                        s.check.alarm, s.check.mark_missed, s.check.mark_wasted);
@@ -313,6 +316,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   use_all("a sky of one colour",
           [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(2.0f)); });
+  use_all("a background of colours", [&] { settings().background.kind = BackgroundKind::colours; });
+  settings().background = {};
   use_all("a preset sky",
           [&] { settings().sky = std::make_shared<const Sky>(Environment::studio); });
   use_all("a gradient", [&] { s.sky.gradient = true; });

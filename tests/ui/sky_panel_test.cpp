@@ -49,6 +49,24 @@ TEST_F(SkyPanelTest, AColourSurroundsTheScene) {
   EXPECT_EQ(corner(), neutral);
 }
 
+TEST_F(SkyPanelTest, TheBackgroundIsChosenApart) {
+  rig.click("Sky/Colour");
+  ASSERT_TRUE(restarted());
+  rig.click("Background/Colours");
+  ASSERT_TRUE(restarted());
+  const Background usual;
+  EXPECT_EQ(corner(), usual.top);
+  EXPECT_NE(sky()->choice().colours->zenith, usual.top) << "the sky stays";
+  rig.click("Background/Transparent");
+  ASSERT_TRUE(restarted());
+  const Film& film = rig.previewer().render().film();
+  EXPECT_EQ(film.coverage.at(film.index(2, film.height - 3)), 0.0f);
+  EXPECT_EQ(corner(), glm::vec3(0.0f));
+  rig.click("Background/Environment");
+  ASSERT_TRUE(restarted());
+  EXPECT_EQ(corner(), sky()->choice().colours->zenith);
+}
+
 TEST_F(SkyPanelTest, AGradientStaysOneWhenItsColoursMeet) {
   rig.click("Sky/Gradient");
   settings().sky = std::make_shared<const Sky>(glm::vec3(0.5f));

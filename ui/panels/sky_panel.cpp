@@ -1,6 +1,7 @@
 #include "ui/panels/sky_panel.h"
 
 #include "renderer/shading/environments.h"
+#include "ui/panels/background_panel.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -187,6 +188,7 @@ void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader
       file_controls(controls, settings, choice, reader);
       break;
   }
+  background_controls(controls, settings);
 }
 
 }  // namespace asos

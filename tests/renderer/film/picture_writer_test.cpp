@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstdint>
+#include <png.h>
 #include <random>
 #include <span>
 #include <string>
@@ -53,6 +54,34 @@ TEST_F(PictureWriterTest, PortionsGiveTheWholeFile) {
   EXPECT_EQ(test::content_of(folder.file("a.png")), test::content_of(folder.file("b.png")));
   EXPECT_EQ(test::content_of(folder.file("a.exr")), test::content_of(folder.file("b.exr")));
   EXPECT_EQ(read_exr(folder.file("b.exr")).value().film.radiance, film.radiance);
+}
+
+// Straight in PNG, premultiplied in EXR; what is not covered at all has no colour.
+TEST_F(PictureWriterTest, CoverageIsTheAlphaChannel) {
+  Film film(3, 1);
+  film.radiance = {{0.25f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.5f, 4.0f, 1.0f}};
+  film.coverage = {0.5f, 0.0f, 1.0f};
+  ASSERT_TRUE(write_exr(folder.file("a.exr"), film, {}));
+  const Film read = read_exr(folder.file("a.exr")).value().film;
+  EXPECT_EQ(read.radiance, film.radiance);
+  EXPECT_EQ(read.coverage, film.coverage);
+  ASSERT_TRUE(write_png(folder.file("a.png"), film, 0.0f, {}));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_file(&image, folder.file("a.png").c_str()));
+  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, PNG_FORMAT_FLAG_ALPHA);
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+  ASSERT_TRUE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr));
+  const glm::u8vec3 first = display_bytes(glm::vec3(0.5f, 1.0f, 0.0f), 0.0f);
+  const glm::u8vec3 last = display_bytes(glm::vec3(0.5f, 4.0f, 1.0f), 0.0f);
+  EXPECT_EQ(bytes, (std::vector<std::uint8_t>{first.x, first.y, first.z, 128, 0, 0, 0, 0, last.x,
+                                              last.y, last.z, 255}));
+  film.coverage.clear();
+  ASSERT_TRUE(write_png(folder.file("b.png"), film, 0.0f, {}));
+  ASSERT_TRUE(png_image_begin_read_from_file(&image, folder.file("b.png").c_str()));
+  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0u) << "there is none where all is covered";
+  png_image_free(&image);
 }
 
 TEST_F(PictureWriterTest, WhatIsNotFinishedLeavesNothing) {

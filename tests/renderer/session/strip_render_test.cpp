@@ -14,8 +14,10 @@ namespace {
 /// Keeps the rows.
 class RowsInMemory : public PictureWriter {
  public:
-  Result<void> add_rows(std::span<const glm::vec3> radiance) override {
+  Result<void> add_rows(std::span<const glm::vec3> radiance,
+                        std::span<const float> coverage) override {
     if (fails) return unexpected(Error{"memory", "is full"});
+    covered.insert(covered.end(), coverage.begin(), coverage.end());
     rows.insert(rows.end(), radiance.begin(), radiance.end());
     largest = std::max(largest, radiance.size());
     return {};
@@ -23,6 +25,7 @@ class RowsInMemory : public PictureWriter {
   Result<void> finish() override { return {}; }
 
   std::vector<glm::vec3> rows;
+  std::vector<float> covered;
   std::size_t largest = 0;
   bool fails = false;
 };
