@@ -216,8 +216,9 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments) {
                       sky.turn_deg = arguments.sky.turn_deg;
                       sky.brightness = arguments.sky.brightness;
                       arguments.sky = std::move(sky);
+                      arguments.sky_chosen = true;
                     })
-      ->default_str("neutral");
+      ->default_str("studio for a scene without lights, else neutral");
   add_parsed_option(app, "--sky-turn", "DEG",
                     "Turns a sky from a file about the vertical, counter-clockwise as seen from "
                     "above, -360 to 360 degrees",

@@ -26,7 +26,8 @@ struct PictureArguments {
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
-  SkyChoice sky;  ///< until with_sky makes it settings.sky
+  SkyChoice sky;            ///< until with_sky makes it settings.sky
+  bool sky_chosen = false;  ///< else the scene has its usual_sky
   float exposure_ev = 0.0f;
   ToneCurve tone = ToneCurve::none;
   NeedsChoice needs = NeedsChoice::scene;

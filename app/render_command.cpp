@@ -14,6 +14,8 @@
 #include "app/render_report.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/scene/remarks.h"
 #include "renderer/scene/source_files.h"
@@ -184,7 +186,7 @@ RenderReport report_of(const RenderArguments& arguments, const RenderScene& read
 }
 
 /// Renders one picture, or, of several, finds that it is there; `arguments` are its own.
-Result<RenderReport> render(const RenderArguments& arguments, const FrameRequest& frame, Work& work,
+Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame, Work& work,
                             ProgressBar& bar, const InterruptGuard& interrupt) {
   const Result<OutputPlan> outputs = plan_outputs(arguments);
   if (!outputs) return tl::unexpected(outputs.error());
@@ -197,6 +199,7 @@ Result<RenderReport> render(const RenderArguments& arguments, const FrameRequest
   const auto started = std::chrono::steady_clock::now();
   auto prepared = work.scene.at(frame.time, picture);
   if (!prepared) return tl::unexpected(prepared.error());
+  if (!wanted.sky_chosen) arguments.picture.settings.sky = usual_sky(**prepared);
   CameraChoice choice = wanted.camera;
   if (wanted.from) choice.given = picture.camera_from((*prepared)->world().origin);
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;

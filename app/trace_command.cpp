@@ -9,6 +9,8 @@
 #include "app/trace_report.h"
 #include "renderer/asos/pixel_trace.h"
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
 
 #include <CLI/CLI.hpp>
@@ -65,7 +67,8 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   picture.settings.sky = with->sky;
   auto prepared = scene->at(scene->time(), picture);
   if (!prepared) return tl::unexpected(prepared.error());
-  const RenderSettings settings = as_published(*with);
+  RenderSettings settings = as_published(*with);
+  if (!wanted.sky_chosen) settings.sky = usual_sky(**prepared);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const Result<Camera> camera = scene->camera(**prepared, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());

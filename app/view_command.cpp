@@ -36,6 +36,7 @@ int run_view(const PictureArguments& arguments, Asked asked, const Streams& stre
                        *settings,
                        asked.size,
                        asked.method,
+                       arguments.sky_chosen,
                        forced_by(arguments.needs)});
   streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";

@@ -30,6 +30,7 @@ SceneEdits::SceneEdits(OpenScene& scene, const RenderSettings& settings, std::fu
 
 void SceneEdits::reset() {
   set_all_but_size(first_settings_);
+  sky_chosen_ = false;
   reset_lights();
   reset_dfrs();
 }
@@ -44,6 +45,11 @@ void SceneEdits::reset_lights() {
 }
 
 void SceneEdits::set_sky(std::shared_ptr<const Sky> sky) {
+  sky_chosen_ = true;
+  put_sky(std::move(sky));
+}
+
+void SceneEdits::put_sky(std::shared_ptr<const Sky> sky) {
   const auto brings_lights = [this](const std::shared_ptr<const Sky>& s) {
     return scene_ && changes_lights(*scene_, s.get());
   };
@@ -66,6 +72,7 @@ void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
   reset_dfrs();
   relighter_.start_from(now_.look);
   if (!picture) {
+    if (!keeps_sky_ && !sky_chosen_) now_.settings.sky = first_settings_.sky = usual_sky(*scene_);
     if (changes_lights(*scene_, now_.settings.sky.get())) reset_lights();
     return;
   }

@@ -33,8 +33,10 @@ class SceneEdits {
   [[nodiscard]] std::vector<EditedLight>& edit_lights();
   /// The lights that the scene was opened with, or those that its sky brings.
   void reset_lights();
-  /// Another sky, null: the neutral one; the lights of a scene without its own follow where it or
-  /// the one before brings any (lights_under).
+  /// Scenes that are opened have the first settings' sky, and not their usual_sky.
+  void keep_first_sky() { keeps_sky_ = true; }
+  /// Another sky, null: the neutral one, which scenes keep that are opened from then on. The lights
+  /// of a scene without its own follow where it or the one before brings any (lights_under).
   void set_sky(std::shared_ptr<const Sky> sky);
   /// How the scene's materials blur what they mirror. Edits reach the scene as those of lights do.
   [[nodiscard]] const MaterialDfrs& dfrs() const { return now_.look.dfrs; }
@@ -70,9 +72,12 @@ class SceneEdits {
 
  private:
   void set_all_but_size(RenderSettings settings);
+  void put_sky(std::shared_ptr<const Sky> sky);
 
   OpenScene& scene_;
-  const RenderSettings first_settings_;
+  RenderSettings first_settings_;
+  bool keeps_sky_ = false;
+  bool sky_chosen_ = false;  // by set_sky
   State now_;
   Relighter relighter_;
 };

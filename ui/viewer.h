@@ -13,6 +13,7 @@ struct ViewerOptions {
   RenderSettings settings;
   bool own_size = false;    ///< the size was asked for, so that the remembered one does not count
   bool own_method = false;  ///< the same of the method
+  bool own_sky = false;     ///< the sky was asked for; else scenes have their usual_sky
   SceneNeeds forced;        ///< see prepare
 };
 

@@ -56,6 +56,11 @@ std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
   return lights;
 }
 
+std::shared_ptr<const Sky> usual_sky(const RenderScene& scene) {
+  return scene.geometry->stage.lit_by_rig ? std::make_shared<const Sky>(Environment::studio)
+                                          : nullptr;
+}
+
 bool changes_lights(const RenderScene& scene, const Sky* sky) {
   return scene.geometry->stage.lit_by_rig && lights_of(sky);
 }

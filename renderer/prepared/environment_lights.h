@@ -13,6 +13,10 @@ namespace asos {
 /// environment has its sun, which is a disk at infinity, or nothing.
 [[nodiscard]] std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky);
 
+/// The sky of a scene for which none was chosen: a studio where it has no lights of its own, else
+/// the neutral one, which is null.
+[[nodiscard]] std::shared_ptr<const Sky> usual_sky(const RenderScene& scene);
+
 /// Whether they are others than those that the scene was prepared with.
 [[nodiscard]] bool changes_lights(const RenderScene& scene, const Sky* sky);
 

@@ -36,7 +36,9 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale)
           Previewer::Hooks{std::move(load), [this] { woken_ = true; }}, small_settings())),
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
-      content_scale_(content_scale) {}
+      content_scale_(content_scale) {
+  previewer_->edits().keep_first_sky();  // the neutral one: one colour behind all scenes
+}
 
 void UiRig::frame() {
   now_seconds_ += 1.0 / 60.0;
