@@ -19,6 +19,7 @@
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/scene/remarks.h"
 #include "renderer/scene/source_files.h"
+#include "renderer/world/ground.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -177,7 +178,7 @@ RenderReport report_of(const RenderArguments& arguments, const RenderScene& read
   report.scene = wanted.scene;
   report.warnings = remarks(ready.geometry->notes);
   report.warning_count = remark_count(ready.geometry->notes);
-  report.triangles = ready.world().triangles.size();
+  report.triangles = triangles_without_ground(ready.world());
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
   report.description =
       describe(ready, camera, wanted.settings, {wanted.exposure_ev, false, {}, 0.0f, wanted.tone});
@@ -205,7 +206,9 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
   const Result<Camera> camera = work.scene.camera(**prepared, choice, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  prepared = with_strokes(*std::move(prepared), stroke_picture(*camera, wanted.settings));
+  prepared = with_ground(*std::move(prepared), wanted.settings.ground).and_then([&](auto grounded) {
+    return with_strokes(std::move(grounded), stroke_picture(*camera, wanted.settings));
+  });
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   if (const auto fits = check_method(ready, wanted.settings); !fits)

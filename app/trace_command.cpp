@@ -72,7 +72,10 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const Result<Camera> camera = scene->camera(**prepared, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  prepared = with_strokes(*std::move(prepared), stroke_picture(*camera, settings))
+  prepared = with_ground(*std::move(prepared), settings.ground)
+                 .and_then([&](auto grounded) {
+                   return with_strokes(std::move(grounded), stroke_picture(*camera, settings));
+                 })
                  .and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;

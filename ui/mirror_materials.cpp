@@ -2,6 +2,7 @@
 
 #include "renderer/features/surface_look.h"
 #include "renderer/settings/settings.h"
+#include "renderer/world/ground.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,8 @@ bool can_mirror(const Material& material) {
 std::string material_name(const World& world, std::uint32_t index) {
   const std::string& name = world.materials[index].name;
   if (!name.empty()) return name;
-  return index + 1 == world.materials.size() ? std::string("default material")
-                                             : fmt::format("material {}", index + 1);
+  return index + 1 == materials_without_ground(world) ? std::string("default material")
+                                                      : fmt::format("material {}", index + 1);
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ std::vector<MirrorMaterial> mirror_materials(const World& world) {
   for (const Part& part : world.parts)
     if (!part.shows_nothing()) shown[part.material] = true;
   std::vector<MirrorMaterial> mirrors;
-  for (std::uint32_t i = 0; i < world.materials.size(); ++i) {
+  for (std::uint32_t i = 0; i < materials_without_ground(world); ++i) {
     if (!shown[i] || !can_mirror(world.materials[i])) continue;
     const auto like = std::find_if(mirrors.begin(), mirrors.end(), [&](const MirrorMaterial& m) {
       return same_look(world, world.materials[m.members.front()], world.materials[i]);

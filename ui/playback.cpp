@@ -1,6 +1,8 @@
 #include "ui/playback.h"
 
+#include "renderer/prepared/with_ground.h"
 #include "renderer/scene/rig.h"
+#include "renderer/world/ground.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,10 +20,11 @@ double elapsed_since(std::chrono::steady_clock::time_point start) {
 /// As the scene's look was edited, on another pose of it.
 Result<std::shared_ptr<const RenderScene>> with_look(
     std::shared_ptr<const RenderScene> scene, const std::optional<std::vector<Light>>& lights,
-    const std::optional<MaterialDfrs>& dfrs) {
+    const std::optional<MaterialDfrs>& dfrs, Ground ground) {
   Result<std::shared_ptr<const RenderScene>> edited = std::move(scene);
   if (lights) edited = with_lights(*edited, *lights);
   if (edited && dfrs) edited = with_dfrs(*edited, *dfrs);
+  if (edited) edited = with_ground(*edited, ground);
   return edited;
 }
 
@@ -109,10 +112,15 @@ bool Playback::posing() const {
 }
 
 void Playback::ask() {
-  Request request{scene_.shared(),      time_, std::nullopt, std::nullopt, edits_.revisions(),
-                  scene_.times_opened()};
+  Request request{scene_.shared(),
+                  time_,
+                  std::nullopt,
+                  std::nullopt,
+                  edits_.revisions(),
+                  scene_.times_opened(),
+                  edits_.settings().ground};
   if (scene_->lighting != scene_->own_lighting) request.lights = lights_on(edits_.lights());
-  if (edits_.dfrs() != dfrs_of(scene_->world())) request.dfrs = edits_.dfrs();
+  if (edits_.dfrs() != dfrs_without_ground(scene_->world())) request.dfrs = edits_.dfrs();
   job_.ask(std::move(request));
 }
 
@@ -129,7 +137,7 @@ Playback::Pose Playback::posed(const Request& request) {
     }
     pose.scene =
         prepare(*scene, request.from->forced, &geometry.stage).and_then([&](auto prepared) {
-          return with_look(std::move(prepared), request.lights, request.dfrs);
+          return with_look(std::move(prepared), request.lights, request.dfrs, request.ground);
         });
   } catch (const std::bad_alloc&) {
     pose.scene = unexpected(Error{geometry.source, "not enough memory for another time of it"});

@@ -70,6 +70,7 @@ class Playback {
     std::optional<MaterialDfrs> dfrs;          // edited
     SceneEdits::Revisions look;
     std::uint64_t opened = 0;  // OpenScene::times_opened
+    Ground ground = Ground::off;
   };
   struct Pose {
     Result<std::shared_ptr<const RenderScene>> scene;

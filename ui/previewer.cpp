@@ -12,6 +12,7 @@ Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
       edits_(scene_, settings, hooks.wake),
       playback_(scene_, edits_, hooks.wake),
       viewpoint_(scene_, edits_.settings()),
+      ground_(hooks.wake),
       strokes_(hooks.wake),
       render_(hooks.wake, refinement_) {}
 
@@ -22,6 +23,7 @@ void Previewer::update(double now_seconds) {
   playback_.update(!render_.out_of_date(subject()) && !render_.first_picture_pending(),
                    now_seconds);
   viewpoint_.follow_chosen();
+  ground_.update(scene_, edits_.settings().ground, edits_.relighting());
   strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
 }

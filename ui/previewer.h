@@ -2,6 +2,7 @@
 
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
+#include "ui/ground_layer.h"
 #include "ui/open_scene.h"
 #include "ui/playback.h"
 #include "ui/preview_render.h"
@@ -57,6 +58,7 @@ class Previewer {
   SceneEdits edits_;
   Playback playback_;
   Viewpoint viewpoint_;
+  GroundLayer ground_;
   StrokeDrawer strokes_;
   Refinement refinement_;
   PreviewRender render_;

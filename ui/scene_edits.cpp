@@ -1,6 +1,7 @@
 #include "ui/scene_edits.h"
 
 #include "renderer/prepared/environment_lights.h"
+#include "renderer/world/ground.h"
 
 #include <utility>
 
@@ -64,7 +65,7 @@ MaterialDfrs& SceneEdits::edit_dfrs() {
 }
 
 void SceneEdits::reset_dfrs() {
-  if (scene_) edit_dfrs() = dfrs_of(scene_->world());
+  if (scene_) edit_dfrs() = dfrs_without_ground(scene_->world());
 }
 
 void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
@@ -79,6 +80,7 @@ void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
   // The scene has the picture's lights and ratios already: they are no edit.
   now_.look.lights = lights_to_edit(scene_->lights());
   now_.look.dfrs = scene_->dfrs();
+  now_.look.dfrs.resize(materials_without_ground(scene_->world()));
   RenderSettings settings = without_crop(picture->settings);
   settings.threads = now_.settings.threads;
   set_all_but_size(std::move(settings));

@@ -1,6 +1,7 @@
 #include "ui/screenshot.h"
 
 #include "renderer/picture/picture_text.h"
+#include "renderer/world/ground.h"
 #include "ui/display_settings.h"
 #include "ui/previewer.h"
 
@@ -33,7 +34,7 @@ std::string screenshot_stem(const std::string& source) {
 ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display) {
   const Progress progress = previewer.render().progress();
   nlohmann::ordered_json statistics{
-      {"triangles", previewer.scene()->world().triangles.size()},
+      {"triangles", triangles_without_ground(previewer.scene()->world())},
       {"render_seconds", progress.seconds},
       {"finished_percent", 100.0 * progress.fraction},
   };

@@ -1,6 +1,7 @@
 #include "ui/viewpoint.h"
 
 #include "renderer/world/framing.h"
+#include "renderer/world/ground.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -70,11 +71,12 @@ void Viewpoint::take_over(const Camera& camera, int index) {
   chosen_placed_ = camera.world_from_camera;
   const World& world = scene_->world();
   // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
-  const double radius = radius_of(world.bounds);
+  const Box bounds = bounds_without_ground(world);
+  const double radius = radius_of(bounds);
   camera_.set(camera, radius, radius);
   double distance = subject_distance(*scene_, camera);
-  if (distance <= 0.0 && !world.bounds.empty()) {
-    const glm::dvec3 middle(0.5f * (world.bounds.lo + world.bounds.hi));
+  if (distance <= 0.0 && !bounds.empty()) {
+    const glm::dvec3 middle(0.5f * (bounds.lo + bounds.hi));
     const glm::dvec3 eye(camera.world_from_camera[3]);
     distance = glm::dot(middle - eye, -glm::dvec3(camera.world_from_camera[2]));
   }
@@ -109,7 +111,8 @@ void Viewpoint::frame_all() {
 
 void Viewpoint::frame(const Camera& camera) {
   const FramedView framed = frame_world(scene_->world(), camera, aspect_ratio());
-  camera_.set(framed.camera, framed.subject_distance, radius_of(scene_->world().bounds));
+  camera_.set(framed.camera, framed.subject_distance,
+              radius_of(bounds_without_ground(scene_->world())));
   framed_revision_ = camera_.revision();
 }
 

@@ -11,6 +11,7 @@
 #include "renderer/scene/rig.h"
 #include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
+#include "renderer/world/ground.h"
 
 #include <algorithm>
 #include <array>
@@ -177,7 +178,9 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
   if (!description.sky.file.empty()) description.sky.file = absolute_source(description.sky.file);
   description.needs = scene.forced == SceneNeeds{} ? NeedsChoice::scene : NeedsChoice::all;
   if (scene.lighting != scene.own_lighting) description.lights = scene.lights();
-  if (scene.dfrs() != dfrs_of(scene.world())) description.dfrs = scene.dfrs();
+  MaterialDfrs dfrs = scene.dfrs();
+  dfrs.resize(materials_without_ground(scene.world()));
+  if (dfrs != dfrs_without_ground(scene.world())) description.dfrs = std::move(dfrs);
   description.time = scene.geometry->time;
   description.display = display;
   return description;

@@ -1,6 +1,7 @@
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/sky.h"
+#include "renderer/world/ground.h"
 
 #include <fmt/format.h>
 
@@ -163,6 +164,10 @@ Result<std::shared_ptr<const RenderScene>> with_lights(
 Result<std::shared_ptr<const RenderScene>> with_dfrs(
     const std::shared_ptr<const RenderScene>& scene, MaterialDfrs dfrs) {
   const std::vector<Material>& materials = scene->world().materials;
+  // The ground keeps its own.
+  if (dfrs.size() == materials_without_ground(scene->world())) {
+    for (std::size_t i = dfrs.size(); i < materials.size(); ++i) dfrs.push_back(materials[i].dfr);
+  }
   if (dfrs.size() != materials.size())
     return unexpected(Error{
         "materials", fmt::format("{} ratios for {} materials", dfrs.size(), materials.size())});

@@ -1,5 +1,7 @@
 #include "renderer/prepared/with_strokes.h"
 
+#include "renderer/prepared/rebuilt_geometry.h"
+
 #include <fmt/format.h>
 
 #include <new>
@@ -22,21 +24,10 @@ Result<void> check_size(const RenderScene& scene, const StrokePicture& picture) 
 
 Result<std::shared_ptr<const RenderScene>> draw_in_memory(const RenderScene& scene,
                                                           const StrokePicture& picture) {
-  const Geometry& before = *scene.geometry;
-  World world = before.world;
+  World world = scene.world();
   draw_strokes(world, picture);
-  auto geometry =
-      build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips);
-  if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
-  Geometry& built = **geometry;
-  built.name = before.name;
-  built.source = before.source;
-  built.notes = before.notes;
-  built.contents = before.contents;
-  built.time = before.time;
-  built.rig = before.rig;
-  built.stage = before.stage;
-  built.build_seconds = before.build_seconds;
+  auto geometry = rebuilt_geometry(scene, std::move(world));
+  if (!geometry) return unexpected(geometry.error());
   RenderScene drawn = scene;
   drawn.geometry = *std::move(geometry);
   return assembled(std::move(drawn));

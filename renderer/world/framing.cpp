@@ -1,5 +1,7 @@
 #include "renderer/world/framing.h"
 
+#include "renderer/world/ground.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -81,7 +83,9 @@ class Reach {
 
 // What is seen decides, not the bounds, whose corners are empty in most scenes.
 void add_surfaces(const World& world, Reach& reach) {
-  const std::size_t triangles = world.solid_triangles();
+  // Lines and points come last, and the ground before them.
+  const std::size_t grounds = world.materials.size() - materials_without_ground(world);
+  const std::size_t triangles = triangles_without_ground(world) - world.strokes.triangle_count;
   const bool each_triangle = triangles <= most_triangles;
   if (each_triangle) {
     for (const glm::uvec3& triangle : std::span(world.triangles).first(triangles))
@@ -92,7 +96,7 @@ void add_surfaces(const World& world, Reach& reach) {
     for (const Stroke& stroke : *strokes)
       reach.add(glm::dvec3(stroke.a)), reach.add(glm::dvec3(stroke.b));
   }
-  for (const Part& part : std::span(world.parts).first(world.solid_parts())) {
+  for (const Part& part : std::span(world.parts).first(world.solid_parts() - grounds)) {
     if ((part.face_count > 0 || !each_triangle) && !part.bounds.empty())
       reach.add_corners(part.bounds);
   }
@@ -119,6 +123,7 @@ void frame_also(World& world, const World& other) {
 FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio) {
   const double aspect = std::isfinite(aspect_ratio) && aspect_ratio > 0.0 ? aspect_ratio : 1.0;
   Box bounds = world.strokes.drawn() ? world.strokes.others : world.bounds;
+  if (ground_of(world) != Ground::off) bounds = bounds_without_ground(world);
   bounds.grow(world.strokes.bounds);
   if (bounds.empty()) bounds.grow(glm::vec3(0.0f));
   const glm::dvec3 lo(bounds.lo), hi(bounds.hi), middle = 0.5 * (lo + hi);

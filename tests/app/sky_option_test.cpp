@@ -118,5 +118,56 @@ TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
       contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
 }
 
+// Scenes with lights, and whoever asks for another sky, keep what they had.
+TEST_F(SkyOption, IsAStudioForScenesWithoutLights) {
+  const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
+  const auto sky_of = [&](const std::string& scene, const std::vector<std::string>& words) {
+    const AsosRun run = run_asos(
+        std::vector<std::string>{"render", scene, "-o", folder_.file("a.png"), "--size", "8x8"} +
+        words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return read_description(folder_.file("a.png")).value().sky;
+  };
+  EXPECT_EQ(sky_of(bare, {}).environment, Environment::studio);
+  EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
+  EXPECT_EQ(sky_of("builtin:boxes", {}), SkyChoice{});
+  // A picture from before there was such a default is rendered again as it was.
+  EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
+  const AsosRun again =
+      run_asos({"render", "--from", folder_.file("a.png"), "-o", folder_.file("b.png")});
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(read_description(folder_.file("b.png")).value().sky, SkyChoice{});
+}
+
+TEST_F(SkyOption, BackgroundAndGroundTravelWithThePicture) {
+  const auto render_to = [&](const std::string& name, const std::vector<std::string>& words) {
+    const AsosRun run =
+        run_asos(std::vector<std::string>{"render", "-o", folder_.file(name)} + words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, " triangles")) << run.out;
+    return run.out.substr(0, run.out.find(" triangles")).substr(run.out.find(": "));
+  };
+  const std::vector<std::string> small{"builtin:boxes", "--size", "24x16", "--max", "1"};
+  const std::string triangles = render_to("plain.exr", small);
+  EXPECT_EQ(render_to("a.exr", small + std::vector<std::string>{"--ground", "mirror",
+                                                                "--background", "transparent"}),
+            triangles)
+      << "the ground is not counted";
+  const auto said = read_description(folder_.file("a.exr")).value();
+  EXPECT_EQ(said.settings.background.kind, BackgroundKind::transparent);
+  EXPECT_EQ(said.settings.ground, Ground::mirror);
+  EXPECT_FALSE(said.dfrs) << "nor are its materials";
+  render_to("b.exr", {"--from", folder_.file("a.exr")});
+  const Film first = read_exr(folder_.file("a.exr")).value().film;
+  const Film second = read_exr(folder_.file("b.exr")).value().film;
+  EXPECT_EQ(first.radiance, second.radiance);
+  EXPECT_EQ(first.coverage, second.coverage);
+  EXPECT_FALSE(first.coverage.empty());
+  render_to("c.exr",
+            {"--from", folder_.file("a.exr"), "--ground", "off", "--background", "environment"});
+  EXPECT_EQ(read_exr(folder_.file("c.exr")).value().film.radiance,
+            read_exr(folder_.file("plain.exr")).value().film.radiance);
+}
+
 }  // namespace
 }  // namespace asos

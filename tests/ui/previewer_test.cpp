@@ -1,6 +1,9 @@
 #include "ui/previewer.h"
 
+#include "renderer/picture/picture_description.h"
 #include "renderer/scene/load.h"
+#include "renderer/shading/sky.h"
+#include "renderer/world/ground.h"
 #include "tests/ui/test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -160,6 +163,64 @@ TEST_F(PreviewerTest, LinesAndLightsChangeTogether) {
   ASSERT_TRUE(previewer.scene()->dfrs()[0]);
   EXPECT_EQ(previewer.scene()->dfrs()[0]->perturbation, 0.01 * 19);
   EXPECT_TRUE(previewer.scene()->world().strokes.drawn());
+}
+
+TEST_F(PreviewerTest, AStudioSurroundsScenesWithoutLights) {
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  const auto sky = [&] { return previewer.edits().settings().sky.get(); };
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(sky());
+  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  previewer.scene().open("many");
+  ASSERT_TRUE(opened("many"));
+  EXPECT_EQ(sky(), nullptr) << "it has lights";
+  // Once a person has chosen one it stays, until all is reset.
+  previewer.edits().set_sky(std::make_shared<const Sky>(Environment::dusk));
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  EXPECT_EQ(sky()->choice().environment, Environment::dusk);
+  previewer.edits().reset();
+  previewer.scene().open("green");
+  ASSERT_TRUE(opened("green"));
+  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  previewer.edits().set_sky(nullptr);
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  EXPECT_EQ(sky(), nullptr) << "neutral grey was chosen";
+}
+
+// Whatever else is edited; and what is told of the scene knows nothing of it.
+TEST_F(PreviewerTest, PutsTheSceneOnTheGroundThatIsAskedFor) {
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  previewer.scene().open("lines");
+  ASSERT_TRUE(opened("lines"));
+  ASSERT_TRUE(finished());
+  const Camera before = previewer.viewpoint().camera().camera();
+  const auto stands_on = [&](Ground ground) {
+    previewer.edits().settings().ground = ground;
+    const bool stands =
+        update_until([&] { return ground_of(previewer.scene()->world()) == ground; });
+    now += 0.2;
+    return stands && finished();
+  };
+  ASSERT_TRUE(stands_on(Ground::on));
+  EXPECT_TRUE(previewer.scene()->world().strokes.drawn());
+  previewer.viewpoint().frame_all();
+  EXPECT_EQ(previewer.viewpoint().camera().camera().world_from_camera, before.world_from_camera);
+  ASSERT_TRUE(stands_on(Ground::mirror));
+  previewer.edits().edit_dfrs()[0].emplace();
+  previewer.edits().edit_lights().clear();
+  ASSERT_TRUE(finished());
+  EXPECT_TRUE(previewer.scene()->dfrs()[0]);
+  EXPECT_TRUE(previewer.scene()->lights().empty());
+  EXPECT_EQ(ground_of(previewer.scene()->world()), Ground::mirror);
+  const PictureDescription told = describe(*previewer.scene(), before, {}, {});
+  EXPECT_EQ(told.dfrs->size(), materials_without_ground(previewer.scene()->world()));
+  EXPECT_EQ(told.dfrs->size() + 1, previewer.scene()->world().materials.size());
+  ASSERT_TRUE(stands_on(Ground::off));
+  EXPECT_TRUE(previewer.scene()->dfrs()[0]);
+  EXPECT_EQ(previewer.edits().dfrs().size(), previewer.scene()->world().materials.size());
 }
 
 TEST_F(PreviewerTest, UsesTheFilesCameraAndOrbitsWhatItLooksAt) {

@@ -1,4 +1,5 @@
 #include "renderer/settings/names.h"
+#include "renderer/world/ground.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
@@ -87,7 +88,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
                  double load_seconds) {
   if (!controls.section("Scene")) return;
   const World& world = scene.world();
-  controls.row("Triangles", grouped(world.triangles.size()),
+  controls.row("Triangles", grouped(triangles_without_ground(world)),
                "All of them, those of repeated objects counted each time.");
   controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
   light_rows(controls, scene);

@@ -1,0 +1,24 @@
+#include "renderer/prepared/rebuilt_geometry.h"
+
+#include <utility>
+
+namespace asos {
+
+Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene, World world) {
+  const Geometry& before = *scene.geometry;
+  auto geometry =
+      build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips);
+  if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
+  Geometry& built = **geometry;
+  built.name = before.name;
+  built.source = before.source;
+  built.notes = before.notes;
+  built.contents = before.contents;
+  built.time = before.time;
+  built.rig = before.rig;
+  built.stage = before.stage;
+  built.build_seconds = before.build_seconds;
+  return geometry;
+}
+
+}  // namespace asos

@@ -1,0 +1,146 @@
+#include "renderer/world/ground.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+constexpr const char* ground_name = "ground";
+constexpr std::uint32_t corners = 48;
+constexpr double below_in_radii = 2e-4;
+
+Material ground_material(Ground ground) {
+  Material material;
+  material.name = ground_name;
+  material.metallic = 0.0f;
+  material.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
+  material.specular = 0.0f;
+  material.double_sided = true;
+  if (ground != Ground::mirror) return material;
+  // Like varnish: a tenth of the light at normal incidence, sharp where it grazes.
+  material.base_color = {0.22f, 0.22f, 0.22f, 1.0f};
+  material.specular = 1.0f;
+  material.ior = 1.9f;
+  material.roughness = 0.0f;
+  material.dfr.emplace().rgb.fill({0.1, 1.0, 8.0});
+  return material;
+}
+
+void add_vertex(World& world, glm::vec3 position) {
+  world.positions.push_back(position);
+  world.normals.emplace_back(0, 1, 0);
+  if (!world.tangents.empty()) world.tangents.emplace_back(1, 0, 0, 1);
+  for (std::vector<glm::vec2>& texcoords : world.texcoords)
+    if (!texcoords.empty()) texcoords.emplace_back(0.0f);
+  if (!world.colors.empty()) world.colors.emplace_back(1.0f);
+}
+
+/// Null where there is none.
+const Part* plate_of(const World& world) {
+  if (world.solid_parts() == 0 || world.materials.empty()) return nullptr;
+  const Part& last = world.parts[world.solid_parts() - 1];
+  const bool made_here = last.name == ground_name && last.triangle_count == corners &&
+                         last.vertex_count == corners + 1 &&
+                         last.material + 1 == world.materials.size() &&
+                         world.materials.back().name == ground_name;
+  return made_here ? &last : nullptr;
+}
+
+/// Lets the parts of lines and points begin so many later.
+void shift_strokes(World& world, std::uint32_t parts) {
+  if (world.strokes.empty()) return;
+  world.strokes.first_part += parts;
+  for (std::vector<Stroke>* strokes : {&world.strokes.segments, &world.strokes.points})
+    for (Stroke& stroke : *strokes) stroke.part += parts;
+}
+
+void take_ground_away(World& world) {
+  const Part* plate = plate_of(world);
+  if (!plate) return;
+  const Box bounds = bounds_without_ground(world);
+  const auto first = static_cast<std::ptrdiff_t>(plate->first_triangle);
+  const std::size_t vertices = plate->first_vertex;
+  world.triangles.resize(plate->first_triangle);
+  world.triangle_part.erase(world.triangle_part.begin() + first,
+                            world.triangle_part.begin() + first + corners);
+  world.positions.resize(vertices);
+  world.normals.resize(vertices);
+  if (!world.tangents.empty()) world.tangents.resize(vertices);
+  for (std::vector<glm::vec2>& texcoords : world.texcoords)
+    if (!texcoords.empty()) texcoords.resize(vertices);
+  if (!world.colors.empty()) world.colors.resize(vertices);
+  world.materials.pop_back();
+  world.parts.erase(world.parts.begin() + static_cast<std::ptrdiff_t>(world.solid_parts()) - 1);
+  world.bounds = bounds;
+  shift_strokes(world, static_cast<std::uint32_t>(-1));
+}
+
+}  // namespace
+
+Ground ground_of(const World& world) {
+  if (!plate_of(world)) return Ground::off;
+  return world.materials.back().dfr ? Ground::mirror : Ground::on;
+}
+
+Box bounds_without_ground(const World& world) {
+  const Part* plate = plate_of(world);
+  if (!plate) return world.bounds;
+  Box bounds;
+  for (const Part& part : world.parts)
+    if (&part != plate) bounds.grow(part.bounds);
+  return bounds;
+}
+
+std::size_t materials_without_ground(const World& world) {
+  return world.materials.size() - (plate_of(world) ? 1 : 0);
+}
+
+std::size_t triangles_without_ground(const World& world) {
+  return world.triangles.size() - (plate_of(world) ? corners : 0);
+}
+
+MaterialDfrs dfrs_without_ground(const World& world) {
+  MaterialDfrs dfrs = dfrs_of(world);
+  dfrs.resize(materials_without_ground(world));
+  return dfrs;
+}
+
+void put_on_ground(World& world, Ground ground) {
+  take_ground_away(world);
+  if (ground == Ground::off || world.bounds.empty()) return;
+  const glm::dvec3 lo(world.bounds.lo), hi(world.bounds.hi);
+  const double scene_radius = 0.5 * glm::length(hi - lo);
+  if (!(scene_radius > 0.0)) return;
+
+  Part part;
+  part.name = ground_name;
+  part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
+  part.triangle_count = corners;
+  part.first_vertex = static_cast<std::uint32_t>(world.positions.size());
+  part.vertex_count = corners + 1;
+  part.material = static_cast<std::uint32_t>(world.materials.size());
+  world.materials.push_back(ground_material(ground));
+
+  // A fan, so that no triangle is longer than the plate is wide.
+  const double height = lo.y - below_in_radii * scene_radius;
+  const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
+  add_vertex(world, glm::vec3(middle));
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    const glm::dvec3 outward(std::sin(angle), 0.0, std::cos(angle));
+    const glm::vec3 corner(middle + ground_radii * scene_radius * outward);
+    add_vertex(world, corner);
+    part.bounds.grow(corner);
+  }
+  const auto index = static_cast<std::uint32_t>(world.solid_parts());
+  const auto first = static_cast<std::ptrdiff_t>(world.triangles.size());
+  world.triangle_part.insert(world.triangle_part.begin() + first, corners, index);
+  for (std::uint32_t i = 0; i < corners; ++i)
+    world.triangles.push_back(part.first_vertex + glm::uvec3(0, 1 + i, 1 + (i + 1) % corners));
+  world.bounds.grow(part.bounds);
+  world.parts.insert(world.parts.begin() + index, std::move(part));
+  shift_strokes(world, 1);
+}
+
+}  // namespace asos

@@ -1,0 +1,184 @@
+#include "renderer/prepared/with_ground.h"
+
+#include "renderer/prepared/with_strokes.h"
+#include "renderer/scene/load.h"
+#include "renderer/world/framing.h"
+#include "renderer/world/ground.h"
+#include "tests/support/render_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace asos::test::with_ground_test {
+namespace {
+
+/// A white square of 2 x 2 at height 1, and lines where asked for, under a sun straight above.
+Scene board(bool lines) {
+  Scene scene;
+  scene.source = "test";
+  scene.materials.emplace_back();
+  scene.materials.back().metallic = 0.0f;
+  scene.materials.back().double_sided = true;
+  Mesh mesh;
+  mesh.positions = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
+  mesh.normals.assign(4, glm::vec3(0, 1, 0));
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}};
+  mesh.material = 0;
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({"board", 0, glm::dmat4(1.0)});
+  Mesh line;
+  line.positions = {{-1, 2, 0}, {1, 2, 0}};
+  line.segments = {{0, 1}};
+  line.material = 0;
+  if (lines) {
+    scene.meshes.push_back(std::move(line));
+    scene.instances.push_back({"line", 1, glm::dmat4(1.0)});
+  }
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = {0, -1, 0};
+  sun.intensity = std::numbers::pi_v<float>;
+  scene.lights.push_back(sun);
+  return scene;
+}
+
+std::shared_ptr<const RenderScene> ready(const Scene& scene) {
+  return prepare(scene).value();
+}
+
+/// Straight at a point of the ground, of the author's coordinates, from below the board.
+glm::vec3 ground_at(const RenderScene& scene, double x, double z) {
+  Camera camera;
+  camera.type = Camera::Type::orthographic;
+  camera.height = 0.01;
+  camera.world_from_camera = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+  const glm::dvec3 eye = glm::dvec3(x, 0.99999, z) - scene.world().origin;
+  camera.world_from_camera[3] = glm::dvec4(eye, 1.0);
+  RenderSettings settings;
+  settings.width = settings.height = 4;
+  return render_picture(scene, camera, settings).film.radiance[5];
+}
+
+// Half as bright as white, which returns radiance 1 of an irradiance of pi; nothing of the sun
+// under the board, whose shadow is as wide as it is.
+TEST(WithGround, ReceivesShadows) {
+  const auto scene = with_ground(ready(board(false)), Ground::on).value();
+  const glm::vec3 lit = ground_at(*scene, 1.02, 0.3), dark = ground_at(*scene, 0.98, 0.3);
+  EXPECT_NEAR(lit.x - dark.x, 0.5f, 1e-4f);
+  EXPECT_GT(dark.x, 0.0f) << "the sky is there";
+  EXPECT_EQ(ground_at(*scene, 0.0, 0.0), dark);
+  EXPECT_EQ(ground_at(*scene, 1.5, -3.0), lit);
+}
+
+TEST(WithGround, LiesAtTheLowestPointAndIsSizedByTheScene) {
+  const auto bare = ready(board(false));
+  const auto scene = with_ground(bare, Ground::on).value();
+  const Part& plate = scene->world().parts.back();
+  const double radius = std::sqrt(2.0);
+  const double height = static_cast<double>(plate.bounds.lo.y) + scene->world().origin.y;
+  EXPECT_LT(height, 1.0);
+  EXPECT_NEAR(height, 1.0, 1e-3 * radius);
+  EXPECT_EQ(plate.bounds.lo.y, plate.bounds.hi.y);
+  EXPECT_NEAR(plate.bounds.hi.x - plate.bounds.lo.x, 2.0 * ground_radii * radius, 1e-3);
+}
+
+// What was prepared stays what it was, for all that is told of the scene.
+TEST(WithGround, IsNoPartOfTheSceneThatItWasPutUnder) {
+  const auto bare = ready(board(false));
+  const auto before = bare->world().triangles.size();
+  const auto scene = with_ground(bare, Ground::mirror).value();
+  EXPECT_EQ(bare->world().triangles.size(), before);
+  EXPECT_EQ(bare->world().parts.size(), 1u);
+  EXPECT_EQ(scene->world().parts.size(), 2u);
+  EXPECT_EQ(scene->world().materials.size(), scene->dfrs().size());
+  EXPECT_EQ(scene->lights().size(), bare->lights().size());
+  EXPECT_EQ(scene->lighting, scene->own_lighting) << "its lights were not edited";
+}
+
+TEST(WithGround, MirrorsByADfr) {
+  const auto bare = ready(board(false));
+  EXPECT_FALSE(bare->needs.mirrors);
+  EXPECT_FALSE(with_ground(bare, Ground::on).value()->needs.mirrors);
+  const auto scene = with_ground(bare, Ground::mirror).value();
+  EXPECT_TRUE(scene->needs.mirrors);
+  ASSERT_TRUE(scene->dfrs().back());
+  EXPECT_FALSE(scene->dfrs().front());
+}
+
+TEST(WithGround, EditedLightsAndRatiosStay) {
+  auto edited = with_lights(ready(board(false)), {}).value();
+  MaterialDfrs dfrs = edited->dfrs();
+  dfrs.front().emplace();
+  edited = with_dfrs(edited, dfrs).value();
+  const auto scene = with_ground(edited, Ground::on).value();
+  EXPECT_TRUE(scene->lights().empty());
+  EXPECT_EQ(scene->own_lighting->lights.size(), 1u);
+  EXPECT_EQ(scene->dfrs().front(), dfrs.front());
+}
+
+TEST(WithGround, LinesAreDrawnOnIt) {
+  const Scene author = board(true);
+  Camera camera;
+  camera.world_from_camera[3] = {0, 0, 9, 1};
+  RenderSettings settings;
+  settings.width = 64;
+  settings.height = 36;
+  const StrokePicture picture = stroke_picture(camera, settings);
+  const auto alone = with_strokes(ready(author), picture).value();
+  // Whether they were drawn before or not.
+  for (const auto& under : {ready(author), alone}) {
+    const auto scene = with_strokes(with_ground(under, Ground::on).value(), picture).value();
+    const World& world = scene->world();
+    EXPECT_EQ(world.strokes.triangle_count, alone->world().strokes.triangle_count);
+    ASSERT_EQ(world.parts.size(), 3u);
+    EXPECT_EQ(world.parts[1].name, "ground");
+    EXPECT_EQ(world.parts[2].name, "line");
+    ASSERT_EQ(world.triangle_part.size(), world.surface_count());
+    for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
+      const Part& part = world.parts[world.triangle_part[t]];
+      EXPECT_GE(t, part.first_triangle);
+      EXPECT_LT(t, part.first_triangle + part.triangle_count);
+    }
+  }
+}
+
+// And framed as ever, whether it stands on one or not.
+TEST(WithGround, IsTakenAwayAgain) {
+  const auto bare = ready(board(true));
+  const auto on = with_ground(bare, Ground::on).value();
+  EXPECT_EQ(ground_of(on->world()), Ground::on);
+  EXPECT_EQ(with_ground(on, Ground::on).value(), on);
+  const auto mirror = with_ground(on, Ground::mirror).value();
+  EXPECT_EQ(ground_of(mirror->world()), Ground::mirror);
+  EXPECT_EQ(mirror->world().triangles.size(), on->world().triangles.size());
+  const auto off = with_ground(mirror, Ground::off).value();
+  const World &a = off->world(), &b = bare->world();
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.triangle_part, b.triangle_part);
+  EXPECT_EQ(a.materials.size(), b.materials.size());
+  EXPECT_EQ(a.parts.size(), b.parts.size());
+  EXPECT_EQ(a.strokes.first_part, b.strokes.first_part);
+  EXPECT_EQ(a.strokes.segments.front().part, b.strokes.segments.front().part);
+  EXPECT_EQ(a.bounds.lo, b.bounds.lo);
+  EXPECT_EQ(a.bounds.hi, b.bounds.hi);
+  EXPECT_EQ(off->dfrs().size(), bare->dfrs().size());
+  const Camera camera;
+  EXPECT_EQ(frame_world(on->world(), camera, 1.5).camera.world_from_camera,
+            frame_world(b, camera, 1.5).camera.world_from_camera);
+}
+
+TEST(WithGround, NothingIsPutUnderNothing) {
+  const auto bare = ready(board(false));
+  EXPECT_EQ(with_ground(bare, Ground::off).value(), bare);
+  Scene empty = board(false);
+  empty.instances.clear();
+  const auto nothing = ready(empty);
+  EXPECT_TRUE(with_ground(nothing, Ground::on).value()->world().shows_nothing());
+}
+
+}  // namespace
+}  // namespace asos::test::with_ground_test
