@@ -13,6 +13,7 @@ struct DisplaySettings {
   ToneCurve tone = ToneCurve::none;
   bool show_split_map = false;  ///< over the picture: the split pixels in colours
   float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
+  bool show_grid = false;       ///< and the axes, over the picture
   bool show_legend = true;      ///< of the split map, over the picture
   SplitMapColours split_colours = SplitMapColours::level;
 

@@ -55,6 +55,7 @@ StoredSettings settings_of(const SettingsJson& json) {
   }
   read(json, "split_dimming", 0.0f, 1.0f, s.display.split_dimming);
   read(json, "show_legend", s.display.show_legend);
+  read(json, "show_grid", s.display.show_grid);
   if (const auto at = json.find("split_colours"); at != json.end() && at->is_string()) {
     for (const auto& named : split_map_names)
       if (at->get<std::string>() == named.name) s.display.split_colours = named.value;
@@ -146,6 +147,7 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
       {"tone", name_in(tone_names, settings.display.tone)},
       {"split_dimming", settings.display.split_dimming},
       {"show_legend", settings.display.show_legend},
+      {"show_grid", settings.display.show_grid},
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},
       {"show_panel", settings.show_panel},
       {"show_marks", settings.show_marks},

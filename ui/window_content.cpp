@@ -1,6 +1,7 @@
 #include "ui/window_content.h"
 
 #include "ui/gl/read_framebuffer.h"
+#include "ui/panels/grid_overlay.h"
 #include "ui/panels/side_panel.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
@@ -167,6 +168,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   const PictureArea shown{picture, scale.y};
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
+  if (state_.display.show_grid) grid_overlay(previewer_, state_.view, shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_.render().film(), shown);
   picture_area(controls_, previewer_, state_, shown);

@@ -91,6 +91,7 @@ inline const std::map<std::string, Part> parts{
     {"Tone", Part::display},
     {"Split map", Part::display},
     {"Dimming", Part::display},
+    {"Grid", Part::display},
     {"Legend", Part::display},
     {"Colours", Part::display},
     {"Light on", Part::lights},

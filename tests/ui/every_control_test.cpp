@@ -83,7 +83,7 @@ class EveryControlTest : public PanelsTest {
                        p.render().restarts());
       case Part::display:
         return numbers(d.exposure_ev, static_cast<int>(d.tone), d.show_split_map, d.show_legend,
-                       d.split_dimming, static_cast<int>(d.split_colours));
+                       d.show_grid, d.split_dimming, static_cast<int>(d.split_colours));
       case Part::lights:
         return numbers(p.edits().state().look.lights_revision);
       case Part::camera:

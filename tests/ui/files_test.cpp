@@ -30,6 +30,7 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   settings.display.split_colours = SplitMapColours::cause;
   settings.show_panel = false;
   settings.display.show_legend = false;
+  settings.display.show_grid = true;
   settings.display.tone = ToneCurve::agx;
   settings.watch = true;
   settings.window_size = {1234, 777};

@@ -2,6 +2,7 @@
 
 #include "tests/ui/test_scenes.h"
 #include "tests/ui/ui_rig.h"
+#include "ui/panels/grid_overlay.h"
 #include "ui/theme.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <ostream>
 #include <thread>
 
@@ -76,6 +78,53 @@ TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
   expect_area(
       [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], -1.5f); });
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+}
+
+TEST_F(WindowContentTest, TheGridIsDrawnOverThePictureAndRestartsNothing) {
+  open("red");
+  const std::uint64_t restarts = rig.previewer().render().restarts();
+  const std::vector<glm::u8vec3> before = rig.pixels();
+  rig.content().state().display.show_grid = true;
+  rig.frame();
+  const std::vector<glm::u8vec3> with = rig.pixels();
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < with.size(); ++i) changed += with[i] != before[i];
+  EXPECT_GT(changed, with.size() / 200);
+  EXPECT_LT(changed, with.size() / 2);
+  rig.content().state().display.show_grid = false;
+  rig.frame();
+  EXPECT_EQ(rig.pixels(), before);
+  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+}
+
+TEST(GridStep, IsRoundAndFitsTheScene) {
+  for (const double radius : {1e-9, 0.3, 1.0, 4.9, 5.1, 777.0, 1e12}) {
+    const double step = grid_step(radius);
+    EXPECT_GE(step, 0.2 * radius * (1.0 - 1e-9));
+    EXPECT_LE(step, 0.5 * radius * (1.0 + 1e-9));
+    const double digits = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    EXPECT_TRUE(std::abs(digits - 1.0) < 1e-6 || std::abs(digits - 2.0) < 1e-6 ||
+                std::abs(digits - 5.0) < 1e-6)
+        << digits;
+  }
+  EXPECT_EQ(grid_step(0.0), 0.0);
+  EXPECT_EQ(grid_step(NAN), 0.0);
+}
+
+// What surfaces do not cover shows a checkerboard, in the window alone.
+TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
+  open("red");
+  rig.previewer().edits().settings().background.kind = BackgroundKind::transparent;
+  ASSERT_TRUE(rig.settle());
+  const Film& film = rig.previewer().render().film();
+  ASSERT_EQ(film.coverage.size(), film.radiance.size());
+  EXPECT_EQ(film.coverage[film.index(1, 1)], 0.0f);
+  EXPECT_EQ(film.coverage[film.index(film.width / 2, film.height / 2)], 1.0f);
+  expect_area([](const Film& shown, std::size_t i) {
+    const auto width = static_cast<std::size_t>(shown.width);
+    const float square = (i % width / 8 + i / width / 8) % 2 == 0 ? 0.4f : 0.25f;
+    return display_bytes(shown.radiance[i] + (1.0f - shown.coverage[i]) * square, 0.0f);
+  });
 }
 
 // Each curve's own bytes, and back; with the exposure, which the curve comes after.

@@ -44,6 +44,11 @@ void display_panel(Controls& controls, DisplaySettings& display) {
   int tone = static_cast<int>(display.tone);
   if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
     display.tone = static_cast<ToneCurve>(tone);
+  controls.checkbox("Grid",
+                    "A grid through the scene's lowest point, in steps of 1, 2 or 5 times a power "
+                    "of ten of the file's units, and the axes from its origin, X, Y and Z. Saved "
+                    "pictures are without it.",
+                    display.show_grid, usual.show_grid);
   controls.checkbox("Split map", "Show in colours which pixels were split. Key: M.",
                     display.show_split_map, usual.show_split_map);
   if (!display.show_split_map) return;

@@ -1,4 +1,5 @@
 #include "ui/panels/overlays.h"
+#include "ui/panels/projection.h"
 #include "ui/theme.h"
 
 #include <imgui.h>
@@ -55,56 +56,6 @@ std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
   }
   return {};
 }
-
-/// Between world, picture and window.
-class Projection {
- public:
-  Projection(const Viewpoint& viewpoint, const Film& film, const PictureView& view,
-             const PictureArea& area)
-      : frame_(viewpoint.view().frame(0.0, 0.0, film.width, film.height)),
-        size_(film.width, film.height),
-        view_(view),
-        area_(area) {}
-
-  /// Homogeneous; in front of the viewer where z is above 0.
-  [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const { return frame_.homogeneous(p); }
-  [[nodiscard]] bool visible(glm::dvec3 h) const { return frame_.parallel() || h.z > 0.0; }
-
-  [[nodiscard]] ImVec2 window(glm::dvec3 h) const {
-    const FramePoint p = frame_.project(h);
-    const glm::vec2 pixel(glm::dvec2(p.u, p.v) * size_);
-    const glm::vec2 at = area_.rect.lo + (view_.offset() + pixel * view_.scale()) / area_.scale;
-    return {at.x, at.y};
-  }
-  /// How far something moves whose mark goes by so much in the window, along the picture's plane.
-  [[nodiscard]] glm::dvec3 moved(glm::dvec3 p, glm::vec2 by) const {
-    const FramePoint from = frame_.project(homogeneous(p));
-    const glm::dvec2 share = glm::dvec2(by * area_.scale / view_.scale()) / size_;
-    return frame_.world({from.u + share.x, from.v + share.y, from.nearness}) - frame_.world(from);
-  }
-
-  /// A straight line, clipped in front of the viewer.
-  void line(ImDrawList& draw, glm::dvec3 a, glm::dvec3 b, std::uint32_t colour) const {
-    glm::dvec3 from = homogeneous(a), to = homogeneous(b);
-    if (!frame_.parallel()) {
-      const double least = 1e-6 * std::max(std::abs(from.z), std::abs(to.z));
-      if (from.z < least && to.z < least) return;
-      const auto clipped = [&](glm::dvec3 h, glm::dvec3 other) {
-        return h.z >= least ? h : glm::mix(h, other, (least - h.z) / (other.z - h.z));
-      };
-      const glm::dvec3 start = clipped(from, to);
-      to = clipped(to, from);
-      from = start;
-    }
-    draw.AddLine(window(from), window(to), colour, 1.5f);
-  }
-
- private:
-  Frame frame_;
-  glm::dvec2 size_;
-  const PictureView& view_;
-  const PictureArea& area_;
-};
 
 /// The outline, and a stroke to where it shines to, as long as it looks a few marks long.
 void draw_outline(const Projection& projection, const Light& light, const Camera& camera) {
