@@ -205,7 +205,7 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
       ->default_str("0");
 }
 
-void add_sky_options(CLI::App& app, PictureArguments& arguments) {
+void add_sky_options(CLI::App& app, PictureArguments& arguments, const char* usual) {
   add_parsed_option(app, "--sky", "WHAT",
                     "What surrounds the scene and lights it from all sides: neutral (grey), an "
                     "environment (studio, daylight, dusk, white, grey: with a light for a scene "
@@ -218,7 +218,7 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments) {
                       arguments.sky = std::move(sky);
                       arguments.sky_chosen = true;
                     })
-      ->default_str("studio for a scene without lights, else neutral");
+      ->default_str(usual);
   add_parsed_option(app, "--sky-turn", "DEG",
                     "Turns a sky from a file about the vertical, counter-clockwise as seen from "
                     "above, -360 to 360 degrees",
@@ -274,7 +274,7 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
       [&](PictureSize s) { settings.width = s.width, settings.height = s.height; })
       ->default_str(fmt::format("{}x{}", settings.width, settings.height));
   add_method_options(app, settings);
-  add_sky_options(app, arguments);
+  add_sky_options(app, arguments, "studio for a scene without lights, else neutral");
   add_stage_options(app, settings);
   add_needs_option(app, arguments.needs);
 }
@@ -318,7 +318,7 @@ void add_needs_option(CLI::App& app, NeedsChoice& needs) {
 
 void add_look_options(CLI::App& app, PictureArguments& arguments) {
   add_camera_choice(app, arguments.camera);
-  add_sky_options(app, arguments);
+  add_sky_options(app, arguments, "neutral");
   add_mirror_options(app, arguments.settings);
   add_texture_resolution(app, arguments.settings);
   add_needs_option(app, arguments.needs);

@@ -96,6 +96,7 @@ bool SceneEdits::same_as(const State& state) const {
 
 void SceneEdits::restore(const State& state) {
   set_all_but_size(state.settings);
+  sky_chosen_ = now_.settings.sky != first_settings_.sky;
   if (now_.look.lights_revision != state.look.lights_revision) edit_lights() = state.look.lights;
   if (now_.look.dfrs_revision != state.look.dfrs_revision) edit_dfrs() = state.look.dfrs;
 }

@@ -61,6 +61,8 @@ TEST(CommandLine, RenderHelpNamesEveryOption) {
                              "Examples:",
                              "--sky",
                              "--sky-turn",
+                             "--background",
+                             "--ground",
                              "--tr",
                              "--filter-width",
                              "--time-limit"})
@@ -104,6 +106,9 @@ TEST(CommandLine, BadUsageIsNamedOnStderrWithExitCodeTwo) {
       {"render", "builtin:boxes", "-o", "x.png", "--tr", "0"},
       {"render", "builtin:boxes", "-o", "x.png", "--tr", "9"},
       {"render", "builtin:boxes", "-o", "x.png", "--sky", "blue"},
+      {"render", "builtin:boxes", "-o", "x.png", "--background", "colours"},
+      {"render", "builtin:boxes", "-o", "x.png", "--background", "1,1,nan"},
+      {"render", "builtin:boxes", "-o", "x.png", "--ground", "grass"},
       {"render", "builtin:boxes", "-o", "x.png", "--sky", "1,1,-1"},
       {"render", "builtin:boxes", "-o", "x.png", "--sky-turn", "nan"},
       {"render", "builtin:boxes", "-o", "x.png", "--threads", "-2"},

@@ -88,7 +88,7 @@ TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
       for (const Light& light : *said) names.push_back(light.name);
     return names;
   };
-  const auto plain = shot({file}, "plain.exr");
+  const auto plain = shot({file, "--sky", "neutral"}, "plain.exr");
   const auto day = shot({file, "--sky", "daylight"}, "day.exr");
   EXPECT_TRUE(plain != day);
   EXPECT_EQ(read_description(folder_.file("day.exr")).value().sky.environment,

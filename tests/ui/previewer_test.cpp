@@ -196,6 +196,7 @@ TEST_F(PreviewerTest, PutsTheSceneOnTheGroundThatIsAskedFor) {
   previewer.scene().open("lines");
   ASSERT_TRUE(opened("lines"));
   ASSERT_TRUE(finished());
+  previewer.viewpoint().frame_all();
   const Camera before = previewer.viewpoint().camera().camera();
   const auto stands_on = [&](Ground ground) {
     previewer.edits().settings().ground = ground;
