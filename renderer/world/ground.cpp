@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace asos {
 namespace {
@@ -85,9 +86,9 @@ Ground ground_of(const World& world) {
 
 Box bounds_without_ground(const World& world) {
   const Part* plate = plate_of(world);
-  if (!plate) return world.bounds;
+  if (!plate && world.strokes.empty()) return world.bounds;
   Box bounds;
-  for (const Part& part : world.parts)
+  for (const Part& part : std::span(world.parts).first(world.solid_parts()))
     if (&part != plate) bounds.grow(part.bounds);
   return bounds;
 }

@@ -20,6 +20,7 @@ inline constexpr double ground_radii = 10.0;
 
 // The world without its ground, for all that is told of it.
 
+/// Without lines and points, too, whose surfaces follow the camera.
 [[nodiscard]] Box bounds_without_ground(const World& world);
 [[nodiscard]] std::size_t materials_without_ground(const World& world);
 [[nodiscard]] std::size_t triangles_without_ground(const World& world);

@@ -171,6 +171,20 @@ TEST(WithGround, IsTakenAwayAgain) {
             frame_world(b, camera, 1.5).camera.world_from_camera);
 }
 
+// Nor does it matter to the framing whether lines are drawn. Lines alone have no ground.
+TEST(WithGround, LinesAreNoGroundToStandOn) {
+  const StrokePicture picture{Camera{}, 100, 4.0};
+  const auto bare = with_strokes(ready(board(true)), picture).value();
+  const auto on = with_strokes(with_ground(bare, Ground::on).value(), picture).value();
+  const Camera camera;
+  EXPECT_EQ(frame_world(on->world(), camera, 1.5).camera.world_from_camera,
+            frame_world(bare->world(), camera, 1.5).camera.world_from_camera);
+  Scene lines = board(true);
+  lines.instances.erase(lines.instances.begin());
+  const auto only = with_strokes(ready(lines), picture).value();
+  EXPECT_EQ(with_ground(only, Ground::on).value(), only);
+}
+
 TEST(WithGround, NothingIsPutUnderNothing) {
   const auto bare = ready(board(false));
   EXPECT_EQ(with_ground(bare, Ground::off).value(), bare);
