@@ -34,38 +34,14 @@ TEST(CommandLine, HelpNamesEveryCommand) {
 TEST(CommandLine, RenderHelpNamesEveryOption) {
   const AsosRun help = run_asos({"render", "--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* option : {"SCENE",
-                             "-o",
-                             "--size",
-                             "--method",
-                             "--max",
-                             "--eps",
-                             "--spp",
-                             "--leaf",
-                             "--jitter",
-                             "--camera",
-                             "--look-at",
-                             "--fov",
-                             "--threads",
-                             "--crop",
-                             "--exposure",
-                             "--tone",
-                             "--split-map",
-                             "--split-map-by",
-                             "--stats",
-                             "--contrast",
-                             "--depth",
-                             "--spheres",
-                             "--contrast-scale",
-                             "--quiet",
-                             "Examples:",
-                             "--sky",
-                             "--sky-turn",
-                             "--background",
-                             "--ground",
-                             "--tr",
-                             "--filter-width",
-                             "--time-limit"})
+  for (const char* option :
+       {"SCENE",          "-o",          "--size",           "--method", "--max",
+        "--eps",          "--spp",       "--leaf",           "--jitter", "--camera",
+        "--look-at",      "--fov",       "--threads",        "--crop",   "--exposure",
+        "--tone",         "--split-map", "--split-map-by",   "--stats",  "--contrast",
+        "--depth",        "--spheres",   "--contrast-scale", "--quiet",  "Examples:",
+        "--sky",          "--sky-turn",  "--background",     "--ground", "--tr",
+        "--filter-width", "--time-limit"})
     EXPECT_TRUE(contains(help.out, option));
 }
 
