@@ -26,6 +26,8 @@ int run_export(const ExportArguments& arguments, const Streams& streams) {
   const Result<void> written =
       file->commit([&](const std::string& path) { return export_gltf(*scene, path); });
   if (!written) return fail(streams, written.error());
+  if (!scene->contents.animations.empty())
+    streams.err << "asos: note: its animation is not written; the file shows its beginning\n";
   streams.out << fmt::format("Wrote {} ({} triangles).\n", printable(file->path()),
                              scene->instanced_triangles());
   return exit_ok;

@@ -9,7 +9,7 @@ namespace asos {
 
 namespace {
 
-Result<Scene> load_builtin(const std::string& source, std::string_view name) {
+Result<Scene> load_builtin(const std::string& source, std::string_view name, bool keep_rig) {
   const std::vector<BuiltinScene>& scenes = builtin_scenes();
   const auto found = std::find_if(scenes.begin(), scenes.end(),
                                   [&](const BuiltinScene& s) { return s.name == name; });
@@ -20,6 +20,7 @@ Result<Scene> load_builtin(const std::string& source, std::string_view name) {
   }
   Scene scene = found->make();
   scene.source = source;
+  if (!keep_rig) scene.rig = nullptr;
   return scene;
 }
 
@@ -32,7 +33,7 @@ Result<Scene> load_scene(const std::string& source, const LoadOptions& options) 
       return unexpected(Error{source, "built-in scenes have no variants of their materials"});
     if (!options.scene.empty())
       return unexpected(Error{source, "built-in scenes have no other scenes to choose from"});
-    return load_builtin(source, std::string_view(source).substr(prefix.size()));
+    return load_builtin(source, std::string_view(source).substr(prefix.size()), options.keep_rig);
   }
   if (source.empty()) return unexpected(Error{"scene", "no file is named"});
   return import_gltf(source, options);

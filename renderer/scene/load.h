@@ -12,7 +12,7 @@ namespace asos {
 struct LoadOptions {
   /// Refused above this, before anything of that size is allocated.
   std::uint64_t max_triangles = 60'000'000;
-  bool keep_rig = false;     ///< Scene::rig is set where the file has animations
+  bool keep_rig = false;     ///< Scene::rig is set where there are animations
   std::string variant = {};  ///< of the file's materials (KHR_materials_variants); empty: none
   std::string scene = {};  ///< of the file's, by its number from 0 or its name; empty: its default
 };

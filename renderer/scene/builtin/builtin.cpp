@@ -42,6 +42,10 @@ const std::vector<BuiltinScene>& builtin_scenes() {
        builtin::make_foliage},
       {"glass", "a ball, a slab and a prism of glass, which bend light, on a chequered floor",
        builtin::make_glass},
+      {"turning-fence", "a picket fence that turns about its middle, once in 30 seconds",
+       builtin::make_turning_fence},
+      {"walking-pole", "a leaning pole as thin as half a pixel, which walks by quarters of one",
+       builtin::make_walking_pole},
   };
   return scenes;
 }

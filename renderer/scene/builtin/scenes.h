@@ -27,5 +27,7 @@ namespace asos::builtin {
 [[nodiscard]] Scene make_railing();
 [[nodiscard]] Scene make_foliage();
 [[nodiscard]] Scene make_glass();
+[[nodiscard]] Scene make_turning_fence();
+[[nodiscard]] Scene make_walking_pole();
 
 }  // namespace asos::builtin

@@ -112,7 +112,9 @@ bool is_sheet(const std::string& scene, const std::string& mesh) {
       {"workshop", {"floor", "wall"}},
       {"railing", {"terrace", "railing"}},
       {"foliage", {"lawn", "leaves"}},
-      {"glass", {"dark squares", "light squares"}}};
+      {"glass", {"dark squares", "light squares"}},
+      {"turning-fence", {"ground"}},
+      {"walking-pole", {"ground", "wall"}}};
   return sheets.at(scene).contains(mesh);
 }
 
@@ -155,7 +157,9 @@ TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
       {"workshop", {20'000, 35'000}},
       {"railing", {90, 120}},
       {"foliage", {500, 900}},
-      {"glass", {820, 820}}};
+      {"glass", {820, 820}},
+      {"turning-fence", {298, 298}},
+      {"walking-pole", {48, 52}}};
   const Scene scene = make(GetParam());
   EXPECT_GE(scene.instanced_triangles(), range.at(GetParam()).first);
   EXPECT_LE(scene.instanced_triangles(), range.at(GetParam()).second);
@@ -244,8 +248,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
                            return name;
                          });
 
-TEST(BuiltinScenes, AreTwentyOneWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 21u);
+TEST(BuiltinScenes, AreTwentyThreeWithOfficeFirst) {
+  ASSERT_EQ(builtin_scenes().size(), 23u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }
