@@ -35,14 +35,14 @@ double mean_absolute(glm::vec3 a, glm::vec3 b) {
 
 }  // namespace
 
+glm::dvec3 clipped_difference(glm::vec3 a, glm::vec3 b) {
+  b = glm::clamp(b, 0.0f, 1.0f);
+  return glm::dvec3(shown(a, b)) - glm::dvec3(b);
+}
+
 double squared_error(glm::vec3 a, glm::vec3 b, bool clipped) {
-  if (clipped) {
-    b = glm::clamp(b, 0.0f, 1.0f);
-    a = shown(a, b);
-  } else if (!is_finite(a)) {
-    return std::numeric_limits<double>::infinity();
-  }
-  const glm::dvec3 d = glm::dvec3(a) - glm::dvec3(b);
+  if (!clipped && !is_finite(a)) return std::numeric_limits<double>::infinity();
+  const glm::dvec3 d = clipped ? clipped_difference(a, b) : glm::dvec3(a) - glm::dvec3(b);
   return glm::dot(d, d) / 3.0;
 }
 

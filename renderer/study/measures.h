@@ -24,6 +24,10 @@ struct Measures {
   double perceptual = 0.0;    ///< mean CIEDE2000 over pixels
 };
 
+/// How far `a` is above `b`, channel by channel, both clipped to 0..1. Where `a` is not a number it
+/// counts as white or black, whichever is farther.
+[[nodiscard]] glm::dvec3 clipped_difference(glm::vec3 a, glm::vec3 b);
+
 /// The mean of the three channels' squared differences, `clipped` to 0..1 or not.
 [[nodiscard]] double squared_error(glm::vec3 a, glm::vec3 b, bool clipped);
 

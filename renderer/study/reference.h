@@ -27,10 +27,10 @@ class Reference {
   /// to 0..1: half of the difference of the halves, for the variance of their mean is a quarter of
   /// that of their difference.
   [[nodiscard]] double noise() const;
-
- private:
+  /// The mean of one half's passes; `which` is 0 or 1.
   [[nodiscard]] Film half(std::size_t which) const;
 
+ private:
   int width_ = 0;
   int height_ = 0;
   int passes_ = 0;
