@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 namespace asos {
-namespace {
-
 std::string machine_text(const Machine& machine) {
   return fmt::format("<li>{}, {} cores, {:.1f} GB; {}; asos {}, commit {}, built by {}</li>\n",
                      escaped(machine.processor), machine.cores, machine.memory_gb,
                      escaped(machine.system), escaped(machine.version), escaped(machine.commit),
                      escaped(machine.compiler));
 }
+
+namespace {
 
 std::string references_table(const StudyReport& report) {
   std::string rows;

@@ -21,6 +21,9 @@ struct SceneFigures {
 [[nodiscard]] Result<std::string> html_page(const StudyReport& report,
                                             const std::vector<SceneFigures>& figures);
 
+/// A machine as an item of a list.
+[[nodiscard]] std::string machine_text(const Machine& machine);
+
 // Its sections, in their order.
 [[nodiscard]] std::string html_summary(const StudyReport& report);
 /// The part of the summary that says where ASOS does not win.

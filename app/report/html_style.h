@@ -39,6 +39,7 @@ img { max-width: 100%; }
 .plot img { width: 54rem; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(19rem, 1fr)); gap: 1rem; }
 .grid img { width: 100%; image-rendering: pixelated; background: #eee; }
+img.strip { width: 100%; image-rendering: pixelated; }
 .slider { position: relative; width: min(100%, 48rem); }
 .slider img { display: block; width: 100%; image-rendering: pixelated; }
 .slider .over { position: absolute; inset: 0; clip-path: inset(0 50% 0 0); }

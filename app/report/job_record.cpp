@@ -49,12 +49,20 @@ std::optional<Dfr> plan_dfr_of(const json& j) {
   return dfr;
 }
 
+json moment_json(const std::optional<StudyMoment>& moment) {
+  if (!moment) return nullptr;
+  return {{"animation", json_or_null(moment->animation)}, {"seconds", moment->seconds}};
+}
+
 /// The sky itself is not read: a report that is put together from its jobs does not ask for it.
 StudyLook plan_look_of(const json& j) {
   StudyLook look;
   look.camera = {value_or_none<int>(j.at("camera")),
                  value_or_none<std::array<double, 6>>(j.at("look_at")),
                  value_or_none<double>(j.at("fov"))};
+  if (const json& moment = j.value("moment", json()); !moment.is_null())
+    look.moment = StudyMoment{value_or_none<std::string>(moment.at("animation")),
+                              moment.at("seconds").get<double>()};
   look.sky = j.at("sky").get<std::string>();
   look.reflections = j.at("reflections").get<int>();
   look.roughest_mirror = j.at("roughest_mirror").get<double>();
@@ -180,6 +188,7 @@ json plan_json(const StudyPlan& plan) {
           {"camera", json_or_null(plan.look.camera.index)},
           {"look_at", json_or_null(plan.look.camera.look_at)},
           {"fov", json_or_null(plan.look.camera.fov_y_deg)},
+          {"moment", moment_json(plan.look.moment)},
           {"sky", plan.look.sky},
           {"reflections", plan.look.reflections},
           {"roughest_mirror", plan.look.roughest_mirror},

@@ -2,10 +2,9 @@
 
 #include "app/camera_choice.h"
 #include "app/interrupt.h"
-#include "app/scene_argument.h"
+#include "app/opened_scene.h"
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
-#include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/sampling/random.h"
 #include "renderer/study/timed_render.h"
@@ -55,17 +54,23 @@ JobRunner::JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool
 Result<void> JobRunner::open(const StudyScene& subject) {
   if (scene_ && open_subject_ == subject) return {};
   const AbandonableWork loading("asos: interrupted, no report was written\n");
-  const std::string& source = subject.source;
   scene_.reset();  // before the next one takes memory
-  const Result<Scene> scene = open_scene_argument(source);
-  if (!scene) return tl::unexpected(scene.error());
-  auto ready = prepare(*scene, forced_by(plan_.needs));
-  if (ready) ready = lit_under(*ready, subject.look.opened_sky.get());
+  PictureArguments wanted;
+  wanted.scene = subject.source;
+  wanted.needs = plan_.needs;
+  wanted.camera = choice_of(subject.look.camera);
+  if (const auto& moment = subject.look.moment) wanted.clip = {moment->animation, moment->seconds};
+  Result<OpenedScene> opened = OpenedScene::open(wanted);
+  if (!opened) return tl::unexpected(opened.error());
+  PictureDescription picture;
+  picture.needs = plan_.needs;
+  picture.settings.sky = subject.look.opened_sky;
+  auto ready = opened->at(opened->time(), picture);
   if (!ready) return tl::unexpected(ready.error());
   if ((*ready)->world().shows_nothing())
-    return tl::unexpected(Error{source, "the scene is empty: there is nothing to compare"});
-  const auto camera = choose_camera((*ready)->world(), choice_of(subject.look.camera),
-                                    static_cast<double>(plan_.width) / plan_.height);
+    return tl::unexpected(Error{subject.source, "the scene is empty: there is nothing to compare"});
+  const auto camera =
+      opened->camera(**ready, wanted.camera, static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
   // As wide as they are unless another width is asked for.
   ready = with_strokes(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})

@@ -14,8 +14,6 @@ namespace asos {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* anchor_setting = "MAX 3 EPS 1/256";
-
 std::string path_in(const std::string& folder, const std::string& name, const std::string& what) {
   return (fs::path(folder) / fmt::format("{}-{}.png", name, what)).string();
 }

@@ -29,6 +29,9 @@ struct ScenePictures {
 [[nodiscard]] glm::u8vec3 error_colour(double share);
 [[nodiscard]] glm::u8vec3 region_colour(Region region);
 
+/// ASOS as the program has it unless told otherwise.
+inline constexpr const char* anchor_setting = "MAX 3 EPS 1/256";
+
 /// The point of a study that pictures are compared at: ASOS as the program has it unless told
 /// otherwise, or else a setting in the middle. Nothing for a study without points.
 [[nodiscard]] const StudyPoint* anchor_of(const SceneStudy& study);

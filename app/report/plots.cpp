@@ -1,29 +1,15 @@
 #include "app/report/plots.h"
 
-#include "renderer/film/image_io.h"
+#include "app/report/gnuplot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace asos {
-namespace fs = std::filesystem;
 namespace {
-
-/// Colours of Okabe and Ito (2008), distinct to the colour-blind; marks and dashes differ, too.
-constexpr std::array colours{"#D55E00", "#0072B2", "#009E73", "#CC79A7",
-                             "#E69F00", "#56B4E9", "#000000", "#8A6D00"};
-/// As many marks as share no factor with the colours, so that pairs repeat late.
-constexpr std::array marks{7, 5, 9, 13, 11, 15, 4, 6, 8, 12, 10, 14, 1};
 
 /// The quantity that is drawn of a point, and the axis's title.
 struct Quantity {
@@ -37,157 +23,38 @@ constexpr std::array quantities{
     Quantity{"perceptual", "Mean CIEDE2000 of the displayed picture", &Measures::perceptual, false},
 };
 
-/// Runs gnuplot with one argument; what it complains about goes to `log`.
-int run_gnuplot(const std::string& argument, const std::string& log) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  std::string program = "gnuplot";
-  std::string word = argument;
-  std::array<char*, 3> words{program.data(), word.data(), nullptr};
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, "gnuplot", &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (failed != 0 || waitpid(child, &status, 0) != child) return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+PlotPoint plot_point(const StudyPoint& p, const Quantity& quantity) {
+  const auto [lo, hi] = std::minmax_element(
+      p.costs.begin(), p.costs.end(),
+      [](const Cost& a, const Cost& b) { return a.cpu_seconds < b.cpu_seconds; });
+  const bool ran = lo != p.costs.end();
+  return {p.seconds(), p.measures.*quantity.value, ran ? lo->cpu_seconds : 0.0,
+          ran ? hi->cpu_seconds : 0.0, p.under_floor};
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// What gnuplot complained of, to go on a sentence with.
-std::string reason_in(const std::string& log) {
-  const std::string said = text_of(log);
-  return said.empty() ? " and does not say why; the disk may be full" : ": " + said;
-}
-
-/// Whether gnuplot wrote both plots to their ends: on a full disk it does not say that it could
-/// not.
-bool are_whole(const std::string& path) {
-  return text_of(path + ".svg").rfind("</svg>") != std::string::npos && read_png(path + ".png");
-}
-
-/// A string in gnuplot's double quotes; the enhanced mode, which _ and ^ would change, is off.
-std::string gnuplot_text(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c != '\n') result += c;
-  }
-  return result + "\"";
-}
-
-std::vector<std::string> curves_of(const SceneStudy& study) {
-  std::vector<std::string> curves;
-  for (const StudyPoint& p : study.points)
-    if (std::find(curves.begin(), curves.end(), p.rung.curve) == curves.end())
-      curves.push_back(p.rung.curve);
-  return curves;
-}
-
-/// Seconds, error, least and most seconds; the points of a curve above the floor, or those under.
-std::string data_block(const SceneStudy& study, const Quantity& quantity, const std::string& curve,
-                       bool under_floor) {
-  std::string rows;
+CurvePlot plot_of(const SceneStudy& study, const Quantity& quantity) {
+  CurvePlot plot{study.scene, quantity.title, {}, quantity.has_floor ? study.floor : 0.0};
   for (const StudyPoint& p : study.points) {
-    const double value = p.measures.*quantity.value;
-    if (p.rung.curve != curve || p.under_floor != under_floor || !(value > 0.0)) continue;
-    const auto [lo, hi] = std::minmax_element(
-        p.costs.begin(), p.costs.end(),
-        [](const Cost& a, const Cost& b) { return a.cpu_seconds < b.cpu_seconds; });
-    rows += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", p.seconds(), value, lo->cpu_seconds,
-                        hi->cpu_seconds);
+    auto curve = std::find_if(plot.curves.begin(), plot.curves.end(),
+                              [&](const PlotCurve& c) { return c.name == p.rung.curve; });
+    if (curve == plot.curves.end())
+      curve = plot.curves.insert(curve, {p.rung.curve, {}, p.rung.curve.starts_with("asos ")});
+    curve->points.push_back(plot_point(p, quantity));
   }
-  return rows;
-}
-
-std::string script_of(const SceneReport& scene, const Quantity& quantity, const std::string& path) {
-  const SceneStudy& study = scene.study;
-  std::string script =
-      "set encoding utf8\nset logscale xy\nset format x \"10^{%T}\"\nset format y \"10^{%T}\"\n"
-      "set grid xtics ytics mxtics mytics lc rgb \"#c4c4c4\", lc rgb \"#e6e6e6\"\n"
-      "set border 3 lc rgb \"#606060\"\nset tics nomirror\nset key outside right top Left reverse "
-      "noenhanced samplen 2\nset xlabel \"Processor seconds (all threads)\"\n";
-  script += fmt::format("set ylabel {} noenhanced\nset title {} noenhanced\n",
-                        gnuplot_text(quantity.title), gnuplot_text(study.scene));
-  const std::vector<std::string> curves = curves_of(study);
-  std::string plot;
-  const auto add = [&plot](const std::string& part) {
-    plot += (plot.empty() ? "" : ", \\\n") + part;
-  };
-  bool any_under = false;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const std::string above = data_block(study, quantity, curves[i], false);
-    const std::string under = data_block(study, quantity, curves[i], true);
-    const char* colour = colours[i % colours.size()];
-    const int mark = marks[i % marks.size()];
-    if (!above.empty()) {
-      script += fmt::format("$above{} << EOD\n{}EOD\n", i, above);
-      add(
-          fmt::format("$above{} using 1:2 with linespoints lw {} pt {} ps 0.9 dt {} lc rgb \"{}\" "
-                      "title {}",
-                      i, curves[i].starts_with("asos ") ? 2.6 : 1.4, mark, 1 + i % 4, colour,
-                      gnuplot_text(curves[i])));
-      add(fmt::format("$above{} using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb \"{}\" notitle", i,
-                      colour));
-    }
-    if (!under.empty()) {
-      script += fmt::format("$under{} << EOD\n{}EOD\n", i, under);
-      add(fmt::format("$under{} using 1:2 with points pt 2 ps 0.8 lc rgb \"{}\" notitle", i,
-                      colour));
-      any_under = true;
-    }
-  }
-  if (any_under)
-    add("keyentry with points pt 2 ps 0.8 lc rgb \"#707070\" title \"x: under the floor\"");
-  if (quantity.has_floor && study.floor > 0.0)
-    add(fmt::format("{:.9g} with lines dt 2 lw 1.2 lc rgb \"#606060\" title \"floor\"",
-                    study.floor));
-  const std::string pictures = fmt::format(
-      "set terminal svg size 860,480 font \"DejaVu Sans,13\" background \"#ffffff\"\n"
-      "set output {0}\nreplot\n"
-      "set terminal pngcairo size 1290,720 font \"DejaVu Sans,13\" fontscale 1.2 background "
-      "\"#ffffff\"\nset output {1}\nreplot\nset output\n",
-      gnuplot_text(path + ".svg"), gnuplot_text(path + ".png"));
-  return script + "set terminal dumb\nset output \"/dev/null\"\nplot " + plot + "\n" + pictures;
+  return plot;
 }
 
 }  // namespace
-
-Result<void> check_gnuplot() {
-  if (run_gnuplot("--version", "/dev/null") == 0) return {};
-  return tl::unexpected(
-      Error{"gnuplot",
-            "is not installed, and the report's plots are drawn with it: on Debian, install "
-            "gnuplot-nox"});
-}
 
 Result<std::vector<Plot>> draw_plots(const SceneReport& scene, const std::string& folder,
                                      const std::string& name) {
   std::vector<Plot> plots;
   for (const Quantity& quantity : quantities) {
-    const bool drawable = std::any_of(
-        scene.study.points.begin(), scene.study.points.end(),
-        [&](const auto& p) { return p.measures.*quantity.value > 0.0 && p.seconds() > 0.0; });
-    if (!drawable) continue;
+    const CurvePlot plot = plot_of(scene.study, quantity);
+    if (plot.empty()) continue;
     const std::string path =
-        (fs::path(folder) / fmt::format("{}-{}", name, quantity.ending)).string();
-    const std::string script = script_of(scene, quantity, path);
-    if (const auto written = write_file_atomically(path + ".gp", {script.begin(), script.end()});
-        !written)
-      return tl::unexpected(written.error());
-    const std::string log = path + ".log";
-    if (run_gnuplot(path + ".gp", log) != 0)
-      return tl::unexpected(Error{path + ".gp", "gnuplot failed" + reason_in(log)});
-    if (!are_whole(path))
-      return tl::unexpected(
-          Error{path, "gnuplot did not write the plot to its end" + reason_in(log)});
-    fs::remove(log);
+        (std::filesystem::path(folder) / fmt::format("{}-{}", name, quantity.ending)).string();
+    if (const auto drawn = draw_plot(plot, path); !drawn) return tl::unexpected(drawn.error());
     plots.push_back({quantity.title, path});
   }
   return plots;

@@ -14,9 +14,6 @@ struct Plot {
   std::string path;
 };
 
-/// Whether gnuplot is there, or what to install.
-[[nodiscard]] Result<void> check_gnuplot();
-
 /// Draws the errors of a scene's points over their times, both axes logarithmic: the root mean
 /// square and the perceptual one. The gnuplot scripts, data and all, are left beside the plots.
 [[nodiscard]] Result<std::vector<Plot>> draw_plots(const SceneReport& scene,

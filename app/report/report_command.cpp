@@ -5,8 +5,10 @@
 #include "app/picture_options.h"
 #include "app/progress_bar.h"
 #include "app/render_job.h"
+#include "app/report/flicker_files.h"
+#include "app/report/flicker_study.h"
+#include "app/report/gnuplot.h"
 #include "app/report/job_runner.h"
-#include "app/report/plots.h"
 #include "app/report/report_arguments.h"
 #include "app/report/report_files.h"
 #include "app/report/study_report.h"
@@ -20,6 +22,7 @@
 #include <filesystem>
 #include <memory>
 #include <ostream>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -34,11 +37,20 @@ constexpr const char* report_footer =
     "  asos report SCENE -o DIR --job K            runs job K, into DIR/jobs\n"
     "  asos report --merge DIR [DIR...] -o OUT     makes the report of all that was run\n"
     "\n"
+    "With --frames, or with --animation alone, flicker is measured: how a pixel's error varies "
+    "over\n"
+    "the frames of an animation. DIR gets report.html with film strips, flicker.csv, "
+    "flicker.json,\n"
+    "plots/ and pictures/.\n"
+    "\n"
     "Examples:\n"
     "  asos report builtin:boxes -o boxes --size 320x180\n"
     "  asos report model.glb builtin:office -o both --budget 600 --methods asos,sobol\n"
     "  asos report --suite paper -o paper --size 640x480\n"
     "  asos report bike.glb -o bike --sky studio.hdr --reflections 2 --tr 2\n"
+    "  asos report fox.glb --animation Run --time 0.5 -o moment\n"
+    "  asos report --animation builtin:walking-pole -o pole   # flicker over its first second\n"
+    "  asos report fox.glb --animation Run --frames 0-11/24 -o fox --methods asos,sobol\n"
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
@@ -66,6 +78,8 @@ Result<void> take_look(ReportArguments& arguments) {
   if (const auto& look = arguments.look.camera.look_at)
     plan.look.camera.look_at = {look->eye.x,    look->eye.y,    look->eye.z,
                                 look->target.x, look->target.y, look->target.z};
+  if (const ClipChoice& clip = arguments.look.clip; clip.seconds)
+    plan.look.moment = StudyMoment{clip.animation, *clip.seconds};
   plan.texture_resolution = settings->texture.resolution;
   plan.needs = arguments.look.needs;
   return {};
@@ -157,8 +171,26 @@ Result<std::string> run_one(const ReportArguments& arguments, const std::vector<
   return job_file(folder, job.id, ".json");
 }
 
+/// The flicker of all scenes, into the output folder.
+Result<std::string> run_flicker(const ReportArguments& arguments, ProgressBar& bar,
+                                const InterruptGuard& interrupt) {
+  const auto ready = check_gnuplot().and_then([&] { return make_folder(arguments.output); });
+  if (!ready) return tl::unexpected(ready.error());
+  std::vector<FlickerStudy> studies;
+  for (const std::string& scene : arguments.plan.scenes) {
+    auto study = study_flicker(arguments, scene, bar, interrupt);
+    if (!study) return tl::unexpected(study.error());
+    studies.push_back(*std::move(study));
+  }
+  bar.say("Writing the report ...");
+  if (const auto written = write_flicker_report(studies, arguments.output); !written)
+    return tl::unexpected(written.error());
+  return (std::filesystem::path(arguments.output) / "report.html").string();
+}
+
 Result<std::string> run(const ReportArguments& arguments, const std::vector<Job>& jobs,
                         ProgressBar& bar, const InterruptGuard& interrupt) {
+  if (arguments.flicker) return run_flicker(arguments, bar, interrupt);
   if (arguments.job) return run_one(arguments, jobs, interrupt);
   const auto ready = check_gnuplot().and_then([&] { return make_folder(arguments.output); });
   if (!ready) return tl::unexpected(ready.error());
@@ -201,8 +233,26 @@ int run_report(ReportArguments arguments, const Streams& streams) {
   return exit_ok;
 }
 
+/// Whether frames or a moment of an animation are studied. `--animation SCENE` alone names what to
+/// study, too.
+void choose_frames(ReportArguments& arguments) {
+  ClipChoice& clip = arguments.look.clip;
+  StudyPlan& plan = arguments.plan;
+  arguments.flicker = arguments.frames || (clip.animation && !clip.seconds);
+  if (arguments.frames && clip.seconds)
+    throw CLI::ValidationError("--time", "frames of an animation have times of their own");
+  if (!arguments.flicker) return;
+  if (arguments.job || arguments.list_jobs || plan.paper || !arguments.merge.empty())
+    throw CLI::ValidationError("--animation",
+                               "flicker is measured at once and of scenes alone: no "
+                               "--job, --list-jobs, --merge or --suite");
+  if (plan.scenes.empty() && clip.animation)
+    plan.scenes = {*std::exchange(clip.animation, std::nullopt)};
+}
+
 // Everything about the command line that can be wrong without opening anything.
 void check(ReportArguments& arguments) {
+  choose_frames(arguments);
   StudyPlan& plan = arguments.plan;
   const bool studies = !plan.scenes.empty() || plan.paper;
   if (arguments.merge.empty() && !studies) throw CLI::RequiredError("SCENE, --suite or --merge");
@@ -277,6 +327,13 @@ Command add_report_command(CLI::App& program) {
       program.add_subcommand("report", "Measure error against run time, ASOS beside other methods");
   add_study_options(*parser, arguments->plan);
   add_look_options(*parser, arguments->look);
+  add_clip_options(*parser, arguments->look.clip);
+  add_parsed_option(
+      *parser, "--frames", "A-B/FPS",
+      "Measure flicker over these frames of the animation (or with FPS alone over all) [0-23/24, "
+      "with --animation and without --time]",
+      [](const std::string& text) { return parse_clip_frames(text); },
+      [arguments](const ClipFrames& frames) { arguments->frames = frames; });
   parser->add_option("-o,--output", arguments->output, "Folder to write to")->type_name("DIR");
   parser->add_flag("--list-jobs", arguments->list_jobs, "List the jobs of the report, one a line");
   add_parsed_option(

@@ -10,14 +10,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// As RFC 4180 has it: in quotes where a comma, a quote or a line's end is inside.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 json measures_json(const Measures& m) {
   return {{"rmse", m.rmse},
           {"rmse_raw", m.rmse_raw},
@@ -169,6 +161,13 @@ void add_measured(const StudyReport& report, const PaperCase& published,
 }
 
 }  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
 
 std::string points_csv(const StudyReport& report) {
   std::string text =

@@ -11,6 +11,9 @@
 
 namespace asos {
 
+/// As RFC 4180 has it: in quotes where a comma, a quote or a line's end is inside.
+[[nodiscard]] std::string csv_field(const std::string& text);
+
 /// points.csv: a header, then a line for each repetition of each setting. `seconds` are processor
 /// seconds of all threads together; errors are those of the measures of renderer/study/measures.h.
 [[nodiscard]] std::string points_csv(const StudyReport& report);

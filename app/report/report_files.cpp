@@ -21,7 +21,15 @@ std::string path_in(const std::string& folder, const char* name) {
   return (fs::path(folder) / name).string();
 }
 
-/// A scene's name as part of files' names: its number and what of it is plain.
+bool is_job_file(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  const std::string ending = path.extension().string();
+  return (ending == ".json" || ending == ".exr" || ending == ".png") && !stem.empty() &&
+         std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
 std::string plain_name(const std::string& scene, std::size_t number) {
   std::string name = fmt::format("{}-", number);
   const std::string stem =
@@ -33,15 +41,6 @@ std::string plain_name(const std::string& scene, std::size_t number) {
 Result<void> write_text(const std::string& folder, const char* name, const std::string& text) {
   return write_file_atomically(path_in(folder, name), {text.begin(), text.end()});
 }
-
-bool is_job_file(const fs::path& path) {
-  const std::string stem = path.stem().string();
-  const std::string ending = path.extension().string();
-  return (ending == ".json" || ending == ".exr" || ending == ".png") && !stem.empty() &&
-         std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-}  // namespace
 
 Result<void> make_folder(const std::string& path) {
   std::error_code error;

@@ -54,7 +54,7 @@ double FlickerMeter::steady() const {
 }
 
 double FlickerMeter::rmse() const {
-  return root(mean_scatter() + mean_steady());
+  return std::hypot(flicker(), steady());
 }
 
 double FlickerMeter::step() const {

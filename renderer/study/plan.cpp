@@ -177,6 +177,8 @@ std::string StudyScene::name() const {
   if (camera.index) text += fmt::format(" camera {}", *camera.index);
   if (camera.look_at) text += fmt::format(" look-at {}", fmt::join(*camera.look_at, ","));
   if (camera.fov_y_deg) text += fmt::format(" fov {}", *camera.fov_y_deg);
+  if (look.moment) text += fmt::format(" at {} s", look.moment->seconds);
+  if (look.moment && look.moment->animation) text += " of " + *look.moment->animation;
   if (look.sky != usual.sky) text += " sky " + look.sky;
   if (look.reflections != usual.reflections) text += fmt::format(" bounces {}", look.reflections);
   if (look.roughest_mirror != usual.roughest_mirror)

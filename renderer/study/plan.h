@@ -22,9 +22,18 @@ struct StudyCamera {
   bool operator==(const StudyCamera&) const = default;
 };
 
+/// A moment of an animation of a scene.
+struct StudyMoment {
+  std::optional<std::string> animation;  ///< by its name or number; none: the first
+  double seconds = 0.0;
+
+  bool operator==(const StudyMoment&) const = default;
+};
+
 /// Everything beside the scene that its true picture depends on: the same for all methods.
 struct StudyLook {
   StudyCamera camera;
+  std::optional<StudyMoment> moment;      ///< none: all stands where the file's nodes place it
   std::string sky = "neutral";            ///< its name: Sky::name
   std::shared_ptr<const Sky> opened_sky;  ///< the same to render with, not compared; null: neutral,
                                           ///< or not opened, as where jobs are only merged
@@ -33,8 +42,9 @@ struct StudyLook {
   std::optional<Dfr> dfr;
 
   bool operator==(const StudyLook& other) const {
-    return camera == other.camera && sky == other.sky && reflections == other.reflections &&
-           roughest_mirror == other.roughest_mirror && dfr == other.dfr;
+    return camera == other.camera && moment == other.moment && sky == other.sky &&
+           reflections == other.reflections && roughest_mirror == other.roughest_mirror &&
+           dfr == other.dfr;
   }
 };
 
