@@ -2,7 +2,6 @@
 
 #include "app/turntable.h"
 #include "app/values.h"
-#include "renderer/files/printable.h"
 
 #include <fmt/format.h>
 
@@ -10,16 +9,6 @@ namespace asos {
 namespace {
 
 constexpr double most_fps = 1000.0;
-
-std::string animation_list(const SceneContents& contents) {
-  std::string list;
-  for (std::size_t i = 0; i < contents.animations.size(); ++i) {
-    const std::string& name = contents.animations[i].name;
-    list += fmt::format("{}{}{}", i ? ", " : "", i,
-                        name.empty() ? "" : " (\"" + printable(name) + "\")");
-  }
-  return list;
-}
 
 }  // namespace
 
@@ -46,19 +35,6 @@ Result<ClipFrames> parse_clip_frames(std::string_view text) {
   frames.first = *first;
   frames.last = *last;
   return frames;
-}
-
-Result<int> find_animation(const SceneContents& contents, const std::string& source,
-                           const std::optional<std::string>& wanted) {
-  const auto count = static_cast<int>(contents.animations.size());
-  if (count == 0) return tl::unexpected(Error{source, "has no animations"});
-  if (!wanted) return 0;
-  for (int i = 0; i < count; ++i)
-    if (contents.animations[static_cast<std::size_t>(i)].name == *wanted) return i;
-  if (const auto number = parse_whole(*wanted, 0, count - 1)) return *number;
-  return tl::unexpected(
-      Error{source, fmt::format("has no animation \"{}\"; there {} {}", printable(*wanted),
-                                count == 1 ? "is" : "are", animation_list(contents))});
 }
 
 }  // namespace asos

@@ -5,12 +5,14 @@
 #include "app/scene_argument.h"
 #include "app/scene_info.h"
 #include "renderer/prepared/render_scene.h"
+#include "renderer/scene/rig.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>
 #include <ostream>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -20,20 +22,40 @@ struct InfoArguments {
   std::string variant;
   std::string scene_of_file;
   NeedsChoice needs = NeedsChoice::scene;
+  ClipChoice clip;
   bool json = false;
 };
 
+/// What `info` tells of: the scene as it is at a moment, and all of what a render would do first,
+/// for what a scene does not need is known only then.
+struct Told {
+  Scene scene;
+  std::shared_ptr<const RenderScene> ready;
+};
+
+Result<Told> prepared_for_info(const InfoArguments& arguments) {
+  Result<Scene> scene = open_scene_argument(arguments.scene, {.keep_rig = arguments.clip.any(),
+                                                              .variant = arguments.variant,
+                                                              .scene = arguments.scene_of_file});
+  if (!scene) return tl::unexpected(scene.error());
+  const SceneNeeds forced = forced_by(arguments.needs);
+  const auto time = clip_time(scene->contents, arguments.scene, arguments.clip);
+  if (!time) return tl::unexpected(time.error());
+  auto ready = prepare(*scene, forced);
+  if (*time && ready) {
+    scene = scene->rig->pose(*time);
+    if (!scene) return tl::unexpected(scene.error());
+    ready = prepare(*scene, forced, &(*ready)->geometry->stage);
+  }
+  ready = std::move(ready).and_then(with_boundaries);
+  if (!ready) return tl::unexpected(ready.error());
+  return Told{*std::move(scene), *std::move(ready)};
+}
+
 int run_info(const InfoArguments& arguments, const Streams& streams) {
-  Result<Scene> scene = open_scene_argument(
-      arguments.scene, {.variant = arguments.variant, .scene = arguments.scene_of_file});
-  // All of what a render would do first, for what a scene does not need is known only then.
-  const auto ready = scene
-                         .and_then([&](const Scene& opened) {
-                           return prepare(opened, forced_by(arguments.needs));
-                         })
-                         .and_then(with_boundaries);
-  if (!ready) return fail(streams, ready.error());
-  const nlohmann::ordered_json info = scene_info_json(*scene, **ready);
+  const Result<Told> told = prepared_for_info(arguments);
+  if (!told) return fail(streams, told.error());
+  const nlohmann::ordered_json info = scene_info_json(told->scene, *told->ready);
   if (arguments.json)
     streams.out << json_text(info);
   else
@@ -49,6 +71,7 @@ Command add_info_command(CLI::App& program) {
       "info", "Say what a scene holds, what is unsupported and what is left out");
   add_scene_argument(*parser, arguments->scene, true);
   add_scene_choices(*parser, arguments->scene_of_file, arguments->variant);
+  add_clip_options(*parser, arguments->clip);
   add_needs_option(*parser, arguments->needs);
   parser->add_flag("--json", arguments->json, "Answer in JSON");
   parser->footer(

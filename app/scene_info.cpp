@@ -228,6 +228,8 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
             {"memory_mb", ready.geometry->memory_mb()},
             {"left_out", left_out_json(needs_of(ready, {}))}};
   info.update(contents_json(scene.contents));
+  if (scene.time)
+    info["time"] = {{"animation", scene.time->animation}, {"seconds", scene.time->seconds}};
   return info;
 }
 
@@ -237,6 +239,9 @@ std::string scene_info_text(const Json& of_scene) {
   std::string text = fmt::format("Scene:      {}\n", info["scene"].get<std::string>());
   if (const std::string name = info["name"]; !name.empty())
     text += fmt::format("Name:       {}\n", name);
+  if (info.contains("time"))
+    text += fmt::format("Moment:     {} s of animation {}\n", info["time"]["seconds"].get<double>(),
+                        info["time"]["animation"].get<int>());
   text += fmt::format("Geometry:   {} triangles, in {} instances of {} meshes\n",
                       number("triangles"), number("instances"), number("meshes"));
   if (number("shapes") > 0)

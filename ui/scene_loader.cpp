@@ -1,5 +1,6 @@
 #include "ui/scene_loader.h"
 
+#include "renderer/scene/rig.h"
 #include "renderer/scene/source_files.h"
 
 #include <cctype>
@@ -35,6 +36,18 @@ SceneSource source_of(const PictureDescription& picture) {
   return {picture.scene, options.variant, options.scene};
 }
 
+Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const ClipChoice& clip,
+                                                      const SceneNeeds& forced) {
+  auto at_rest = prepare(scene, forced);
+  if (!at_rest || !clip.any()) return at_rest;
+  const auto time = clip_time(scene.contents, scene.source, clip);
+  if (!time) return unexpected(time.error());
+  if (!scene.rig) return at_rest;  // what is only looked at has none
+  const Result<Scene> posed = scene.rig->pose(*time);
+  if (!posed) return unexpected(posed.error());
+  return prepare(*posed, forced, &(*at_rest)->geometry->stage);
+}
+
 void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds& forced,
                const SceneSource& asked) {
   const auto start = std::chrono::steady_clock::now();
@@ -54,7 +67,8 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
     outcome.scene = unexpected(
         outcome.picture ? scene_of_picture_error(outcome.source, scene.error()) : scene.error());
   } else {
-    outcome.scene = outcome.picture ? prepare(*scene, *outcome.picture) : prepare(*scene, forced);
+    outcome.scene = outcome.picture ? prepare(*scene, *outcome.picture)
+                                    : prepare_at(*scene, source.clip, forced);
   }
 }
 

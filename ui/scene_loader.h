@@ -3,6 +3,7 @@
 #include "renderer/picture/picture_description.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
+#include "renderer/scene/clip_choice.h"
 #include "ui/file_watch.h"
 #include "ui/latest_job.h"
 
@@ -20,6 +21,7 @@ struct SceneSource {
   std::string path;
   std::string variant{};  ///< of its materials; empty: none
   std::string scene{};    ///< of the file's; see LoadOptions
+  ClipChoice clip{};      ///< the moment that it is shown at first
 
   operator const std::string&() const { return path; }
 };

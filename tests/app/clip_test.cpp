@@ -47,6 +47,23 @@ TEST(FindAnimation, ByItsNameOrElseItsNumber) {
   EXPECT_FALSE(find_animation({}, "f", std::nullopt));
 }
 
+TEST(Info, TellsOfAMoment) {
+  const AsosRun rest = run_asos({"info", "builtin:walking-pole", "--json"});
+  const AsosRun moved = run_asos({"info", "builtin:walking-pole", "--json", "--time", "10"});
+  ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  ASSERT_EQ(moved.exit_code, 0) << moved.err;
+  const auto before = nlohmann::json::parse(rest.out), after = nlohmann::json::parse(moved.out);
+  EXPECT_FALSE(before.contains("time"));
+  EXPECT_EQ(after.at("time").at("seconds"), 10.0);
+  EXPECT_FALSE(before.at("not_shown").empty());
+  EXPECT_TRUE(after.at("not_shown").empty());
+  EXPECT_TRUE(contains(run_asos({"info", "builtin:walking-pole", "--time", "2"}).out,
+                       "Moment:     2 s of animation 0"));
+  const AsosRun none = run_asos({"info", "builtin:boxes", "--time", "1"});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_TRUE(contains(none.err, "has no animations"));
+}
+
 TEST(FramesOfAClip, EndWithIt) {
   SceneContents contents;
   contents.animations = {{"a", 1.0, 1, 1}};
