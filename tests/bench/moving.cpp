@@ -1,0 +1,113 @@
+// What a scene costs from one moment of its animation to the next: a sheet of triangles that morphs
+// beside one that stands still. Milliseconds of processor time of all threads, the median over the
+// frames: placing all in the world, the rays' hierarchy, and the boundaries, which ASOS waits for.
+//
+//   bench_moving [--triangles N] [--frames N]
+
+#include "renderer/features/feature_set.h"
+#include "renderer/prepared/render_scene.h"
+#include "renderer/rays/ray_scene.h"
+#include "renderer/study/curves.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace asos;
+
+/// A square sheet of about so many triangles, bent by a wave that has come so far.
+Mesh sheet(int triangles, double phase) {
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(0.5 * triangles))));
+  Mesh mesh;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) {
+      const double u = static_cast<double>(x) / side, v = static_cast<double>(y) / side;
+      const double at = 9.0 * u + 5.0 * v + phase;
+      mesh.positions.emplace_back(u, 0.05 * std::sin(at), v);
+      mesh.normals.push_back(
+          glm::normalize(glm::vec3(-0.45 * std::cos(at), 1.0, -0.25 * std::cos(at))));
+    }
+  }
+  const auto index = [&](int x, int y) { return static_cast<std::uint32_t>(y * (side + 1) + x); };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      mesh.triangles.emplace_back(index(x, y), index(x, y + 1), index(x + 1, y));
+      mesh.triangles.emplace_back(index(x + 1, y), index(x, y + 1), index(x + 1, y + 1));
+    }
+  }
+  return mesh;
+}
+
+Scene moment(int triangles, double phase) {
+  Scene scene;
+  scene.source = "sheet";
+  for (const bool moves : {true, false}) {
+    glm::dmat4 place(1.0);
+    place[3].y = moves ? 0.0 : -1.0;
+    scene.instances.push_back({"sheet", static_cast<int>(scene.meshes.size()), place});
+    scene.meshes.push_back(sheet(triangles, moves ? phase : 0.0));
+  }
+  return scene;
+}
+
+double cpu_ms() {
+  return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int triangles = 10'000, frames = 24;
+  CLI::App app{"What a scene costs from one moment of its animation to the next"};
+  app.add_option("--triangles", triangles)->check(CLI::Range(2, 10'000'000));
+  app.add_option("--frames", frames)->check(CLI::Range(1, 10'000));
+  CLI11_PARSE(app, argc, argv);
+
+  const auto rest = prepare(moment(triangles, 0.0));
+  if (!rest) return EXIT_FAILURE;
+  std::vector<double> placing, rays, edges, crossings, boundaries, all, wall;
+  for (int f = 0; f < frames; ++f) {
+    const Scene scene = moment(triangles, 0.1 * f);
+    double since = cpu_ms();
+    const auto lap = [&since](std::vector<double>& into) {
+      const double now = cpu_ms();
+      into.push_back(now - std::exchange(since, now));
+    };
+    const auto flat = flatten(scene, most_triangles, (*rest)->geometry->stage.origin);
+    if (!flat) return EXIT_FAILURE;
+    lap(placing);
+    const auto traced = RayScene::build(flat->world, nullptr);
+    if (!traced) return EXIT_FAILURE;
+    lap(rays);
+    const ExtractedFeatures found = extract_features(flat->world);
+    lap(edges);
+    const Intersections lines =
+        find_intersections(flat->world, IntersectionBudget::of(flat->world));
+    lap(crossings);
+    const FeatureSet features(flat->world);
+    lap(boundaries);
+    const auto started = std::chrono::steady_clock::now();
+    const auto ready = prepare(scene, {}, &(*rest)->geometry->stage).and_then(with_boundaries);
+    if (!ready) return EXIT_FAILURE;
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - started;
+    wall.push_back(passed.count());
+    lap(all);
+  }
+  fmt::print("{} triangles, of which half move; processor milliseconds a frame, medians\n",
+             2 * triangles);
+  fmt::print("placing in the world   {:8.2f}\n", median(placing));
+  fmt::print("rays' hierarchy        {:8.2f}\n", median(rays));
+  fmt::print("boundaries             {:8.2f}\n", median(boundaries));
+  fmt::print("  of which edges       {:8.2f}\n", median(edges));
+  fmt::print("  and intersections    {:8.2f}\n", median(crossings));
+  fmt::print("all of it              {:8.2f}, {:.2f} of wall time\n", median(all), median(wall));
+}
