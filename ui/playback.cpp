@@ -28,6 +28,16 @@ Result<std::shared_ptr<const RenderScene>> with_look(
   return edited;
 }
 
+/// With the lines and points where they are at this pose, as the camera sees it.
+Result<std::shared_ptr<const RenderScene>> drawn(std::shared_ptr<const RenderScene> scene,
+                                                 const Playback::WantedStrokes& strokes) {
+  StrokePicture picture = strokes.picture;
+  const std::vector<Camera>& cameras = scene->world().cameras;
+  const auto followed = static_cast<std::size_t>(strokes.follows);
+  if (strokes.follows >= 0 && followed < cameras.size()) picture.camera = cameras[followed];
+  return with_strokes(std::move(scene), picture);
+}
+
 }  // namespace
 
 Playback::Playback(OpenScene& scene, SceneEdits& edits, std::function<void()> wake)
@@ -89,13 +99,14 @@ void Playback::adopt_scene(bool again) {
   if (keeps) seek(time_->seconds);
 }
 
-void Playback::update(bool covered, double now_seconds) {
+void Playback::update(bool covered, double now_seconds,
+                      const std::optional<WantedStrokes>& strokes) {
   const double passed = updated_seconds_ ? now_seconds - *updated_seconds_ : 0.0;
   updated_seconds_ = now_seconds;
   if (!available()) return;
   take_pose();
   if (playing_) let_time_pass(std::max(0.0, passed));
-  if (posing() && !job_.pending() && (covered || !playing_)) ask();
+  if (posing() && !job_.pending() && (covered || !playing_)) ask(strokes);
 }
 
 void Playback::let_time_pass(double seconds) {
@@ -111,21 +122,22 @@ bool Playback::posing() const {
   return !(has_failed_ && failed_ == time_);
 }
 
-void Playback::ask() {
+void Playback::ask(const std::optional<WantedStrokes>& strokes) {
   Request request{scene_.shared(),
                   time_,
                   std::nullopt,
                   std::nullopt,
                   edits_.revisions(),
                   scene_.times_opened(),
-                  edits_.settings().ground};
+                  edits_.settings().ground,
+                  strokes};
   if (scene_->lighting != scene_->own_lighting) request.lights = lights_on(edits_.lights());
   if (edits_.dfrs() != dfrs_without_ground(scene_->world())) request.dfrs = edits_.dfrs();
   job_.ask(std::move(request));
 }
 
 Playback::Pose Playback::posed(const Request& request) {
-  Pose pose{request.from, request.time, request.look, request.opened, 0.0, 0.0};
+  Pose pose{request.from, request.time, request.look, request.opened, 0.0, 0.0, {}};
   const Geometry& geometry = *request.from->geometry;
   const auto start = std::chrono::steady_clock::now();
   try {
@@ -139,6 +151,10 @@ Playback::Pose Playback::posed(const Request& request) {
         prepare(*scene, request.from->forced, &geometry.stage).and_then([&](auto prepared) {
           return with_look(std::move(prepared), request.lights, request.dfrs, request.ground);
         });
+    if (pose.scene && request.strokes && !(*pose.scene)->world().strokes.empty()) {
+      pose.strokes = request.strokes;
+      pose.scene = drawn(*std::move(pose.scene), *request.strokes);
+    }
   } catch (const std::bad_alloc&) {
     pose.scene = unexpected(Error{geometry.source, "not enough memory for another time of it"});
   }
@@ -159,6 +175,7 @@ void Playback::take_pose() {
   }
   scene_.relight(std::move(*pose->scene));
   edits_.scene_has(pose->look);
+  drawn_strokes_ = pose->strokes;
   pose_seconds_ = pose->pose_seconds;
   prepare_seconds_ = pose->prepare_seconds;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/render_scene.h"
+#include "renderer/prepared/with_strokes.h"
 #include "renderer/result.h"
 #include "renderer/scene/contents.h"
 #include "ui/latest_job.h"
@@ -11,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -21,6 +23,13 @@ namespace asos {
 /// members are for one thread.
 class Playback {
  public:
+  /// What lines and points are drawn for.
+  struct WantedStrokes {
+    StrokePicture picture;
+    std::uint64_t camera_revision = 0;
+    int follows = -1;  ///< the scene's camera that the picture's goes with; -1: it stays
+  };
+
   /// Both must outlive it. `wake` is called from another thread when `update` has something to do.
   Playback(OpenScene& scene, SceneEdits& edits, std::function<void()> wake);
 
@@ -55,7 +64,12 @@ class Playback {
   void adopt_scene(bool again);
   /// Lets time pass, takes the pose that is finished and asks for the next one. `covered`: the
   /// picture of the last one has been seen. Call once or more a frame.
-  void update(bool covered, double now_seconds);
+  /// Poses come with their lines and points drawn for `strokes`; none: as they are at rest.
+  void update(bool covered, double now_seconds, const std::optional<WantedStrokes>& strokes);
+  /// For what the lines and points of the pose that has just been taken were drawn, once.
+  [[nodiscard]] std::optional<WantedStrokes> take_drawn_strokes() {
+    return std::exchange(drawn_strokes_, std::nullopt);
+  }
   /// Whether the scene is not at the wanted time yet.
   [[nodiscard]] bool posing() const;
   /// What a pose took last, in seconds: posing, and making ready to render.
@@ -71,6 +85,7 @@ class Playback {
     SceneEdits::Revisions look;
     std::uint64_t opened = 0;  // OpenScene::times_opened
     Ground ground = Ground::off;
+    std::optional<WantedStrokes> strokes;
   };
   struct Pose {
     Result<std::shared_ptr<const RenderScene>> scene;
@@ -78,11 +93,12 @@ class Playback {
     SceneEdits::Revisions look;
     std::uint64_t opened = 0;
     double pose_seconds = 0.0, prepare_seconds = 0.0;
+    std::optional<WantedStrokes> strokes;
   };
   [[nodiscard]] static Pose posed(const Request& request);
   void let_time_pass(double seconds);
   void take_pose();
-  void ask();
+  void ask(const std::optional<WantedStrokes>& strokes);
 
   OpenScene& scene_;
   SceneEdits& edits_;
@@ -93,6 +109,7 @@ class Playback {
   bool playing_ = false;
   std::optional<double> updated_seconds_;
   double pose_seconds_ = 0.0, prepare_seconds_ = 0.0;
+  std::optional<WantedStrokes> drawn_strokes_;
   LatestJob<Request, Pose> job_;
 };
 

@@ -20,9 +20,11 @@ void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);
   if (const std::optional<OpenScene::Opened> opened = scene_.take_opened()) take_over(*opened);
   edits_.relight();
-  playback_.update(!render_.out_of_date(subject()) && !render_.first_picture_pending(),
-                   now_seconds);
+  playback_.update(!render_.out_of_date(subject()) && !render_.first_picture_pending(), now_seconds,
+                   wanted_strokes());
   viewpoint_.follow_chosen();
+  if (const auto drawn = playback_.take_drawn_strokes())
+    strokes_.adopt(scene_, drawn->picture, drawn->camera_revision);
   ground_.update(scene_, edits_.settings().ground, edits_.relighting());
   strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
@@ -48,6 +50,14 @@ PreviewRender::Subject Previewer::subject() const {
   if (!scene_ || !viewpoint_.sized()) return {};
   const OrbitCamera& camera = viewpoint_.camera();
   return {scene_.shared(), camera.revision(), edits_.settings(), camera.camera()};
+}
+
+std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {
+  const PreviewRender::Subject seen = subject();
+  if (!seen.scene || seen.scene->world().strokes.empty()) return std::nullopt;
+  const int follows = viewpoint_.left_chosen() ? -1 : viewpoint_.chosen_camera();
+  return Playback::WantedStrokes{stroke_picture(seen.camera, seen.settings), seen.camera_revision,
+                                 follows};
 }
 
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {

@@ -52,6 +52,7 @@ class Previewer {
   void take_over(const OpenScene::Opened& opened);
   /// The subject to render: nothing before there are a scene and a size.
   [[nodiscard]] PreviewRender::Subject subject() const;
+  [[nodiscard]] std::optional<Playback::WantedStrokes> wanted_strokes() const;
 
   // Each refers to some of those before it.
   OpenScene scene_;

@@ -58,6 +58,12 @@ void StrokeDrawer::update(OpenScene& scene, const PreviewRender::Subject& subjec
   job_.ask(request);
 }
 
+void StrokeDrawer::adopt(const OpenScene& scene, const StrokePicture& picture,
+                         std::uint64_t camera_revision) {
+  drawn_ = scene->geometry;
+  drawn_for_ = {camera_revision, picture.height, picture.width};
+}
+
 std::optional<double> StrokeDrawer::seconds_to_update(double now_seconds) const {
   if (!due_) return std::nullopt;
   return std::max(0.0, *due_ - now_seconds);

@@ -25,6 +25,8 @@ class StrokeDrawer {
   /// Call once or more a frame.
   void update(OpenScene& scene, const PreviewRender::Subject& subject, bool busy,
               double now_seconds);
+  /// Takes note that the scene has come with lines and points drawn for this.
+  void adopt(const OpenScene& scene, const StrokePicture& picture, std::uint64_t camera_revision);
   /// When `update` next has something to do of its own accord, in seconds from now; none: when
   /// woken.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 
 namespace asos::test::timeline_test {
@@ -26,6 +28,13 @@ GltfBuilder sliding() {
   b.json["animations"].push_back(b.json["animations"][0]);
   b.json["animations"][1]["name"] = "Dolly";
   b.json["animations"][1]["channels"][0]["target"]["node"] = 1;
+  return b;
+}
+
+/// The same with a line beside the square, which slides with it.
+GltfBuilder sliding_line() {
+  GltfBuilder b = sliding();
+  b.primitive({{"POSITION", b.vec3({{0, -0.2f, 0}, {1, -0.3f, 0}})}})["mode"] = 1;
   return b;
 }
 
@@ -61,6 +70,7 @@ class Timeline : public testing::Test {
   std::vector<glm::vec3> picture() { return rig.previewer().render().film().radiance; }
 
   UiRig rig{[](const std::string& source) -> Result<Scene> {
+              if (source == "lines") return with_rig(sliding_line());
               if (source == "still") return two_triangles({1, 0, 0}, source);
               return with_rig(sliding());
             },
@@ -117,6 +127,61 @@ TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
   EXPECT_EQ(playback().time()->seconds, seconds);
   EXPECT_TRUE(rig.previewer().render().progress().finished);
   EXPECT_TRUE(rig.sleeps()) << "a paused window is idle";
+}
+
+/// Where the drawn line begins, in the author's coordinates.
+double line_x(const World& world) {
+  const Strokes& strokes = world.strokes;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::uint32_t i = 0; i < strokes.vertex_count; ++i)
+    least = std::min(least, world.positions[strokes.first_vertex + i].x);
+  return world.origin.x + static_cast<double>(least);
+}
+
+TEST_F(Timeline, LinesAreDrawnAtEveryMomentThatPlays) {
+  open("lines");
+  ASSERT_TRUE(rig.frames_until([&] { return scene()->world().strokes.drawn(); }));
+  playback().choose(0);
+  playback().set_playing(true);
+  std::set<double> moments;
+  EXPECT_TRUE(rig.frames_until([&] {
+    if (!scene()->geometry->time) return false;
+    moments.insert(scene()->geometry->time->seconds);
+    EXPECT_TRUE(scene()->world().strokes.drawn());
+    EXPECT_NEAR(line_x(scene()->world()), corner_x(), 0.05);
+    return moments.size() >= 4;
+  }));
+  playback().set_playing(false);
+  playback().seek(1.0);
+  arrive();
+  const std::vector<glm::vec3> sought = picture();
+  EXPECT_NEAR(line_x(scene()->world()), 2.0, 0.05);
+  // Once a camera that has moved with the scene is back, all is drawn for it again.
+  playback().choose(1);
+  playback().seek(0.5);
+  arrive();
+  playback().choose(0);
+  playback().seek(1.0);
+  arrive();
+  EXPECT_TRUE(rig.frames_until([&] { return rig.settle() && picture() == sought; }));
+}
+
+TEST_F(Timeline, OpensAtTheMomentThatIsAskedFor) {
+  const auto open_at = [&](const ClipChoice& clip) {
+    const std::uint64_t opened = scene().times_opened();
+    scene().open(SceneSource{"moving", "", "", clip});
+    EXPECT_TRUE(rig.frames_until(
+        [&] { return scene().times_opened() > opened || scene().error().has_value(); }));
+    EXPECT_TRUE(rig.settle());
+  };
+  open_at({"Slide", 0.5});
+  EXPECT_EQ(playback().time(), (ClipTime{0, 0.5}));
+  EXPECT_NEAR(corner_x(), 1.0, 1e-5);
+  open_at({"Dolly", std::nullopt});
+  EXPECT_EQ(playback().time(), (ClipTime{1, 0.0}));
+  open_at({"Jump", 0.5});
+  ASSERT_TRUE(scene().error());
+  EXPECT_NE(scene().error()->message().find("no animation \"Jump\""), std::string::npos);
 }
 
 TEST_F(Timeline, EndsOrBeginsAgain) {
