@@ -24,21 +24,21 @@ std::string flicker_verdict(const FlickerStudy& study) {
   std::vector<std::string> words;
   for (const FlickerAtEqualTime& row : study.equal_time)
     if (row.setting == anchor->rung.setting)
-      words.push_back(fmt::format("{}: {} ({}{}\u00d7{})", escaped(row.method),
-                                  error_text(row.rival_flicker), row.at_least ? "at least " : "",
+      words.push_back(fmt::format("{} with {} ({}{}\u00d7{})", error_text(row.rival_flicker),
+                                  escaped(row.method), row.at_least ? "at least " : "",
                                   factor_text(row.ratio()),
                                   row.reading == Reading::measured       ? ""
                                   : row.reading == Reading::extrapolated ? ", extrapolated"
                                                                          : ", which takes longer"));
   return fmt::format(
       "<p>{} {} takes {} of processor time a frame; its flicker is {}, its RMSE {}. In the same "
-      "time the flicker of {}</p>\n",
+      "time flicker is {}</p>\n",
       escaped(anchor->rung.method), escaped(anchor->rung.setting),
       seconds_text(anchor->mean_seconds()),
       anchor->under_floor ? "under the floor of " + error_text(study.floor)
                           : error_text(anchor->meter.flicker()),
       error_text(anchor->meter.rmse()),
-      words.empty() ? "nothing else is known." : list_text(words) + ".");
+      words.empty() ? "known of no other." : list_text(words) + ".");
 }
 
 std::string flicker_table(const FlickerStudy& study) {
