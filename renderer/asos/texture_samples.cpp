@@ -30,8 +30,8 @@ bool is_textured(const Material& material, const SceneNeeds& needs) {
            material.specular_texture.used() || material.specular_color_texture.used() ||
            material.coat.texture.used() || material.coat.roughness_texture.used() ||
            material.sheen.color_texture.used() || material.sheen.roughness_texture.used() ||
-           material.film.texture.used() || material.film.thickness_texture.used() ||
-           material.diffuse_transmission.texture.used() ||
+           material.anisotropy.texture.used() || material.film.texture.used() ||
+           material.film.thickness_texture.used() || material.diffuse_transmission.texture.used() ||
            material.diffuse_transmission.color_texture.used())) ||
          (needs.normal_maps && has_normal_map(material)) ||
          (needs.emission && material.emissive_texture.used());

@@ -49,14 +49,14 @@ bool any_corner(const World& world, std::uint32_t x, std::uint32_t y,
 
 bool same_look(const World& world, const Material& a, const Material& b) {
   const auto numbers = [](const Material& m) {
-    return std::tuple(m.film.factor, m.film.ior, m.film.thickness_min_nm, m.film.thickness_max_nm,
-                      m.base_color, m.metallic, m.roughness, m.emissive * m.emissive_strength,
-                      m.alpha_mode, m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f,
-                      m.unlit, m.ior, m.transmission, m.specular, m.specular_color, m.coat.factor,
-                      m.coat.roughness, m.sheen.color, m.sheen.roughness, m.dfr, m.volume.thickness,
-                      m.volume.attenuation_distance, m.volume.attenuation_color,
-                      m.volume.dispersion, m.diffuse_transmission.factor,
-                      m.diffuse_transmission.color);
+    return std::tuple(
+        m.film.factor, m.film.ior, m.film.thickness_min_nm, m.film.thickness_max_nm, m.base_color,
+        m.metallic, m.roughness, m.emissive * m.emissive_strength, m.alpha_mode,
+        m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f, m.unlit, m.ior, m.transmission,
+        m.specular, m.specular_color, m.coat.factor, m.coat.roughness, m.sheen.color,
+        m.sheen.roughness, m.dfr, m.volume.thickness, m.volume.attenuation_distance,
+        m.volume.attenuation_color, m.volume.dispersion, m.diffuse_transmission.factor,
+        m.diffuse_transmission.color, m.anisotropy.strength, m.anisotropy.rotation_rad);
   };
   const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
   return numbers(a) == numbers(b) &&
@@ -103,8 +103,8 @@ bool SurfaceLook::same(std::uint32_t x, std::uint32_t y,
   const Material& b = world_.material_of(y);
   if (&a != &b && !same_look(world_, a, b)) return false;
   if (texcoords_differ(x, y, corners) || crease(x, y, corners)) return false;
-  // A normal map is turned by the tangents, and by the normals' sign.
-  if (!has_normal_map(a)) return true;
+  // A normal map, or a lobe, is turned by the tangents, and by the normals' sign.
+  if (!needs_tangents(a)) return true;
   return !any_corner(world_, x, y, corners, [&](std::uint32_t i, std::uint32_t k) {
     return glm::dot(world_.normals[i], world_.normals[k]) < 0.0f ||
            (!world_.tangents.empty() && world_.tangents[i] != world_.tangents[k]);

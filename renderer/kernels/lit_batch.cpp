@@ -28,8 +28,10 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   const Patch& patch = lit.view.patch;
   const bool is_point = patch.right == glm::vec3(0.0f) && patch.down == glm::vec3(0.0f);
   sheen[i] = material.sheen;
-  turns[i] = is_point && point.spread.flat() && !(material.sheen > 0.0f) ? 0.0f : 1.0f;
+  const bool plain_lobe = !(material.sheen > 0.0f) && material.stretch.none();
+  turns[i] = is_point && point.spread.flat() && plain_lobe ? 0.0f : 1.0f;
   if (turns[i] == 0.0f) return;
+  stretch.set(i, material.stretch.along);
   viewer_nearness[i] = 1.0f / lit.view.distance;
   patch_right.set(i, patch.right);
   patch_down.set(i, patch.down);

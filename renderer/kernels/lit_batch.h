@@ -39,6 +39,7 @@ struct LitBatch {
   Floats shows_lights{};     ///< MirroredLights as a number
   Floats turns{};            ///< 0 where what follows is 0; else 1
   Floats sheen{};            ///< ViewedMaterial's
+  Vectors stretch;           ///< LobeStretch's `along`, only where it turns
   Floats viewer_nearness{};  ///< 1 / distance
   Vectors patch_right, patch_down;
   Vectors spread_right, spread_down;

@@ -66,7 +66,7 @@ struct SlopeLanes {
 };
 
 HWY_INLINE SlopeLanes slopes_of(const SightLanes& at, const Vectors& right, const Vectors& down,
-                                Lanes added, Lanes variance) {
+                                const Vectors& stretch, Lanes added, Lanes variance) {
   constexpr float box_variance = 1.0f / 12.0f;
   const auto one = all_lanes(1.0f);
   const Vectors& n = at.normal;
@@ -84,9 +84,12 @@ HWY_INLINE SlopeLanes slopes_of(const SightLanes& at, const Vectors& right, cons
   const auto round = hn::Add(hn::Mul(at.alpha, at.alpha), hn::Mul(part, variance));
   const auto rx = dot(lobe.tangent, right), ry = dot(lobe.bitangent, right);
   const auto dx = dot(lobe.tangent, down), dy = dot(lobe.bitangent, down);
-  lobe.xx = hn::Add(round, hn::Mul(turn, hn::Add(hn::Mul(rx, rx), hn::Mul(dx, dx))));
-  lobe.yy = hn::Add(round, hn::Mul(turn, hn::Add(hn::Mul(ry, ry), hn::Mul(dy, dy))));
-  lobe.xy = hn::Mul(turn, hn::Add(hn::Mul(rx, ry), hn::Mul(dx, dy)));
+  const auto sx = dot(lobe.tangent, stretch), sy = dot(lobe.bitangent, stretch);
+  lobe.xx = hn::Add(hn::Add(round, hn::Mul(sx, sx)),
+                    hn::Mul(turn, hn::Add(hn::Mul(rx, rx), hn::Mul(dx, dx))));
+  lobe.yy = hn::Add(hn::Add(round, hn::Mul(sy, sy)),
+                    hn::Mul(turn, hn::Add(hn::Mul(ry, ry), hn::Mul(dy, dy))));
+  lobe.xy = hn::Add(hn::Mul(sx, sy), hn::Mul(turn, hn::Add(hn::Mul(rx, ry), hn::Mul(dx, dy))));
   return lobe;
 }
 
@@ -132,19 +135,28 @@ HWY_INLINE Lanes lobe(const LitBatch& points, const SightLanes& at, std::size_t 
   if (hn::AllFalse(d, turns)) return of_point;
   of_point = with_sheen(points, at, of_point, i);
   const auto nearness = loaded(points.viewer_nearness, i);
-  const Vectors right =
+  const Vectors stretch = loaded(points.stretch, i);
+  Vectors right =
       turn_about_half(at, nearness, loaded(points.spread_right, i), loaded(points.patch_right, i));
-  const Vectors down =
+  Vectors down =
       turn_about_half(at, nearness, loaded(points.spread_down, i), loaded(points.patch_down, i));
-  const auto variance = loaded(points.spread_variance, i);
+  auto variance = loaded(points.spread_variance, i);
   const auto added =
       hn::Add(hn::Mul(hn::Add(dot(right, right), dot(down, down)), all_lanes(1.0f / 12.0f)),
               hn::Add(variance, variance));
   const auto least = hn::Mul(all_lanes(1e-3f), hn::Mul(at.alpha, at.alpha));
   const auto glossy = hn::AndNot(hn::Gt(loaded(points.sheen, i), hn::Zero(d)), turns);
-  const auto wider = hn::And(glossy, hn::And(hn::Gt(added, least), hn::Lt(added, hn::Inf(d))));
+  const auto spreads = hn::And(hn::Gt(added, least), hn::Lt(added, hn::Inf(d)));
+  const auto stretched = hn::Gt(dot(stretch, stretch), hn::Zero(d));
+  const auto wider = hn::And(glossy, hn::Or(spreads, stretched));
   if (hn::AllFalse(d, wider)) return of_point;
-  return hn::IfThenElse(wider, patch_lobe(at, slopes_of(at, right, down, added, variance)),
+  const auto kept = [&](const Vectors& v) -> Vectors {
+    return {hn::IfThenElseZero(spreads, v.x), hn::IfThenElseZero(spreads, v.y),
+            hn::IfThenElseZero(spreads, v.z)};
+  };
+  right = kept(right), down = kept(down), variance = hn::IfThenElseZero(spreads, variance);
+  const auto all = hn::IfThenElse(spreads, added, hn::Set(d, 1.0f));
+  return hn::IfThenElse(wider, patch_lobe(at, slopes_of(at, right, down, stretch, all, variance)),
                         of_point);
 }
 

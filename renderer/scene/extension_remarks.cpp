@@ -14,8 +14,7 @@ struct Lack {
   std::string_view instead;  ///< what is seen
 };
 
-constexpr std::array<Lack, 15> lacks{{
-    {"KHR_materials_anisotropy", "highlights are round that should be drawn out"},
+constexpr std::array<Lack, 14> lacks{{
     {"KHR_materials_volume_scatter", "light does not spread inside of bodies"},
     {"KHR_texture_basisu", "textures that are only KTX2 are missing"},
     {"EXT_texture_avif", "textures that are only AVIF are missing"},

@@ -105,6 +105,16 @@ struct Iridescence {
   [[nodiscard]] bool used() const { return factor > 0.0f; }
 };
 
+/// KHR_materials_anisotropy: the lobe is rougher along a direction of the surface, so that
+/// highlights are drawn out as those of brushed metal are.
+struct Anisotropy {
+  float strength = 0.0f;      ///< 0 to 1; 0: there is none
+  float rotation_rad = 0.0f;  ///< of that direction, counter-clockwise from the tangent
+  TextureUse texture;         ///< RG: the direction before that, B of `strength`, linear
+
+  [[nodiscard]] bool used() const { return strength > 0.0f; }
+};
+
 /// KHR_materials_volume and KHR_materials_dispersion: what a closed surface that transmits
 /// encloses.
 struct Volume {
@@ -151,15 +161,16 @@ struct Material {
   TextureUse specular_color_texture;  ///< sRGB
   TextureUse transmission_texture;    ///< R, linear
   Clearcoat coat;
-  Sheen sheen;       ///< below the coat
-  Iridescence film;  ///< below the sheen
+  Sheen sheen;            ///< below the coat
+  Iridescence film;       ///< below the sheen
+  Anisotropy anisotropy;  ///< of the base's lobe
   Volume volume;
   DiffuseTransmission diffuse_transmission;
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
 };
 
 /// All textures that a material names, whether it uses them or not.
-[[nodiscard]] inline std::array<const TextureUse*, 18> texture_uses(const Material& m) {
+[[nodiscard]] inline std::array<const TextureUse*, 19> texture_uses(const Material& m) {
   return {&m.base_color_texture,
           &m.metallic_roughness_texture,
           &m.normal_texture,
@@ -177,7 +188,8 @@ struct Material {
           &m.occlusion_texture,
           &m.volume.thickness_texture,
           &m.diffuse_transmission.texture,
-          &m.diffuse_transmission.color_texture};
+          &m.diffuse_transmission.color_texture,
+          &m.anisotropy.texture};
 }
 
 /// Whether the surface is the boundary of a volume: rays that pass it are bent, and meet both of
@@ -195,13 +207,18 @@ struct Material {
   return m.normal_texture.used() || m.coat.normal_texture.used();
 }
 
+/// Whether it needs to know along which direction of the surface a texture's u grows.
+[[nodiscard]] inline bool needs_tangents(const Material& m) {
+  return has_normal_map(m) || m.anisotropy.used();
+}
+
 /// One primitive's triangles, or its lines or points, in its own space. Attribute arrays are empty
 /// or as long as `positions`; every index is below that length; positions and normals are finite.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;   ///< unit; filled by the importer where the file has none
-  std::vector<glm::vec4> tangents;  ///< xyz unit, w = +-1; only where a normal map needs them
+  std::vector<glm::vec4> tangents;  ///< xyz unit, w = +-1; only where needs_tangents
   std::vector<glm::vec2> texcoords[2];
   std::vector<glm::vec4> colors;  ///< linear RGBA
   std::vector<glm::uvec3> triangles;
@@ -263,6 +280,7 @@ struct SceneNotes {
 };
 
 class Rig;
+struct Surroundings;
 
 struct Scene {
   std::string name;    ///< of the glTF scene, or the built-in scene
@@ -275,6 +293,7 @@ struct Scene {
   std::vector<Image> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::shared_ptr<const Surroundings> surroundings;  ///< EXT_lights_image_based; null: none
   SceneNotes notes;
   SceneContents contents;
   std::optional<ClipTime> time;  ///< of what moves; none: everything is where its nodes place it

@@ -1,6 +1,7 @@
 #include "renderer/shading/brdf.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/film.h"
 #include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sheen.h"
@@ -26,6 +27,10 @@ glm::vec3 fresnel_schlick(glm::vec3 f0, glm::vec3 f90, float v_dot_h) {
   return f0 + (f90 - f0) * schlick_of(v_dot_h);
 }
 
+glm::vec3 environment_specular(glm::vec3 f0, glm::vec3 f90, const LobeNorms& norms) {
+  return glm::clamp(f0 * norms.lobe + (f90 - f0) * norms.fresnel, 0.0f, 1.0f);
+}
+
 }  // namespace
 
 float ggx_lobe(float roughness, const BrdfAngles& angles) {
@@ -41,8 +46,7 @@ float ggx_lobe(float roughness, const BrdfAngles& angles) {
 }
 
 glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, glm::vec3 f90) {
-  const LobeNorms norms = lobe_norms(n_dot_v, roughness);
-  return glm::clamp(f0 * norms.lobe + (f90 - f0) * norms.fresnel, 0.0f, 1.0f);
+  return environment_specular(f0, f90, lobe_norms(n_dot_v, roughness));
 }
 
 ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
@@ -59,8 +63,13 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
     dielectric_f0 = glm::mix(dielectric_f0, most, film.factor);
     dielectric_f90 = glm::mix(dielectric_f90, most, film.factor);
   }
-  seen.specular = environment_specular(seen.f0, material.roughness, n_dot_v, seen.f90);
   seen.roughness = material.roughness;
+  seen.stretch = material.stretch;
+  seen.specular =
+      material.stretch.none()
+          ? environment_specular(seen.f0, material.roughness, n_dot_v, seen.f90)
+          : environment_specular(seen.f0, seen.f90,
+                                 stretched_norms(material.stretch, material.roughness, n_dot_v));
   const glm::vec3 albedo =
       material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission) *
                              (1.0f - material.diffuse_transmission));
@@ -81,6 +90,7 @@ ViewedMaterial diffuse_part(ViewedMaterial material) {
   material.specular = material.f0 = glm::vec3(0.0f);
   material.f90 = glm::vec3(0.0f);
   material.roughness = 1.0f;
+  material.stretch = {};
   return material;
 }
 
@@ -101,6 +111,17 @@ ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v) {
   seen.roughness = 1.0f;  // as broad as diffuse light
   seen.sheen = std::max(sheen.roughness, sheen_roughness_floor);
   return seen;
+}
+
+float transmitted_share(const SurfaceMaterial& material, float n_dot_v) {
+  float left = 1.0f;
+  if (!material.unlit) {
+    if (material.coat.factor > 0.0f) left -= viewed(material.coat, n_dot_v).f0.x;
+    if (material.sheen.color != glm::vec3(0.0f))
+      left *= 1.0f - largest(viewed(material.sheen, n_dot_v).ambient);
+    left *= (1.0f - largest(viewed(material, n_dot_v).specular)) * (1.0f - material.metallic);
+  }
+  return left * material.transmission;
 }
 
 float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light) {

@@ -36,7 +36,8 @@ struct ViewedMaterial {
   float falloff = 0.0f;  ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
   /// Share of a constant environment that the Lambert part returns, less the material's occlusion.
   glm::vec3 ambient{0.0f};
-  float sheen = 0.0f;  ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
+  float sheen = 0.0f;        ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
+  LobeStretch stretch = {};  ///< of the GGX lobe, whose `roughness` is that across
 };
 
 /// The diffuse part is weighted by 1 - F(v.h) of the dielectric's largest colour, as appendix B and
@@ -62,6 +63,11 @@ struct ViewedMaterial {
 /// that would return more than it gets, as it does at grazing angles, is lessened to return all.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v);
 
+/// The share of light, seen at this angle, that goes through a surface that transmits: what its
+/// layers and its lobe leave, of what is no metal; without the base colour. Of an unlit one all
+/// that it transmits.
+[[nodiscard]] float transmitted_share(const SurfaceMaterial& material, float n_dot_v);
+
 /// Schlick's (1 - v.h)^5 between two unit directions.
 [[nodiscard]] float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light);
 
@@ -76,7 +82,7 @@ struct ViewedMaterial {
 [[nodiscard]] glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles,
                                       float lobe);
 
-/// The material's own lobe without Fresnel: GGX's or, of sheen, Charlie's.
+/// The material's own lobe without Fresnel: GGX's, where it is round, or, of sheen, Charlie's.
 [[nodiscard]] float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles);
 
 /// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.

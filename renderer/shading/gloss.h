@@ -4,6 +4,7 @@
 #include "renderer/shading/brdf.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace asos {
 
@@ -22,6 +23,14 @@ struct Gloss {
 /// The roughness of the smoothest of a material's layers, without textures, which only lessen it.
 [[nodiscard]] inline float least_roughness(const Material& m) {
   return m.coat.factor > 0.0f ? std::min(m.roughness, m.coat.roughness) : m.roughness;
+}
+
+/// The same of those that may mirror: what anisotropy draws out goes by its rougher direction.
+[[nodiscard]] inline float least_mirror_roughness(const Material& m) {
+  if (!m.anisotropy.used() || m.anisotropy.texture.used()) return least_roughness(m);
+  const float across = m.roughness * m.roughness, strength = m.anisotropy.strength;
+  const float base = std::sqrt(across + (1.0f - across) * strength * strength);
+  return m.coat.factor > 0.0f ? std::min(base, m.coat.roughness) : base;
 }
 
 /// The share of its base colour that it may reflect diffusely: none where a volume's boundary lets

@@ -1,6 +1,7 @@
 #include "renderer/shading/highlight_unevenness.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/light_quadrature.h"
 #include "renderer/shading/lobe.h"
@@ -31,8 +32,8 @@ float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 off
   const Receiver receiver{glm::dvec3(glossy.point.position + offset), glm::dvec3(normal),
                           glm::dvec3(glossy.point.geometric_normal)};
   const glm::vec3 to_viewer = viewer_from(glossy, offset);
-  LightQuadrature quadrature(receiver, glm::dvec3(to_viewer),
-                             static_cast<double>(glossy.roughness));
+  LightQuadrature quadrature(receiver, glm::dvec3(to_viewer), static_cast<double>(glossy.roughness),
+                             0.0, glossy.stretch.along);
   const ReflectedIntegral found = quadrature(light);
   const double f0 = static_cast<double>(glossy.f0);
   const double radiance =
@@ -89,7 +90,7 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
                         light_distance(light, glossy.point.position)};
   const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
   const float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
-  const float away = std::sqrt(std::max(0.0f, 2.0f - 2.0f * glm::dot(n, half)));
+  const float away = away_from_peak(n, half, glossy.stretch, glossy.roughness);
   const float least_away = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   const float width2 = alpha * alpha + least_away * least_away;
   const float m = 1.0f - std::clamp(glm::dot(half, glossy.to_viewer), 0.0f, 1.0f);

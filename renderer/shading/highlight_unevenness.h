@@ -19,6 +19,7 @@ struct GlossyPatch {
   float viewer_distance;  ///< infinite for parallel rays
   float f0 = 0.0f;        ///< largest of the colours
   float roughness = 0.0f;
+  LobeStretch stretch = {};
 };
 
 /// Whether normals and directions to the viewer turn so far across the patch that its reflectance

@@ -24,19 +24,28 @@ constexpr int most_cells = 1024;
 }  // namespace
 
 LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
-                                 double sheen)
+                                 double sheen, glm::vec3 stretch)
     : receiver_(receiver),
       normal_(receiver.normal),
       geometric_(receiver.geometric),
       to_viewer_(to_viewer),
       mirrored_(glm::reflect(-to_viewer, receiver.normal)),
-      n_dot_v_(std::max(glm::dot(normal_, to_viewer_), grazing_cosine)) {
+      n_dot_v_(std::max(glm::dot(normal_, to_viewer_), grazing_cosine)),
+      stretched_({}, static_cast<float>(roughness), glm::vec3(receiver.normal), stretch) {
   const auto rough = std::clamp(static_cast<float>(roughness), roughness_floor, 1.0f);
   alpha2_ = rough * rough * rough * rough;
   viewer_root_ = std::sqrt(n_dot_v_ * n_dot_v_ * (1.0f - alpha2_) + alpha2_);
   // At grazing angles the lobe is narrower across the plane of view.
   narrowest_ = share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
   sheen_ = static_cast<float>(sheen);
+  if (stretched_.wider()) across_ridge_ = glm::normalize(glm::cross(normal_, stretch));
+}
+
+float LightQuadrature::way_to_peak(glm::vec3 direction) const {
+  const float to_mirrored = glm::length(mirrored_ - direction);
+  if (across_ridge_ == glm::vec3(0.0f)) return to_mirrored;
+  // A stretched lobe is bright where the half vector is nearly square to this.
+  return std::min(to_mirrored, std::abs(glm::dot(across_ridge_, to_viewer_ + direction)));
 }
 
 ReflectedIntegral LightQuadrature::operator()(const PreparedLight& light) {
@@ -68,7 +77,7 @@ void LightQuadrature::add_patch(const LightPatch& patch, const LightPatch::Squar
       above += glm::dot(corner, normal_) > 0.0f;
     }
   }
-  const float way = share_of_way * glm::length(mirrored_ - middle);
+  const float way = share_of_way * way_to_peak(middle);
   float most = std::min(widest_cell, std::max(narrowest_, way));
   if (above % 4 != 0) most *= share_across_horizon;
   if (reach2 > most * most && depth < deepest && cells_ < most_cells) {
@@ -128,6 +137,18 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
       fresnel[i] = 0.0f;
     }
   }
+  if (stretched_.wider()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(form[i] > 0.0f)) continue;
+      const glm::vec3 to_light(cell.x[i], cell.y[i], cell.z[i]);
+      const glm::vec3 half = glm::normalize(v + to_light);
+      const BrdfAngles angles{std::max(glm::dot(n, to_light), grazing_cosine), clamped_n_dot_v,
+                              glm::dot(n, half), glm::dot(v, half)};
+      const float m = 1.0f - std::min(1.0f, angles.v_dot_h);
+      lobe[i] = form[i] * stretched_.value(half, to_light, v, angles);
+      fresnel[i] = lobe[i] * m * m * m * m * m;
+    }
+  }
   for (std::size_t i = 0; i < count; ++i) {
     sums_.lobe += lobe[i];
     sums_.fresnel += fresnel[i];
@@ -160,8 +181,7 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
   double from = begin;
   while (from < end) {
     double part = std::min(end - from, static_cast<double>(widest_cell));
-    const double way =
-        static_cast<double>(share_of_way * glm::length(mirrored_ - glm::vec3(direction(from))));
+    const double way = static_cast<double>(share_of_way * way_to_peak(glm::vec3(direction(from))));
     const double least = static_cast<double>(narrowest_);
     // No part may jump over the peak.
     part = std::min(part, std::max(least, 0.5 * way));

@@ -3,6 +3,7 @@
 #include "renderer/lights/light_patches.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/lights/receiver.h"
+#include "renderer/shading/lobe.h"
 
 #include <glm/glm.hpp>
 
@@ -27,9 +28,9 @@ struct ReflectedIntegral {
 class LightQuadrature {
  public:
   /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine.
-  /// `sheen` is ViewedMaterial's.
+  /// `sheen` is ViewedMaterial's, `stretch` its LobeStretch's `along`.
   LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
-                  double sheen = 0.0);
+                  double sheen = 0.0, glm::vec3 stretch = glm::vec3(0.0f));
 
   /// 0 for a light that has no size.
   [[nodiscard]] ReflectedIntegral operator()(const PreparedLight& light);
@@ -44,6 +45,8 @@ class LightQuadrature {
   void add_patch(const LightPatch& patch, const LightPatch::Square& square, int depth);
   void add_cell(const LightPatch::Cell& cell);
   void add_segment(const PreparedLight& light);
+  /// How far a direction is from where the lobe is brightest: a point, or a ridge.
+  [[nodiscard]] float way_to_peak(glm::vec3 direction) const;
 
   Receiver receiver_;
   glm::vec3 normal_, geometric_, to_viewer_, mirrored_;
@@ -52,6 +55,8 @@ class LightQuadrature {
   float viewer_root_;  // of Smith's term
   float narrowest_;    // the lobe's width
   float sheen_;
+  PatchLobe stretched_;           // where it is wider()
+  glm::vec3 across_ridge_{0.0f};  // unit, square to the stretch; 0: round
   int cells_ = 0;
   Sums sums_;
   std::vector<LightPatch> patches_;

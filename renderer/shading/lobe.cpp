@@ -32,8 +32,10 @@ NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
   return {normals.right - turn(patch.right), normals.down - turn(patch.down), normals.variance};
 }
 
-PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal) {
-  if (spread.flat()) return;
+PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal,
+                     glm::vec3 stretch) {
+  const bool stretched = stretch != glm::vec3(0.0f);
+  if (spread.flat() && !stretched) return;
   // A map's normals are spread like a lobe's and not like a box: twice their variance in each of
   // the two directions (Toksvig 2005, Olano and Baker 2010), of which each has half.
   const float turned =
@@ -41,7 +43,8 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
   const float added = turned + 2.0f * spread.variance;
   const float alpha = std::clamp(roughness, roughness_floor, 1.0f);
   const float alpha2 = alpha * alpha * alpha * alpha;
-  if (!(added > least_added * alpha2) || !std::isfinite(added)) return;
+  const bool spreads = added > least_added * alpha2 && std::isfinite(added);
+  if (!spreads && !stretched) return;
   wider_ = true;
 
   // A tangent frame of any direction (Duff et al. 2017).
@@ -51,14 +54,19 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
   tangent_ = {1.0f + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
   bitangent_ = {b, sign + normal.y * normal.y * a, -normal.y};
 
+  const glm::vec2 s(glm::dot(tangent_, stretch), glm::dot(bitangent_, stretch));
+  xx_ = alpha2 + s.x * s.x;
+  yy_ = alpha2 + s.y * s.y;
+  xy_ = s.x * s.y;
+  if (!spreads) return;
   const float part = std::min(1.0f, most_added / added);
   const float turn = part * box_variance;
   const float round = alpha2 + part * spread.variance;
   const glm::vec2 r(glm::dot(tangent_, spread.right), glm::dot(bitangent_, spread.right));
   const glm::vec2 d(glm::dot(tangent_, spread.down), glm::dot(bitangent_, spread.down));
-  xx_ = round + turn * (r.x * r.x + d.x * d.x);
-  yy_ = round + turn * (r.y * r.y + d.y * d.y);
-  xy_ = turn * (r.x * r.y + d.x * d.y);
+  xx_ = round + s.x * s.x + turn * (r.x * r.x + d.x * d.x);
+  yy_ = round + s.y * s.y + turn * (r.y * r.y + d.y * d.y);
+  xy_ = s.x * s.y + turn * (r.x * r.y + d.x * d.y);
 }
 
 float PatchLobe::round_roughness() const {

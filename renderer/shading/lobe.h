@@ -35,9 +35,12 @@ class PatchLobe {
   /// (the derivatives of one triangle) do not tell what the patch shows.
   static constexpr float most_added = 0.18f;
 
-  PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal);
+  /// `stretch`: LobeStretch's `along`, of a lobe that is not round by itself.
+  PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal,
+            glm::vec3 stretch = glm::vec3(0.0f));
 
-  /// False where the patch's normals differ too little to show: ggx_lobe is the lobe.
+  /// False where the lobe is round, and the patch's normals differ too little to show: ggx_lobe is
+  /// the lobe.
   [[nodiscard]] bool wider() const { return wider_; }
 
   /// Only of a wider one: the roughness of the round lobe with the same peak.

@@ -1,7 +1,10 @@
 #include "renderer/shading/lobe_norms.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace asos {
@@ -54,6 +57,75 @@ Norms integrate(double n_dot_v, double alpha) {
   return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
 }
 
+/// The same where the squared roughness is `along` in the direction x and `across` in y; the viewer
+/// is turned by `turn` from x.
+Norms integrate(double n_dot_v, double along, double across, double turn) {
+  constexpr int caps = 24, turns = 16;
+  const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
+  const glm::dvec3 alpha(along, across, 1.0);
+  const glm::dvec3 v(sine * std::cos(turn), sine * std::sin(turn), n_dot_v);
+  const double view_root = glm::length(alpha * v);
+  const glm::dvec3 view = alpha * v / view_root;
+  Norms sum;
+  for (int i = 0; i < caps; ++i) {
+    const double t = (i + 0.5) / caps;
+    const double weight = 2.0 * t;
+    const double z = t * t * (1.0 + view.z) - view.z;
+    const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
+    for (int k = 0; k < turns; ++k) {
+      const double angle = 2.0 * std::numbers::pi * (k + 0.5) / turns;
+      const glm::dvec3 cap(radius * std::cos(angle), radius * std::sin(angle), z);
+      const glm::dvec3 h = glm::normalize(alpha * (cap + view));
+      const double v_dot_h = std::clamp(glm::dot(v, h), 0.0, 1.0);
+      const glm::dvec3 l = 2.0 * v_dot_h * h - v;
+      if (!(l.z > 0.0)) continue;
+      const double left =
+          l.z * (v.z + view_root) / (l.z * view_root + v.z * glm::length(alpha * l));
+      sum.lobe += weight * left;
+      sum.fresnel += weight * left * fifth(1.0 - v_dot_h);
+    }
+  }
+  return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
+}
+
+/// The place of a value from 0 to 1 in a table's row: the value below, and the way to the next.
+struct Between {
+  Between(float value, std::size_t count) {
+    const auto last = static_cast<float>(count - 1);
+    const float at = std::clamp(value, 0.0f, 1.0f) * last;
+    below = static_cast<std::size_t>(std::min(std::floor(at), last - 1.0f));
+    way = at - static_cast<float>(below);
+  }
+  std::size_t below;
+  float way;
+};
+
+StretchedNormTable make_stretched_table() {
+  using T = StretchedNormTable;
+  const auto step = [](std::size_t i, std::size_t count) {
+    return static_cast<double>(i) / static_cast<double>(count - 1);
+  };
+  auto table = std::make_unique<T>();
+  std::size_t at = 0;
+  for (std::size_t r = 0; r < T::roughnesses; ++r) {
+    // A mirror's lobe is as narrow as the least that is shown.
+    const double across = std::max(1e-4, std::pow(step(r, T::roughnesses), 2.0));
+    for (std::size_t s = 0; s < T::stretches; ++s) {
+      const double along = glm::mix(across, 1.0, std::pow(step(s, T::stretches), 2.0));
+      for (std::size_t turn = 0; turn < T::turns; ++turn) {
+        for (std::size_t c = 0; c < T::cosines; ++c) {
+          const double root = std::max(step(c, T::cosines), 1e-2);
+          const Norms norms =
+              integrate(root * root, along, across,
+                        0.5 * std::numbers::pi * (1.0 - std::pow(step(turn, T::turns), 2.0)));
+          table->norms[at++] = {static_cast<float>(norms.lobe), static_cast<float>(norms.fresnel)};
+        }
+      }
+    }
+  }
+  return *table;
+}
+
 LobeNormTable make_table() {
   constexpr auto step = [](std::size_t i, std::size_t count) {
     return static_cast<double>(i) / static_cast<double>(count - 1);
@@ -76,6 +148,41 @@ LobeNormTable make_table() {
 const LobeNormTable& lobe_norm_table() {
   static const LobeNormTable table = make_table();
   return table;
+}
+
+const StretchedNormTable& stretched_norm_table() {
+  static const StretchedNormTable table = make_stretched_table();
+  return table;
+}
+
+LobeNorms stretched_lobe_norms(float n_dot_v, float roughness, float alpha_along,
+                               float seen_along2) {
+  using T = StretchedNormTable;
+  const float all = n_dot_v + roughness + alpha_along + seen_along2;
+  if (std::isnan(all)) return {all, all};
+  const T& table = stretched_norm_table();
+  const float across = std::clamp(roughness * roughness, 0.0f, 1.0f);
+  const float stretch = across < 1.0f ? (alpha_along - across) / (1.0f - across) : 0.0f;
+  const float from_across = std::asin(std::sqrt(std::clamp(seen_along2, 0.0f, 1.0f)));
+  const Between r(roughness, T::roughnesses), s(std::sqrt(std::max(0.0f, stretch)), T::stretches);
+  const Between t(std::sqrt(from_across * 2.0f * std::numbers::inv_pi_v<float>), T::turns);
+  const Between c(std::sqrt(std::max(0.0f, n_dot_v)), T::cosines);
+  LobeNorms sum{0.0f, 0.0f};
+  for (std::size_t corner = 0; corner < 16; ++corner) {
+    const auto side = [corner](const Between& b, std::size_t bit, float& weight) {
+      const bool next = (corner >> bit & 1) != 0;
+      weight *= next ? b.way : 1.0f - b.way;
+      return b.below + (next ? 1 : 0);
+    };
+    float weight = 1.0f;
+    std::size_t at = side(r, 0, weight);
+    at = at * T::stretches + side(s, 1, weight);
+    at = at * T::turns + side(t, 2, weight);
+    at = at * T::cosines + side(c, 3, weight);
+    sum.lobe += weight * table.norms[at].lobe;
+    sum.fresnel += weight * table.norms[at].fresnel;
+  }
+  return sum;
 }
 
 LobeNorms lobe_norms(float n_dot_v, float roughness) {

@@ -25,8 +25,8 @@ PlainMaterial plain_material(const World& world, const SceneNeeds& needs, const 
   plain.looked_up = used || (needs.vertex_colors && !world.colors.empty());
   plain.normal_map = needs.normal_maps && m.normal_texture.used();
   plain.shiny = m.roughness <= least_broad_roughness && needs.lights();
-  const bool layered =
-      m.coat.factor > 0.0f || m.sheen.used() || m.film.used() || m.diffuse_transmission.used();
+  const bool layered = m.coat.factor > 0.0f || m.sheen.used() || m.film.used() ||
+                       m.anisotropy.used() || m.diffuse_transmission.used();
   plain.plain =
       !m.unlit && !layered && surface_kind(m) != SurfaceKind::blended && finite(plain.surface);
   return plain;

@@ -21,11 +21,12 @@ PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::v
                      float light_distance) {
   const LobeSight sight{view.to_viewer, view.distance, to_light, light_distance};
   return {spread_about_half(view.point.spread, view.patch, sight), seen.roughness,
-          view.point.shading_normal};
+          view.point.shading_normal, seen.stretch.along};
 }
 
-/// The same of what shows a light with a size: a highlight that is wider than the patch is seen by
-/// parts of it where it is uneven, and has not the tails that widening would give it.
+/// The same, as if it were round, of what shows a light with a size: a highlight that is wider than
+/// the patch is seen by parts of it where it is uneven, and has not the tails that widening would
+/// give it.
 PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
                            const Highlight& highlight, float light_distance, bool line) {
   constexpr float widest = 0.5f;  // the patch's share of the highlight that needs no widening
@@ -107,9 +108,9 @@ ReflectedLights::ReflectedLights(const LitPoint& point)
 
 LightQuadrature& ReflectedLights::quadrature(float roughness) {
   const auto made = [&] {
-    return LightQuadrature(receiver_, glm::dvec3(point_.view.to_viewer),
-                           static_cast<double>(roughness),
-                           static_cast<double>(point_.material.sheen));
+    return LightQuadrature(
+        receiver_, glm::dvec3(point_.view.to_viewer), static_cast<double>(roughness),
+        static_cast<double>(point_.material.sheen), point_.material.stretch.along);
   };
   if (roughness != point_.material.roughness) return wider_.emplace(made());
   if (!own_) own_.emplace(made());

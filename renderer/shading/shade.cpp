@@ -1,6 +1,7 @@
 #include "renderer/shading/shade.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/reflected_light.h"
@@ -188,7 +189,7 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
   } else {
     base = viewed(total_reflector(material), view.n_dot_v);
   }
-  if (layer.boundary) left *= 1.0f - largest(base.specular);
+  left *= 1.0f - largest(base.specular);
   add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
   if (material.diffuse_transmission > 0.0f) {
     SurfacePoint behind = point;
@@ -208,8 +209,13 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   ViewedPoint view = viewed_point;
   const SurfacePoint& point = view.point;
   const glm::vec3 to_viewer = view.to_viewer;
-  const bool mirrors = add_mirrored(viewed_ray, point, seen.roughness, layer, seen.specular,
-                                    transport, radiance, counts);
+  // What is drawn out is no mirror where it is as rough in one direction as those are that are
+  // none.
+  const float blur = round_roughness(seen);
+  const bool drawn_out = !seen.stretch.none() && !own_dfr(point.triangle) &&
+                         widest_roughness(seen) > settings_.roughest_mirror;
+  const bool mirrors = !drawn_out && add_mirrored(viewed_ray, point, blur, layer, seen.specular,
+                                                  transport, radiance, counts);
   const SkyLitPoint under_sky{settings_.sky, view, seen, mirrors, layer.share};
   if (!settings_.sky_shadows || !transport.add_sky(under_sky, radiance, counts)) {
     ViewedMaterial by_sky = seen;
@@ -225,7 +231,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
     if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
   }
   const MirroredLights mirrored =
-      mirrors ? mirrored_lights(point.triangle, seen.roughness) : MirroredLights::none;
+      mirrors ? mirrored_lights(point.triangle, blur) : MirroredLights::none;
   const LitPoint lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
   const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
@@ -304,7 +310,10 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     // A face of an analytic shape may be met twice, in front and at its back.
     if (hit.triangle != last || world_.is_face(hit.triangle)) {
       // Add the layer by its opacity.
-      const SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
+      SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
+      if (material.anisotropy.strength > 0.0f)
+        material.stretch = lobe_stretch(world_, hit, material.anisotropy, material.roughness,
+                                        point.shading_normal, to_viewer);
       float left = 1.0f;
       if (material.opacity > 0.0f) {
         Layer here{share * material.opacity, layer, hit, passage};
@@ -331,6 +340,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         passage = boundary->refracted(passage);
         passage.straight = passage.inside;
       } else {
+        if (!material.unlit) left *= 1.0f - material.metallic;
         share *= (1.0f - material.opacity) +
                  material.opacity * left * material.transmission * material.base_color;
       }

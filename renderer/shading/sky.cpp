@@ -1,6 +1,7 @@
 #include "renderer/shading/sky.h"
 
 #include "renderer/lights/light_math.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/environments.h"
@@ -61,6 +62,28 @@ Parts parts_of(double right, double down) {
     return std::max({1, by_shape, by_size});
   };
   return {parts(right), parts(down)};
+}
+
+/// What a stretched lobe is brightest towards, each part of which is as wide as it is across:
+/// facets whose slopes along the stretch are those below which equal shares of the lobe's facets
+/// are (the slopes of GGX, by one coordinate, are distributed as a / (2 (a^2 + x^2)^(3/2)).
+glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 normal,
+                       glm::vec3 to_viewer) {
+  constexpr int facets = 9;
+  const float alpha = alpha_along(seen.stretch, seen.roughness);
+  const glm::vec3 along = glm::normalize(seen.stretch.along);
+  const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));
+  glm::vec3 sum(0.0f);
+  int met = 0;
+  for (int k = 0; k < facets; ++k) {
+    const float c = (2.0f * static_cast<float>(k) + 1.0f) / facets - 1.0f;
+    const glm::vec3 facet = glm::normalize(normal + (alpha * c / std::sqrt(1.0f - c * c)) * along);
+    const glm::vec3 direction = glm::reflect(-to_viewer, facet);
+    if (!(glm::dot(facet, to_viewer) > 0.0f) || !(glm::dot(direction, normal) > 0.0f)) continue;
+    sum += sky.around(direction, width);
+    ++met;
+  }
+  return met > 0 ? sum / static_cast<float>(met) : sky.around(normal, width);
 }
 
 }  // namespace
@@ -212,6 +235,8 @@ glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 no
   if (seen.specular == glm::vec3(0.0f)) return diffuse;
   const glm::vec3 mirrored = glm::reflect(-to_viewer, normal);
   const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));
+  if (!seen.stretch.none())
+    return diffuse + sky_visibility * around_ridge(*sky, seen, normal, to_viewer) * seen.specular;
   return diffuse + sky_visibility * sky->around(mirrored, width) * seen.specular;
 }
 

@@ -1,7 +1,9 @@
 #include "renderer/shading/sky_light.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/lobe.h"
 #include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sky.h"
 
@@ -22,6 +24,12 @@ struct Tangents {
     right = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
     up = {b, sign + n.y * n.y * a, -n.y};
   }
+  /// Its first direction is that of a stretched lobe.
+  Tangents(glm::vec3 n, const LobeStretch& stretch) : Tangents(n) {
+    if (stretch.none()) return;
+    right = glm::normalize(stretch.along);
+    up = glm::cross(n, right);
+  }
   [[nodiscard]] glm::vec3 world(glm::vec3 v) const { return v.x * right + v.y * up + v.z * normal; }
   [[nodiscard]] glm::vec3 local(glm::vec3 v) const {
     return {glm::dot(v, right), glm::dot(v, up), glm::dot(v, normal)};
@@ -30,9 +38,12 @@ struct Tangents {
   glm::vec3 normal, right{}, up{};
 };
 
-float alpha_of(const ViewedMaterial& material) {
+/// Squared roughness along both tangents.
+glm::vec2 alpha_of(const ViewedMaterial& material) {
   const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-  return roughness * roughness;
+  const float across = roughness * roughness;
+  if (material.stretch.none()) return glm::vec2(across);
+  return {alpha_along(material.stretch, material.roughness), across};
 }
 
 glm::vec3 by_cosine(glm::vec2 place) {
@@ -66,8 +77,8 @@ float mean_schlick(float n_dot_v) {
 }
 
 /// A normal of the lobe as a viewer in direction `v` sees it (Heitz 2018, appendix A).
-glm::vec3 visible_normal(glm::vec3 v, float alpha, glm::vec2 place) {
-  const glm::vec3 stretched = glm::normalize(glm::vec3(alpha * v.x, alpha * v.y, v.z));
+glm::vec3 visible_normal(glm::vec3 v, glm::vec2 alpha, glm::vec2 place) {
+  const glm::vec3 stretched = glm::normalize(glm::vec3(alpha.x * v.x, alpha.y * v.y, v.z));
   const float r = std::sqrt(place.x);
   const float angle = 2.0f * std::numbers::pi_v<float> * place.y;
   const float x = r * std::cos(angle);
@@ -78,12 +89,26 @@ glm::vec3 visible_normal(glm::vec3 v, float alpha, glm::vec2 place) {
   const glm::vec3 t2 = glm::cross(stretched, t1);
   const float y = glm::mix(std::sqrt(std::max(0.0f, 1.0f - x * x)), r * std::sin(angle), s);
   const glm::vec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0f, 1.0f - x * x - y * y)) * stretched;
-  return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, std::max(0.0f, n.z)));
+  return glm::normalize(glm::vec3(alpha.x * n.x, alpha.y * n.y, std::max(0.0f, n.z)));
+}
+
+/// D * V of a stretched lobe, of directions in its own frame.
+float stretched_lobe(glm::vec2 alpha, glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer) {
+  const PatchLobe lobe({}, std::sqrt(alpha.y), {0.0f, 0.0f, 1.0f},
+                       {std::sqrt(alpha.x * alpha.x - alpha.y * alpha.y), 0.0f, 0.0f});
+  return lobe.value(half, to_light, to_viewer, {to_light.z, to_viewer.z, half.z, 0.0f});
 }
 
 /// The density of what `visible_normal` mirrors, per steradian.
-float lobe_density(glm::vec3 v, float n_dot_h, float alpha) {
-  const float a2 = alpha * alpha;
+float lobe_density(glm::vec3 v, glm::vec3 half, glm::vec2 alpha) {
+  if (alpha.x != alpha.y) {
+    const float slopes = (half.x * half.x) / (alpha.x * alpha.x) +
+                         (half.y * half.y) / (alpha.y * alpha.y) + half.z * half.z;
+    const float distribution =
+        std::numbers::inv_pi_v<float> / (alpha.x * alpha.y * slopes * slopes);
+    return distribution / (2.0f * (v.z + glm::length(glm::vec3(alpha, 1.0f) * v)));
+  }
+  const float a2 = alpha.x * alpha.x, n_dot_h = half.z;
   const float d = n_dot_h * n_dot_h * (a2 - 1.0f) + 1.0f;
   const float distribution = a2 / (std::numbers::pi_v<float> * d * d);
   return distribution / (2.0f * (v.z + std::sqrt(v.z * v.z * (1.0f - a2) + a2)));
@@ -104,10 +129,10 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
   if (!(sum > 0.0f)) return std::nullopt;
   const std::array<float, 3> share{by_diffuse / sum, by_lobe / sum, by_picture / sum};
 
-  const Tangents tangents(point.view.point.shading_normal);
+  const Tangents tangents(point.view.point.shading_normal, material.stretch);
   glm::vec3 viewer = tangents.local(point.view.to_viewer);
   viewer.z = std::max(viewer.z, grazing_cosine);
-  const float alpha = alpha_of(material);
+  const glm::vec2 alpha = alpha_of(material);
   // Choose one of them, and the direction.
   auto first = static_cast<float>(place.x);
   const auto second = static_cast<float>(place.y);
@@ -135,8 +160,10 @@ std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) 
   if (share[1] > 0.0f || sheen) {
     const glm::vec3 half = glm::normalize(direction + viewer);
     const BrdfAngles angles{direction.z, viewer.z, half.z, glm::dot(viewer, half)};
-    if (!sheen) density += share[1] * lobe_density(viewer, half.z, alpha);
-    reflected += specular_brdf(material, angles, lobe_of(material, angles));
+    if (!sheen) density += share[1] * lobe_density(viewer, half, alpha);
+    const float lobe = material.stretch.none() ? lobe_of(material, angles)
+                                               : stretched_lobe(alpha, half, direction, viewer);
+    reflected += specular_brdf(material, angles, lobe);
   }
   if (picture)
     density += share[2] * static_cast<float>(point.sky->bright_density(sample.direction));
@@ -169,7 +196,9 @@ std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
   if (sheen) reflected = material.ambient;
   if (shiny) {
     const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-    const LobeNorms norms = lobe_norms(point.view.n_dot_v, roughness);
+    const LobeNorms norms = material.stretch.none()
+                                ? lobe_norms(point.view.n_dot_v, roughness)
+                                : stretched_norms(material.stretch, roughness, point.view.n_dot_v);
     reflected += material.f0 * norms.lobe + (material.f90 - material.f0) * norms.fresnel;
   }
   return point.share * radiance * reflected;

@@ -1,9 +1,11 @@
 #include "renderer/shading/surface.h"
 
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/hit_triangle.h"
+#include "renderer/shading/tangent_frame.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_filter.h"
-#include "renderer/world/hit_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,92 +20,26 @@ constexpr float gamma_bound(int n) {
   return static_cast<float>(n) * half_ulp / (1.0f - static_cast<float>(n) * half_ulp);
 }
 
-glm::vec3 normalized_or(glm::vec3 v, glm::vec3 fallback) {
-  const float length2 = glm::dot(v, v);
-  return length2 > 0.0f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
-}
-
-/// A triangle, or the plane that touches a face of an analytic shape (HitPlane).
-struct Triangle {
-  bool face;
-  glm::uvec3 v{0};  // vertices of a triangle
-  float b0, b1, b2;
-
-  Triangle(const World& world, const Hit& hit)
-      : face(world.is_face(hit.triangle)), b0(1.0f - hit.b1 - hit.b2), b1(hit.b1), b2(hit.b2) {
-    if (!face) v = world.triangles[hit.triangle];
-  }
-
-  template <typename T>
-  [[nodiscard]] T mix(const T& at_0, const T& at_1, const T& at_2) const {
-    return b0 * at_0 + b1 * at_1 + b2 * at_2;
-  }
-};
-
-struct Edges {
-  glm::vec3 e1, e2;
-};
-
-Edges edges_of(const World& world, const Hit& hit, const Triangle& t) {
-  if (t.face) {
-    const HitPlane plane = hit_plane(world, hit);
-    return {glm::vec3(plane.edge1), glm::vec3(plane.edge2)};
-  }
-  const glm::vec3 p0 = world.positions[t.v.x];
-  return {world.positions[t.v.y] - p0, world.positions[t.v.z] - p0};
-}
-
-/// The tangent (w: handedness) of a triangle without authored tangents: the direction in which the
-/// looked-up u grows. Zero where the coordinates do not span the triangle.
-glm::vec4 tangent_from_texcoords(const World& world, const Hit& hit, const Triangle& t,
-                                 const TextureUse& use, glm::vec3 normal) {
-  if (use.texcoord < 0 || use.texcoord > 1) return {};
-  const CornerTexcoords uv = corner_texcoords(world, use.texcoord, hit.triangle);
-  const auto [e1, e2] = edges_of(world, hit, t);
-  const glm::mat2 transform(use.uv_transform);
-  const glm::vec2 d1 = transform * (uv.at_1 - uv.at_0);
-  const glm::vec2 d2 = transform * (uv.at_2 - uv.at_0);
-  const float det = d1.x * d2.y - d1.y * d2.x;
-  if (det == 0.0f || !std::isfinite(det)) return {};
-  const float sign = det < 0.0f ? -1.0f : 1.0f;
-  const glm::vec3 along_u = sign * (e1 * d2.y - e2 * d1.y);
-  const glm::vec3 along_v = sign * (e2 * d1.x - e1 * d2.x);
-  // glTF's v runs down the image and a normal map's green points up it: against v. Judged by the
-  // normal, not by the triangle's winding.
-  const bool mirrored = glm::dot(glm::cross(normal, along_u), along_v) > 0.0f;
-  return {along_u, mirrored ? -1.0f : 1.0f};
-}
+using Triangle = HitTriangle;
 
 struct MappedNormal {
   glm::vec3 normal;
   float variance = 0.0f;
 };
 
-MappedNormal mapped_normal(const World& world, const Hit& hit, const Triangle& t,
-                           const TextureUse& use, glm::vec3 normal, const Footprint& footprint,
-                           const MipChains* mips) {
-  glm::vec4 tangent{0.0f};
-  if (!world.tangents.empty() && !t.face) {
-    const std::vector<glm::vec4>& all = world.tangents;
-    tangent = t.mix(all[t.v.x], all[t.v.y], all[t.v.z]);
-    tangent.w = world.tangents[t.v.x].w;
-  }
-  glm::vec3 along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
-  if (!(glm::dot(along_u, along_u) > 0.0f)) {
-    tangent = tangent_from_texcoords(world, hit, t, use, normal);
-    along_u = glm::vec3(tangent) - glm::dot(glm::vec3(tangent), normal) * normal;
-  }
-  along_u = normalized_or(along_u, glm::vec3(0.0f));
-  if (along_u == glm::vec3(0.0f)) return {normal};
-  const glm::vec3 along_v = glm::cross(normal, along_u) * (tangent.w < 0.0f ? -1.0f : 1.0f);
+MappedNormal mapped_normal(const World& world, const Hit& hit, const TextureUse& use,
+                           glm::vec3 normal, const Footprint& footprint, const MipChains* mips) {
+  const TangentFrame frame = tangent_frame(world, hit, use, normal);
+  if (!frame.known()) return {normal};
   const MeanNormal mean =
       mips ? filtered_normal(world, *mips, use, {hit.triangle, hit.b1, hit.b2, footprint})
            : MeanNormal{sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear)};
   glm::vec3 local = 2.0f * mean.texel - 1.0f;
   local.x *= use.scale;
   local.y *= use.scale;
-  return {normalized_or(local.x * along_u + local.y * along_v + local.z * normal, normal),
-          std::min(1.0f, mean.variance * use.scale * use.scale)};
+  return {
+      normalized_or(local.x * frame.along_u + local.y * frame.along_v + local.z * normal, normal),
+      std::min(1.0f, mean.variance * use.scale * use.scale)};
 }
 
 /// How the interpolated normal turns along the footprint's edges; `length` is that of the
@@ -136,8 +72,8 @@ bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t 
 /// Turns the shading normal by a map of normals; see map_normal.
 void turn_by_map(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
                  float side, SurfacePoint& point) {
-  const MappedNormal mapped = mapped_normal(world, hit, Triangle(world, hit), map,
-                                            side * point.shading_normal, point.footprint, mips);
+  const MappedNormal mapped =
+      mapped_normal(world, hit, map, side * point.shading_normal, point.footprint, mips);
   point.spread.variance = mapped.variance;
   // A map that tilts the normal below the surface is not followed that far.
   if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
@@ -263,6 +199,14 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
       surface.film.thickness_nm =
           glm::mix(material.film.thickness_min_nm, material.film.thickness_max_nm, g);
     }
+  }
+
+  if (material.anisotropy.used()) {
+    const TextureUse& use = material.anisotropy.texture;
+    surface.anisotropy =
+        needs.textures && use.used()
+            ? anisotropy_of(material.anisotropy, glm::vec3(sample(use, TexelKind::data)))
+            : anisotropy_of(material.anisotropy);
   }
 
   if (material.diffuse_transmission.used()) {

@@ -38,6 +38,23 @@ struct SurfaceFilm {
   float thickness_nm = 0.0f;
 };
 
+/// Anisotropy at a point.
+struct SurfaceAnisotropy {
+  float strength = 0.0f;            ///< 0: none
+  glm::vec2 direction{1.0f, 0.0f};  ///< unit, of greater roughness, in tangent and bitangent
+};
+
+/// A GGX lobe that is rougher along one direction of the tangent plane than across it.
+struct LobeStretch {
+  /// That direction; its length is sqrt(at^2 - ab^2), with the squared roughness `at` along it and
+  /// `ab`, the material's own, across. 0: the lobe is round.
+  glm::vec3 along{0.0f};
+  /// How much of the viewer's part in the tangent plane is along it: squared cosine, 0 to 1.
+  float seen_along2 = 0.0f;
+
+  [[nodiscard]] bool none() const { return along == glm::vec3(0.0f); }
+};
+
 /// Sheen at a point.
 struct SurfaceSheen {
   glm::vec3 color{0.0f};  ///< black: none
@@ -66,6 +83,8 @@ struct SurfaceMaterial {
   SurfaceCoat coat;
   SurfaceSheen sheen;
   SurfaceFilm film;
+  SurfaceAnisotropy anisotropy;
+  LobeStretch stretch;  ///< as anisotropy makes it for a viewer; surface_material leaves it out
 };
 
 /// The extent that a sample stands for: a square of `side` pixels, and the mip chains that average

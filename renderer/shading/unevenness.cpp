@@ -1,5 +1,6 @@
 #include "renderer/shading/unevenness.h"
 
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/texture.h"
@@ -45,11 +46,25 @@ Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
   return {glm::mix(0.04f, std::max({c.x, c.y, c.z}), metallic), roughness};
 }
 
+/// How its lobe is drawn out there.
+LobeStretch stretch_of(const World& world, const Hit& hit, const Material& material,
+                       float roughness, glm::vec3 normal, const Ray& ray) {
+  if (!material.anisotropy.used()) return {};
+  const TextureUse& use = material.anisotropy.texture;
+  const SurfaceAnisotropy at =
+      use.used() ? anisotropy_of(material.anisotropy,
+                                 glm::vec3(sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
+                                                          Encoding::linear)))
+                 : anisotropy_of(material.anisotropy);
+  const glm::vec3 towards = glm::dot(normal, ray.direction) > 0.0f ? -normal : normal;
+  return lobe_stretch(world, hit, at, roughness, towards, -ray.direction);
+}
+
 // The error that a light's highlight can add. A GGX lobe of width alpha is
 // peak / (1 + (x / alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak;
 // farther out its width is what it has fallen over.
 float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, glm::vec3 position,
-                      glm::vec3 to_viewer) {
+                      glm::vec3 to_viewer, const LobeStretch& stretch = {}) {
   glm::vec3 to_light = -glm::vec3(light.direction);
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
   if (light.type != Light::Type::directional) {
@@ -65,14 +80,13 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   const float along = std::clamp(glm::dot(half, to_viewer), 0.0f, 1.0f);
   const float grazing = std::pow(1.0f - along, 5.0f);
   const float fresnel = gloss.f0 + (1.0f - gloss.f0) * grazing;
-  const float a2 = alpha * alpha;
+  const float a2 = alpha * (stretch.none() ? alpha : alpha_along(stretch, least_roughness));
   const float peak =
       irradiance * fresnel /
       (4.0f * std::numbers::pi_v<float> * a2 * std::sqrt(along * along * (1.0f - a2) + a2));
   const glm::vec3 normal = glm::dot(bend.normal, to_viewer) < 0.0f ? -bend.normal : bend.normal;
   // How far the patch's nearest normal is from the half vector, and the lobe there.
-  const float cosine = glm::dot(normal, half);
-  const float away = std::sqrt(std::max(0.0f, 2.0f - 2.0f * cosine));
+  const float away = away_from_peak(normal, half, stretch, least_roughness);
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(bend.turn2));
   const float width2 = alpha * alpha + nearest * nearest;
   const float fall = alpha * alpha / width2;
@@ -117,16 +131,17 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const glm::vec3 position = ray.at(hit.t);
   float error = reflected * (bend.turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
   if (!(bend.turn2 > 0.0f)) return std::min(1.0f, error);
-  const auto add_highlights = [&](const Gloss& lobe) {
+  const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch) {
     if (lobe.roughness >= least_broad_roughness) return;
     for (const Light& light : lights) {
       if (rule == LightRule::published || !has_size(light))
-        error += highlight_error(light, lobe, bend, position, -ray.direction);
+        error += highlight_error(light, lobe, bend, position, -ray.direction, stretch);
     }
   };
-  add_highlights(gloss_of(world, hit, material));
+  const Gloss base = gloss_of(world, hit, material);
+  add_highlights(base, stretch_of(world, hit, material, base.roughness, bend.normal, ray));
   if (material.coat.factor > 0.0f)
-    add_highlights({coat_f0 * material.coat.factor, material.coat.roughness});
+    add_highlights({coat_f0 * material.coat.factor, material.coat.roughness}, {});
   return error < 1.0f ? error : 1.0f;
 }
 

@@ -125,6 +125,7 @@ void add_material(SceneNeeds& needs, const Material& m) {
                     m.occlusion_texture.used() || m.specular_texture.used() ||
                     m.specular_color_texture.used() || (m.emissive_texture.used() && emits(m));
   needs.textures |= m.film.texture.used() || m.film.thickness_texture.used();
+  needs.textures |= m.anisotropy.texture.used();
   needs.textures |=
       m.diffuse_transmission.texture.used() || m.diffuse_transmission.color_texture.used();
   needs.textures |= m.sheen.color_texture.used() || m.sheen.roughness_texture.used();
@@ -222,7 +223,12 @@ std::vector<SceneFeature> features_left_out(const SceneNeeds& needs) {
 
 bool opacity_varies(const World& world, const Part& part) {
   const Material& m = world.materials[part.material];
-  return !part.shows_nothing() && m.alpha_mode != AlphaMode::opaque &&
+  if (part.shows_nothing()) return false;
+  // What is attenuated goes by the way in the volume.
+  if (m.transmission > 0.0f &&
+      (m.base_color_texture.used() || m.transmission_texture.used() || bounds_volume(m)))
+    return true;
+  return m.alpha_mode != AlphaMode::opaque &&
          (m.base_color_texture.used() || alpha_differs(world, part));
 }
 

@@ -53,7 +53,7 @@ Attributes find_attributes(const Scene& scene, const std::vector<bool>& shown) {
     use(m.base_color_texture);
     if (m.unlit) continue;
     for (const TextureUse* texture : texture_uses(m)) use(*texture);
-    keep.tangents |= has_normal_map(m);
+    keep.tangents |= needs_tangents(m);
   }
   return keep;
 }

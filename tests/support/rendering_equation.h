@@ -24,6 +24,8 @@ struct Reflector {
   double coat_roughness = 0.0;
   glm::dvec3 sheen{0.0};  ///< KHR_materials_sheen
   double sheen_roughness = 1.0;
+  double anisotropy = 0.0;      ///< KHR_materials_anisotropy: its strength
+  glm::dvec3 tangent{1, 0, 0};  ///< unit, the direction of more roughness
 };
 
 /// A point of a surface, and where it is seen from; all unit but the position.
@@ -42,6 +44,23 @@ struct SeenPoint {
   const double b = glm::dot(across, across) + a2 * nh * nh;
   const auto root = [a2](double x) { return std::sqrt(a2 + (1.0 - a2) * x * x); };
   return a2 / (std::numbers::pi * b * b) * 0.5 / (nl * root(nv) + nv * root(nl));
+}
+
+/// KHR_materials_anisotropy's D times V as its text has them, but that V is not cut at 1.
+[[nodiscard]] inline double anisotropic_reference(const Reflector& r, const SeenPoint& at,
+                                                  glm::dvec3 to_light) {
+  const glm::dvec3 n = at.normal, v = at.to_viewer, t = r.tangent, b = glm::cross(n, t);
+  const glm::dvec3 h = glm::normalize(v + to_light);
+  const double alpha = r.roughness * r.roughness;
+  const double along = glm::mix(alpha, 1.0, r.anisotropy * r.anisotropy), across = alpha;
+  const double a2 = along * across;
+  const glm::dvec3 f(across * glm::dot(t, h), along * glm::dot(b, h), a2 * glm::dot(n, h));
+  const double w2 = a2 / glm::dot(f, f);
+  const double d = a2 * w2 * w2 * std::numbers::inv_pi;
+  const auto length = [&](glm::dvec3 w) {
+    return glm::length(glm::dvec3(along * glm::dot(t, w), across * glm::dot(b, w), glm::dot(n, w)));
+  };
+  return d * 0.5 / (glm::dot(n, to_light) * length(v) + glm::dot(n, v) * length(to_light));
 }
 
 /// KHR_materials_sheen's D times V, word for word: Estevez and Kulla 2017.
@@ -106,7 +125,8 @@ struct LayersSeen {
 [[nodiscard]] inline glm::dvec3 gltf_brdf(const Reflector& r, const SeenPoint& at,
                                           const LayersSeen& layers, glm::dvec3 to_light) {
   const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
-  const double specular = ggx_reference(r.roughness, at, to_light);
+  const double specular = r.anisotropy > 0.0 ? anisotropic_reference(r, at, to_light)
+                                             : ggx_reference(r.roughness, at, to_light);
   const double schlick = std::pow(1.0 - glm::dot(at.to_viewer, h), 5.0);
   const double fresnel = 0.04 + 0.96 * schlick;
   const glm::dvec3 dielectric =
@@ -204,7 +224,11 @@ class PatchQuadrature {
         reach = std::max(reach, glm::length(corner.to_light - middle));
       }
     }
-    const double to_peak = glm::length(mirrored_ - middle);
+    double to_peak = glm::length(mirrored_ - middle);
+    if (reflector_.anisotropy > 0.0) {
+      const glm::dvec3 across_ridge = glm::cross(at_.normal, reflector_.tangent);
+      to_peak = std::min(to_peak, std::abs(glm::dot(across_ridge, at_.to_viewer + middle)));
+    }
     const double most = std::min(0.25, std::max(lobe_, 0.5 * to_peak)) / fineness_;
     if (reach > most && depth < deepest) {
       const double half = 0.5 * side;

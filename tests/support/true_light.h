@@ -82,6 +82,10 @@ inline Material material_of(const Reflector& reflector) {
   material.coat.roughness = static_cast<float>(reflector.coat_roughness);
   material.sheen.color = glm::vec3(reflector.sheen);
   material.sheen.roughness = static_cast<float>(reflector.sheen_roughness);
+  // Of the plane: u grows along x, the bitangent is z.
+  material.anisotropy.strength = static_cast<float>(reflector.anisotropy);
+  material.anisotropy.rotation_rad =
+      static_cast<float>(std::atan2(reflector.tangent.z, reflector.tangent.x));
   return material;
 }
 

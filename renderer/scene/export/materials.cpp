@@ -109,6 +109,16 @@ void write_film(const Iridescence& film, json& out, GltfDocument& document) {
     written["iridescenceThicknessTexture"] = texture_info(film.thickness_texture, document);
 }
 
+void write_anisotropy(const Anisotropy& anisotropy, json& out, GltfDocument& document) {
+  if (!anisotropy.used()) return;
+  document.use_extension("KHR_materials_anisotropy");
+  json& written = out["extensions"]["KHR_materials_anisotropy"];
+  written = {{"anisotropyStrength", anisotropy.strength},
+             {"anisotropyRotation", anisotropy.rotation_rad}};
+  if (anisotropy.texture.used())
+    written["anisotropyTexture"] = texture_info(anisotropy.texture, document);
+}
+
 void write_volume(const Volume& volume, json& out, GltfDocument& document) {
   if (volume.thickness > 0.0f) {
     document.use_extension("KHR_materials_volume");
@@ -180,6 +190,7 @@ json material_json(const Material& material, GltfDocument& document) {
   write_coat(material.coat, out, document);
   write_sheen(material.sheen, out, document);
   write_film(material.film, out, document);
+  write_anisotropy(material.anisotropy, out, document);
   write_volume(material.volume, out, document);
   write_diffuse_transmission(material.diffuse_transmission, out, document);
   if (material.transmission != 0.0f) {

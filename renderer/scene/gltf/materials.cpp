@@ -42,6 +42,7 @@ class MaterialReader {
     read_coat(m);
     read_sheen(m);
     read_film(m);
+    read_anisotropy(m);
     read_volume(m);
     read_diffuse_transmission(m);
     // Textures last: an unlit material needs none but its base colour's.
@@ -62,6 +63,7 @@ class MaterialReader {
     use_coat(m);
     use_sheen(m);
     use_film(m);
+    use_anisotropy(m);
     use_volume(m);
     use_diffuse_transmission(m);
     if (glossy) {
@@ -210,6 +212,21 @@ class MaterialReader {
     if (!e || !m.film.used()) return;
     m.film.texture = use_in(*e, "iridescenceTexture", "iridescence");
     m.film.thickness_texture = use_in(*e, "iridescenceThicknessTexture", "iridescence thickness");
+  }
+
+  void read_anisotropy(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_anisotropy");
+    if (!e) return;
+    m.anisotropy.strength = within(number(*e, "anisotropyStrength").value_or(0.0), 0.0, 1.0, 0.0,
+                                   "anisotropy strength");
+    m.anisotropy.rotation_rad =
+        finite(number(*e, "anisotropyRotation").value_or(0.0), 0.0, "anisotropy rotation");
+  }
+
+  void use_anisotropy(Material& m) {
+    const auto* e = extension(source_.extensions, "KHR_materials_anisotropy");
+    if (!e || !m.anisotropy.used()) return;
+    m.anisotropy.texture = use_in(*e, "anisotropyTexture", "anisotropy");
   }
 
   void read_volume(Material& m) {

@@ -117,7 +117,8 @@ void check_texcoords(const PrimitiveRequest& request, const VertexData& data, Wa
   if (!request.material) return;
   for (const TextureUse* use : texture_uses(*request.material)) {
     // Without coordinates a normal map has no directions either; tangents say so.
-    if (use == &request.material->normal_texture || use == &request.material->coat.normal_texture)
+    if (use == &request.material->normal_texture || use == &request.material->coat.normal_texture ||
+        use == &request.material->anisotropy.texture)
       continue;
     if (!use->used() || !data.texcoords[use->texcoord].empty()) continue;
     warnings.add(fmt::format("{}: its textures need TEXCOORD_{}, which is missing", request.place,
@@ -201,10 +202,8 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
   }
   complete_normals(*data, *triangles, request.place, warnings);
   check_texcoords(request, *data, warnings);
-  if (request.material && has_normal_map(*request.material)) {
-    const TextureUse& own = request.material->normal_texture;
-    const TextureUse& map = own.used() ? own : request.material->coat.normal_texture;
-    complete_tangents(*data, *triangles, map, request.place, warnings);
+  if (request.material && needs_tangents(*request.material)) {
+    complete_tangents(*data, *triangles, *request.material, request.place, warnings);
   } else {
     data->tangents.clear();
   }

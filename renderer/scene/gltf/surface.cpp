@@ -76,6 +76,13 @@ glm::vec3 any_perpendicular(glm::vec3 n) {
   return glm::normalize(glm::cross(axis, n));
 }
 
+/// The texture use whose u gives a material's tangents.
+const TextureUse& tangents_use(const Material& material) {
+  if (material.normal_texture.used()) return material.normal_texture;
+  if (material.coat.normal_texture.used()) return material.coat.normal_texture;
+  return material.anisotropy.texture;
+}
+
 void make_tangents(VertexData& data, const std::vector<glm::uvec3>& triangles,
                    const TextureUse& use) {
   const std::vector<glm::vec2>& uv = data.texcoords[use.texcoord];
@@ -146,10 +153,18 @@ void complete_normals(VertexData& data, std::vector<glm::uvec3>& triangles,
 }
 
 void complete_tangents(VertexData& data, const std::vector<glm::uvec3>& triangles,
-                       const TextureUse& use, const std::string& place, Warnings& warnings) {
-  if (data.texcoords[use.texcoord].empty()) {
+                       const Material& material, const std::string& place, Warnings& warnings) {
+  const TextureUse& use = tangents_use(material);
+  const bool no_texcoords = data.texcoords[use.texcoord].empty();
+  if (no_texcoords && has_normal_map(material)) {
     warnings.add(
         fmt::format("{}: its normal map needs TEXCOORD_{}, which is missing", place, use.texcoord));
+  } else if (no_texcoords && data.tangents.empty()) {
+    warnings.add(
+        fmt::format("{}: its anisotropy needs tangents or TEXCOORD_{}, and both are missing; "
+                    "highlights are round",
+                    place, use.texcoord));
+    return;
   }
   const auto broken = [](glm::vec4 t) {
     return !finite(glm::vec3(t)) || glm::length(glm::vec3(t)) < 1e-12f || std::abs(t.w) != 1.0f;

@@ -19,9 +19,11 @@ std::size_t drop_infinite(VertexData& data, std::vector<glm::uvec3>& triangles);
 void complete_normals(VertexData& data, std::vector<glm::uvec3>& triangles,
                       const std::string& place, Warnings& warnings);
 
-/// Gives every vertex a tangent for the normal map `use`: the file's, or one along the direction
-/// in which the map's u grows, averaged over the triangles around. Needs normals.
+/// Gives every vertex a tangent for the material, which needs_tangents: the file's, or one along
+/// the direction in which u grows, averaged over the triangles around: that of the normal map, or
+/// of what else needs it. None where only anisotropy needs them and there are no texture
+/// coordinates either, with a warning. Needs normals.
 void complete_tangents(VertexData& data, const std::vector<glm::uvec3>& triangles,
-                       const TextureUse& use, const std::string& place, Warnings& warnings);
+                       const Material& material, const std::string& place, Warnings& warnings);
 
 }  // namespace asos::gltf

@@ -43,6 +43,7 @@ constexpr auto supported = std::to_array<std::string_view>({"KHR_lights_punctual
                                                             "KHR_materials_sheen",
                                                             "KHR_materials_variants",
                                                             "KHR_materials_iridescence",
+                                                            "KHR_materials_anisotropy",
                                                             "KHR_materials_volume",
                                                             "KHR_materials_dispersion",
                                                             "KHR_materials_diffuse_transmission"});

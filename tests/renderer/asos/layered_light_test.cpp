@@ -53,6 +53,21 @@ TEST(LayeredLight, OnASheenyPlane) {
   expect_true(Subject::plane, sheeny(0.3), 2e-3, 0.01);
 }
 
+Reflector brushed(double metallic, double strength, double turn) {
+  Reflector reflector{{0.9, 0.6, 0.3}, metallic, 0.4};
+  reflector.anisotropy = strength;
+  reflector.tangent = {std::cos(turn), 0.0, std::sin(turn)};
+  return reflector;
+}
+
+TEST(LayeredLight, OnABrushedMetalPlane) {
+  expect_true(Subject::plane, brushed(1.0, 0.7, 0.4), 2e-3, 0.02);
+}
+
+TEST(LayeredLight, OnABrushedDielectricPlane) {
+  expect_true(Subject::plane, brushed(0.0, 0.5, 1.5), 2e-3, 0.02);
+}
+
 // A smooth coat over a matte floor mirrors a wall that shines: factor * F(n.v) times its radiance,
 // and the floor itself is dark.
 TEST(LayeredLight, SmoothCoatsMirror) {

@@ -158,6 +158,9 @@ Scene rich_scene() {
   full.film.thickness_max_nm = 350.0f;
   full.film.texture.texture = 1;
   full.film.thickness_texture.texture = 0;
+  full.anisotropy.strength = 0.6f;
+  full.anisotropy.rotation_rad = 1.57f;
+  full.anisotropy.texture = moved(1, 0.3, {1.5f, 2.0f}, {0.5f, 0.25f});
   full.diffuse_transmission.factor = 0.7f;
   full.diffuse_transmission.color = {0.1f, 0.2f, 0.9f};
   full.diffuse_transmission.texture.texture = 1;
@@ -247,19 +250,13 @@ TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   EXPECT_EQ(position["max"], json::array({1.0f, 1.0f, 1.0f / 3.0f}));
   EXPECT_EQ(primitive["attributes"].size(), 6u);
 
-  const json used = {"KHR_lights_punctual",
-                     "KHR_materials_clearcoat",
-                     "KHR_materials_diffuse_transmission",
-                     "KHR_materials_dispersion",
-                     "KHR_materials_emissive_strength",
-                     "KHR_materials_ior",
-                     "KHR_materials_iridescence",
-                     "KHR_materials_sheen",
-                     "KHR_materials_specular",
-                     "KHR_materials_transmission",
-                     "KHR_materials_unlit",
-                     "KHR_materials_volume",
-                     "KHR_texture_transform"};
+  const json used = {"KHR_lights_punctual",        "KHR_materials_anisotropy",
+                     "KHR_materials_clearcoat",    "KHR_materials_diffuse_transmission",
+                     "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
+                     "KHR_materials_ior",          "KHR_materials_iridescence",
+                     "KHR_materials_sheen",        "KHR_materials_specular",
+                     "KHR_materials_transmission", "KHR_materials_unlit",
+                     "KHR_materials_volume",       "KHR_texture_transform"};
   EXPECT_EQ(root["extensionsUsed"], used);
   EXPECT_FALSE(root.contains("extensionsRequired"));
 
@@ -449,6 +446,8 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.film.ior, b.film.ior);
   EXPECT_EQ(a.film.thickness_min_nm, b.film.thickness_min_nm);
   EXPECT_EQ(a.film.thickness_max_nm, b.film.thickness_max_nm);
+  EXPECT_EQ(a.anisotropy.strength, b.anisotropy.strength);
+  EXPECT_EQ(a.anisotropy.rotation_rad, b.anisotropy.rotation_rad);
   EXPECT_EQ(a.diffuse_transmission.factor, b.diffuse_transmission.factor);
   EXPECT_EQ(a.diffuse_transmission.color, b.diffuse_transmission.color);
   EXPECT_EQ(a.volume.thickness, b.volume.thickness);

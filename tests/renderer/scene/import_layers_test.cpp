@@ -97,6 +97,29 @@ TEST(ImportLayers, FilmsAreRead) {
   EXPECT_FALSE(film(json::object()).used());
 }
 
+TEST(ImportLayers, AnisotropyIsRead) {
+  const Scene scene =
+      import_with("KHR_materials_anisotropy", {{"anisotropyStrength", 0.75},
+                                               {"anisotropyRotation", -0.5},
+                                               {"anisotropyTexture", {{"index", 0}}}});
+  const Anisotropy& all = scene.materials.at(0).anisotropy;
+  EXPECT_EQ(all.strength, 0.75f);
+  EXPECT_EQ(all.rotation_rad, -0.5f);
+  EXPECT_TRUE(all.texture.used());
+  EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
+  EXPECT_TRUE(scene.notes.warnings.empty());
+  EXPECT_EQ(scene.meshes.at(0).tangents.size(), 4u) << "made for its direction";
+  const Scene none = import_with("KHR_materials_anisotropy", {{"anisotropyRotation", 1}});
+  EXPECT_FALSE(none.materials.at(0).anisotropy.used());
+  EXPECT_TRUE(none.meshes.at(0).tangents.empty());
+  const Scene broken = import_with(
+      "KHR_materials_anisotropy",
+      {{"anisotropyStrength", -2}, {"anisotropyRotation", 1e300}, {"anisotropyTexture", "x"}});
+  EXPECT_FALSE(broken.materials.at(0).anisotropy.used());
+  EXPECT_EQ(broken.materials.at(0).anisotropy.rotation_rad, 0.0f);
+  EXPECT_EQ(broken.notes.warnings.size(), 2u);
+}
+
 TEST(ImportLayers, VolumesAreRead) {
   const auto volume = [](json extension) {
     return import_with("KHR_materials_volume", std::move(extension)).materials.at(0).volume;

@@ -1,0 +1,100 @@
+#include "renderer/shading/anisotropy.h"
+
+#include "renderer/shading/hit_triangle.h"
+#include "renderer/shading/tangent_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asos {
+namespace {
+
+float floored_alpha(float roughness) {
+  const float floored = std::clamp(roughness, roughness_floor, 1.0f);
+  return floored * floored;
+}
+
+}  // namespace
+
+SurfaceAnisotropy anisotropy_of(const Anisotropy& material, glm::vec3 texel) {
+  SurfaceAnisotropy at;
+  at.strength = material.strength * texel.b;
+  // As bytes say it, no value of a texel is 0.
+  constexpr float nothing = 1.5f / 255.0f;
+  glm::vec2 d = 2.0f * glm::vec2(texel) - 1.0f;
+  if (std::abs(d.x) < nothing) d.x = 0.0f;
+  if (std::abs(d.y) < nothing) d.y = 0.0f;
+  const float length = glm::length(d);
+  d = length > 0.0f ? d / length : glm::vec2(1.0f, 0.0f);
+  const float c = std::cos(material.rotation_rad), s = std::sin(material.rotation_rad);
+  at.direction = {c * d.x - s * d.y, s * d.x + c * d.y};
+  return at;
+}
+
+LobeStretch lobe_stretch(const World& world, const Hit& hit, const SurfaceAnisotropy& anisotropy,
+                         float roughness, glm::vec3 normal, glm::vec3 to_viewer) {
+  const Material& material = world.material_of(hit.triangle);
+  // The directions are those of the front, whichever side is seen.
+  const std::array<glm::vec3, 3> corners = corner_normals(world, hit);
+  const glm::vec3 front = HitTriangle(world, hit).mix(corners[0], corners[1], corners[2]);
+  const float side = glm::dot(front, normal) < 0.0f ? -1.0f : 1.0f;
+  const TextureUse& use = material.normal_texture.used()        ? material.normal_texture
+                          : material.coat.normal_texture.used() ? material.coat.normal_texture
+                                                                : material.anisotropy.texture;
+  const TangentFrame frame = tangent_frame(world, hit, use, side * normal);
+  if (!frame.known()) return {};
+  const glm::vec3 along =
+      anisotropy.direction.x * frame.along_u + anisotropy.direction.y * frame.along_v;
+  const float across = floored_alpha(roughness);
+  const float wide = glm::mix(across, 1.0f, anisotropy.strength * anisotropy.strength);
+  const float stretched = wide * wide - across * across;
+  if (!(stretched > 0.0f)) return {};
+  LobeStretch stretch;
+  stretch.along = std::sqrt(stretched) * along;
+  const glm::vec3 seen = to_viewer - glm::dot(to_viewer, normal) * normal;
+  const float length2 = glm::dot(seen, seen);
+  const float towards = glm::dot(seen, along);
+  if (length2 > 0.0f) stretch.seen_along2 = std::min(1.0f, towards * towards / length2);
+  return stretch;
+}
+
+float alpha_along(const LobeStretch& stretch, float roughness) {
+  const float across = floored_alpha(roughness);
+  return std::min(1.0f, std::sqrt(across * across + glm::dot(stretch.along, stretch.along)));
+}
+
+float widest_roughness(const ViewedMaterial& material) {
+  if (material.stretch.none()) return material.roughness;
+  return std::sqrt(alpha_along(material.stretch, material.roughness));
+}
+
+float widest_roughness(const SurfaceMaterial& material) {
+  const float strength = material.anisotropy.strength;
+  if (!(strength > 0.0f)) return material.roughness;
+  const float across = material.roughness * material.roughness;
+  return std::sqrt(glm::mix(across, 1.0f, strength * strength));
+}
+
+float round_roughness(const ViewedMaterial& material) {
+  if (material.stretch.none()) return material.roughness;
+  const float along = alpha_along(material.stretch, material.roughness);
+  return std::sqrt(std::sqrt(floored_alpha(material.roughness) * along));
+}
+
+float away_from_peak(glm::vec3 normal, glm::vec3 half, const LobeStretch& stretch,
+                     float roughness) {
+  const float away2 = std::max(0.0f, 2.0f - 2.0f * glm::dot(normal, half));
+  if (stretch.none()) return std::sqrt(away2);
+  const float along = glm::dot(half, glm::normalize(stretch.along));
+  const float narrower = floored_alpha(roughness) / alpha_along(stretch, roughness);
+  const float across2 = std::max(0.0f, away2 - along * along);
+  return std::sqrt(across2 + along * along * narrower * narrower);
+}
+
+LobeNorms stretched_norms(const LobeStretch& stretch, float roughness, float n_dot_v) {
+  return stretched_lobe_norms(n_dot_v, std::sqrt(floored_alpha(roughness)),
+                              alpha_along(stretch, roughness), stretch.seen_along2);
+}
+
+}  // namespace asos
