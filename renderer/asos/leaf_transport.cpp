@@ -2,6 +2,7 @@
 
 #include "renderer/asos/light_counts.h"
 #include "renderer/asos/reflected_pyray.h"
+#include "renderer/geometry/largest.h"
 #include "renderer/shadows/shadow.h"
 
 #include <algorithm>
@@ -20,11 +21,12 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   if (all == glm::vec3(0.0f)) return;
   const CountForLight count(counts, lit.index);
   const LitLeaf query{lit, *leaf_};
-  double visibility = 0.0;
+  Visibility visibility(0.0);
   light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
-  if (visibility > 0.0) radiance += static_cast<float>(visibility) * all;
-  hidden_ += static_cast<float>(1.0 - visibility) * all;
-  unsure_highlights_ += static_cast<float>(std::min(visibility, 1.0 - visibility)) * lit.highlight;
+  const glm::vec3 seen(visibility);
+  if (visibility != Visibility(0.0)) radiance += seen * all;
+  hidden_ += glm::vec3(1.0 - visibility) * all;
+  unsure_highlights_ += largest(glm::min(seen, 1.0f - seen)) * lit.highlight;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
 }

@@ -4,6 +4,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/shadow_ray.h"
@@ -189,7 +190,8 @@ bool Refinement::shows_highlight(std::uint32_t light, const GlossyPatch& glossy)
   LightSample sample;
   sample.direction = glm::dvec3(nearest.direction);
   sample.distance = static_cast<double>(nearest.distance);
-  return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) > 0.0f;
+  return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) !=
+         glm::vec3(0.0f);
 }
 
 // What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
@@ -211,6 +213,9 @@ Refinement::ShadingError Refinement::gloss_error(SampleId sample, const Patch& p
       extended_lights_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
   if (!highlights && !turns(glossy)) return {};
   const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
+  if (seen.anisotropy.strength > 0.0f)
+    glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
+                                  point.shading_normal, glossy.to_viewer);
   ShadingError all;
   const auto add = [&](const Gloss& gloss) {
     glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
@@ -221,6 +226,7 @@ Refinement::ShadingError Refinement::gloss_error(SampleId sample, const Patch& p
     all.highlights.radiance += found.radiance;
   };
   add({largest(seen.f0), seen.roughness});
+  glossy.stretch = {};
   if (seen.coat.factor > 0.0f) add({coat_f0 * seen.coat.factor, seen.coat.roughness});
   return all;
 }
@@ -251,7 +257,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const Hit& hit = samples_->hit(sample);
   const Material& material = eye_->scene->world().material_of(hit.triangle);
   const bool mirror = eye_->scene->dfr_of(hit.triangle) ||
-                      static_cast<double>(least_roughness(material)) <= settings.roughest;
+                      static_cast<double>(least_mirror_roughness(material)) <= settings.roughest;
   const bool refracts = bounds_volume(material);
   if (!(mirror || refracts) || material.unlit) return 0.0;
   const SurfacePoint point = samples_->point(sample);
@@ -331,7 +337,7 @@ EvenPatch Refinement::even_patch(SampleId sample, const LeafRegion& region,
   const std::span<const std::uint32_t> lights = saturated(note);
   return {samples_->point(sample),
           region.square,
-          std::vector<double>(eye_->viewer.shader.lights().size(), -1.0),
+          std::vector<Visibility>(eye_->viewer.shader.lights().size(), Visibility(-1.0)),
           {lights.begin(), lights.end()}};
 }
 

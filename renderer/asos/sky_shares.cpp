@@ -83,7 +83,7 @@ void SkyShares::trace() {
   passed_.resize(rays_.size());
   eye_->scene->rays().transmittance(rays_, passed_);
   for (std::size_t i = 0; i < sent_.size(); ++i)
-    lit_[sent_[i].lit].arrived += static_cast<double>(passed_[i]) * glm::dvec3(sent_[i].carried);
+    lit_[sent_[i].lit].arrived += glm::dvec3(passed_[i]) * glm::dvec3(sent_[i].carried);
   rays_.clear();
   sent_.clear();
 }

@@ -101,7 +101,7 @@ class SkyShares {
   // Rays on their way.
   std::vector<Ray> rays_;
   std::vector<Sent> sent_;
-  std::vector<float> passed_;
+  std::vector<glm::vec3> passed_;
   // With bounces, what they bring.
   bool bounces_;
   SobolPlaces places_;

@@ -52,7 +52,7 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
     return MipChains(geometry->world, geometry->needs.with(forced), known);
   });
   geometry->object_spheres = object_spheres(geometry->world);
-  auto rays = RayScene::build(geometry->world, alpha_at, lights, forced);
+  auto rays = RayScene::build(geometry->world, alpha_at, lights, forced, passage_at);
   geometry->mips = mips.get();
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);

@@ -49,8 +49,8 @@ EmbreeScene::~EmbreeScene() {
   if (device_) rtcReleaseDevice(device_);
 }
 
-Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
-                                const SceneNeeds& forced) {
+Result<void> EmbreeScene::build(const World& world, const Openness& open,
+                                std::span<const Light> lights, const SceneNeeds& forced) {
   if (auto checked = check_own_parts(world, lights); !checked) return checked;
   device_ = rtcNewDevice(nullptr);
   if (!device_) {
@@ -68,7 +68,7 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, std::span<con
       &device_bytes_);
 
   choose_scale(world);
-  sort_surfaces(world, alpha, lights);
+  sort_surfaces(world, open, lights);
   see_through_ |= all_filtered(forced);
   sides_.any_single_sided |= forced.culling;
   place_vertices(world);
@@ -85,13 +85,14 @@ Result<void> EmbreeScene::build(const World& world, AlphaAt alpha, std::span<con
   return {};
 }
 
-void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha, std::span<const Light> lights) {
+void EmbreeScene::sort_surfaces(const World& world, const Openness& open,
+                                std::span<const Light> lights) {
   std::vector<std::uint8_t> owned(world.parts.size(), 0);
   for (const Light& light : lights) {
     if (light.own_part >= 0) owned[static_cast<std::size_t>(light.own_part)] = 1;
   }
   for (std::size_t id = 0; id < groups_.size(); ++id) {
-    groups_[id] = {&world, alpha,  static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
+    groups_[id] = {&world, open,   static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
                    {},     scale_, id >= first_group_of_strokes};
   }
   for (std::uint32_t i = 0; i < world.surface_count(); ++i) {
@@ -101,6 +102,11 @@ void EmbreeScene::sort_surfaces(const World& world, AlphaAt alpha, std::span<con
                               : world.is_face(i)            ? first_group_of_faces
                                                             : 0;
     groups_[first + kind + (own ? 3u : 0u)].triangles.push_back(i);
+  }
+  for (const Part& part : world.parts) {
+    const Material& m = world.materials[part.material];
+    volumes_ |= bounds_volume(m) && std::isfinite(m.volume.attenuation_distance) &&
+                m.volume.attenuation_color != glm::vec3(1.0f);
   }
   for (const Group& group : groups_) {
     see_through_ |=

@@ -27,8 +27,8 @@ class EmbreeScene {
 
   /// Once. Errors: Embree's, and a light whose own part does not exist. `lights`
   /// and `forced`: as RayScene::build's.
-  [[nodiscard]] Result<void> build(const World& world, AlphaAt alpha, std::span<const Light> lights,
-                                   const SceneNeeds& forced);
+  [[nodiscard]] Result<void> build(const World& world, const Openness& open,
+                                   std::span<const Light> lights, const SceneNeeds& forced);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
   /// By Embree's geometry id.
@@ -40,6 +40,8 @@ class EmbreeScene {
   [[nodiscard]] float scale() const { return scale_; }
   /// Whether any surface may let light through.
   [[nodiscard]] bool see_through() const { return see_through_; }
+  /// Whether any bounds a volume that attenuates it.
+  [[nodiscard]] bool volumes() const { return volumes_; }
   /// The widest packets that the processor has: 16, 8, 4 or 1.
   [[nodiscard]] int native_width() const;
   [[nodiscard]] std::size_t memory_bytes() const;
@@ -51,7 +53,7 @@ class EmbreeScene {
     static void note(void* self, RTCError code, const char* text);
   };
 
-  void sort_surfaces(const World& world, AlphaAt alpha, std::span<const Light> lights);
+  void sort_surfaces(const World& world, const Openness& open, std::span<const Light> lights);
   void place_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
@@ -62,6 +64,7 @@ class EmbreeScene {
   std::array<Group, 15> groups_;
   Sides sides_;
   bool see_through_ = false;
+  bool volumes_ = false;
   float scale_ = 1.0f;
   const float* corners_ = nullptr;  // the world's, where they need no copy
   std::vector<float> vertices_;     // else

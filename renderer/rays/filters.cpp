@@ -21,8 +21,15 @@ struct Candidate {
     return group.triangle(RTCHitN_primID(args.hit, args.N, i));
   }
   [[nodiscard]] float opacity() const {
-    return group.alpha(*group.world, triangle(), RTCHitN_u(args.hit, args.N, i),
-                       RTCHitN_v(args.hit, args.N, i));
+    return group.open.alpha(*group.world, triangle(), RTCHitN_u(args.hit, args.N, i),
+                            RTCHitN_v(args.hit, args.N, i));
+  }
+  [[nodiscard]] Hit hit() const {
+    return {triangle(), 0.0f, RTCHitN_u(args.hit, args.N, i), RTCHitN_v(args.hit, args.N, i)};
+  }
+  [[nodiscard]] glm::vec3 direction() const {
+    return {RTCRayN_dir_x(args.ray, args.N, i), RTCRayN_dir_y(args.ray, args.N, i),
+            RTCRayN_dir_z(args.ray, args.N, i)};
   }
   [[nodiscard]] bool hole() const {
     return opacity() < group.world->material_of(triangle()).alpha_cutoff;
@@ -49,9 +56,20 @@ void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
   }
 }
 
-/// Lets a ray through a blended surface; the share of its light that is left.
+/// Lets a ray through a blended surface; the largest share, by colour, of its light that is left.
 float pass(const Candidate& candidate, Lanes& lanes) {
-  return lanes.transmittance[candidate.lane()] *= 1.0f - candidate.opacity();
+  glm::vec3& left = lanes.transmittance[candidate.lane()];
+  if (!candidate.group.open.passage) return most(left *= 1.0f - candidate.opacity());
+  const glm::vec3 direction = candidate.direction();
+  const StraightPassage through =
+      candidate.group.open.passage(*candidate.group.world, candidate.hit(), direction);
+  if (lanes.volumes && through.extinction != glm::vec3(0.0f)) {
+    const glm::vec3 extinction = through.enters ? through.extinction : -through.extinction;
+    const float way = candidate.t() / candidate.group.scale * glm::length(direction);
+    lanes.depth[candidate.lane()] -= way * extinction;
+    lanes.entered[candidate.lane()] += extinction;
+  }
+  return most(left *= through.share);
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 #include "renderer/world/world.h"
 
 #include <embree3/rtcore.h>
+#include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -23,12 +26,22 @@ inline constexpr float opaque_enough = 1.0f / (256.0f * 256.0f);
 
 inline constexpr std::size_t most_lanes = 16;
 
+[[nodiscard]] inline float most(glm::vec3 share) {
+  return std::max(share.x, std::max(share.y, share.z));
+}
+
+/// What surfaces that are not opaque let through.
+struct Openness {
+  AlphaAt alpha = nullptr;
+  PassageAt passage = nullptr;  ///< of blended ones; null: by alpha
+};
+
 /// The triangles, or faces of analytic shapes, of one geometry of Embree's; `triangles` maps its
 /// primitives to the world's numbers for them (World::is_face) and is empty where the geometry
 /// holds all triangles in order.
 struct Group {
   const World* world = nullptr;
-  AlphaAt alpha = nullptr;
+  Openness open;
   SurfaceKind kind = SurfaceKind::opaque;
   bool owned = false;  ///< its parts are the surfaces of lights
   std::vector<std::uint32_t> triangles;
@@ -40,15 +53,35 @@ struct Group {
   }
 };
 
-/// The light that a packet's rays keep behind surfaces that let light through, by the rays' ids.
+/// The light, by colour, that a packet's rays keep behind surfaces that let light through, by the
+/// rays' ids.
 struct Lanes {
-  std::array<float, most_lanes> transmittance;
+  /// Some volumes attenuate light: what follows the rest is only of them.
+  bool volumes = false;
+  std::array<glm::vec3, most_lanes> transmittance;
   std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first that
                                           ///< is not outlined
   std::array<float, most_lanes> masked;   ///< where a masked one was
 
+  // Of volumes: extinction times way, counted from the rays' starts and added where rays leave,
+  // taken off where they enter; and the extinction of those that were entered and not left.
+  std::array<glm::vec3, most_lanes> depth;
+  std::array<glm::vec3, most_lanes> entered;
+
+  /// The share that is left of a ray that is `way` long and that nothing blocks.
+  [[nodiscard]] glm::vec3 left(std::size_t lane, float way) const {
+    if (!volumes) return transmittance[lane];
+    glm::vec3 all = depth[lane];
+    if (std::isfinite(way)) all += way * glm::max(entered[lane], 0.0f);
+    return transmittance[lane] * glm::exp(-glm::max(all, 0.0f));
+  }
+
   void reset() {
-    transmittance.fill(1.0f);
+    if (volumes) {
+      depth.fill(glm::vec3(0.0f));
+      entered.fill(glm::vec3(0.0f));
+    }
+    transmittance.fill(glm::vec3(1.0f));
     touched.fill(std::numeric_limits<float>::infinity());
     masked.fill(std::numeric_limits<float>::infinity());
   }

@@ -41,20 +41,27 @@ struct RayScene::Impl {
 
   /// `rays`: one after the other, or as arrays.
   template <typename Rays>
-  void transmittance(const Rays& rays, std::size_t count, std::span<float> shares,
+  void transmittance(const Rays& rays, std::size_t count, std::span<glm::vec3> shares,
                      std::int32_t ignored_part) const {
     Lanes left;
+    left.volumes = embree.volumes();
     Context occluding = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
     occluding.of_shadows = true;
     occluding.lanes = &left;
     tracing::with_width(width, count, [&](auto lanes) {
-      tracing::occlude_packets<lanes()>(embree.scene(), occluding, rays,
-                                        [&](std::size_t i, std::size_t lane, bool blocked) {
-                                          shares[i] = blocked ? 0.0f : left.transmittance[lane];
-                                        });
+      tracing::occlude_packets<lanes()>(
+          embree.scene(), occluding, rays, [&](std::size_t i, std::size_t lane, bool blocked) {
+            shares[i] = blocked ? glm::vec3(0.0f) : left.left(lane, way_of(rays, i));
+          });
     });
   }
   void pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+  /// How long a ray is.
+  [[nodiscard]] static float way_of(std::span<const Ray> rays, std::size_t i) {
+    return rays[i].t_far * glm::length(rays[i].direction);
+  }
+  [[nodiscard]] static float way_of(const RayArrays& rays, std::size_t i) { return rays.t_far[i]; }
 };
 
 RayScene::RayScene() = default;
@@ -63,10 +70,10 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
-                                 const SceneNeeds& forced) {
+                                 const SceneNeeds& forced, PassageAt passage) {
   RayScene built;
   built.impl_ = std::make_unique<Impl>();
-  if (auto done = built.impl_->embree.build(world, alpha, lights, forced); !done)
+  if (auto done = built.impl_->embree.build(world, {alpha, passage}, lights, forced); !done)
     return unexpected(done.error());
   // Measured (tests/bench/rays_bench.cpp): the widest packets that the processor has are the
   // fastest ones for eye rays and for shadow rays; packets that Embree has to emulate lose.
@@ -123,26 +130,26 @@ Hit RayScene::closest(const Ray& ray, Culling faces) const {
   return hit;
 }
 
-void RayScene::transmittance(std::span<const Ray> rays, std::span<float> shares,
+void RayScene::transmittance(std::span<const Ray> rays, std::span<glm::vec3> shares,
                              std::int32_t ignored_part) const {
   if (!impl_) {
-    std::fill(shares.begin(), shares.end(), 1.0f);
+    std::fill(shares.begin(), shares.end(), glm::vec3(1.0f));
     return;
   }
   impl_->transmittance(rays, rays.size(), shares, ignored_part);
 }
 
-void RayScene::transmittance(const RayArrays& rays, std::span<float> shares,
+void RayScene::transmittance(const RayArrays& rays, std::span<glm::vec3> shares,
                              std::int32_t ignored_part) const {
   if (!impl_) {
-    std::fill(shares.begin(), shares.end(), 1.0f);
+    std::fill(shares.begin(), shares.end(), glm::vec3(1.0f));
     return;
   }
   impl_->transmittance(rays, rays.count, shares, ignored_part);
 }
 
-float RayScene::transmittance(const Ray& ray, std::int32_t ignored_part) const {
-  float share = 1.0f;
+glm::vec3 RayScene::transmittance(const Ray& ray, std::int32_t ignored_part) const {
+  glm::vec3 share(1.0f);
   transmittance(std::span(&ray, 1), std::span(&share, 1), ignored_part);
   return share;
 }
@@ -157,19 +164,21 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
   context.of_shadows = true;
   if (!impl_->embree.see_through()) {
     impl_->intersect(context, rays, [blockers](std::size_t i, std::size_t, const Hit& hit) {
-      blockers[i] = {hit, hit.valid() ? 0.0f : 1.0f, false, false};
+      blockers[i] = {hit, glm::vec3(hit.valid() ? 0.0f : 1.0f), false, false};
     });
     return;
   }
   Lanes met;
+  met.volumes = impl_->embree.volumes();
   context.lanes = &met;
   context.outlined = outlined;
   impl_->intersect(context, rays, [&](std::size_t i, std::size_t lane, const Hit& hit) {
     // A ray that nothing blocks has met all blended surfaces on its way, in whatever order.
-    const float left = met.transmittance[lane];
-    const bool blocked = hit.valid() || left <= tracing::opaque_enough;
+    const bool blocked =
+        hit.valid() || tracing::most(met.transmittance[lane]) <= tracing::opaque_enough;
     const auto before = [&](float t) { return t < hit.t || (hit.valid() && t == hit.t); };
-    blockers[i] = {hit, blocked ? 0.0f : left, before(met.touched[lane] / context.scale),
+    const glm::vec3 left = blocked ? glm::vec3(0.0f) : met.left(lane, Impl::way_of(rays, i));
+    blockers[i] = {hit, left, before(met.touched[lane] / context.scale),
                    before(met.masked[lane] / context.scale)};
   });
 }

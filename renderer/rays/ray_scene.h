@@ -16,6 +16,15 @@ namespace asos {
 /// Opacity of `triangle` at (b1, b2), 0 to 1, for a ray's alpha test.
 using AlphaAt = float (*)(const World& world, std::uint32_t triangle, float b1, float b2);
 
+/// What a blended surface makes of light that goes straight through it, by colour.
+struct StraightPassage {
+  glm::vec3 share{1.0f};       ///< that goes on
+  glm::vec3 extinction{0.0f};  ///< of the volume that it bounds: share exp(-extinction) a length
+  bool enters = false;         ///< the light goes into that volume, and not out of it
+};
+/// That of light along `direction`, of any length, where `hit` is. A hit's `t` counts for nothing.
+using PassageAt = StraightPassage (*)(const World& world, const Hit& hit, glm::vec3 direction);
+
 /// The sides of surfaces that a ray does not meet.
 enum class Culling : std::uint8_t {
   none,  ///< both sides are met
@@ -39,9 +48,9 @@ struct Blocker {
   /// The nearest surface that blocks all light: opaque, or masked where its opacity reaches the
   /// cut-off; not valid if there is none.
   Hit hit;
-  /// The same as `RayScene::transmittance`: 0 if blocked, else the share that blended surfaces
-  /// leave.
-  float transmittance = 1.0f;
+  /// The same as `RayScene::transmittance`: 0 if blocked, else the share that blended surfaces, and
+  /// volumes, leave.
+  glm::vec3 transmittance{1.0f};
   /// Whether the ray met the geometry of a masked or blended material no farther than `hit` (which
   /// may be masked itself), hole or not: rays nearby may then fare otherwise, although no outline
   /// of a surface lies between. Masked surfaces whose cut-outs' outlines are known do not count.
@@ -72,22 +81,26 @@ class RayScene {
 
   /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist. `lights`:
   /// those whose own parts queries may ignore. `forced`: tests that are made although no surface
-  /// asks for them; they change no answer.
+  /// asks for them; they change no answer. `passage`: of blended surfaces; null: they let the same
+  /// share of all colours through, by their opacity.
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
                                               std::span<const Light> lights = {},
-                                              const SceneNeeds& forced = {});
+                                              const SceneNeeds& forced = {},
+                                              PassageAt passage = nullptr);
 
   /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
   void closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces = Culling::none) const;
   [[nodiscard]] Hit closest(const Ray& ray, Culling faces = Culling::none) const;
 
-  /// The share of light that passes along each ray, 0 (blocked) to 1; `shares` is as long as
-  /// `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
-  void transmittance(std::span<const Ray> rays, std::span<float> shares,
+  /// The share of light that passes straight along each ray, 0 (blocked) to 1 by colour; `shares`
+  /// is as long as `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
+  /// In a volume it is what is left after the way between its boundaries; a ray that starts inside
+  /// has come from there, one that ends inside goes on to its end.
+  void transmittance(std::span<const Ray> rays, std::span<glm::vec3> shares,
                      std::int32_t ignored_part = -1) const;
-  void transmittance(const RayArrays& rays, std::span<float> shares,
+  void transmittance(const RayArrays& rays, std::span<glm::vec3> shares,
                      std::int32_t ignored_part = -1) const;
-  [[nodiscard]] float transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
+  [[nodiscard]] glm::vec3 transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
 
   /// The surfaces that each ray meets on its way to a light; `blockers` is as long as `rays`.
   /// `outlined`, by surface: 1 where its cut-outs' outlines are known (FeatureSet::outlined);

@@ -199,7 +199,7 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
 void SampledLights::trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
                           std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
   if (rays.count + rays.rejected == 0) return;
-  shares_.assign(LitBatch::size, 1.0f);
+  shares_.assign(LitBatch::size, glm::vec3(1.0f));
   if (sends_rays(light)) {
     counts.count_shadow_ray(light, rays.count + rays.rejected);
     trace_shadows(rays, lights_[light].light->own_part);

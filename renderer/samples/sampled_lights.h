@@ -165,7 +165,7 @@ class SampledLights {
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;
   std::vector<Ray> batch_;
-  std::vector<float> shares_;
+  std::vector<glm::vec3> shares_;
 };
 
 /// The lights of one sample, whose reflections are not followed. Made for each sample.

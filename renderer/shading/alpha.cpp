@@ -1,9 +1,15 @@
+#include "renderer/rays/back_face.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/hit_triangle.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
+#include "renderer/shading/viewed_point.h"
 #include "renderer/world/surface_kind.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace asos {
 namespace {
@@ -19,7 +25,53 @@ float base_alpha_at(const World& world, const Material& material, std::uint32_t 
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
+/// All that a material may say of how much goes through.
+constexpr SceneNeeds needs_of_passage() {
+  SceneNeeds needs;
+  needs.textures = needs.vertex_colors = needs.metals = true;
+  return needs;
+}
+
+/// Beer and Lambert's coefficients.
+glm::vec3 extinction_of(const Volume& volume) {
+  // What lets nothing through does so after a millionth of its distance.
+  constexpr float opaque = 1e6f;
+  glm::vec3 extinction(0.0f);
+  if (!std::isfinite(volume.attenuation_distance)) return extinction;
+  for (int c = 0; c < 3; ++c) {
+    const float color = volume.attenuation_color[c];
+    const float depth = color > 0.0f ? std::min(opaque, -std::log(color)) : opaque;
+    extinction[c] = std::min(depth / volume.attenuation_distance, 1e30f);
+  }
+  return extinction;
+}
+
 }  // namespace
+
+StraightPassage passage_at(const World& world, const Hit& hit, glm::vec3 direction) {
+  const Material& material = world.material_of(hit.triangle);
+  if (!(material.transmission > 0.0f)) {
+    const float opacity = opacity_at(world, hit.triangle, hit.b1, hit.b2);
+    return {glm::vec3(1.0f - opacity)};
+  }
+  constexpr SceneNeeds needs = needs_of_passage();
+  const SurfaceMaterial surface = surface_material(world, needs, hit);
+  StraightPassage passage;
+  float cosine = 1.0f;
+  if (!surface.unlit) {
+    const std::array<glm::vec3, 3> corners = corner_normals(world, hit);
+    const glm::vec3 normal = HitTriangle(world, hit).mix(corners[0], corners[1], corners[2]);
+    const float lengths = glm::length(normal) * glm::length(direction);
+    if (lengths > 0.0f) cosine = std::abs(glm::dot(normal, direction)) / lengths;
+  }
+  const float left = transmitted_share(surface, std::clamp(cosine, grazing_cosine, 1.0f));
+  passage.share = glm::vec3(1.0f - surface.opacity) + surface.opacity * left * surface.base_color;
+  if (bounds_volume(material)) {
+    passage.extinction = extinction_of(material.volume);
+    passage.enters = !meets_back(world, hit, direction);
+  }
+  return passage;
+}
 
 float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2) {
   const Material& material = world.material_of(triangle);

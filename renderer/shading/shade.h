@@ -30,6 +30,12 @@ class Sky;
 /// The same without transmission, and with a masked material's cut-off applied: 0 or 1.
 [[nodiscard]] float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
+/// What the light that goes straight through a blended surface becomes: its opacity lets the rest
+/// pass, and of that which meets it the layers' and Fresnel's terms leave the transmitted share,
+/// tinted by the base colour; at a volume's boundary, too, which bends nothing here. The RayScene's
+/// PassageAt.
+[[nodiscard]] StraightPassage passage_at(const World& world, const Hit& hit, glm::vec3 direction);
+
 /// The choice of what is shaded and what is left out.
 struct ShadingSettings {
   bool shadows = true;       ///< lights cast shadows

@@ -48,8 +48,8 @@ bool uneven_at_last(const ShadowContext& block, const ShadowQuery& query,
 }
 
 // The mean over n x n parts of the patch: pyrays from points of each, or extended ones.
-double divided_shadow(const ShadowContext& block, const ShadowQuery& query,
-                      RenderStatistics& counts) {
+Visibility divided_shadow(const ShadowContext& block, const ShadowQuery& query,
+                          RenderStatistics& counts) {
   const int n = block.rules.divisions;
   const bool extended = block.rules.quality == ShadowQuality::extended_divided;
   const bool jittered = block.rules.quality == ShadowQuality::supersampling;
@@ -57,7 +57,7 @@ double divided_shadow(const ShadowContext& block, const ShadowQuery& query,
   const Receiver middle = receiver_above(query.lit.point);
   const glm::dvec3 lift = static_cast<double>(clear_height(query.lit.point)) * middle.geometric;
   const HalfSpace plane{middle.geometric, glm::dot(middle.geometric, middle.position - lift)};
-  double sum = 0.0;
+  Visibility sum(0.0);
   int parts = 0;
   for (int i = 0; i < n * n; ++i) {
     // Choose a point of the part.
@@ -79,12 +79,14 @@ double divided_shadow(const ShadowContext& block, const ShadowQuery& query,
     }
     ++parts;
   }
-  return parts > 0 ? sum / parts : point_area_shadow(block, query, middle, counts);
+  return parts > 0 ? sum / static_cast<double>(parts)
+                   : point_area_shadow(block, query, middle, counts);
 }
 
 }  // namespace
 
-double area_shadow(const ShadowContext& block, const ShadowQuery& query, RenderStatistics& counts) {
+Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                       RenderStatistics& counts) {
   // An extended pyray needs a patch that lies on the surface as a whole. A surface seen through
   // another one has none at all.
   const bool whole = query.leaf.region.border.empty();
@@ -117,8 +119,8 @@ double area_shadow(const ShadowContext& block, const ShadowQuery& query, RenderS
   return point_area_shadow(block, query, middle, counts);
 }
 
-double point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                         const Receiver& receiver, RenderStatistics& counts) {
+Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                             const Receiver& receiver, RenderStatistics& counts) {
   const auto window = LightWindow::of(query.lit.light, receiver);
   if (!window) return ray_visibility(block, query, counts);
 
@@ -143,7 +145,7 @@ double point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
   const bool saturated =
       trace.given_up || caster.gives_up() || trace.outcome.unresolved_area > rules.budget.eps;
   return saturated ? sampled_area_shadow(block, query, *window, receiver, counts)
-                   : caster.visibility().value_or(0.0);
+                   : caster.visibility().value_or(Visibility(0.0));
 }
 
 }  // namespace asos

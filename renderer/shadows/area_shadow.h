@@ -6,12 +6,12 @@ namespace asos {
 
 /// The mean visibility of a light of some size over the patch that the leaf shows, in the way that
 /// the quality names (CGF'98 sections 4.2 to 4.3.4).
-[[nodiscard]] double area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                 RenderStatistics& counts);
+[[nodiscard]] Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                     RenderStatistics& counts);
 
 /// The visibility of a light of some size from one point: a pyray from there through the rectangle
 /// around the light (CGF'98 section 4.2).
-[[nodiscard]] double point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                       const Receiver& receiver, RenderStatistics& counts);
+[[nodiscard]] Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                           const Receiver& receiver, RenderStatistics& counts);
 
 }  // namespace asos

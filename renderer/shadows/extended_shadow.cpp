@@ -7,9 +7,9 @@
 namespace asos {
 namespace {
 
-std::optional<double> trace_extended(const ShadowContext& block, const ShadowQuery& query,
-                                     const Square& part, ExtendedPyray::Fit fit,
-                                     RenderStatistics& counts) {
+std::optional<Visibility> trace_extended(const ShadowContext& block, const ShadowQuery& query,
+                                         const Square& part, ExtendedPyray::Fit fit,
+                                         RenderStatistics& counts) {
   // Fit the pyray to the light and the patch.
   const Illumination& lit = query.lit;
   const auto patch = patch_of(block, lit.point, query.leaf.region, part);
@@ -39,13 +39,13 @@ std::optional<double> trace_extended(const ShadowContext& block, const ShadowQue
 }
 
 // Parts that do not lie inside the light's projection are divided in four.
-double adaptive_shadow(const ShadowContext& block, const ShadowQuery& query, const Square& part,
-                       int levels, RenderStatistics& counts) {
+Visibility adaptive_shadow(const ShadowContext& block, const ShadowQuery& query, const Square& part,
+                           int levels, RenderStatistics& counts) {
   if (const auto visibility =
           trace_extended(block, query, part, ExtendedPyray::Fit::around, counts))
     return *visibility;
   if (levels <= 0) return extended_shadow(block, query, part, counts);
-  double sum = 0.0;
+  Visibility sum(0.0);
   for (int i = 0; i < 4; ++i)
     sum += 0.25 * adaptive_shadow(block, query, part.quarter(i), levels - 1, counts);
   return sum;
@@ -53,15 +53,15 @@ double adaptive_shadow(const ShadowContext& block, const ShadowQuery& query, con
 
 }  // namespace
 
-double extended_shadow(const ShadowContext& block, const ShadowQuery& query, const Square& part,
-                       RenderStatistics& counts) {
+Visibility extended_shadow(const ShadowContext& block, const ShadowQuery& query, const Square& part,
+                           RenderStatistics& counts) {
   const auto visibility = trace_extended(block, query, part, ExtendedPyray::Fit::inside, counts);
   return visibility ? *visibility
                     : point_area_shadow(block, query, receiver_above(query.lit.point), counts);
 }
 
-double adaptive_extended_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                RenderStatistics& counts) {
+Visibility adaptive_extended_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                    RenderStatistics& counts) {
   return adaptive_shadow(block, query, query.leaf.region.square,
                          levels_left(block.rules, query.leaf), counts);
 }

@@ -20,8 +20,8 @@ bool bent(const ShadowPatch& patch, double deviation) {
 
 }  // namespace
 
-double hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
-                   RenderStatistics& counts) {
+Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
+                       RenderStatistics& counts) {
   // Frame the patch as the light sees it.
   const Illumination& lit = query.lit;
   const bool parallel = lit.light.shape == PreparedLight::Shape::distant;

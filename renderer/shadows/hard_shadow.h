@@ -6,7 +6,7 @@ namespace asos {
 
 /// The visibility of a light without size over a patch, by a pyray from the light through the
 /// patch's corners (CGF'98 section 4.1).
-[[nodiscard]] double hard_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                 ShadowPatch patch, RenderStatistics& counts);
+[[nodiscard]] Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                     ShadowPatch patch, RenderStatistics& counts);
 
 }  // namespace asos

@@ -13,13 +13,16 @@
 
 namespace asos {
 
+/// The share of a light that arrives, 0 to 1 by colour.
+using Visibility = glm::dvec3;
+
 /// A part of a smooth surface over which no shadow of a light of some size varies by more than the
 /// tolerance: the visibility of each light from its middle, found when first asked for, holds for
 /// all of it. That of a light without size does where it is all or nothing.
 struct EvenPatch {
   SurfacePoint middle;
   Square square;                           ///< in the viewer's frame
-  std::vector<double> visibilities;        ///< of each light, 0 to 1; negative: not known yet
+  std::vector<Visibility> visibilities;    ///< of each light; negative: not known yet
   std::vector<std::uint32_t> saturated{};  ///< see LeafContext, of its middle
 };
 

@@ -26,8 +26,8 @@ std::optional<Frame> strip_around(const PreparedLight& light, const Receiver& re
                         2.0 * half_v);
 }
 
-double linear_shadow(const ShadowContext& block, const ShadowQuery& query,
-                     RenderStatistics& counts) {
+Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
+                         RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const Receiver receiver = receiver_above(query.lit.point);
   const glm::dvec3 middle = light.position - receiver.position;
@@ -68,7 +68,8 @@ double linear_shadow(const ShadowContext& block, const ShadowQuery& query,
   std::sort(ends.begin(), ends.end());
 
   // One ray to each part between.
-  double lit_parts = 0.0, all = 0.0;
+  Visibility lit_parts(0.0);
+  double all = 0.0;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const double t0 = std::max(-1.0, ends[i]), t1 = std::min(1.0, ends[i + 1]);
     if (!(t0 < t1)) continue;
@@ -79,10 +80,10 @@ double linear_shadow(const ShadowContext& block, const ShadowQuery& query,
     ++counts.shadow_rays;
     all += part;
     lit_parts +=
-        part * static_cast<double>(block.scene->rays.transmittance(
+        part * Visibility(block.scene->rays.transmittance(
                    shadow_ray(query.lit.point, {to / distance, distance, {}}), light.own_part));
   }
-  return all > 0.0 ? lit_parts / all : 0.0;
+  return all > 0.0 ? lit_parts / all : Visibility(0.0);
 }
 
 }  // namespace asos

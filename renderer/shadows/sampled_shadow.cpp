@@ -42,31 +42,33 @@ struct WeighedRay {
 /// The mean visibility of weighted samples, and how well it is known: by quarters of the samples,
 /// each of which is as well distributed as its size allows.
 struct WeighedVisibility {
-  double mean = 0.0;
+  Visibility mean{0.0};
   double standard_error = std::numeric_limits<double>::infinity();
 
   static WeighedVisibility of(std::span<const double> weights,
-                              std::span<const float> transmittances) {
+                              std::span<const glm::vec3> transmittances) {
     // Sum up the quarters.
-    std::array<double, 4> all{}, lit{};
+    std::array<double, 4> all{};
+    std::array<Visibility, 4> lit{};
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const std::size_t quarter = 4 * i / weights.size();
       all[quarter] += weights[i];
-      lit[quarter] += weights[i] * static_cast<double>(transmittances[i]);
+      lit[quarter] += weights[i] * Visibility(transmittances[i]);
     }
     const double whole = all[0] + all[1] + all[2] + all[3];
     if (!(whole > 0.0)) return {};
     WeighedVisibility part;
     part.mean = (lit[0] + lit[1] + lit[2] + lit[3]) / whole;
     // Their scatter tells the error of the mean.
-    double squares = 0.0;
+    Visibility squares(0.0);
     for (std::size_t q = 0; q < 4; ++q) {
-      const double off = lit[q] - part.mean * all[q];
+      const Visibility off = lit[q] - part.mean * all[q];
       squares += off * off;
     }
     // That all samples agree does not prove that all of the light does.
-    part.standard_error = std::max(std::sqrt(4.0 / 3.0 * squares) / whole,
-                                   0.25 / static_cast<double>(weights.size()));
+    part.standard_error =
+        std::max(std::sqrt(4.0 / 3.0 * std::max({squares.x, squares.y, squares.z})) / whole,
+                 0.25 / static_cast<double>(weights.size()));
     return part;
   }
 };
@@ -125,8 +127,8 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
 // deserves. `aim(place on the light, receiver)`: the ray of a sample, unless it looks past the
 // light.
 template <typename Aim>
-double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
-                          RenderStatistics& counts, Aim aim) {
+Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
+                              RenderStatistics& counts, Aim aim) {
   ShadowWorkspace& work = *block.work;
   const Budget& budget = block.rules.budget;
   const LeafContext& leaf = query.leaf;
@@ -179,9 +181,9 @@ double sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
 
 }  // namespace
 
-double sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                           const LightWindow& window, const Receiver& receiver,
-                           RenderStatistics& counts) {
+Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                               const LightWindow& window, const Receiver& receiver,
+                               RenderStatistics& counts) {
   const auto aim = [&](glm::dvec2 on_light, const Receiver& from) -> std::optional<WeighedRay> {
     if (!window.holds(glm::vec2(on_light))) return std::nullopt;
     if (window.round() && glm::length(on_light - 0.5) > 0.5) return std::nullopt;
@@ -197,8 +199,8 @@ double sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
   return sampled_visibility(block, query, counts, aim);
 }
 
-double sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
-                           RenderStatistics& counts) {
+Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
+                               RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const bool parallel = light.shape == PreparedLight::Shape::distant;
   const auto aim = [&](glm::dvec2, const Receiver& from) -> std::optional<WeighedRay> {

@@ -11,12 +11,12 @@ namespace asos {
 
 /// The mean visibility of a light of some size over the leaf's patch. `window`: the light as
 /// `receiver` in the patch's middle sees it.
-[[nodiscard]] double sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                         const LightWindow& window, const Receiver& receiver,
-                                         RenderStatistics& counts);
+[[nodiscard]] Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                             const LightWindow& window, const Receiver& receiver,
+                                             RenderStatistics& counts);
 
 /// The same of a light without a size, over a patch whose plane is not its surface.
-[[nodiscard]] double sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                         RenderStatistics& counts);
+[[nodiscard]] Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                             RenderStatistics& counts);
 
 }  // namespace asos

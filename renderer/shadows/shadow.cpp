@@ -21,8 +21,8 @@ Box box_of(const ShadowPatch& patch) {
   return box;
 }
 
-double leaf_visibility(const ShadowContext& block, const Illumination& lit, const LeafContext& leaf,
-                       RenderStatistics& counts) {
+Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
+                           const LeafContext& leaf, RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
   // A leaf that is marginal or tiny is worth a ray.
   const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.budget.max_level);
@@ -42,7 +42,7 @@ double leaf_visibility(const ShadowContext& block, const Illumination& lit, cons
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
   // That nothing bounds the shadow does not rule out what stands in the light itself.
   if (known.passage != ShadowKnowledge::Passage::open && lit.light.intersections.empty())
-    return known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0;
+    return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
 
   // Trace, by the kind of light.
   query.found = own_part_ignored(block.scene->world, lit.light);
@@ -54,14 +54,14 @@ double leaf_visibility(const ShadowContext& block, const Illumination& lit, cons
 
 // The visibility of a light of some size from the middle of an even patch is that from all of it;
 // and all of it is in a hard shadow, or in none, where nothing bounds one.
-double even_visibility(const ShadowContext& block, const Illumination& lit, const LeafContext& leaf,
-                       RenderStatistics& counts) {
+Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
+                           const LeafContext& leaf, RenderStatistics& counts) {
   EvenPatch& even = *leaf.even;
-  double& visibility = even.visibilities[lit.index];
+  Visibility& visibility = even.visibilities[lit.index];
   const auto holds_for_all = [&] {
-    return lit.light.extended() || visibility == 0.0 || visibility == 1.0;
+    return lit.light.extended() || visibility == Visibility(0.0) || visibility == Visibility(1.0);
   };
-  if (visibility < 0.0) {
+  if (visibility.x < 0.0) {
     const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.middle));
     // The light has set for the patch's middle, but not for this leaf.
     if (there == glm::vec3(0.0f)) return leaf_visibility(block, lit, leaf, counts);
@@ -78,24 +78,24 @@ double even_visibility(const ShadowContext& block, const Illumination& lit, cons
 }  // namespace
 
 void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> batch,
-                        std::span<double> visibilities, RenderStatistics& counts) {
+                        std::span<Visibility> visibilities, RenderStatistics& counts) {
   for (std::size_t i = 0; i < batch.size(); ++i)
     visibilities[i] = light_visibility(block, batch[i].lit, batch[i].leaf, counts);
 }
 
-double light_visibility(const ShadowContext& block, const Illumination& lit,
-                        const LeafContext& leaf, RenderStatistics& counts) {
+Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
+                            const LeafContext& leaf, RenderStatistics& counts) {
   // Whether a light this weak is shaded does not matter: all of them together stay below EPS.
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   const double weakest = block.rules.budget.eps / static_cast<double>(block.lights);
-  if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest)) return 1.0;
+  if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest)) return Visibility(1.0);
   const bool even = leaf.even && lit.layer == 0;
   return even ? even_visibility(block, lit, leaf, counts)
               : leaf_visibility(block, lit, leaf, counts);
 }
 
-double ray_visibility(const ShadowContext& block, const ShadowQuery& query,
-                      RenderStatistics& counts) {
+Visibility ray_visibility(const ShadowContext& block, const ShadowQuery& query,
+                          RenderStatistics& counts) {
   // A point of the light that stands below the horizon tells nothing of what is hidden.
   constexpr int most_points = 32;
   const Illumination& lit = query.lit;
@@ -106,10 +106,10 @@ double ray_visibility(const ShadowContext& block, const ShadowQuery& query,
     const LightSample sample = sample_light(lit.light, receiver, at.x, at.y);
     if (sample.irradiance == glm::vec3(0.0f)) continue;
     ++counts.shadow_rays;
-    return static_cast<double>(
+    return Visibility(
         block.scene->rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part));
   }
-  return 1.0;
+  return Visibility(1.0);
 }
 
 }  // namespace asos

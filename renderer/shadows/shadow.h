@@ -18,14 +18,14 @@ struct LitLeaf {
 ///
 /// A batch is answered one by one, in its order.
 void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> batch,
-                        std::span<double> visibilities, RenderStatistics& counts);
+                        std::span<Visibility> visibilities, RenderStatistics& counts);
 /// The same of one leaf.
-[[nodiscard]] double light_visibility(const ShadowContext& block, const Illumination& lit,
-                                      const LeafContext& leaf, RenderStatistics& counts);
+[[nodiscard]] Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
+                                          const LeafContext& leaf, RenderStatistics& counts);
 
 /// The visibility as one ray to a random point of the light tells it: 0 or 1, or the transmittance
 /// of what lies between.
-[[nodiscard]] double ray_visibility(const ShadowContext& block, const ShadowQuery& query,
-                                    RenderStatistics& counts);
+[[nodiscard]] Visibility ray_visibility(const ShadowContext& block, const ShadowQuery& query,
+                                        RenderStatistics& counts);
 
 }  // namespace asos

@@ -12,7 +12,8 @@ void ShadowCaster::start(const ShadowScene& scene, bool see_through, const Frame
   ignored_part_ = ignored_part;
   samples_.clear();
   cast_ = 0;
-  seen_ = all_ = 0.0;
+  seen_ = Visibility(0.0);
+  all_ = 0.0;
 }
 
 SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
@@ -59,7 +60,7 @@ void ShadowCaster::take(std::span<const PyrayLeaf> leaves) {
     if (!s.counts) continue;
     const double worth = measure(leaf.weight, leaf.region);
     all_ += worth;
-    seen_ += worth * static_cast<double>(s.blocker.transmittance);
+    seen_ += worth * Visibility(s.blocker.transmittance);
   }
 }
 
@@ -68,7 +69,7 @@ bool ShadowCaster::met_see_through() const {
                                      [](const Sample& s) { return s.blocker.see_through; });
 }
 
-std::optional<double> ShadowCaster::visibility() const {
+std::optional<Visibility> ShadowCaster::visibility() const {
   if (!(all_ > 0.0)) return std::nullopt;
   return seen_ / all_;
 }

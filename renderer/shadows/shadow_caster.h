@@ -2,6 +2,7 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/shadow_scene.h"
 
 #include <glm/glm.hpp>
@@ -29,12 +30,12 @@ class ShadowCaster : public Caster {
   void take(std::span<const PyrayLeaf> leaves) override;
   /// The visibility of the light from a sample.
   [[nodiscard]] glm::vec3 result(SampleId sample) const override {
-    return glm::vec3(samples_[sample].counts ? samples_[sample].blocker.transmittance : 0.0f);
+    return samples_[sample].counts ? samples_[sample].blocker.transmittance : glm::vec3(0.0f);
   }
 
-  /// The light's visibility, 0 to 1, once all leaves are in. Nothing where no sample met what was
+  /// The light's visibility, once all leaves are in. Nothing where no sample met what was
   /// asked for.
-  [[nodiscard]] std::optional<double> visibility() const;
+  [[nodiscard]] std::optional<Visibility> visibility() const;
   [[nodiscard]] std::uint64_t rays_cast() const { return cast_; }
   /// Whether some sample met what lets more or less light through from place to place.
   [[nodiscard]] bool met_see_through() const;
@@ -65,7 +66,7 @@ class ShadowCaster : public Caster {
   std::vector<std::uint32_t> asked_;
   std::vector<Blocker> blockers_;
   std::uint64_t cast_ = 0;
-  double seen_ = 0.0;
+  Visibility seen_{0.0};
   double all_ = 0.0;
 };
 

@@ -98,7 +98,7 @@ Trace trace_shadow(const ShadowContext& block, const ShadowQuery& query, const P
     const int number = query.leaf.observed.begin(TracedPyray::Kind::shadow);
     TracedPyray& sent = query.leaf.observed.observer->at(number);
     sent.light = query.lit.index;
-    sent.result = glm::vec3(static_cast<float>(caster.visibility().value_or(0.0)));
+    sent.result = glm::vec3(caster.visibility().value_or(Visibility(0.0)));
     sent.levels = std::move(own.levels);
     sent.cells = std::move(own.cells);
   }

@@ -44,7 +44,7 @@ struct ShadowWorkspace {
   std::vector<SurfacePoint> seen;
   std::vector<std::optional<Receiver>> receivers;
   std::vector<double> weights;
-  std::vector<float> transmittances;
+  std::vector<glm::vec3> transmittances;
 };
 
 /// The surroundings that the shadows of one viewer's block share. Keeps pointers.

@@ -1,7 +1,9 @@
 #include "renderer/study/regions.h"
 
 #include "renderer/asos/texture_samples.h"
+#include "renderer/geometry/largest.h"
 #include "renderer/lights/prepared_light.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/shadow_ray.h"
@@ -47,7 +49,7 @@ class Looker {
     if (material.unlit) return false;
     const float facing = std::max(0.0f, glm::dot(point.shading_normal, -ray.direction));
     return shader_
-        .mirror_width(shader_.eye_ray(ray, hit, 1.0f), point, material.roughness,
+        .mirror_width(shader_.eye_ray(ray, hit, 1.0f), point, widest_roughness(material),
                       material.opacity * viewed(material, facing).specular)
         .has_value();
   }
@@ -68,7 +70,8 @@ class Looker {
       const LightSample sample = sample_light(light, receiver, (i % light_grid + 0.5) / light_grid,
                                               (i / light_grid + 0.5) / light_grid);
       if (sample.irradiance == glm::vec3(0.0f)) continue;
-      const float share = scene_.rays().transmittance(shadow_ray(point, sample), light.own_part);
+      const float share =
+          largest(scene_.rays().transmittance(shadow_ray(point, sample), light.own_part));
       ++(share > 0.5f ? lit : hidden);
     }
     return lit > 0 && hidden > 0;

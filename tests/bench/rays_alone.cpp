@@ -121,7 +121,7 @@ class Recording {
   /// Traces them all, and nothing else.
   void trace() const {
     std::vector<Hit> hits(batch);
-    std::vector<float> shares(batch);
+    std::vector<glm::vec3> shares(batch);
     for (const RayBatch& rays : batches_) {
       hits.resize(std::max(hits.size(), rays.closest.size()));
       scene_.rays().closest(rays.closest, std::span(hits).first(rays.closest.size()), faces_);

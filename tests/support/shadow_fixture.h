@@ -79,7 +79,8 @@ class ShadowFixture {
     block.groups = &groups;
     block.work = &work_;
     return light_visibility(block, {light_, 0, point, glm::vec3(1.0f), glm::vec3(1.0f), layer},
-                            leaf, counts_);
+                            leaf, counts_)
+        .x;
   }
 
  private:

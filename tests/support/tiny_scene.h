@@ -15,7 +15,8 @@ inline std::shared_ptr<Geometry> make_geometry(World world, const std::vector<Li
   auto geometry = std::make_shared<Geometry>();
   geometry->world = std::move(world);
   geometry->needs = find_needs(geometry->world);
-  geometry->rays = std::move(RayScene::build(geometry->world, alpha_at, lights).value());
+  geometry->rays =
+      std::move(RayScene::build(geometry->world, alpha_at, lights, {}, passage_at).value());
   geometry->boundaries.set(FeatureSet(geometry->world));
   geometry->object_spheres = object_spheres(geometry->world);
   geometry->name = "tiny";

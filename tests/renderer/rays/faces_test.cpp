@@ -107,7 +107,7 @@ TEST(Culling, ShadowRaysMeetBothSides) {
   const RayScene scene = build(world);
   const Ray ray = down(0.1f, 0.3f);
   EXPECT_FALSE(scene.closest(ray, Culling::as_material_says).valid());
-  EXPECT_EQ(scene.transmittance(ray), 0.0f);
+  EXPECT_EQ(scene.transmittance(ray).x, 0.0f);
   Blocker blocker;
   scene.blockers({&ray, 1}, {&blocker, 1});
   EXPECT_TRUE(blocker.hit.valid());

@@ -35,23 +35,23 @@ struct Answers {
 /// The answers for one ray: alone, and in the odd lanes of packets of each width.
 Answers all_forms(RayScene& scene, const Ray& ray, std::int32_t ignored_part) {
   Answers answers;
-  answers.shares = {scene.transmittance(ray, ignored_part)};
+  answers.shares = {scene.transmittance(ray, ignored_part).x};
   answers.met.resize(1);
   scene.blockers({&ray, 1}, answers.met, ignored_part);
   for (const int width : {1, 4, 8, 16}) {
     scene.set_packet_width(width);
     std::vector<Ray> rays(20, down(50, 50));
     for (std::size_t i = 1; i < rays.size(); i += 2) rays[i] = ray;
-    std::vector<float> shares(rays.size());
+    std::vector<glm::vec3> shares(rays.size());
     std::vector<Blocker> met(rays.size());
     scene.transmittance(rays, shares, ignored_part);
     scene.blockers(rays, met, ignored_part);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (i % 2 == 0) {
-        EXPECT_EQ(shares[i], 1.0f);
+        EXPECT_EQ(shares[i], glm::vec3(1.0f));
         continue;
       }
-      answers.shares.push_back(shares[i]);
+      answers.shares.push_back(shares[i].x);
       answers.met.push_back(met[i]);
     }
   }
@@ -67,14 +67,14 @@ TEST(OwnPart, DoesNotShadeItsLight) {
     for (const float share : ignoring.shares) EXPECT_EQ(share, 1.0f);
     for (const Blocker& met : ignoring.met) {
       EXPECT_FALSE(met.hit.valid());
-      EXPECT_EQ(met.transmittance, 1.0f);
+      EXPECT_EQ(met.transmittance.x, 1.0f);
       EXPECT_FALSE(met.see_through);
     }
     // It shades other lights, and is seen.
     const float left = lamp.alpha_mode == AlphaMode::blend ? 0.5f : 0.0f;
     const Answers others = all_forms(scene, down(0.1f, 0.3f), -1);
     for (const float share : others.shares) EXPECT_EQ(share, left);
-    for (const Blocker& met : others.met) EXPECT_EQ(met.transmittance, left);
+    for (const Blocker& met : others.met) EXPECT_EQ(met.transmittance.x, left);
     EXPECT_TRUE(scene.closest(down(0.1f, 0.3f)).valid());
   }
 }
@@ -121,7 +121,7 @@ TEST(OwnPart, ItsLayersAreLeftOutOfTheProduct) {
   const Answers answers = all_forms(scene, down(0.1f, 0.3f), 1);
   for (const float share : answers.shares) EXPECT_FLOAT_EQ(share, 0.75f);
   for (const Blocker& met : answers.met) {
-    EXPECT_FLOAT_EQ(met.transmittance, 0.75f);
+    EXPECT_FLOAT_EQ(met.transmittance.x, 0.75f);
     EXPECT_TRUE(met.see_through);
   }
 }

@@ -62,7 +62,7 @@ Blocker stepped(const World& world, const RayScene& scene, Ray ray) {
         material.alpha_mode == AlphaMode::blend || material.transmission > 0.0f;
     if (!lets_through) {
       found.hit = hit;
-      found.transmittance = 0.0f;
+      found.transmittance = glm::vec3(0.0f);
       return found;
     }
     found.transmittance *= 1.0f - opacity;
@@ -77,7 +77,7 @@ TEST(ShadowQueries, AgreeWithSteppingThroughTheSurfaces) {
   int partly = 0;
   for (const int width : {1, 4, 8, 16}) {
     scene.set_packet_width(width);
-    std::vector<float> shares(rays.size(), -1.0f);
+    std::vector<glm::vec3> shares(rays.size(), glm::vec3(-1.0f));
     std::vector<Blocker> met(rays.size());
     scene.transmittance(rays, shares);
     scene.blockers(rays, met);
@@ -85,13 +85,13 @@ TEST(ShadowQueries, AgreeWithSteppingThroughTheSurfaces) {
       const Blocker expected = stepped(world, scene, rays[i]);
       ASSERT_EQ(met[i].hit.triangle, expected.hit.triangle) << "width " << width << " ray " << i;
       // The order of the factors is the traversal's.
-      EXPECT_NEAR(shares[i], expected.transmittance, 1e-6f) << width << " " << i;
-      EXPECT_NEAR(met[i].transmittance, expected.transmittance, 1e-6f) << width << " " << i;
-      EXPECT_NEAR(scene.transmittance(rays[i]), shares[i], 1e-6f) << width << " " << i;
+      EXPECT_NEAR(shares[i].x, expected.transmittance.x, 1e-6f) << width << " " << i;
+      EXPECT_NEAR(met[i].transmittance.x, expected.transmittance.x, 1e-6f) << width << " " << i;
+      EXPECT_NEAR(scene.transmittance(rays[i]).x, shares[i].x, 1e-6f) << width << " " << i;
       const Blocker alone = blocker_of(scene, rays[i]);
       EXPECT_EQ(alone.hit.triangle, met[i].hit.triangle) << width << " " << i;
       EXPECT_EQ(alone.see_through, met[i].see_through) << width << " " << i;
-      partly += shares[i] > 0.0f && shares[i] < 1.0f;
+      partly += shares[i].x > 0.0f && shares[i].x < 1.0f;
     }
   }
   EXPECT_GT(partly, 400);
@@ -109,13 +109,13 @@ TEST(ShadowQueries, LanesOfAPacketMeetDifferentLayers) {
   for (int i = 0; i < 37; ++i) rays.push_back(down(static_cast<float>(i % 4) + 0.4f, 0.3f));
   for (const int width : {1, 4, 8, 16}) {
     scene.set_packet_width(width);
-    std::vector<float> shares(rays.size());
+    std::vector<glm::vec3> shares(rays.size());
     std::vector<Blocker> met(rays.size());
     scene.transmittance(rays, shares);
     scene.blockers(rays, met);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      EXPECT_FLOAT_EQ(shares[i], left[i % 4]) << width << " " << i;
-      EXPECT_FLOAT_EQ(met[i].transmittance, left[i % 4]) << width << " " << i;
+      EXPECT_FLOAT_EQ(shares[i].x, left[i % 4]) << width << " " << i;
+      EXPECT_FLOAT_EQ(met[i].transmittance.x, left[i % 4]) << width << " " << i;
       EXPECT_EQ(met[i].hit.valid(), i % 4 == 3) << width << " " << i;
       EXPECT_EQ(met[i].see_through, i % 4 != 0) << width << " " << i;
     }
@@ -135,7 +135,7 @@ TEST(ShadowQueries, BlockersOfOpaqueScenesAreTheClosestHits) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       EXPECT_EQ(met[i].hit.triangle, hits[i].triangle);
       EXPECT_EQ(met[i].hit.t, hits[i].t);
-      EXPECT_EQ(met[i].transmittance, hits[i].valid() ? 0.0f : 1.0f);
+      EXPECT_EQ(met[i].transmittance.x, hits[i].valid() ? 0.0f : 1.0f);
       EXPECT_FALSE(met[i].see_through);
     }
   }
@@ -150,7 +150,7 @@ TEST(ShadowQueries, WhatLiesBehindTheBlockerIsNotTouched) {
       const RayScene scene = build(world);
       const Blocker met = blocker_of(scene, down(0.1f, 0.3f));
       EXPECT_FLOAT_EQ(met.hit.t, 1.0f);
-      EXPECT_EQ(met.transmittance, 0.0f);
+      EXPECT_EQ(met.transmittance.x, 0.0f);
       EXPECT_EQ(met.see_through, layer_in_front);
     }
   }
@@ -162,7 +162,7 @@ TEST(ShadowQueries, HolesLetAllLightThroughAndAreTouched) {
   const RayScene scene = build(world);
   const Blocker through_hole = blocker_of(scene, down(0.1f, 0.3f));
   EXPECT_FALSE(through_hole.hit.valid());
-  EXPECT_EQ(through_hole.transmittance, 1.0f);
+  EXPECT_EQ(through_hole.transmittance.x, 1.0f);
   EXPECT_TRUE(through_hole.see_through);
   EXPECT_FALSE(blocker_of(scene, down(3.0f, 0.3f)).see_through);  // beside it
   Ray above = down(0.1f, 0.3f);
@@ -184,9 +184,9 @@ TEST(ShadowQueries, ManyLayersLeaveNothing) {
   for (int i = 0; i < 40; ++i) add_square(world, -0.01f * static_cast<float>(i), blended(0.5f));
   const RayScene scene = build(world);
   const Ray ray = down(0.1f, 0.3f);
-  EXPECT_EQ(scene.transmittance(ray), 0.0f);
+  EXPECT_EQ(scene.transmittance(ray).x, 0.0f);
   const Blocker met = blocker_of(scene, ray);
-  EXPECT_EQ(met.transmittance, 0.0f);
+  EXPECT_EQ(met.transmittance.x, 0.0f);
   EXPECT_FALSE(met.hit.valid());
 }
 
@@ -200,22 +200,22 @@ TEST(ShadowQueries, UntraceableRaysAndUnbuiltScenesLetAllLightThrough) {
   for (std::size_t i = 0; i < rays.size(); i += 2) {
     rays[i].direction = glm::vec3(std::numeric_limits<float>::quiet_NaN());
   }
-  std::vector<float> shares(rays.size(), -1.0f);
+  std::vector<glm::vec3> shares(rays.size(), glm::vec3(-1.0f));
   std::vector<Blocker> met(rays.size(), Blocker{{1, 2, 3, 4}, -1.0f, true});
   built.transmittance(rays, shares);
   built.blockers(rays, met);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    EXPECT_EQ(shares[i], i % 2 ? 0.0f : 1.0f) << i;
-    EXPECT_EQ(met[i].transmittance, i % 2 ? 0.0f : 1.0f) << i;
+    EXPECT_EQ(shares[i].x, i % 2 ? 0.0f : 1.0f) << i;
+    EXPECT_EQ(met[i].transmittance.x, i % 2 ? 0.0f : 1.0f) << i;
     EXPECT_EQ(met[i].hit.valid(), i % 2 == 1) << i;
     EXPECT_EQ(met[i].see_through, i % 2 == 1) << i;
   }
   unbuilt.transmittance(rays, shares);
   unbuilt.blockers(rays, met);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    EXPECT_EQ(shares[i], 1.0f);
+    EXPECT_EQ(shares[i].x, 1.0f);
     EXPECT_FALSE(met[i].hit.valid() || met[i].see_through);
-    EXPECT_EQ(met[i].transmittance, 1.0f);
+    EXPECT_EQ(met[i].transmittance.x, 1.0f);
   }
 }
 
