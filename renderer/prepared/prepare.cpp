@@ -1,5 +1,6 @@
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/render_scene.h"
+#include "renderer/shading/cube_sky.h"
 #include "renderer/shading/sky.h"
 #include "renderer/world/ground.h"
 
@@ -46,6 +47,11 @@ Error boundaries_error(const RenderScene& scene) {
   return {scene.geometry->source, "its boundaries do not fit into this machine's memory"};
 }
 
+std::shared_ptr<const Sky> sky_of_file(const Scene& scene) {
+  if (!scene.surroundings) return nullptr;
+  return std::make_shared<const Sky>(sky_map_of(*scene.surroundings), 0.0, scene.source);
+}
+
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const SceneNeeds& forced,
                                                              const Stage* stage) {
@@ -59,7 +65,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
   Stage own;
   own.origin = flattened->world.origin;
-  own.lit_by_rig = stage ? stage->lit_by_rig : needs_rig(flattened->world, lights, emissive);
+  own.lit_by_rig = stage ? stage->lit_by_rig
+                         : !scene.surroundings && needs_rig(flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
   // After the emitters: how finely these are sampled depends on whether there are colours.
@@ -79,6 +86,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   built.time = scene.time;
   built.rig = scene.rig;
   own.mips = built.mips;
+  own.sky = stage ? stage->sky : sky_of_file(scene);
   built.stage = std::move(own);
   built.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -90,7 +98,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
 SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings) {
   SceneNeeds needs = scene.needs;
   needs.mirrors |= settings.mirror.roughest > usual_roughest_mirror;
-  needs.sky_picture |= settings.sky && settings.sky->is_picture();
+  const Sky* sky = scene.sky_of(settings);
+  needs.sky_picture |= sky && sky->is_picture();
   if (const BoundaryFeatures& boundaries = scene.geometry->boundaries; boundaries.known()) {
     needs.intersections = scene.forced.intersections ||
                           boundaries.get().counts().intersection > 0 ||

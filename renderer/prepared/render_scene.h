@@ -35,6 +35,11 @@ struct RenderScene {
   [[nodiscard]] const MipChains& mips() const { return geometry->mips; }
   [[nodiscard]] const std::vector<Light>& lights() const { return lighting->lights; }
   [[nodiscard]] const MaterialDfrs& dfrs() const { return *materials; }
+  /// What surrounds a picture of it: what the settings ask for, or the file's own; null: the
+  /// neutral sky.
+  [[nodiscard]] const Sky* sky_of(const RenderSettings& settings) const {
+    return settings.sky ? settings.sky.get() : geometry->stage.sky.get();
+  }
   /// The defocusing ratios of a surface's material, if it has any of its own.
   [[nodiscard]] const std::optional<Dfr>& dfr_of(std::uint32_t triangle) const {
     return (*materials)[geometry->world.material_index(triangle)];
@@ -65,7 +70,7 @@ struct RenderScene {
       scene.world(), scene.needs, scene.rays(), *scene.lighting,
       {settings.shadow.cast, settings.shadow.shades_sky(), settings.shadow.follows_bounces(),
        settings.shadow.light_rule, culling_of(settings), filtered ? &scene.mips() : nullptr,
-       PixelSpacing::of(view), settings.sky.get(), mirrors ? settings.mirror.bounces : 0,
+       PixelSpacing::of(view), scene.sky_of(settings), mirrors ? settings.mirror.bounces : 0,
        static_cast<float>(settings.mirror.roughest),
        settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs(),
        Backdrop(settings.background, view)});

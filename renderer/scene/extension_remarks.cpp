@@ -14,12 +14,11 @@ struct Lack {
   std::string_view instead;  ///< what is seen
 };
 
-constexpr std::array<Lack, 14> lacks{{
+constexpr std::array<Lack, 13> lacks{{
     {"KHR_materials_volume_scatter", "light does not spread inside of bodies"},
     {"KHR_texture_basisu", "textures that are only KTX2 are missing"},
     {"EXT_texture_avif", "textures that are only AVIF are missing"},
     {"MSFT_texture_dds", "textures that are only DDS are missing"},
-    {"EXT_lights_image_based", "the file's own surroundings do not light it"},
     {"EXT_lights_ies", "lights with a measured profile are missing"},
     {"KHR_gaussian_splatting", "splats are missing"},
     {"KHR_audio_emitter", "sounds are not played"},

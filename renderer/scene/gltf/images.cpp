@@ -184,15 +184,7 @@ int Textures::roughness_of(int texture, float factor) {
 }
 
 Checked<Image> Textures::load_image(int index) {
-  const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
-  if (source.buffer_view >= 0) {
-    const Checked<Bytes> bytes = accessors_.view(source.buffer_view);
-    if (!bytes) return fault(bytes.error());
-    return decode_image(*bytes);
-  }
-  const Checked<FileBytes> bytes = read_uri(doc_.folder, source.uri);
-  if (!bytes) return fault(bytes.error());
-  return decode_image(*bytes);
+  return with_image_bytes(doc_, accessors_, index, decode_image);
 }
 
 }  // namespace asos::gltf

@@ -13,6 +13,23 @@ namespace asos::gltf {
 /// format, broken data, and dimensions that the bytes cannot stand for, before they are allocated.
 [[nodiscard]] Checked<Image> decode_image(Bytes bytes);
 
+/// What `use` makes of the bytes of one of the document's images; a fault where there are none.
+template <typename Use>
+[[nodiscard]] Checked<Image> with_image_bytes(Document& document, Accessors& accessors, int index,
+                                              const Use& use) {
+  if (index < 0 || static_cast<std::size_t>(index) >= document.images.size())
+    return fault("it does not exist");
+  const ImageSource& source = document.images[static_cast<std::size_t>(index)];
+  if (source.buffer_view >= 0) {
+    const Checked<Bytes> bytes = accessors.view(source.buffer_view);
+    if (!bytes) return fault(bytes.error());
+    return use(*bytes);
+  }
+  const Checked<FileBytes> bytes = read_uri(document.folder, source.uri);
+  if (!bytes) return fault(bytes.error());
+  return use(Bytes(*bytes));
+}
+
 /// Takes over a document's textures as materials ask for them, so that images that nothing shows
 /// are neither decoded nor kept.
 class Textures {

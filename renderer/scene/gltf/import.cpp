@@ -1,5 +1,6 @@
 #include "renderer/scene/gltf/clips.h"
 #include "renderer/scene/gltf/contents.h"
+#include "renderer/scene/gltf/image_based_light.h"
 #include "renderer/scene/gltf/importer.h"
 #include "renderer/scene/gltf/materials.h"
 #include "renderer/scene/gltf/scene_choice.h"
@@ -42,6 +43,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     base_.source = path_;
     Textures textures(doc_, accessors_, base_);
     import_materials(doc_, textures, base_);
+    base_.surroundings = image_based_light(doc_, accessors_, shown_scene_);
     return {};
   }
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr auto supported = std::to_array<std::string_view>({"KHR_lights_punctual",
                                                             "EXT_lights_area",
+                                                            "EXT_lights_image_based",
                                                             "KHR_lights_area",
                                                             "KHR_materials_unlit",
                                                             "KHR_materials_ior",

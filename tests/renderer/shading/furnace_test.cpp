@@ -1,0 +1,124 @@
+#include "renderer/sampling/sobol_points.h"
+#include "renderer/shading/film.h"
+#include "renderer/shading/shade.h"
+#include "renderer/shading/sky.h"
+#include "renderer/shading/sky_light.h"
+#include "tests/support/rendering_equation.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+// White furnaces: what materials send to a viewer under a sky of radiance 1, which is never more
+// than they get. Those of coats and sheen are in layers_test.cpp, of anisotropy in
+// anisotropy_test.cpp, of thin walls in passage_test.cpp, of volumes in asos/glass_volume_test.cpp.
+
+namespace asos::test::furnace_test {
+namespace {
+
+constexpr double angles[] = {0.0, 0.6, 1.0, 1.3};
+
+class SampledSky final : public LightTransport {
+ public:
+  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
+           RenderStatistics& /*counts*/) override {}
+  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
+               RenderStatistics& /*counts*/) override {
+    constexpr std::uint32_t samples = 1 << 13;
+    const SobolPixel places(3, 5, 7);
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t i = 0; i < samples; ++i)
+      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
+        sum += glm::dvec3(sample->carried);
+    radiance += glm::vec3(sum / static_cast<double>(samples));
+    return true;
+  }
+};
+
+SeenPoint seen_at(double angle) {
+  return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
+}
+
+/// What is seen of a floor of a material at an angle from upright.
+glm::vec3 seen_of(const Material& material, double angle) {
+  World world;
+  add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
+  const Lighting lighting = prepare_lighting(world, {});
+  const SceneNeeds needs = find_needs(world);
+  const RayScene rays = RayScene::build(world, alpha_at).value();
+  const Sky white(glm::vec3(1.0f));
+  ShadingSettings settings;
+  settings.sky = &white;
+  settings.sky_shadows = true;
+  SampledSky transport;
+  RenderStatistics counts;
+  Ray ray;
+  ray.direction = -glm::vec3(seen_at(angle).to_viewer);
+  ray.origin = -10.0f * ray.direction;
+  return Shader(world, needs, rays, lighting, settings)
+      .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
+}
+
+Material material_of(const Reflector& r) {
+  Material m = matte(glm::vec3(r.base));
+  m.metallic = static_cast<float>(r.metallic);
+  m.roughness = static_cast<float>(r.roughness);
+  return m;
+}
+
+// KHR_materials_iridescence: the lobe's integral times the film's Fresnel term for the viewer, and
+// below it what that leaves of a dielectric.
+TEST(Furnace, OfFilmsIsTheLobeTimesTheirFresnelTerm) {
+  for (const double metallic : {0.0, 1.0}) {
+    for (const float thickness : {150.0f, 400.0f, 800.0f}) {
+      const Reflector r{{0.9, 0.7, 0.5}, metallic, 0.5};
+      Material m = material_of(r);
+      m.film.factor = 1.0f;
+      m.film.thickness_max_nm = thickness;
+      for (const double angle : angles) {
+        const SeenPoint at = seen_at(angle);
+        const double lobe = over_hemisphere(
+            at, 120, [&](glm::dvec3 l) { return ggx_reference(r.roughness, at, l); });
+        const SurfaceFilm film{1.0f, m.film.ior, thickness};
+        const auto cosine = static_cast<float>(std::cos(angle));
+        const glm::dvec3 of_metal(film_fresnel(film, glm::vec3(r.base), cosine));
+        const glm::dvec3 of_dielectric(film_fresnel(film, glm::vec3(0.04f), cosine));
+        const double most = std::max({of_dielectric.x, of_dielectric.y, of_dielectric.z});
+        const glm::dvec3 expected =
+            metallic > 0.0 ? lobe * of_metal : lobe * of_dielectric + (1.0 - most) * r.base;
+        const glm::vec3 found = seen_of(m, angle);
+        for (int c = 0; c < 3; ++c) {
+          EXPECT_NEAR(found[c], expected[c], 1e-2) << angle << ' ' << thickness << ' ' << metallic;
+          EXPECT_LE(found[c], 1.0f + 5e-3f);
+        }
+      }
+    }
+  }
+}
+
+// KHR_materials_diffuse_transmission: a share of the diffuse part is the other side's light, which
+// under a sky that is white all around is as bright, in its own colour.
+TEST(Furnace, OfDiffuseTransmissionIsThatOfAnOpaqueSurface) {
+  for (const double share : {0.25, 1.0}) {
+    const Reflector r{{0.8, 0.4, 0.2}, 0.0, 0.6};
+    const glm::dvec3 through(0.1, 0.9, 0.5);
+    Material m = material_of(r);
+    m.diffuse_transmission.factor = static_cast<float>(share);
+    m.diffuse_transmission.color = glm::vec3(through);
+    for (const double angle : angles) {
+      const SeenPoint at = seen_at(angle);
+      Reflector mixed = r;
+      mixed.base = glm::mix(r.base, through, share);
+      const LayersSeen none(r, at);
+      const glm::dvec3 expected =
+          over_hemisphere(at, 120, [&](glm::dvec3 l) { return gltf_brdf(mixed, at, none, l); });
+      const glm::vec3 found = seen_of(m, angle);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-2) << angle << ' ' << share;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::furnace_test
