@@ -2,6 +2,7 @@
 
 #include "app/printed_json.h"
 #include "renderer/scene/extension_remarks.h"
+#include "renderer/scene/surroundings.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -165,14 +166,15 @@ std::string bounds_line(const Json& bounds) {
                      corner(bounds["max"]));
 }
 
-std::string lights_line(const Json& lights) {
+std::string lights_line(const Json& lights, bool surroundings) {
   std::string text, sized;
   for (const auto& [type, count] : lights.items()) {
     if (count.get<int>() == 0) continue;
     std::string& part = type == "ball" || type == "sun" ? sized : text;
     part += fmt::format("{}{} {}", part.empty() ? "" : ", ", count.get<int>(), type);
   }
-  if (text.empty()) text = "none, the default rig is used";
+  if (text.empty())
+    text = surroundings ? "none but its surroundings" : "none, the default rig is used";
   if (!sized.empty()) text += fmt::format(" (of these with a size: {})", sized);
   return fmt::format("Lights:     {}\n", text);
 }
@@ -227,6 +229,9 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
             {"warnings", notes.warnings},
             {"memory_mb", ready.geometry->memory_mb()},
             {"left_out", left_out_json(needs_of(ready, {}))}};
+  if (scene.surroundings)
+    info["surroundings"] = {{"name", scene.surroundings->name},
+                            {"pixels", scene.surroundings->sides[0].image.width}};
   info.update(contents_json(scene.contents));
   if (scene.time)
     info["time"] = {{"animation", scene.time->animation}, {"seconds", scene.time->seconds}};
@@ -252,7 +257,12 @@ std::string scene_info_text(const Json& of_scene) {
   text += bounds_line(info["bounds"]);
   text += fmt::format("Materials:  {}, with {} textures of {} images\n", number("materials"),
                       number("textures"), number("images"));
-  text += lights_line(info["lights"]);
+  const bool surroundings = info.contains("surroundings");
+  text += lights_line(info["lights"], surroundings);
+  if (surroundings)
+    text += fmt::format("Surroundings: a cube of {} pixels a side {}\n",
+                        info["surroundings"]["pixels"].get<int>(),
+                        info["surroundings"]["name"].get<std::string>());
   const Json& cameras = info["cameras"];
   if (cameras.empty()) text += "Cameras:    none, one that frames the scene is used\n";
   if (!cameras.empty()) text += fmt::format("Cameras:    {}\n", cameras.size());

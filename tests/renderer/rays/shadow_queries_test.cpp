@@ -201,7 +201,7 @@ TEST(ShadowQueries, UntraceableRaysAndUnbuiltScenesLetAllLightThrough) {
     rays[i].direction = glm::vec3(std::numeric_limits<float>::quiet_NaN());
   }
   std::vector<glm::vec3> shares(rays.size(), glm::vec3(-1.0f));
-  std::vector<Blocker> met(rays.size(), Blocker{{1, 2, 3, 4}, -1.0f, true});
+  std::vector<Blocker> met(rays.size(), Blocker{{1, 2, 3, 4}, glm::vec3(-1.0f), true});
   built.transmittance(rays, shares);
   built.blockers(rays, met);
   for (std::size_t i = 0; i < rays.size(); ++i) {
