@@ -213,9 +213,11 @@ Refinement::ShadingError Refinement::gloss_error(SampleId sample, const Patch& p
       extended_lights_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
   if (!highlights && !turns(glossy)) return {};
   const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
-  if (seen.anisotropy.strength > 0.0f)
+  if (seen.anisotropy.strength > 0.0f) {
     glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
                                   point.shading_normal, glossy.to_viewer);
+    glossy.stretch_turn = tangent_turn(scene.world(), hit, patch, point.shading_normal);
+  }
   ShadingError all;
   const auto add = [&](const Gloss& gloss) {
     glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;

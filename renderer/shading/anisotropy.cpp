@@ -59,6 +59,19 @@ LobeStretch lobe_stretch(const World& world, const Hit& hit, const SurfaceAnisot
   return stretch;
 }
 
+glm::vec2 tangent_turn(const World& world, const Hit& hit, const Patch& patch, glm::vec3 normal) {
+  const HitTriangle t(world, hit);
+  if (world.tangents.empty() || t.face) return glm::vec2(0.0f);
+  const glm::vec3 t0(world.tangents[t.v.x]), t1(world.tangents[t.v.y]), t2(world.tangents[t.v.z]);
+  const glm::vec3 mixed = t.mix(t0, t1, t2);
+  const glm::vec3 tangent = mixed - glm::dot(mixed, normal) * normal;
+  const float length2 = glm::dot(tangent, tangent);
+  if (!(length2 > 0.0f)) return glm::vec2(0.0f);
+  const Steps<glm::vec3> steps(footprint_on(world, hit, patch), t0, t1, t2);
+  const glm::vec3 across = glm::cross(normal, tangent) / length2;
+  return {glm::dot(across, steps.right), glm::dot(across, steps.down)};
+}
+
 float alpha_along(const LobeStretch& stretch, float roughness) {
   const float across = floored_alpha(roughness);
   return std::min(1.0f, std::sqrt(across * across + glm::dot(stretch.along, stretch.along)));

@@ -22,6 +22,11 @@ namespace asos {
                                        const SurfaceAnisotropy& anisotropy, float roughness,
                                        glm::vec3 normal, glm::vec3 to_viewer);
 
+/// By which angles, in radians, the mesh's tangents, and the stretch with them, turn about the
+/// normal along the edges of a patch around a hit. 0 where it has none of its own.
+[[nodiscard]] glm::vec2 tangent_turn(const World& world, const Hit& hit, const Patch& patch,
+                                     glm::vec3 normal);
+
 /// Squared roughness along the stretch, of a lobe of this roughness, at least roughness_floor,
 /// across it.
 [[nodiscard]] float alpha_along(const LobeStretch& stretch, float roughness);

@@ -26,14 +26,16 @@ glm::vec3 viewer_from(const GlossyPatch& glossy, glm::vec3 offset) {
 }
 
 /// What the patch shows of the light so far from its middle, its normal turned by `turn`.
-float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 offset,
-            glm::vec3 turn) {
+float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 offset, glm::vec3 turn,
+            float stretch_turn) {
   const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
   const Receiver receiver{glm::dvec3(glossy.point.position + offset), glm::dvec3(normal),
                           glm::dvec3(glossy.point.geometric_normal)};
   const glm::vec3 to_viewer = viewer_from(glossy, offset);
   LightQuadrature quadrature(receiver, glm::dvec3(to_viewer), static_cast<double>(glossy.roughness),
-                             0.0, glossy.stretch.along);
+                             0.0,
+                             std::cos(stretch_turn) * glossy.stretch.along +
+                                 std::sin(stretch_turn) * glm::cross(normal, glossy.stretch.along));
   const ReflectedIntegral found = quadrature(light);
   const double f0 = static_cast<double>(glossy.f0);
   const double radiance =
@@ -48,6 +50,7 @@ bool turns(const GlossyPatch& glossy) {
   constexpr float most_bent = 20.0f, invisible = 1.0f / 4096.0f;
   float turn2 =
       glm::dot(glossy.turn.right, glossy.turn.right) + glm::dot(glossy.turn.down, glossy.turn.down);
+  turn2 += glm::dot(glossy.stretch_turn, glossy.stretch_turn);
   if (std::isfinite(glossy.viewer_distance)) {
     const Patch& patch = glossy.patch;
     turn2 += (glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down)) /
@@ -89,7 +92,12 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const LobeSight sight{glossy.to_viewer, glossy.viewer_distance, nearest.direction,
                         light_distance(light, glossy.point.position)};
   const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
-  const float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
+  float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
+  if (!glossy.stretch.none()) {
+    // A ridge that turns sweeps over what lies along it.
+    const float along = glm::dot(half, glm::normalize(glossy.stretch.along));
+    spread2 += along * along * glm::dot(glossy.stretch_turn, glossy.stretch_turn);
+  }
   const float away = away_from_peak(n, half, glossy.stretch, glossy.roughness);
   const float least_away = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   const float width2 = alpha * alpha + least_away * least_away;
@@ -109,13 +117,14 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const float highlight = alpha + (line ? 0.0f : 0.5f * nearest.half_angle_tangent);
   if (spread2 > highlight * highlight) return {bound, radiance};
 
-  const float middle = shown(light, glossy, glm::vec3(0.0f), glm::vec3(0.0f));
-  const auto bend = [&](glm::vec3 edge, glm::vec3 turn) {
-    const float ends = shown(light, glossy, 0.5f * edge, 0.5f * turn) +
-                       shown(light, glossy, -0.5f * edge, -0.5f * turn);
+  const float middle = shown(light, glossy, glm::vec3(0.0f), glm::vec3(0.0f), 0.0f);
+  const auto bend = [&](glm::vec3 edge, glm::vec3 turn, float angle) {
+    const float ends = shown(light, glossy, 0.5f * edge, 0.5f * turn, 0.5f * angle) +
+                       shown(light, glossy, -0.5f * edge, -0.5f * turn, -0.5f * angle);
     return std::abs(ends - 2.0f * middle) / 6.0f;
   };
-  return {bend(glossy.patch.right, glossy.turn.right) + bend(glossy.patch.down, glossy.turn.down),
+  return {bend(glossy.patch.right, glossy.turn.right, glossy.stretch_turn.x) +
+              bend(glossy.patch.down, glossy.turn.down, glossy.stretch_turn.y),
           radiance};
 }
 

@@ -20,6 +20,7 @@ struct GlossyPatch {
   float f0 = 0.0f;        ///< largest of the colours
   float roughness = 0.0f;
   LobeStretch stretch = {};
+  glm::vec2 stretch_turn{0.0f};  ///< tangent_turn of the patch
 };
 
 /// Whether normals and directions to the viewer turn so far across the patch that its reflectance

@@ -64,7 +64,8 @@ LobeStretch stretch_of(const World& world, const Hit& hit, const Material& mater
 // peak / (1 + (x / alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak;
 // farther out its width is what it has fallen over.
 float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, glm::vec3 position,
-                      glm::vec3 to_viewer, const LobeStretch& stretch = {}) {
+                      glm::vec3 to_viewer, const LobeStretch& stretch = {},
+                      float stretch_turn2 = 0.0f) {
   glm::vec3 to_light = -glm::vec3(light.direction);
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
   if (light.type != Light::Type::directional) {
@@ -87,10 +88,16 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   const glm::vec3 normal = glm::dot(bend.normal, to_viewer) < 0.0f ? -bend.normal : bend.normal;
   // How far the patch's nearest normal is from the half vector, and the lobe there.
   const float away = away_from_peak(normal, half, stretch, least_roughness);
-  const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(bend.turn2));
+  float turn2 = bend.turn2;
+  if (stretch_turn2 > 0.0f) {
+    // A ridge that turns sweeps over what lies along it.
+    const float aside = glm::dot(half, glm::normalize(stretch.along));
+    turn2 += aside * aside * stretch_turn2;
+  }
+  const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(turn2));
   const float width2 = alpha * alpha + nearest * nearest;
   const float fall = alpha * alpha / width2;
-  return std::min(peak * fall * fall, 1.0f) * std::min(1.0f, bend.turn2 / (6.0f * width2));
+  return std::min(peak * fall * fall, 1.0f) * std::min(1.0f, turn2 / (6.0f * width2));
 }
 
 bool has_size(const Light& light) {
@@ -131,17 +138,22 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const glm::vec3 position = ray.at(hit.t);
   float error = reflected * (bend.turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
   if (!(bend.turn2 > 0.0f)) return std::min(1.0f, error);
-  const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch) {
+  const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch,
+                                  float stretch_turn2) {
     if (lobe.roughness >= least_broad_roughness) return;
     for (const Light& light : lights) {
       if (rule == LightRule::published || !has_size(light))
-        error += highlight_error(light, lobe, bend, position, -ray.direction, stretch);
+        error +=
+            highlight_error(light, lobe, bend, position, -ray.direction, stretch, stretch_turn2);
     }
   };
   const Gloss base = gloss_of(world, hit, material);
-  add_highlights(base, stretch_of(world, hit, material, base.roughness, bend.normal, ray));
+  const LobeStretch stretch = stretch_of(world, hit, material, base.roughness, bend.normal, ray);
+  const glm::vec2 turn =
+      stretch.none() ? glm::vec2(0.0f) : tangent_turn(world, hit, patch, bend.normal);
+  add_highlights(base, stretch, glm::dot(turn, turn));
   if (material.coat.factor > 0.0f)
-    add_highlights({coat_f0 * material.coat.factor, material.coat.roughness}, {});
+    add_highlights({coat_f0 * material.coat.factor, material.coat.roughness}, {}, 0.0f);
   return error < 1.0f ? error : 1.0f;
 }
 

@@ -273,6 +273,24 @@ TEST(Anisotropy, TexturesAreLookedUp) {
   EXPECT_EQ(front.along.x, 0.0f);
 }
 
+TEST(Anisotropy, TurnsAsTheMeshesTangentsDo) {
+  World world;
+  Material m = matte(glm::vec3(0.5f));
+  m.anisotropy.strength = 0.5f;
+  add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, m);
+  constexpr float angle = 0.1f;
+  world.tangents = {{1, 0, 0, 1}, {std::cos(angle), 0, -std::sin(angle), 1}, {1, 0, 0, 1}};
+  Hit hit;
+  hit.t = 1.0f;
+  hit.triangle = 0;
+  const Patch patch{{0.5f, 0, 0}, {0, 0, -0.25f}};
+  const glm::vec2 turn = tangent_turn(world, hit, patch, {0, 1, 0});
+  EXPECT_NEAR(turn.x, 0.5f * std::sin(angle), 1e-6f) << "half of the edge";
+  EXPECT_NEAR(turn.y, 0.0f, 1e-6f);
+  world.tangents.clear();
+  EXPECT_EQ(tangent_turn(world, hit, patch, {0, 1, 0}), glm::vec2(0.0f));
+}
+
 // Where neither tangents nor coordinates tell a direction, lobes are round.
 TEST(Anisotropy, WithoutADirectionIsNone) {
   World world;
