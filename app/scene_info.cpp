@@ -259,10 +259,11 @@ std::string scene_info_text(const Json& of_scene) {
                       number("textures"), number("images"));
   const bool surroundings = info.contains("surroundings");
   text += lights_line(info["lights"], surroundings);
-  if (surroundings)
-    text += fmt::format("Surroundings: a cube of {} pixels a side {}\n",
-                        info["surroundings"]["pixels"].get<int>(),
-                        info["surroundings"]["name"].get<std::string>());
+  if (surroundings) {
+    const std::string name = info["surroundings"]["name"];
+    text += fmt::format("Surroundings: {}a cube of {} pixels a side\n",
+                        name.empty() ? "" : name + ", ", info["surroundings"]["pixels"].get<int>());
+  }
   const Json& cameras = info["cameras"];
   if (cameras.empty()) text += "Cameras:    none, one that frames the scene is used\n";
   if (!cameras.empty()) text += fmt::format("Cameras:    {}\n", cameras.size());
