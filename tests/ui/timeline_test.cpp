@@ -1,5 +1,5 @@
 #include "renderer/picture/picture_text.h"
-#include "tests/renderer/scene/moving_file.h"
+#include "tests/ui/sliding_file.h"
 #include "tests/ui/test_scenes.h"
 #include "tests/ui/ui_rig.h"
 
@@ -12,26 +12,7 @@
 namespace asos::test::timeline_test {
 namespace {
 
-/// A square that slides two units to the right in a second, then stands still for another; and, by
-/// a second animation, a camera that goes back. A point light lights it.
-GltfBuilder sliding() {
-  GltfBuilder b = GltfBuilder::square();
-  b.json["extensionsUsed"] = {"KHR_lights_punctual"};
-  b.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 30}}};
-  b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
-  b.json["nodes"].push_back({{"camera", 0}, {"translation", {1.5, 0.5, 6}}});
-  b.json["nodes"].push_back(
-      {{"translation", {0, 1, 3}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-  b.json["scenes"][0]["nodes"] = {0, 1, 2};
-  add_channel(b, 0, "translation", b.scalars({0, 1, 2}), b.vec3({{0, 0, 0}, {2, 0, 0}, {2, 0, 0}}));
-  b.json["animations"][0]["name"] = "Slide";
-  b.json["animations"].push_back(b.json["animations"][0]);
-  b.json["animations"][1]["name"] = "Dolly";
-  b.json["animations"][1]["channels"][0]["target"]["node"] = 1;
-  return b;
-}
-
-/// The same with a line beside the square, which slides with it.
+/// With a line beside the square, which slides with it.
 GltfBuilder sliding_line() {
   GltfBuilder b = sliding();
   b.primitive({{"POSITION", b.vec3({{0, -0.2f, 0}, {1, -0.3f, 0}})}})["mode"] = 1;
