@@ -1,5 +1,7 @@
 #include "ui/frames.h"
 
+#include "ui/resampled.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -26,6 +28,7 @@ void Frames::remove(int index) {
   stored.erase(stored.begin() + index);
   chosen = std::clamp(chosen, 0, std::max(0, static_cast<int>(stored.size()) - 1));
   if (stored.empty()) comparison = Comparison::none;
+  sized_.reset();
   ++revision;
 }
 
@@ -33,6 +36,14 @@ const StoredFrame* Frames::compared() const {
   if (comparison == Comparison::none || chosen < 0 || chosen >= static_cast<int>(stored.size()))
     return nullptr;
   return &stored[static_cast<std::size_t>(chosen)];
+}
+
+const Film& Frames::at_size(int index, glm::ivec2 size) {
+  const Film& film = stored[static_cast<std::size_t>(index)].film;
+  if (glm::ivec2(film.width, film.height) == size) return film;
+  if (!sized_ || sized_->revision != revision || sized_->index != index || sized_->size != size)
+    sized_ = Sized{revision, index, size, resampled(film, size)};
+  return sized_->film;
 }
 
 float difference_of(glm::vec3 a, glm::vec3 b, const DisplayTransform& display) {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,11 +45,23 @@ struct Frames {
   Measured measured;
   double rmse = 0.0;
 
+  /// A frame as large as the picture: its own film, or that resampled, which is kept until another
+  /// one is asked for. `index` is one of a stored frame.
+  [[nodiscard]] const Film& at_size(int index, glm::ivec2 size);
   /// Puts a picture by; false where there are `most` already.
   bool store(const Film& film, std::string summary);
   void remove(int index);
   /// The one to compare with; null where nothing is compared.
   [[nodiscard]] const StoredFrame* compared() const;
+
+ private:
+  struct Sized {
+    std::uint64_t revision;
+    int index;
+    glm::ivec2 size;
+    Film film;
+  };
+  std::optional<Sized> sized_;
 };
 
 /// The largest difference of two colours in any channel, as they are shown: 0 to 1.

@@ -104,45 +104,40 @@ void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
 }
 
 void GlDisplay::update_compared(const Film& film, std::span<const PixelRect> changed,
-                                const Frames& frames) {
-  const StoredFrame* frame = frames.compared();
-  if (!frame) {
+                                Frames& frames) {
+  if (!frames.compared() || film.width <= 0) {
     compared_ = {};
     return;
   }
   const bool difference = frames.comparison == Comparison::difference;
-  const glm::ivec2 size(frame->film.width, frame->film.height);
-  if (difference && size != glm::ivec2(film.width, film.height)) {
-    compared_ = {};
-    return;
-  }
+  const glm::ivec2 size(film.width, film.height);
+  const Film& stored = frames.at_size(frames.chosen, size);
   const Compared wanted{frames.revision,    frames.chosen, difference,
                         frames.scale_stops, shown_,        size};
   const PixelRect whole{0, 0, size.x, size.y};
   if (wanted != compared_) {
     if (wanted.size != compared_.size) compared_layer_.resize(size.x, size.y);
     compared_ = wanted;
-    convert_compared(film, *frame, whole);
+    convert_compared(film, stored, whole);
   } else if (difference) {
     for (const PixelRect& rect : changed) {
       const PixelRect inside = intersection(rect, whole);
-      if (!inside.empty()) convert_compared(film, *frame, inside);
+      if (!inside.empty()) convert_compared(film, stored, inside);
     }
   }
   compared_layer_.upload();
 }
 
-void GlDisplay::convert_compared(const Film& film, const StoredFrame& frame,
-                                 const PixelRect& rect) {
+void GlDisplay::convert_compared(const Film& film, const Film& stored, const PixelRect& rect) {
   const float per_scale = std::exp2(-compared_.scale_stops);
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    const std::size_t row = frame.film.index(rect.x, y);
+    const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
-      const glm::vec3 stored = frame.film.radiance[i];
       const glm::u8vec3 colour =
           compared_.difference
-              ? heat_colour(per_scale * difference_of(stored, film.radiance[i], compared_.shown))
-              : bytes_of(before_checkers(frame.film, i));
+              ? heat_colour(per_scale *
+                            difference_of(stored.radiance[i], film.radiance[i], compared_.shown))
+              : bytes_of(before_checkers(stored, i));
       compared_layer_.at(i) = glm::u8vec4(colour, 255);
     }
   }

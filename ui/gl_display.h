@@ -29,9 +29,9 @@ class GlDisplay {
   /// everything that depends on it.
   void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
               int max_level);
-  /// The same for what is compared with `film`; after `update`. A stored frame of another size has
-  /// no difference: nothing is shown of it then.
-  void update_compared(const Film& film, std::span<const PixelRect> changed, const Frames& frames);
+  /// The same for what is compared with `film`; after `update`. A stored frame of another size is
+  /// resampled.
+  void update_compared(const Film& film, std::span<const PixelRect> changed, Frames& frames);
 
   /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
   /// `framebuffer_height` high.
@@ -100,7 +100,7 @@ class GlDisplay {
   [[nodiscard]] glm::u8vec3 bytes_of(glm::vec3 radiance) const {
     return tone_.bytes(shown_.tone == ToneCurve::none ? radiance : tone_mapped(radiance, shown_));
   }
-  void convert_compared(const Film& film, const StoredFrame& frame, const PixelRect& rect);
+  void convert_compared(const Film& film, const Film& stored, const PixelRect& rect);
   Compared compared_;
   Layer compared_layer_;
 };

@@ -1,6 +1,7 @@
 #include "renderer/film/split_map.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/frames.h"
+#include "ui/resampled.h"
 
 #include <gtest/gtest.h>
 
@@ -128,12 +129,28 @@ TEST_F(ComparePanelTest, EightFramesAreKept) {
   EXPECT_TRUE(frames().stored.empty());
 }
 
-TEST_F(ComparePanelTest, AFrameOfAnotherSizeHasNoDifference) {
+TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   store_and_change();
-  rig.click("Compare/Difference");
-  rig.resize({720, 1000});
+  EXPECT_FALSE(rig.content().controls().all().contains("Resampled"));
+  rig.click("Compare/Flip");
+  rig.resize({720, 900});
   ASSERT_TRUE(rig.settle());
-  expect_area([&](int, std::size_t i) { return now(i); });
+  const Film& film = rig.previewer().render().film();
+  ASSERT_NE(film.height, frames().stored[0].film.height);
+  const Film sized = resampled(frames().stored[0].film, {film.width, film.height});
+  expect_area([&](int, std::size_t i) { return display_bytes(sized.radiance[i], 0.0f); });
+  EXPECT_TRUE(rig.content().controls().all().contains("Resampled"));
+  rig.click("Compare/Difference");
+  const float scale = std::exp2(frames().scale_stops);
+  expect_area([&](int, std::size_t i) {
+    return heat_colour(difference_of(film.radiance[i], sized.radiance[i], {}) / scale);
+  });
+  // Of the picture as it was at first, which nothing but the way of antialiasing tells apart.
+  EXPECT_GT(frames().rmse, 0.0);
+  EXPECT_LT(frames().rmse, 0.1);
+  rig.key(Key::x);
+  rig.frame();
+  EXPECT_NE(rig.content().state().message.find("resampled from"), std::string::npos);
 }
 
 TEST(Frames, ColoursGetBrighterWithTheDifference) {

@@ -1,12 +1,13 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
-#include "renderer/study/measures.h"
 #include "ui/panels/panels.h"
+#include "ui/resampled.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -60,26 +61,46 @@ void difference_legend(Controls& controls, const std::string& most) {
                   "Black: no difference. White: as much as the scale tells, or more.");
 }
 
+/// Of that part of the picture which the frame shows, too; `sized`: the frame at its size.
+double common_rmse(const Film& film, const Film& frame, const Film& sized) {
+  const PixelRect area = resampled_area(frame, {film.width, film.height});
+  double sum = 0.0;
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    for (int x = area.x; x < area.x + area.width; ++x) {
+      const glm::dvec3 d(film.radiance[film.index(x, y)] - sized.radiance[sized.index(x, y)]);
+      sum += glm::dot(d, d) / 3.0;
+    }
+  }
+  return std::sqrt(sum / std::max(1.0, static_cast<double>(area.width) * area.height));
+}
+
 /// Told anew when the picture is finished or another frame is chosen.
 void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
   const StoredFrame& frame = frames.stored[static_cast<std::size_t>(frames.chosen)];
   const PreviewRender& render = previewer.render();
   const Film& film = render.film();
   const bool same = frame.film.width == film.width && frame.film.height == film.height;
-  std::string words = fmt::format("none: the frame is {} x {}, the picture {} x {}",
-                                  frame.film.width, frame.film.height, film.width, film.height);
-  if (same && !render.progress().finished) words = "when finished";
-  if (same && render.progress().finished) {
+  std::string words = "when finished";
+  if (render.progress().finished && film.width > 0) {
     const Frames::Measured now{render.restarts(), frames.revision, frames.chosen};
     if (!(now == frames.measured)) {
       frames.measured = now;
-      frames.rmse = root_mean_square(film, frame.film, false);
+      frames.rmse =
+          common_rmse(film, frame.film, frames.at_size(frames.chosen, {film.width, film.height}));
     }
     words = fmt::format("{:.3g}", frames.rmse);
   }
   controls.row("RMSE", words,
                "Root mean square difference of the finished picture and the stored frame, of "
                "linear values.");
+  if (same) return;
+  controls.row("Resampled",
+               fmt::format("{} x {} to {} x {}", frame.film.width, frame.film.height, film.width,
+                           film.height),
+               "The frame was stored at another size: it is shown, and compared, scaled to the "
+               "picture's height, each pixel the mean of what it covers; beyond its sides it is "
+               "black, and counts for nothing. Edges differ by that alone: for what is exact "
+               "store it at this size.");
 }
 
 void comparison_controls(Controls& controls, Frames& frames) {

@@ -89,7 +89,7 @@ void flip(UiState& state, const Film& film) {
   const StoredFrame& frame = *frames.compared();
   state.said = frames.flipped ? "Frame " + frame.name : std::string("The picture");
   if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
-    state.said += " is of another size: it cannot be shown in the picture's place";
+    state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
 }
 
 void store(UiState& state, const Previewer& previewer) {
