@@ -1,6 +1,9 @@
 #include "ui/open_scene.h"
 
 #include "renderer/scene/load.h"
+#include "ui/hidden_objects.h"
+
+#include <algorithm>
 
 namespace asos {
 
@@ -28,6 +31,7 @@ void OpenScene::ask_for(SceneSource source) {
   error_.reset();
   reload_failed_ = false;
   asked_for_ = source.path;
+  asked_hidden_ = source.hidden;
   reloading_ = false;
   loader_.open(std::move(source));
 }
@@ -45,10 +49,38 @@ void OpenScene::reload() {
 }
 
 void OpenScene::show_variant(const std::string& variant) {
-  if (!scene_) return;
+  if (scene_) load_again(variant, hidden_);
+}
+
+void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) {
   const SceneContents& contents = scene_->geometry->contents;
-  ask_for({scene_->geometry->source, variant, name_of(contents, contents.shown_scene)});
+  ask_for({scene_->geometry->source,
+           variant,
+           name_of(contents, contents.shown_scene),
+           {},
+           std::move(hidden)});
   reloading_ = true;
+}
+
+void OpenScene::hide(int part) {
+  if (!scene_) return;
+  std::vector<int> hidden = hidden_;
+  hidden.push_back(place_among_all(part, hidden_));
+  std::sort(hidden.begin(), hidden.end());
+  load_again(scene_->geometry->contents.variant, std::move(hidden));
+}
+
+void OpenScene::show_only(int part) {
+  if (!scene_) return;
+  std::vector<int> hidden = hidden_;
+  for (int i = 0; i < static_cast<int>(scene_->world().parts.size()); ++i)
+    if (i != part) hidden.push_back(place_among_all(i, hidden_));
+  std::sort(hidden.begin(), hidden.end());
+  load_again(scene_->geometry->contents.variant, std::move(hidden));
+}
+
+void OpenScene::show_all() {
+  if (scene_) load_again(scene_->geometry->contents.variant, {});
 }
 
 void OpenScene::show_scene(int index) {
@@ -72,11 +104,14 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
     return std::nullopt;
   }
   files_ = std::move(outcome->files);
+  hidden_ = asked_hidden_;
+  const glm::dvec3 before = scene_ ? scene_->world().origin : glm::dvec3(0.0);
   scene_ = std::move(*outcome->scene);
   load_seconds_ = outcome->load_seconds;
   ++times_opened_;
   if (outcome->picture) opened_display_ = outcome->picture->display;
-  return Opened{reloaded, std::move(outcome->picture)};
+  const glm::dvec3 moved = reloaded ? before - scene_->world().origin : glm::dvec3(0.0);
+  return Opened{reloaded, moved, std::move(outcome->picture)};
 }
 
 }  // namespace asos

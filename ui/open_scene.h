@@ -34,6 +34,14 @@ class OpenScene {
   /// Another of the file's scenes, seen as it asks for; an index into SceneContents::scenes.
   void show_scene(int index);
 
+  /// Loads it again without an object, or with this one alone, or with all; the view stays. `part`
+  /// is one of World::parts. No part may be hidden that is the only one.
+  void hide(int part);
+  void show_only(int part);
+  void show_all();
+  /// The places of the hidden objects among all; see leave_out.
+  [[nodiscard]] const std::vector<int>& hidden() const { return hidden_; }
+
   explicit operator bool() const { return scene_ != nullptr; }
   const RenderScene* operator->() const { return scene_.get(); }
   const RenderScene& operator*() const { return *scene_; }
@@ -63,7 +71,8 @@ class OpenScene {
 
   /// Facts about a scene that has just been opened.
   struct Opened {
-    bool reloaded = false;                      ///< it is the same scene again
+    bool reloaded = false;  ///< it is the same scene again
+    glm::dvec3 moved{0.0};  ///< then: by what all has moved relative to World::origin
     std::optional<PictureDescription> picture;  ///< where the source was a saved picture
   };
   /// Lets a scene that has been loaded take the open one's place, once; none: there was none, or
@@ -74,12 +83,14 @@ class OpenScene {
 
  private:
   void ask_for(SceneSource source);
+  void load_again(const std::string& variant, std::vector<int> hidden);
 
   std::shared_ptr<const RenderScene> scene_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;
   bool reloading_ = false;  // the scene being loaded is the open one again
   bool reload_failed_ = false;
+  std::vector<int> hidden_, asked_hidden_;  // ascending
   double load_seconds_ = 0.0;
   std::vector<FileStamp> files_;
   std::optional<Error> error_;

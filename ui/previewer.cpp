@@ -28,15 +28,25 @@ void Previewer::update(double now_seconds) {
   ground_.update(scene_, edits_.settings().ground, edits_.relighting());
   strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
+  free_memory_.update();
+  // By then the scene before has gone, and what loading took for itself.
+  if (holds_free_memory_ && !scene_.loading() && !render_.first_picture_pending() &&
+      !render_.out_of_date(subject()) && scene_->geometry->boundaries.known()) {
+    holds_free_memory_ = false;
+    free_memory_.give_back_soon();
+  }
 }
 
 void Previewer::take_over(const OpenScene::Opened& opened) {
+  holds_free_memory_ = true;
   edits_.adopt_scene(opened.picture);
   playback_.adopt_scene(opened.reloaded);
   if (opened.picture) {
     viewpoint_.take_over(opened.picture->camera_from(scene_->world().origin));
   } else if (!opened.reloaded) {
     viewpoint_.choose_camera(scene_->world().cameras.empty() ? -1 : 0);
+  } else if (opened.moved != glm::dvec3(0.0)) {
+    viewpoint_.camera().look_at(viewpoint_.camera().pivot() + opened.moved);
   }
   if (const Result<void> able = check_method(*scene_, edits_.settings()); !able) {
     Error error = able.error();

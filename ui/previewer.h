@@ -2,6 +2,7 @@
 
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
+#include "ui/free_memory.h"
 #include "ui/ground_layer.h"
 #include "ui/open_scene.h"
 #include "ui/playback.h"
@@ -41,6 +42,11 @@ class Previewer {
   [[nodiscard]] PreviewRender& render() { return render_; }
   [[nodiscard]] const PreviewRender& render() const { return render_; }
 
+  /// Whether memory that scenes of before have left is still to go back to the system.
+  [[nodiscard]] bool gives_memory_back() const {
+    return holds_free_memory_ || free_memory_.pending();
+  }
+
   /// Takes what other threads finished and lets the render follow what has changed. Call once or
   /// more a frame.
   void update(double now_seconds);
@@ -63,6 +69,8 @@ class Previewer {
   StrokeDrawer strokes_;
   Refinement refinement_;
   PreviewRender render_;
+  FreeMemory free_memory_;
+  bool holds_free_memory_ = false;  // loading has left some
 };
 
 }  // namespace asos

@@ -2,6 +2,7 @@
 
 #include "renderer/scene/rig.h"
 #include "renderer/scene/source_files.h"
+#include "ui/hidden_objects.h"
 
 #include <cctype>
 #include <exception>
@@ -61,7 +62,8 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
   }
   const SceneSource source = outcome.picture ? source_of(*outcome.picture) : asked;
   for (const std::string& file : source_files(source)) outcome.files.push_back(FileStamp::of(file));
-  const Result<Scene> scene = load(source);
+  Result<Scene> scene = load(source);
+  if (scene) leave_out(*scene, source.hidden);
   outcome.load_seconds = seconds_since(start);
   if (!scene) {
     outcome.scene = unexpected(

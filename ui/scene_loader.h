@@ -19,9 +19,10 @@ namespace asos {
 /// What to open: "builtin:NAME" or a path, which it stands for, and what of it is shown.
 struct SceneSource {
   std::string path;
-  std::string variant{};  ///< of its materials; empty: none
-  std::string scene{};    ///< of the file's; see LoadOptions
-  ClipChoice clip{};      ///< the moment that it is shown at first
+  std::string variant{};      ///< of its materials; empty: none
+  std::string scene{};        ///< of the file's; see LoadOptions
+  ClipChoice clip{};          ///< the moment that it is shown at first
+  std::vector<int> hidden{};  ///< objects that are left out; see leave_out
 
   operator const std::string&() const { return path; }
 };

@@ -1,4 +1,5 @@
 #include "tests/support/sanitized.h"
+#include "tests/ui/ui_rig.h"
 #include "ui/previewer.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +10,11 @@
 #include <cstdio>
 #include <fstream>
 #include <malloc.h>
+#include <memory>
 #include <string>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 #ifdef ASOS_SANITIZED
 // GCC installs no header for it.
@@ -51,6 +54,13 @@ struct Memory {
   double resident_mb = 0.0;  ///< of the process, after what is free was given back
 };
 
+double resident_mb() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0.0, resident = 0.0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
 Memory memory() {
   Memory now;
 #ifdef ASOS_SANITIZED
@@ -60,10 +70,7 @@ Memory memory() {
   const struct mallinfo2 info = mallinfo2();
   now.heap_mb = static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
 #endif
-  std::ifstream file("/proc/self/statm");
-  double total = 0.0, resident = 0.0;
-  file >> total >> resident;
-  now.resident_mb = resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  now.resident_mb = resident_mb();
   return now;
 }
 
@@ -125,6 +132,44 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
   if (!test::sanitized) {
     EXPECT_LE(after.resident_mb, 1.05 * before.resident_mb);
   }
+}
+
+// As somebody does who looks through models, in the window and with all that it keeps of them.
+TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
+  test::UiRig rig(
+      [](const std::string& source) -> Result<Scene> {
+        return waves(source == "large" ? 250 : 60, source);
+      },
+      {300, 200});
+  rig.set_blind(true);
+  rig.previewer().edits().settings().asos.max_level = 0;
+  std::vector<std::weak_ptr<const RenderScene>> seen;
+  const auto open = [&](const std::string& source) {
+    const std::uint64_t opened = rig.previewer().scene().times_opened();
+    rig.previewer().scene().open(source);
+    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+    seen.push_back(rig.previewer().scene().shared());
+  };
+  for (int round = 0; round < 3; ++round) {
+    for (const char* source : {"large", "small", "large", "small"})
+      ASSERT_NO_FATAL_FAILURE(open(source));
+  }
+  ASSERT_TRUE(rig.frames_until([&] {
+    return rig.previewer().scene()->geometry->boundaries.known() &&
+           rig.previewer().render().progress().finished;
+  }));
+  ASSERT_TRUE(rig.frames_until([&] {
+    return std::count_if(seen.begin(), seen.end(), [](const auto& s) { return !s.expired(); }) == 1;
+  })) << "scenes of before are held";
+  EXPECT_EQ(seen.back().lock(), rig.previewer().scene().shared());
+  if (test::sanitized) return;  // they keep what was freed
+  // What was freed went back to the system by itself: asked once more, it has little to give.
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().gives_memory_back(); }));
+  const double before = resident_mb();
+  const Memory trimmed = memory();
+  std::printf("resident %.1f MB, %.1f trimmed again; heap %.1f MB\n", before, trimmed.resident_mb,
+              trimmed.heap_mb);
+  EXPECT_LE(before - trimmed.resident_mb, 8.0);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ui/new_lights.h"
 #include "ui/panels/light_editor.h"
+#include "ui/panels/named_like.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 
@@ -56,15 +57,6 @@ std::vector<LightGroup> groups_of(const std::vector<EditedLight>& lights) {
     }
   }
   return groups;
-}
-
-bool named_like(const std::string& name, const std::string& letters) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
-  return letters.empty() ||
-         std::search(name.begin(), name.end(), letters.begin(), letters.end(), same) != name.end();
 }
 
 void right_aligned(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "renderer/files/printable.h"
 #include "renderer/scene/load.h"
 #include "ui/input.h"
+#include "ui/panels/named_like.h"
 #include "ui/panels/overlays.h"
 
 #include <imgui.h>
@@ -24,17 +25,6 @@ std::filesystem::path first_folder(const Previewer& previewer) {
   return std::filesystem::current_path(error);
 }
 
-// Whether the name holds the letters, whatever their case.
-bool holds(const std::string& name, const std::string& letters) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(name.begin(), name.end(), letters.begin(), letters.end(), same) !=
-             name.end() ||
-         letters.empty();
-}
-
 std::string recent_list(Controls& controls, const std::vector<std::string>& recent,
                         const std::string& filter) {
   std::string chosen;
@@ -42,7 +32,7 @@ std::string recent_list(Controls& controls, const std::vector<std::string>& rece
   if (recent.empty()) ImGui::TextDisabled("nothing yet");
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const std::string name = printable(std::filesystem::path(recent[i]).filename().string());
-    if (!holds(name, filter)) continue;
+    if (!named_like(name, filter)) continue;
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
       chosen = recent[i];
@@ -56,7 +46,7 @@ std::string builtin_list(Controls& controls, const std::string& filter) {
   std::string chosen;
   ImGui::TextDisabled("Built in");
   for (const BuiltinScene& scene : builtin_scenes()) {
-    if (!holds(scene.name, filter)) continue;
+    if (!named_like(scene.name, filter)) continue;
     if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
       chosen = "builtin:" + scene.name;
     controls.placed("Built-in/" + scene.name, scene.summary.c_str(), Controls::Use::edits);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ui/latest_job.h"
+
+#include <malloc.h>
+
+namespace asos {
+
+/// Gives what has been freed back to the system, on a thread of its own: glibc keeps it, in as many
+/// heaps as threads have worked, and after a few scenes that is several times what is in use.
+class FreeMemory {
+ public:
+  FreeMemory() : job_(give_back, {}, Overtaken::kept) {}
+  void give_back_soon() { job_.ask(0); }
+  /// Call once a frame.
+  void update() { (void)job_.take_outcome(); }
+  [[nodiscard]] bool pending() const { return job_.pending(); }
+
+ private:
+  static int give_back(const int&) {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+    return 0;
+  }
+
+  LatestJob<int, int> job_;
+};
+
+}  // namespace asos

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace asos {
+
+/// Whether the name holds the letters, whatever their case.
+[[nodiscard]] inline bool named_like(const std::string& name, const std::string& letters) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  return letters.empty() ||
+         std::search(name.begin(), name.end(), letters.begin(), letters.end(), same) != name.end();
+}
+
+}  // namespace asos
