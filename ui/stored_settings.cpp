@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -45,6 +46,18 @@ glm::ivec2 size_of(const SettingsJson& json) {
   return size;
 }
 
+/// The names in the file, in the order of the values.
+constexpr std::array theme_names{"dark", "light"};
+
+WindowLook look_of(const SettingsJson& json) {
+  WindowLook look;
+  read(json, "ui_scale", WindowLook::least_scale, WindowLook::most_scale, look.scale);
+  const auto at = json.find("theme");
+  if (at != json.end() && at->is_string() && at->get<std::string>() == theme_names[1])
+    look.theme = theme::Look::light;
+  return look;
+}
+
 StoredSettings settings_of(const SettingsJson& json) {
   StoredSettings s;
   constexpr float ev = DisplaySettings::exposure_limit_ev;
@@ -60,6 +73,8 @@ StoredSettings settings_of(const SettingsJson& json) {
     for (const auto& named : split_map_names)
       if (at->get<std::string>() == named.name) s.display.split_colours = named.value;
   }
+  s.look = look_of(json);
+  read(json, "tour_seen", s.tour_seen);
   read(json, "show_panel", s.show_panel);
   read(json, "show_marks", s.show_marks);
   read(json, "watch", s.watch);
@@ -96,6 +111,8 @@ StoredSettings merged(const StoredSettings& before, const StoredSettings& ours,
     if (ours.*member == before.*member) all.*member = theirs.*member;
   };
   keep_theirs(&StoredSettings::display);
+  keep_theirs(&StoredSettings::look);
+  keep_theirs(&StoredSettings::tour_seen);
   keep_theirs(&StoredSettings::show_panel);
   keep_theirs(&StoredSettings::show_marks);
   keep_theirs(&StoredSettings::watch);
@@ -149,6 +166,9 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
       {"show_legend", settings.display.show_legend},
       {"show_grid", settings.display.show_grid},
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},
+      {"theme", theme_names[static_cast<std::size_t>(settings.look.theme)]},
+      {"ui_scale", settings.look.scale},
+      {"tour_seen", settings.tour_seen},
       {"show_panel", settings.show_panel},
       {"show_marks", settings.show_marks},
       {"watch", settings.watch},

@@ -3,6 +3,7 @@
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
 #include "ui/display_settings.h"
+#include "ui/window_look.h"
 
 #include <glm/glm.hpp>
 
@@ -18,6 +19,8 @@ struct StoredSettings {
   static constexpr std::size_t most_recent = 10;
 
   DisplaySettings display;  ///< but for the split map's being shown: that is of a picture
+  WindowLook look;
+  bool tour_seen = false;
   bool show_panel = true;
   bool show_marks = true;     ///< of lights
   bool watch = false;         ///< load a file again when it changes

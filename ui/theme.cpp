@@ -2,7 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -24,13 +27,39 @@ constexpr std::array<ImWchar, 13> glyph_ranges{0x0020, 0x024f, 0x0370, 0x052f, 0
                                                0x2044, 0x2190, 0x2193, 0x2212, 0x2212,
                                                0x2264, 0x2265, 0};
 
-ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f) {
-  return ImGui::ColorConvertU32ToFloat4(packed(rgb, alpha));
+using Palette = std::array<std::uint32_t, static_cast<std::size_t>(Colour::count)>;
+constexpr Palette dark_palette{0x141414, 0x1d1e20, 0x232528, 0x2a2c30, 0x34373c, 0x34373c,
+                               0xd8dadd, 0x959aa2, 0x355d8b, 0x6f9fd8, 0xe0705c, 0xd9a94e};
+constexpr Palette light_palette{0xc8c8c8, 0xf4f4f5, 0xfcfcfc, 0xe4e6ea, 0xd6dae0, 0xc4c8ce,
+                                0x1c1f23, 0x565c66, 0xa9c8ee, 0x2763a8, 0xa82a16, 0x7a4f00};
+
+// Of Dear ImGui's context, of which there is one at a time.
+Look applied = Look::dark;
+
+ImVec4 colour(Colour of, float alpha = 1.0f) {
+  return ImGui::ColorConvertU32ToFloat4(packed(of, alpha));
 }
 
-void load_font(float pixels) {
+// As wide as the widest of them, each in the middle of that: what counts does not move.
+void make_digits_tabular(ImFont& font) {
+  const auto is_digit = [](const ImFontGlyph& glyph) {
+    return glyph.Codepoint >= '0' && glyph.Codepoint <= '9';
+  };
+  float widest = 0.0f;
+  for (const ImFontGlyph& glyph : font.Glyphs)
+    if (is_digit(glyph)) widest = std::max(widest, glyph.AdvanceX);
+  for (ImFontGlyph& glyph : font.Glyphs) {
+    if (!is_digit(glyph)) continue;
+    const float shift = std::floor(0.5f * (widest - glyph.AdvanceX));
+    glyph.X0 += shift;
+    glyph.X1 += shift;
+    glyph.AdvanceX = widest;
+  }
+  font.BuildLookupTable();
+}
+
+void add_font(float pixels) {
   ImGuiIO& io = ImGui::GetIO();
-  io.Fonts->Clear();
   for (const char* file : font_files) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) continue;
@@ -44,23 +73,32 @@ void load_font(float pixels) {
   io.Fonts->AddFontDefault(&config);
 }
 
+void load_fonts(float scale) {
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  add_font(text_pixels * scale);
+  add_font(title_pixels * scale);
+  fonts.Build();
+  for (ImFont* font : fonts.Fonts) make_digits_tabular(*font);
+}
+
 void set_colours(ImGuiStyle& style) {
   const std::pair<ImGuiCol, ImVec4> colours[] = {
       {ImGuiCol_Text, colour(text)},
       {ImGuiCol_TextDisabled, colour(dim_text)},
       {ImGuiCol_WindowBg, colour(panel)},
       {ImGuiCol_ChildBg, colour(panel, 0.0f)},
-      {ImGuiCol_PopupBg, colour(0x232528)},
+      {ImGuiCol_PopupBg, colour(popup)},
       {ImGuiCol_Border, colour(line)},
       {ImGuiCol_FrameBg, colour(field)},
       {ImGuiCol_FrameBgHovered, colour(field_hovered)},
       {ImGuiCol_FrameBgActive, colour(field_hovered)},
-      {ImGuiCol_TitleBg, colour(0x232528)},
-      {ImGuiCol_TitleBgActive, colour(0x232528)},
+      {ImGuiCol_TitleBg, colour(popup)},
+      {ImGuiCol_TitleBgActive, colour(popup)},
       {ImGuiCol_ScrollbarBg, colour(panel)},
       {ImGuiCol_ScrollbarGrab, colour(line)},
-      {ImGuiCol_ScrollbarGrabHovered, colour(0x44484f)},
-      {ImGuiCol_ScrollbarGrabActive, colour(0x44484f)},
+      {ImGuiCol_ScrollbarGrabHovered, colour(dim_text, 0.6f)},
+      {ImGuiCol_ScrollbarGrabActive, colour(dim_text, 0.6f)},
       {ImGuiCol_CheckMark, colour(accent_bright)},
       {ImGuiCol_SliderGrab, colour(accent)},
       {ImGuiCol_SliderGrabActive, colour(accent_bright)},
@@ -73,8 +111,11 @@ void set_colours(ImGuiStyle& style) {
       {ImGuiCol_Separator, colour(line)},
       {ImGuiCol_TextSelectedBg, colour(accent, 0.6f)},
       {ImGuiCol_PlotHistogram, colour(accent)},
+      {ImGuiCol_TableHeaderBg, colour(field)},
+      {ImGuiCol_TableBorderLight, colour(line)},
+      {ImGuiCol_TableRowBgAlt, colour(field, 0.5f)},
       {ImGuiCol_NavHighlight, colour(accent)},
-      {ImGuiCol_ModalWindowDimBg, colour(0x000000, 0.45f)},
+      {ImGuiCol_ModalWindowDimBg, ImVec4(0.0f, 0.0f, 0.0f, 0.45f)},
   };
   for (const auto& [index, value] : colours) style.Colors[index] = value;
 }
@@ -86,31 +127,56 @@ std::uint32_t packed(std::uint32_t rgb, float alpha) {
                   static_cast<unsigned>(alpha * 255.0f + 0.5f));
 }
 
-void apply(float text_scale, float raster_scale) {
+std::uint32_t packed(Colour colour, float alpha) {
+  return packed(rgb(colour), alpha);
+}
+
+std::uint32_t rgb(Look look, Colour colour) {
+  return (look == Look::light ? light_palette : dark_palette)[static_cast<std::size_t>(colour)];
+}
+
+std::uint32_t rgb(Colour colour) {
+  return rgb(applied, colour);
+}
+
+void apply(const Appearance& appearance) {
+  applied = appearance.look;
   ImGuiStyle style;
-  ImGui::StyleColorsDark(&style);
-  style.WindowPadding = {12, 10};
+  if (appearance.look == Look::light)
+    ImGui::StyleColorsLight(&style);
+  else
+    ImGui::StyleColorsDark(&style);
+  style.WindowPadding = {12, 8};
   style.FramePadding = {8, 4};
-  style.ItemSpacing = {8, 6};
-  style.ItemInnerSpacing = {6, 4};
-  style.IndentSpacing = 14;
-  style.ScrollbarSize = 11;
+  style.ItemSpacing = {8, 4};
+  style.ItemInnerSpacing = {8, 4};
+  style.IndentSpacing = 16;
+  style.ScrollbarSize = 12;
   style.GrabMinSize = 8;
   style.WindowRounding = 0;
   style.PopupRounding = 4;
-  style.FrameRounding = 3;
-  style.GrabRounding = 3;
+  style.FrameRounding = 4;
+  style.GrabRounding = 4;
   style.ScrollbarRounding = 4;
   style.WindowBorderSize = 0;
   style.PopupBorderSize = 1;
   style.FrameBorderSize = 0;
   style.WindowTitleAlign = {0.0f, 0.5f};
   set_colours(style);
-  style.ScaleAllSizes(text_scale);
+  style.ScaleAllSizes(appearance.text_scale);
+  style.FramePadding.y = 0.5f * (row_pixels - text_pixels) * appearance.text_scale;
   ImGui::GetStyle() = style;
 
-  load_font(text_pixels * text_scale * raster_scale);
-  ImGui::GetIO().FontGlobalScale = 1.0f / raster_scale;
+  load_fonts(appearance.text_scale * appearance.raster_scale);
+  ImGui::GetIO().FontGlobalScale = 1.0f / appearance.raster_scale;
+}
+
+void push_title() {
+  ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+}
+
+void pop_title() {
+  ImGui::PopFont();
 }
 
 }  // namespace asos::theme

@@ -4,6 +4,7 @@
 #include "ui/panels/check_panel.h"
 #include "ui/panels/equal_time_panel.h"
 #include "ui/panels/file_browser.h"
+#include "ui/panels/outline_panel.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/quit_dialog.h"
 #include "ui/panels/reflections_panel.h"
@@ -11,6 +12,8 @@
 #include "ui/panels/study_panel.h"
 #include "ui/picture_view.h"
 #include "ui/save_choice.h"
+#include "ui/tour.h"
+#include "ui/window_look.h"
 
 #include <glm/glm.hpp>
 
@@ -23,16 +26,21 @@ namespace asos {
 /// The window's own state, beside the previewer's scene and settings.
 struct UiState {
   DisplaySettings display;
+  WindowLook look;
+  Tour tour;
   PictureView view;
   StudyChoice study;
   LightChoice lights;
   ReflectionChoice reflections;
+  OutlineChoice outline;
   SkyEdit sky;
   CheckChoice check;
   EqualTimeChoice equal_time;
   std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
   int picked_pyray = -1;         ///< the one of its pyrays that is looked at; -1: the pixel itself
   bool show_boundaries = false;  ///< of the hit list, in the picture
+  std::optional<int> shown_level;     ///< of the picked pixel's splitting; none: all of it
+  std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
   Frames frames;
   bool show_panel = true;
   bool focus_panel = false;         ///< the keyboard moves to the panel, or back from it
@@ -44,6 +52,7 @@ struct UiState {
   bool screenshot_requested = false;
   SaveChoice save;
   QuitChoice leaving;
+  bool tour_asked = false;      ///< to be begun, or begun again
   bool popup_was_open = false;  ///< in the frame before: Escape closes that, and nothing else
   bool forget = false;          ///< go back to how the window was at first
   std::string said;             ///< by a key or a panel, to become the message

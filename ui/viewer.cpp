@@ -59,6 +59,7 @@ int run_viewer(const ViewerOptions& options) {
   const Result<std::unique_ptr<WindowContent>> content = WindowContent::make(previewer);
   if (!content) return fail(content.error());
   if (stored) (*content)->apply(*stored);
+  if (stored && !stored->tour_seen) (*content)->state().tour_asked = true;
   (*window)->connect_clipboard();
   previewer.scene().open(options.source);
   WindowLoop(**window, previewer, **content, {woken, now_seconds}).run();

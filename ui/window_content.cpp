@@ -3,6 +3,7 @@
 #include "ui/gl/read_framebuffer.h"
 #include "ui/panels/grid_overlay.h"
 #include "ui/panels/side_panel.h"
+#include "ui/panels/tour_panel.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
 
@@ -130,12 +131,13 @@ void WindowContent::begin_frame(const FrameInput& in) {
   const glm::vec2 window(in.window_size), framebuffer(in.framebuffer_size);
   const float raster = framebuffer.y / window.y;
   const float content = std::isfinite(in.content_scale) ? in.content_scale : 1.0f;
-  const float text = std::clamp(content / raster, 0.5f, 8.0f);
-  if (const glm::vec2 scales(text, raster); scales != scales_) {
-    scales_ = scales;
-    theme::apply(text, raster);
+  const float text = std::clamp(state_.look.scale * content / raster, 0.5f, 8.0f);
+  if (const theme::Appearance wanted{state_.look.theme, text, raster}; applied_ != wanted) {
+    applied_ = wanted;
+    theme::apply(wanted);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+    settling_frames_ = frames_to_settle;
   }
   io.DisplaySize = {window.x, window.y};
   io.DisplayFramebufferScale = {framebuffer.x / window.x, raster};
@@ -177,15 +179,29 @@ void WindowContent::lay_out(const FrameInput& in) {
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8f * em, 0.42f * em});
   begin_fixed("status", layout_.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
-  progress_panel(controls_, previewer_, {state_.message, state_.view.zoom()});
+  progress_panel(controls_, previewer_,
+                 {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform()});
   ImGui::End();
   ImGui::PopStyleVar();
 
   if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
   pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
-  split_legend(controls_, state_.display, previewer_.edits().settings().asos.max_level, picture);
+  DisplaySettings legend = state_.display;
+  // There is no room for both.
+  constexpr float beside_card_em = 52.0f;
+  if (state_.tour.card && picture.size.x < beside_card_em * em) legend.show_legend = false;
+  if (split_legend(controls_, legend, previewer_.edits().settings().asos.max_level, picture))
+    explain_a_pixel();
+  tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);
   dialogs(picture);
+}
+
+void WindowContent::explain_a_pixel() {
+  state_.picked = most_split_pixel(previewer_.render().film());
+  state_.picked_pyray = -1;
+  state_.shown_level.reset();
+  if (!state_.picked) say("No pixel of this picture is split");
 }
 
 void WindowContent::dialogs(const WindowRect& picture) {
@@ -214,15 +230,24 @@ void WindowContent::focus_panel() {
 }
 
 StoredSettings WindowContent::stored_settings() const {
-  StoredSettings stored{state_.display, state_.show_panel, state_.lights.show_marks,
-                        state_.watch,   glm::ivec2(0),     previewer_.edits().settings().method,
-                        state_.recent};
+  StoredSettings stored;
+  stored.display = state_.display;
   stored.display.show_split_map = false;
+  if (state_.tour.card) stored.display.split_colours = state_.tour.before.colours;
+  stored.look = state_.look;
+  stored.tour_seen = state_.tour.seen;
+  stored.show_panel = state_.show_panel;
+  stored.show_marks = state_.lights.show_marks;
+  stored.watch = state_.watch;
+  stored.method = previewer_.edits().settings().method;
+  stored.recent = state_.recent;
   return stored;
 }
 
 void WindowContent::apply(const StoredSettings& stored) {
   state_.display = stored.display;
+  state_.look = stored.look;
+  state_.tour.seen |= stored.tour_seen;
   state_.show_panel = stored.show_panel;
   state_.lights.show_marks = stored.show_marks;
   state_.watch = stored.watch;
@@ -239,6 +264,7 @@ void WindowContent::follow_files(double now_seconds) {
     stored.add_recent(scene->geometry->source);
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
+    state_.outline.selected = -1;
     if (const auto opened = previewer_.scene().take_opened_display())
       show_as(*opened, state_.display);
   }
@@ -266,7 +292,7 @@ void WindowContent::present(const FrameInput& in) {
   gl::glDisable(GL_SCISSOR_TEST);
   gl::glViewport(0, 0, in.framebuffer_size.x, in.framebuffer_size.y);
   const auto part = [](std::uint32_t shift) {
-    return static_cast<float>((theme::ground >> shift) & 255u) / 255.0f;
+    return static_cast<float>((theme::rgb(theme::ground) >> shift) & 255u) / 255.0f;
   };
   gl::glClearColor(part(16), part(8), part(0), 1.0f);
   gl::glClear(GL_COLOR_BUFFER_BIT);
@@ -342,6 +368,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (inspector_.busy() || sky_reader_.busy() || forecast_.busy()) also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
   if (keys_repeat()) also(0.03);
+  if (const std::optional<double> card = seconds_to_card(state_, time_seconds_)) also(*card);
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));

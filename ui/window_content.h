@@ -13,6 +13,7 @@
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
 #include "ui/stored_settings.h"
+#include "ui/theme.h"
 #include "ui/ui_state.h"
 #include "ui/unsaved_work.h"
 #include "ui/view_study.h"
@@ -80,6 +81,7 @@ class WindowContent {
   void save_window(const FrameInput& in);
   [[nodiscard]] std::uint32_t activity() const;
   void take_back();
+  void explain_a_pixel();
   void follow_files(double now_seconds);
   void say(std::string message);
 
@@ -104,7 +106,7 @@ class WindowContent {
   std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;
   WindowLayout layout_;
-  glm::vec2 scales_{0.0f};  // the scales of text and of its raster that the font was made for
+  std::optional<theme::Appearance> applied_;  // that the fonts were made for
   double time_seconds_ = 0.0;
   int settling_frames_ = 0;  // Dear ImGui needs a few frames to come to rest after a change
 };

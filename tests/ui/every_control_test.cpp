@@ -81,6 +81,10 @@ class EveryControlTest : public PanelsTest {
         return numbers(p.refinement().paused(), static_cast<int>(p.refinement().rest()),
                        p.refinement().limits().seconds, p.refinement().limits().rmse,
                        p.render().restarts());
+      case Part::window:
+        return numbers(static_cast<int>(s.look.theme), s.look.scale);
+      case Part::tour:
+        return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
       case Part::display:
         return numbers(d.exposure_ev, static_cast<int>(d.tone), d.show_split_map, d.show_legend,
                        d.show_grid, d.split_dimming, static_cast<int>(d.split_colours));
@@ -95,7 +99,7 @@ class EveryControlTest : public PanelsTest {
       case Part::choice:
         return numbers(s.lights.selected, s.lights.show_marks, s.watch, s.show_boundaries,
                        s.picked.has_value(), static_cast<int>(s.reflections.channel),
-                       s.picked_pyray);
+                       s.picked_pyray, s.outline.selected);
       case Part::frames:
         return numbers(s.frames.stored.size(), s.frames.chosen,
                        static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
@@ -249,6 +253,19 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       s.display.show_split_map = true;
       s.display.split_colours = colours;
     });
+  for (int card = 0; card < Tour::cards; ++card)
+    use_all("card " + std::to_string(card) + " of the tour", [&, card] {
+      start_tour(s, 0.0);
+      show_card(s, card, 0.0);
+      // A rival would render for a while: there is no room for its frame.
+      while (card == 4 && s.frames.store(rig.previewer().render().film(), "full")) continue;
+    });
+  use_all("the map's card, by causes", [&] {
+    start_tour(s, 0.0);
+    show_card(s, static_cast<int>(Tour::Card::map), 0.0);
+    s.display.split_colours = SplitMapColours::cause;
+  });
+  use_all("light and large", [&] { s.look = {theme::Look::light, 1.25f}; });
   rig.click("section/Compare");
   for (const auto comparison :
        {Comparison::none, Comparison::wipe, Comparison::flip, Comparison::difference})
@@ -328,6 +345,12 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().sky = std::make_shared<const Sky>(
         SkyMap(2, 1, std::vector<glm::vec3>(2, glm::vec3(0.5f))), 0.0, "half");
   });
+  rig.click("section/Outline");
+  use_all("outline", [&] {
+    // The list is laid out only where it is seen.
+    (void)rig.control("section/Scene");
+  });
+  rig.click("section/Outline");
   rig.click("section/Error against run time");
   use_all("study", [] {});
   use_all("other choices", [&] {

@@ -28,6 +28,8 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   StoredSettings settings;
   settings.display.exposure_ev = -1.5f;
   settings.display.split_colours = SplitMapColours::cause;
+  settings.look = {theme::Look::light, 1.25f};
+  settings.tour_seen = true;
   settings.show_panel = false;
   settings.display.show_legend = false;
   settings.display.show_grid = true;
@@ -74,6 +76,7 @@ TEST(StoredSettings, BadFilesAreNoHarm) {
   EXPECT_EQ(load_settings({}).value(), StoredSettings{});
   write(path,
         "{ \"exposure_ev\": 1e9, \"watch\": 7, \"window_size\": [1e99, -3], \"method\": 4, "
+        "\"theme\": 1, \"ui_scale\": 99, "
         "\"recent\": [1, \"/x.glb\"], \"other\": [] }");
   StoredSettings expected;
   expected.recent = {"/x.glb"};

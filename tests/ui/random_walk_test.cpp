@@ -295,16 +295,21 @@ class RandomWalk : public testing::Test {
   int frames = 0;
 };
 
-TEST_F(RandomWalk, HearsWhatHappensAndLeavesAWorkingWindow) {
-  constexpr unsigned seed = 20;
-  Walker walker(seed, folder.path().string());
+/// A quarter of the walk, so that none takes too long.
+class LongWalk : public RandomWalk, public testing::WithParamInterface<unsigned> {};
+constexpr unsigned quarters = 4;
+INSTANTIATE_TEST_SUITE_P(RandomWalk, LongWalk, testing::Range(1u, quarters + 1));
+
+TEST_P(LongWalk, HearsWhatHappensWhateverIsDone) {
+  constexpr int each = actions / quarters;
+  Walker walker(GetParam(), folder.path().string());
   int done = 0, windows = 0;
-  while (done < actions) {
+  while (done < each) {
     SCOPED_TRACE(fmt::format("window {}, after {} actions", windows, done));
     ++windows;
     Session session;
     session.previewer.scene().open("lit");
-    for (bool closed = false; done < actions && !closed; ++done) {
+    for (bool closed = false; done < each && !closed; ++done) {
       for (WalkedWindow::Step& step : walker.next(session))
         session.window.steps.push_back(std::move(step));
       closed = walker.closes();

@@ -183,7 +183,7 @@ TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
   EXPECT_EQ(plot.rmse.first_decade, -4) << "the floor is on the axis";
   EXPECT_EQ(plot.rmse.decades, 3);
   for (const std::string& method : default_methods())
-    EXPECT_TRUE(method == "average" || method_colour(method) != theme::text) << method;
+    EXPECT_TRUE(method == "average" || method_colour(method) != theme::plot_text) << method;
 }
 
 class StudyPanelTest : public PanelsTest {

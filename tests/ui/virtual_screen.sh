@@ -62,6 +62,8 @@ wait_until 'no display answers' answers
 export LIBGL_ALWAYS_SOFTWARE=1
 export XDG_PICTURES_DIR=$work
 export XDG_CONFIG_HOME=$work
+# Whoever has seen the tour is not shown it again.
+mkdir -p "$work/asos" && echo '{"tour_seen": true}' >"$work/asos/window.json"
 
 window=
 start() {

@@ -287,8 +287,8 @@ TEST_F(WindowContentTest, AnIdleWindowAsksForNoFrames) {
 
 TEST_F(WindowContentTest, WithoutASceneThereIsAnInvitation) {
   for (int i = 0; i < 3; ++i) rig.frame();
-  const glm::u8vec3 ground((theme::ground >> 16) & 255u, (theme::ground >> 8) & 255u,
-                           theme::ground & 255u);
+  const std::uint32_t rgb = theme::rgb(theme::Look::dark, theme::ground);
+  const glm::u8vec3 ground((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u);
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   EXPECT_EQ(pixels[5 * 640 + 5], ground);
   const PixelRect area = rig.content().picture_rect();

@@ -17,7 +17,6 @@ namespace asos {
 namespace {
 
 constexpr double tooltip_delay_seconds = 0.45;
-constexpr float label_width_em = 6.4f;
 constexpr float tooltip_width_em = 22.0f;
 
 std::string hidden_label(const char* name) {
@@ -384,26 +383,6 @@ bool Controls::list(const char* name, const char* tooltip, std::span<const std::
   }
   ImGui::EndCombo();
   return chosen != before;
-}
-
-void Controls::row(const char* label_text, const std::string& value, const char* tooltip) {
-  ImGui::BeginGroup();
-  ImGui::TextDisabled("%s", label_text);
-  ImGui::SameLine(ImGui::GetFontSize() * (label_width_em + 3.0f));
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(value.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndGroup();
-  placed(label_text, tooltip);
-}
-
-bool Controls::section(const char* name, bool open_at_first) {
-  ImGui::Spacing();
-  ImGui::Separator();
-  const bool open = ImGui::CollapsingHeader(
-      name, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
-  placed(std::string("section/") + name, nullptr);
-  return open;
 }
 
 }  // namespace asos

@@ -94,7 +94,7 @@ class Controls {
 
   /// A row of text: a dim label and a value.
   void row(const char* label, const std::string& value, const char* tooltip = nullptr);
-  /// A headline that folds what follows; open at first.
+  /// A headline that folds what follows; open at first. Its "?" says what the section is for.
   bool section(const char* name, bool open_at_first = true);
 
   /// Remembers the item just drawn, and shows its tooltip once the pointer has rested on it.
@@ -107,7 +107,11 @@ class Controls {
   /// When a tooltip is due, in seconds from the frame's time.
   [[nodiscard]] std::optional<double> seconds_to_tooltip() const;
 
+  /// Where widgets begin, beside their names.
+  static constexpr float label_width_em = 6.4f;
+
  private:
+  void help_button(const char* section);
   void label(const char* name, const char* tooltip);
   void explain(const std::string& name, const char* tooltip);
   void note_double_click(const char* name);

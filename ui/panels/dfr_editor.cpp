@@ -30,7 +30,9 @@ constexpr std::array channels{
     Controls::Option{"Green", "Edit the curve of green alone."},
     Controls::Option{"Blue", "Edit the curve of blue alone."},
 };
-constexpr std::array<std::uint32_t, 4> channel_colours{theme::text, 0xf0705f, 0x63c76f, 0x6f9fd8};
+/// Those of the split map that are most like them, which the colour-blind tell apart.
+constexpr std::array<std::uint32_t, 4> channel_colours{theme::plot_text, 0xd55e00, 0x009e73,
+                                                       0x56b4e9};
 
 struct Preset {
   const char* name;
@@ -71,19 +73,20 @@ struct DfrPlot {
   }
 };
 
-void plot_text(glm::vec2 at, float align, const std::string& text, std::uint32_t rgb) {
+void plot_text(glm::vec2 at, float align, const std::string& text, theme::Colour colour) {
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   ImGui::GetWindowDrawList()->AddText({std::round(at.x - align * width), std::round(at.y)},
-                                      theme::packed(rgb), text.c_str());
+                                      theme::packed(colour), text.c_str());
 }
 
 void draw_dfr_axes(const DfrPlot& plot) {
   const float em = ImGui::GetFontSize();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled({plot.lo.x, plot.lo.y}, {plot.hi.x, plot.hi.y}, theme::packed(0x141414));
+  draw.AddRectFilled({plot.lo.x, plot.lo.y}, {plot.hi.x, plot.hi.y},
+                     theme::packed(theme::plot_ground));
   for (int i = 0; i <= 4; ++i) {
     const float y = plot.y_at(0.25 * i);
-    draw.AddLine({plot.lo.x, y}, {plot.hi.x, y}, theme::packed(theme::line));
+    draw.AddLine({plot.lo.x, y}, {plot.hi.x, y}, theme::packed(theme::plot_line));
     if (i % 2 == 1) continue;
     plot_text({plot.lo.x - 0.35f * em, y - 0.55f * em}, 1.0f, fmt::format("{:g}", 0.25 * i),
               theme::dim_text);
@@ -92,7 +95,7 @@ void draw_dfr_axes(const DfrPlot& plot) {
   }
   for (int i = 0; i <= 3; ++i) {
     const float x = plot.x_at(quarter_turn * i / 3.0);
-    draw.AddLine({x, plot.lo.y}, {x, plot.hi.y}, theme::packed(theme::line));
+    draw.AddLine({x, plot.lo.y}, {x, plot.hi.y}, theme::packed(theme::plot_line));
     plot_text({x, plot.hi.y + 0.25f * em}, 0.5f, fmt::format("{}\u00b0", 30 * i), theme::dim_text);
   }
   plot_text({plot.lo.x, plot.lo.y - 1.35f * em}, 0.0f, "DFR", theme::text);
@@ -148,7 +151,7 @@ void draw_bar(const Dfr& dfr, glm::vec2 lo, glm::vec2 hi) {
 void draw_knob(glm::vec2 at, std::uint32_t rgb, bool lit) {
   const float r = (lit ? 0.42f : 0.33f) * ImGui::GetFontSize();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddCircleFilled({at.x, at.y}, r + 1.5f, theme::packed(0x141414));
+  draw.AddCircleFilled({at.x, at.y}, r + 1.5f, theme::packed(theme::plot_ground));
   draw.AddCircleFilled({at.x, at.y}, r, theme::packed(rgb));
   if (lit) draw.AddCircle({at.x, at.y}, r + 2.5f, theme::packed(0xffffff, 0.6f));
 }
@@ -208,7 +211,7 @@ void plot_and_bar(Controls& controls, Dfr& dfr, DfrChannel channel, const Dfr& u
   for (std::size_t k = 0; k < 3; ++k) {
     const bool chosen = channel == DfrChannel::all || static_cast<std::size_t>(channel) == k + 1;
     if (one && k > 0) break;
-    draw_dfr_curve(plot, dfr.rgb[k], one ? theme::text : channel_colours[k + 1],
+    draw_dfr_curve(plot, dfr.rgb[k], one ? theme::plot_text : channel_colours[k + 1],
                    chosen || one ? 1.0f : 0.45f);
   }
   draw_bar(dfr, bar_lo, bar_hi);

@@ -141,6 +141,8 @@ void close_something(UiState& state, Previewer& previewer) {
     state.show_help = false;
   } else if (previewer.scene().error()) {
     previewer.scene().dismiss_error();
+  } else if (state.tour.card) {
+    end_tour(state);
   } else if (state.picked) {
     state.picked.reset();
   } else if (state.lights.selected >= 0) {

@@ -42,6 +42,23 @@ void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice
   frames.comparison = Comparison::wipe;
 }
 
+bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, EqualTimeJob& job,
+                      const Frames& frames) {
+  const PreviewRender& render = previewer.render();
+  if (!previewer.scene() || job.busy() || !render.progress().finished ||
+      frames.stored.size() >= Frames::most)
+    return false;
+  choice.restarts = render.restarts();
+  Snapshot snapshot{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
+                    render.settings(), false};
+  job.start([snapshot, method = choice.method, seconds = processor_seconds(render.film())](
+                const std::stop_token& stop, const auto& tell) {
+    auto frame = render_in_time(snapshot, method, seconds, [&] { return stop.stop_requested(); });
+    if (frame) tell(std::move(*frame));
+  });
+  return true;
+}
+
 void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
                       EqualTimeJob& job, const Frames& frames) {
   if (!previewer.scene() || !controls.section("Equal time", false)) return;
@@ -53,16 +70,8 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
                              "Render the view as it is by this method, as well as it can in "
                              "the processor time of the finished picture, store it as a frame, and "
                              "show it at the right of the wipe line.",
-                             -1.0f) &&
-             render.progress().finished && frames.stored.size() < Frames::most) {
-    choice.restarts = render.restarts();
-    Snapshot snapshot{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
-                      render.settings(), false};
-    job.start([snapshot, method = choice.method, seconds = processor_seconds(render.film())](
-                  const std::stop_token& stop, const auto& tell) {
-      auto frame = render_in_time(snapshot, method, seconds, [&] { return stop.stop_requested(); });
-      if (frame) tell(std::move(*frame));
-    });
+                             -1.0f)) {
+    start_equal_time(previewer, choice, job, frames);
   }
   std::string words = "when finished";
   if (render.progress().finished)

@@ -20,6 +20,11 @@ struct EqualTimeChoice {
 void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice, EqualTimeJob& job,
                        Frames& frames);
 
+/// Begins to render the view as it is by the chosen method, in the time that the finished picture
+/// took; false where there is none, or no room for another frame.
+bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, EqualTimeJob& job,
+                      const Frames& frames);
+
 /// Renders the view by another method in the time that the picture took.
 void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
                       EqualTimeJob& job, const Frames& frames);

@@ -14,6 +14,11 @@ namespace asos {
 
 namespace {
 
+// Pictures are no lighter where the window is.
+std::uint32_t over_picture(theme::Colour colour) {
+  return theme::rgb(theme::Look::dark, colour);
+}
+
 constexpr float mark_radius_em = 0.4f;
 constexpr std::size_t most_marks = 64;
 
@@ -60,7 +65,7 @@ std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
 /// The outline, and a stroke to where it shines to, as long as it looks a few marks long.
 void draw_outline(const Projection& projection, const Light& light, const Camera& camera) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const std::uint32_t colour = theme::packed(theme::warning);
+  const std::uint32_t colour = theme::packed(over_picture(theme::warning));
   for (const Outline& outline : outlines_of(light, camera)) {
     for (std::size_t i = 0; i < outline.size(); ++i)
       projection.line(draw, outline[i], outline[(i + 1) % outline.size()], colour);
@@ -96,10 +101,11 @@ void mark(Controls& controls, SceneEdits& edits, LightChoice& choice, const Proj
       Controls::Use::edits);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  draw.AddCircleFilled(at, r, theme::packed(0x141414, 0.8f));
+  draw.AddCircleFilled(at, r, theme::packed(theme::plot_ground, 0.8f));
   draw.AddCircleFilled(
       at, 0.7f * r,
-      theme::packed(selected || lit ? theme::warning : theme::dim_text, edited.on ? 1.0f : 0.35f));
+      theme::packed(over_picture(selected || lit ? theme::warning : theme::dim_text),
+                    edited.on ? 1.0f : 0.35f));
   if (ImGui::IsItemActivated()) choice.selected = static_cast<int>(index);
   const ImVec2 by = ImGui::GetIO().MouseDelta;
   if (!ImGui::IsItemActive() || (by.x == 0.0f && by.y == 0.0f)) return;
@@ -158,8 +164,9 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
   const bool held = ImGui::IsItemActive();
   if (held) frames.wipe = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.0f, 1.0f);
   const bool lit = held || ImGui::IsItemHovered();
-  ImGui::GetWindowDrawList()->AddLine({x, top}, {x, bottom},
-                                      theme::packed(lit ? theme::accent_bright : 0xffffff), 1.5f);
+  ImGui::GetWindowDrawList()->AddLine(
+      {x, top}, {x, bottom}, theme::packed(lit ? over_picture(theme::accent_bright) : 0xffffff),
+      1.5f);
   side_label("the picture", {x - 1.5f * grip, top}, 1.0f);
   side_label("frame " + frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
 }

@@ -5,6 +5,7 @@
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
 #include "ui/split_forecast.h"
+#include "ui/window_look.h"
 
 #include <glm/glm.hpp>
 
@@ -42,6 +43,8 @@ bool store_frame(Frames& frames, const Previewer& previewer);
 
 void display_panel(Controls& controls, DisplaySettings& display);
 void camera_panel(Controls& controls, Previewer& previewer);
+/// How the window itself looks.
+void window_panel(Controls& controls, WindowLook& look);
 void scene_panel(Controls& controls, const RenderScene& scene, const RenderSettings& settings,
                  double load_seconds);
 /// `finished_share` of the pixels is what `statistics` is about, 0 to 1.
@@ -55,6 +58,8 @@ void warnings_panel(Controls& controls, const SceneNotes& notes);
 struct StatusLine {
   std::string message;  ///< shown in place of the progress where not empty
   int zoom = 1;
+  std::optional<glm::ivec2> pixel;  ///< the one under the pointer
+  DisplayTransform display;
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);
 

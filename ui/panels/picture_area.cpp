@@ -68,6 +68,7 @@ void drag(Previewer& previewer, PictureView& view, glm::vec2 delta, float area_h
 void pick(UiState& state, std::optional<glm::ivec2> pixel) {
   state.picked = pixel;
   state.picked_pyray = -1;
+  state.shown_level.reset();
 }
 
 std::optional<glm::ivec2> picked_pixel(const PictureView& view, glm::vec2 pointer,
@@ -108,7 +109,9 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
   if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
       io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)
     pick(state, picked_pixel(view, pointer, previewer.render().film()));
+  state.hovered.reset();
   if (!ImGui::IsItemHovered()) return;
+  state.hovered = picked_pixel(view, pointer, previewer.render().film());
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const glm::vec2 at = view.picture_from_area(pointer);
     previewer.viewpoint().set_pivot_at(static_cast<double>(at.x), static_cast<double>(at.y));

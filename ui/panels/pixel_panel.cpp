@@ -59,6 +59,25 @@ void values(Controls& controls, const Film& film, const Frames& frames,
   }
 }
 
+/// Why the pixel is like this: its cause in the picture, and why its splitting stopped.
+void why(Controls& controls, const Film& film, const PixelReport& report, glm::ivec2 pixel) {
+  const SplitCause cause = film.cause[film.index(pixel.x, pixel.y)];
+  if (cause != SplitCause::none) {
+    const glm::u8vec3 c = split_cause_colour(cause);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15f * em},
+                                              {at.x + 0.8f * em, at.y + 0.95f * em},
+                                              IM_COL32(c.x, c.y, c.z, 255));
+    ImGui::Dummy({0.8f * em, em});
+    ImGui::SameLine();
+    ImGui::TextWrapped("%s", words_of(cause));
+    controls.placed("Why", nullptr);
+  }
+  ImGui::TextWrapped("%s", report.verdict().c_str());
+  controls.placed("Verdict", nullptr);
+}
+
 void cost_rows(Controls& controls, const Film& film, const SplitFindings* findings,
                glm::ivec2 pixel) {
   const std::size_t i = film.index(pixel.x, pixel.y);
@@ -93,6 +112,7 @@ struct ShownPyray {
   const std::vector<TracedCell>& cells;
   const std::vector<glm::vec3>& seen;
   DisplayTransform display;
+  int deepest = 1000;  ///< the level down to which cells are drawn
 };
 
 void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
@@ -113,6 +133,7 @@ void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& sh
 
 void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   for (const TracedCell& cell : shown.cells) {
+    if (cell.level > shown.deepest) continue;
     const bool undecided = cell.fate == CellFate::finest || cell.fate == CellFate::stopped ||
                            cell.fate == CellFate::saturated;
     draw.AddRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side),
@@ -120,7 +141,8 @@ void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& s
   }
   for (const TracedCell& cell : shown.cells) {
     // Deeper cells tell the same boundaries again.
-    if (cell.fate == CellFate::split || cell.fate == CellFate::uneven) continue;
+    const bool is_split = cell.fate == CellFate::split || cell.fate == CellFate::uneven;
+    if (cell.level > shown.deepest || (is_split && cell.level < shown.deepest)) continue;
     draw.PushClipRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side), true);
     for (const TracedBoundary& b : cell.boundaries) {
       draw.AddLine(canvas.at(b.from), canvas.at(b.to), IM_COL32(0, 0, 0, 255), 4.0f);
@@ -135,6 +157,7 @@ void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray&
   for (const TracedCell& cell : shown.cells) count += cell.samples.size();
   const float radius = count > 200 ? 2.0f : 3.5f;
   for (const TracedCell& cell : shown.cells) {
+    if (cell.level > shown.deepest) continue;
     for (const TracedSample& sample : cell.samples) {
       draw.AddCircleFilled(canvas.at(sample.at), radius + 1.5f, IM_COL32(0, 0, 0, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius + 0.7f, IM_COL32(255, 255, 255, 255), 12);
@@ -177,8 +200,9 @@ void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport
   }
 }
 
-void tree(Controls& controls, const PixelReport& report, int shown_pyray,
-          const DisplayTransform& display) {
+void tree(Controls& controls, const PixelReport& report, const UiState& state) {
+  const int shown_pyray = state.picked_pyray;
+  const DisplayTransform display = state.display.transform();
   const bool own = shown_pyray < 0;
   const TracedPyray* pyray =
       own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
@@ -187,7 +211,7 @@ void tree(Controls& controls, const PixelReport& report, int shown_pyray,
   const ShownPyray shown{
       own ? report.trace.cells : pyray->cells,
       own ? report.seen : report.pyray_seen[static_cast<std::size_t>(shown_pyray)],
-      shadow ? DisplayTransform{} : display};
+      shadow ? DisplayTransform{} : display, state.shown_level.value_or(1000)};
   const float side = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const PixelCanvas canvas{corner, side};
@@ -291,15 +315,14 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(close).x -
                   2.0f * ImGui::GetStyle().FramePadding.x);
   const bool closed = controls.button(close, "Close this view. Key: Esc.");
+  if (report && !report->trace.cells.empty()) why(controls, film, *report, pixel);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);
   if (report && !report->trace.cells.empty()) {
     int& shown = state.picked_pyray;
     if (shown >= static_cast<int>(report->trace.pyrays.size())) shown = -1;
-    tree(controls, *report, shown, state.display.transform());
+    tree(controls, *report, state);
     pyray_list(controls, *report, shown);
-    ImGui::TextWrapped("%s", report->verdict().c_str());
-    controls.placed("Verdict", nullptr);
     level_table(controls, *report);
     if (!in_object_space(report->settings.method))
       ImGui::TextDisabled("As ASOS splits it; the picture is by another method.");

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace asos {
 
@@ -63,6 +65,39 @@ std::string words(const Progress& progress, Rest rest, bool without_boundaries) 
   return text;
 }
 
+// Of one width each, so that nothing dances under a moving pointer.
+std::string value_words(float value) {
+  return value < 10.0f ? fmt::format("{:.3f}", value) : number_words(static_cast<double>(value));
+}
+
+std::string pixel_words(const Film& film, glm::ivec2 pixel, const DisplayTransform& display) {
+  const std::size_t i = film.index(pixel.x, pixel.y);
+  const glm::vec3 c = film.radiance[i];
+  const glm::u8vec3 shown = display_bytes(c, display);
+  std::string text =
+      fmt::format("{}, {}   {} {} {}   {:3} {:3} {:3}", pixel.x, pixel.y, value_words(c.x),
+                  value_words(c.y), value_words(c.z), shown.x, shown.y, shown.z);
+  if (film.split_level[i] > 0) text += fmt::format("   level {}", film.split_level[i]);
+  return text;
+}
+
+bool holds(const Film& film, glm::ivec2 pixel) {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < film.width && pixel.y < film.height;
+}
+
+/// The first of these that there is room for beside what stands at the left.
+void right_words(const std::vector<std::string>& choices) {
+  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  for (const std::string& words : choices) {
+    const float width = ImGui::CalcTextSize(words.c_str()).x;
+    const float left = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    if (left < used + ImGui::GetFontSize()) continue;
+    ImGui::SameLine(left);
+    ImGui::TextDisabled("%s", words.c_str());
+    return;
+  }
+}
+
 }  // namespace
 
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status) {
@@ -93,14 +128,15 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
                   "Seconds of the clock, which is what you wait. All threads together take more of "
                   "their processors' time; \"Equal time\" and the split map by time count that.");
 
-  const std::string right = fmt::format(
-      "{}   F1 help", status.zoom > 1 ? fmt::format("zoom {}x", status.zoom) : std::string());
-  const float width = ImGui::CalcTextSize(right.c_str()).x;
-  const float left = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
-  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
-  if (left < used + ImGui::GetFontSize()) return;
-  ImGui::SameLine(left);
-  ImGui::TextDisabled("%s", right.c_str());
+  const std::string help =
+      (status.zoom > 1 ? fmt::format("zoom {}x   ", status.zoom) : std::string()) + "F1 help";
+  const Film& film = previewer.render().film();
+  if (!status.pixel || !holds(film, *status.pixel)) return right_words({help});
+  const std::string pixel = pixel_words(film, *status.pixel, status.display);
+  right_words({pixel + "   " + help, pixel, help});
+  controls.placed("Pixel values",
+                  "The pixel under the pointer: where it is, its linear red, green and blue, the "
+                  "bytes on the screen, and the deepest level that it was split to.");
 }
 
 }  // namespace asos

@@ -61,7 +61,7 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
                       settings.shadow.sky, usual.shadow.sky);
   if (settings.shadow.cast) {
     bool bounces = settings.shadow.bounces > 0;
-    controls.checkbox("Bounced light",
+    controls.checkbox("Bounced",
                       "Surfaces light each other: one diffuse bounce, and the sky's shadows with "
                       "it. Slower.",
                       bounces, usual.shadow.bounces > 0);

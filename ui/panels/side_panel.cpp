@@ -5,6 +5,7 @@
 #include "ui/panels/variants_panel.h"
 #include "ui/screenshot.h"
 #include "ui/split_check.h"
+#include "ui/theme.h"
 #include "ui/view_study.h"
 
 #include <imgui.h>
@@ -14,9 +15,11 @@ namespace asos {
 namespace {
 
 void headline(Controls& controls, const RenderScene* scene) {
+  theme::push_title();
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(scene ? screenshot_stem(scene->geometry->source).c_str() : "ASOS");
   ImGui::PopTextWrapPos();
+  theme::pop_title();
   if (scene) controls.placed("Source", scene->geometry->source.c_str());
 }
 
@@ -37,6 +40,10 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   if (controls.button("Save as...",
                       "Save as EXR, at another size, or with the window. Key: Ctrl+S.", width))
     state.save.show = true;
+  ImGui::SameLine();
+  if (controls.button("Tour", "Five cards that show what this program does, on this picture.",
+                      width))
+    state.tour_asked = true;
   // A built-in scene never changes.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls.button("Reload", "Load the file again; the view stays. Key: R.", width))
@@ -67,11 +74,15 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
   equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
   check_panel(controls, previewer, state.check, jobs.check);
   display_panel(controls, state.display);
+  window_panel(controls, state.look);
   camera_panel(controls, previewer);
   if (scene) {
     statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(),
                      *scene, previewer.render().progress().fraction);
     study_panel(controls, state.study, jobs.study, previewer);
+    if (std::string said = outline_panel(controls, previewer, state.outline, state.picked);
+        !said.empty())
+      state.said = std::move(said);
     scene_panel(controls, *scene, previewer.render().settings(), previewer.scene().load_seconds());
   }
 }

@@ -143,13 +143,13 @@ std::string headline(SplitMapColours colours, int max_level) {
 
 }  // namespace
 
-void split_legend(Controls& controls, const DisplaySettings& display, int max_level,
+bool split_legend(Controls& controls, const DisplaySettings& display, int max_level,
                   const WindowRect& area) {
   const float em = ImGui::GetFontSize();
   const float width = std::min(legend_width_em * em, area.size.x - em);
   if (!display.show_split_map || !display.show_legend || width < 8.0f * em ||
       area.size.y < 8.0f * em)
-    return;
+    return false;
   ImGui::SetNextWindowPos({area.lo.x + 0.5f * em, area.lo.y + area.size.y - 0.5f * em},
                           ImGuiCond_Always, {0.0f, 1.0f});
   ImGui::SetNextWindowSize({width, 0.0f});
@@ -172,9 +172,19 @@ void split_legend(Controls& controls, const DisplaySettings& display, int max_le
       cost_legend(controls, display.split_colours);
       break;
   }
-  ImGui::TextDisabled("Split map   M: hide   C: other colours");
+  const bool why = controls.button("Why is this pixel like this?",
+                                   "Open the pixel that was split deepest, of these the one "
+                                   "nearest to the middle. A click on any "
+                                   "other pixel asks the same of that.");
+  ImGui::SameLine();
+  ImGui::TextDisabled("M: hide   C: next");
   ImGui::End();
   ImGui::PopStyleVar();
+  return why;
+}
+
+const char* words_of(SplitCause cause) {
+  return cause_words[static_cast<std::size_t>(cause)].tooltip;
 }
 
 }  // namespace asos

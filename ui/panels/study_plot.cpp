@@ -1,5 +1,6 @@
 #include "ui/panels/study_plot.h"
 
+#include "renderer/film/split_cause.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -19,12 +20,25 @@ struct MethodColour {
   const char* method;
   std::uint32_t rgb;
 };
-/// After Okabe and Ito (2008), distinct to the colour-blind, lightened for a dark ground.
+
+constexpr std::uint32_t as_split_map(SplitCause cause) {
+  const glm::u8vec3 c = split_cause_colour(cause);
+  return static_cast<std::uint32_t>(c.x) << 16 | static_cast<std::uint32_t>(c.y) << 8 | c.z;
+}
+
+/// The split map's colours, which are distinct to the colour-blind (Okabe and Ito 2008), but for
+/// its dark blue; and two greys.
 constexpr MethodColour method_colours[] = {
-    {"asos", 0xff8a3d},       {"asos-published", 0xf0c05a}, {"uniform", 0x9aa0a8},
-    {"stochastic", 0x56b4e9}, {"sobol", 0x2fc49a},          {"sobol-adaptive", 0x8fd14f},
-    {"whitted", 0xe39ac4},    {"mitchell", 0xb7a2f0},       {"ray-bound", 0xe8e46a},
-    {"average", 0xd8dadd},
+    {"asos", as_split_map(SplitCause::cut_out)},
+    {"asos-published", as_split_map(SplitCause::saturation)},
+    {"uniform", 0xc4c9cf},
+    {"stochastic", as_split_map(SplitCause::crease)},
+    {"sobol", as_split_map(SplitCause::shading)},
+    {"sobol-adaptive", as_split_map(SplitCause::outline)},
+    {"whitted", as_split_map(SplitCause::shadow)},
+    {"mitchell", as_split_map(SplitCause::intersection)},
+    {"ray-bound", as_split_map(SplitCause::depth_limit)},
+    {"average", 0x62676e},
 };
 
 /// Where a plot's square is in the window, and what is drawn into it.
@@ -38,17 +52,18 @@ class Canvas {
         draw_(ImGui::GetWindowDrawList()) {}
 
   void axes() const {
+    draw_->AddRectFilled({lo_.x, lo_.y}, {hi_.x, hi_.y}, theme::packed(theme::plot_ground));
     for (int d = 0; d <= plot_.seconds.decades; ++d) {
       const double value = std::pow(10.0, plot_.seconds.first_decade + d);
       const float x = x_of(value);
-      draw_->AddLine({x, lo_.y}, {x, hi_.y}, theme::packed(theme::line));
+      draw_->AddLine({x, lo_.y}, {x, hi_.y}, theme::packed(theme::plot_line));
       if (d % step(plot_.seconds) != 0) continue;
       const std::string text = seconds_label(plot_.seconds.first_decade + d);
       centred({x, hi_.y + 0.4f * em_}, text);
     }
     for (int d = 0; d <= plot_.rmse.decades; ++d) {
       const float y = y_of(std::pow(10.0, plot_.rmse.first_decade + d));
-      draw_->AddLine({lo_.x, y}, {hi_.x, y}, theme::packed(theme::line));
+      draw_->AddLine({lo_.x, y}, {hi_.x, y}, theme::packed(theme::plot_line));
       if (d % step(plot_.rmse) != 0) continue;
       const std::string text = fmt::format("1e{}", plot_.rmse.first_decade + d);
       const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -63,8 +78,10 @@ class Canvas {
     const float y = y_of(plot_.floor);
     const float dash = 0.4f * em_;
     for (float x = lo_.x; x < hi_.x; x += 2.0f * dash)
-      draw_->AddLine({x, y}, {std::min(x + dash, hi_.x), y}, theme::packed(theme::dim_text));
-    words({hi_.x - ImGui::CalcTextSize("floor").x, y - 1.1f * em_}, "floor");
+      draw_->AddLine({x, y}, {std::min(x + dash, hi_.x), y}, theme::packed(theme::plot_text, 0.6f));
+    draw_->AddText({std::round(hi_.x - ImGui::CalcTextSize("floor").x - 0.3f * em_),
+                    std::round(y - 1.1f * em_)},
+                   theme::packed(theme::plot_text, 0.6f), "floor");
   }
 
   void line(const StudyPlot::Line& line) const {
@@ -179,7 +196,7 @@ StudyPlot plot_of(const SceneStudy& study) {
 std::uint32_t method_colour(const std::string& method) {
   for (const MethodColour& known : method_colours)
     if (method == known.method) return known.rgb;
-  return theme::text;
+  return theme::plot_text;
 }
 
 void draw_plot(const StudyPlot& plot) {

@@ -1,0 +1,144 @@
+#include "tests/ui/panels_fixture.h"
+#include "ui/hidden_objects.h"
+#include "ui/panels/outline_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace asos::test::outline_test {
+namespace {
+
+TEST(HiddenObjects, ArePlacesAmongThoseThatShowSomething) {
+  const auto left = [](const std::vector<int>& hidden) {
+    Scene scene = two_triangles({1, 0, 0});
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+      scene.instances[i].name = std::string(1, static_cast<char>('a' + static_cast<char>(i)));
+    // One between them that shows nothing.
+    scene.meshes.emplace_back();
+    Instance nothing;
+    nothing.mesh = static_cast<int>(scene.meshes.size()) - 1;
+    nothing.name = "-";
+    scene.instances.insert(scene.instances.begin() + 1, nothing);
+    leave_out(scene, hidden);
+    std::string names;
+    for (const Instance& instance : scene.instances) names += instance.name;
+    return names;
+  };
+  EXPECT_EQ(left({}), "a-b");
+  EXPECT_EQ(left({0}), "-b");
+  EXPECT_EQ(left({1}), "a-");
+  EXPECT_EQ(left({0, 1}), "-");
+  EXPECT_EQ(left({7}), "a-b");
+  EXPECT_EQ(place_among_all(0, {}), 0);
+  EXPECT_EQ(place_among_all(0, {0, 1}), 2);
+  EXPECT_EQ(place_among_all(1, {1}), 2);
+  EXPECT_EQ(place_among_all(2, {0, 3}), 4);
+}
+
+// The names are those of Khronos' registry.
+TEST(Extensions, AreThoseThatAMaterialAsksFor) {
+  Material m;
+  EXPECT_TRUE(extensions_of(m).empty());
+  m.transmission = 0.5f;
+  m.volume.thickness = 1.0f;
+  m.volume.dispersion = 0.1f;
+  m.ior = 1.4f;
+  EXPECT_EQ(extensions_of(m),
+            (std::vector<std::string>{"KHR_materials_dispersion", "KHR_materials_ior",
+                                      "KHR_materials_transmission", "KHR_materials_volume"}));
+  Material other;
+  other.coat.factor = 1.0f;
+  other.sheen.color = glm::vec3(0.1f);
+  other.film.factor = 0.2f;
+  other.specular_color = {1.0f, 0.5f, 0.5f};
+  other.emissive_strength = 5.0f;
+  other.unlit = true;
+  other.diffuse_transmission.factor = 0.3f;
+  EXPECT_EQ(extensions_of(other),
+            (std::vector<std::string>{
+                "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
+                "KHR_materials_emissive_strength", "KHR_materials_iridescence",
+                "KHR_materials_sheen", "KHR_materials_specular", "KHR_materials_unlit"}));
+}
+
+class OutlineTest : public PanelsTest {
+ protected:
+  OutlineTest() {
+    rig.click("section/Outline");
+    rig.frame();
+  }
+  [[nodiscard]] std::size_t parts() { return rig.previewer().scene()->world().parts.size(); }
+  [[nodiscard]] bool becomes(std::size_t count) {
+    return rig.frames_until([&] { return parts() == count && !rig.previewer().scene().loading(); });
+  }
+  [[nodiscard]] glm::vec3 middle() {
+    const Film& film = rig.previewer().render().film();
+    return film.radiance[film.index(film.width / 2, film.height / 2)];
+  }
+  /// The list is laid out only where it is seen.
+  void choose(const std::string& object) {
+    (void)rig.control("section/Scene");
+    rig.frame();
+    rig.click(object);
+  }
+  /// Where the eye is, in the author's coordinates.
+  [[nodiscard]] glm::dvec3 eye() {
+    return rig.previewer().viewpoint().camera().eye() + rig.previewer().scene()->world().origin;
+  }
+};
+
+TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
+  ASSERT_EQ(parts(), 2u);
+  const glm::vec3 both = middle();
+  const glm::dvec3 eye_before = eye();
+  // A click on the red triangle, which is in front.
+  const Film& film = rig.previewer().render().film();
+  rig.content().state().picked = glm::ivec2(film.width, film.height) / 2;
+  rig.frame();
+  EXPECT_EQ(rig.content().state().outline.selected, 0);
+  rig.click("Hide");
+  ASSERT_TRUE(becomes(1));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_NE(middle(), both);
+  EXPECT_NEAR(glm::distance(eye(), eye_before), 0.0, 1e-9);
+  rig.click("Hide");
+  rig.frame();
+  EXPECT_EQ(parts(), 1u) << "none is chosen";
+
+  rig.click("Show all");
+  ASSERT_TRUE(becomes(2));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(middle(), both);
+  EXPECT_NEAR(glm::distance(eye(), eye_before), 0.0, 1e-9);
+
+  choose("Object/2");
+  EXPECT_EQ(rig.content().state().outline.selected, 1);
+  rig.click("Isolate");
+  ASSERT_TRUE(becomes(1));
+  EXPECT_EQ(rig.previewer().scene().hidden(), std::vector<int>{0});
+  // Loaded again, it stays so; another scene has nothing hidden.
+  const std::uint64_t opened = rig.previewer().scene().times_opened();
+  rig.previewer().scene().reload();
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  EXPECT_EQ(parts(), 1u);
+  rig.previewer().scene().open("scene");
+  ASSERT_TRUE(becomes(2));
+  EXPECT_TRUE(rig.previewer().scene().hidden().empty());
+}
+
+TEST_F(OutlineTest, TheLastObjectStays) {
+  choose("Object/1");
+  rig.click("Isolate");
+  ASSERT_TRUE(becomes(1));
+  rig.frame();
+  choose("Object/1");
+  rig.click("Hide");
+  rig.frame();
+  EXPECT_EQ(parts(), 1u);
+  EXPECT_EQ(rig.content().state().message, "There is no other object");
+}
+
+}  // namespace
+}  // namespace asos::test::outline_test

@@ -1,0 +1,195 @@
+#include "ui/tour.h"
+
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+// The tour, the answers to "?", and why a pixel is as it is.
+
+namespace asos::test::tour_test {
+namespace {
+
+class TourTest : public PanelsTest {
+ protected:
+  UiState& state() { return rig.content().state(); }
+  [[nodiscard]] bool has(const std::string& control) {
+    return rig.content().controls().all().contains(control);
+  }
+  void begin() {
+    rig.click("Tour");
+    rig.frame();
+    ASSERT_TRUE(has("Next card"));
+  }
+  void next() {
+    rig.click("Next card");
+    rig.frame();
+    rig.frame();
+  }
+};
+
+TEST(MostSplitPixel, IsTheDeepestNearestToTheMiddle) {
+  Film film(9, 5);
+  EXPECT_FALSE(most_split_pixel(film));
+  film.split_level[film.index(4, 2)] = 1;
+  film.split_level[film.index(0, 0)] = 3;
+  film.split_level[film.index(6, 3)] = 3;
+  film.split_level[film.index(8, 4)] = 3;
+  EXPECT_EQ(most_split_pixel(film), glm::ivec2(6, 3));
+  film.cause[film.index(6, 3)] = SplitCause::shadow;
+  film.cause[film.index(4, 2)] = SplitCause::outline;
+  EXPECT_EQ(most_split_pixel(film), glm::ivec2(4, 2)) << "split by itself";
+  film.cause[film.index(8, 4)] = SplitCause::depth_limit;
+  EXPECT_EQ(most_split_pixel(film), glm::ivec2(8, 4)) << "split all the way";
+  EXPECT_FALSE(most_split_pixel(Film{}));
+}
+
+TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
+  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
+  begin();
+  EXPECT_TRUE(has("Loupe")) << "pixels of the picture, large";
+  ASSERT_TRUE(state().tour.pixel);
+  EXPECT_FALSE(has("Card before"));
+
+  next();
+  EXPECT_EQ(state().picked, state().tour.pixel);
+  ASSERT_TRUE(rig.frames_until([&] { return has("Subdivision"); }));
+  EXPECT_EQ(state().shown_level, 0) << "the whole pixel at first";
+  std::vector<int> levels;
+  for (int i = 0; i < 400 && state().shown_level; ++i) {
+    if (levels.empty() || levels.back() != *state().shown_level)
+      levels.push_back(*state().shown_level);
+    rig.frame();
+  }
+  EXPECT_EQ(levels, (std::vector<int>{0, 1, 2})) << "down to MAX";
+  EXPECT_FALSE(state().shown_level);
+  rig.click("Again");
+  EXPECT_EQ(state().shown_level, 0);
+
+  next();
+  EXPECT_FALSE(state().picked);
+  EXPECT_TRUE(state().display.show_split_map);
+  const double before = settings().asos.eps;
+  slide("Tolerance", 0.6f, 0.1f);
+  EXPECT_NE(settings().asos.eps, before);
+  EXPECT_TRUE(restarted());
+
+  next();
+  rig.click("Map by/Causes");
+  EXPECT_EQ(state().display.split_colours, SplitMapColours::cause);
+  rig.click("Card before");
+  rig.frame();
+  EXPECT_TRUE(has("Tolerance"));
+  next();
+
+  next();
+  EXPECT_FALSE(state().display.show_split_map);
+  EXPECT_FALSE(has("Next card")) << "the last one";
+  ASSERT_TRUE(rig.settle());
+  rig.key(Key::s);
+  ASSERT_EQ(state().frames.stored.size(), 1u) << "a frame of one's own";
+  rig.click("Ask for a rival");
+  ASSERT_TRUE(rig.frames_until([&] { return state().frames.comparison == Comparison::wipe; }));
+  EXPECT_EQ(state().frames.stored.size(), 2u);
+  rig.frame();
+  rig.click("Done");
+  rig.frame();
+  EXPECT_FALSE(state().tour.card);
+  ASSERT_EQ(state().frames.stored.size(), 1u) << "the rival went, so that nobody is asked about it";
+  EXPECT_EQ(state().frames.stored[0].name, "A");
+  EXPECT_EQ(state().frames.comparison, Comparison::none);
+  EXPECT_FALSE(state().picked);
+  EXPECT_EQ(state().display, DisplaySettings{});
+  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision);
+}
+
+TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
+  EXPECT_FALSE(rig.content().stored_settings().tour_seen);
+  begin();
+  EXPECT_TRUE(rig.content().stored_settings().tour_seen);
+  rig.key(Key::m);
+  EXPECT_TRUE(state().display.show_split_map);
+  EXPECT_FALSE(rig.content().stored_settings().display.show_split_map)
+      << "the map is of a picture: a window would begin with it unexplained";
+  rig.key(Key::escape);
+  rig.frame();
+  EXPECT_FALSE(state().tour.card);
+  StoredSettings stored;
+  stored.tour_seen = true;
+  rig.content().apply(stored);
+  rig.click("Forget settings");
+  rig.frame();
+  EXPECT_TRUE(rig.content().stored_settings().tour_seen);
+  begin();
+}
+
+TEST_F(TourTest, AnIdleWindowSleepsBesideACard) {
+  begin();
+  next();
+  EXPECT_TRUE(rig.sleeps());
+}
+
+TEST_F(TourTest, FitsIntoAnyWindow) {
+  begin();
+  for (const glm::ivec2 size :
+       {glm::ivec2(420, 600), glm::ivec2(200, 150), glm::ivec2(40, 40), glm::ivec2(1400, 900)}) {
+    rig.resize(size);
+    for (int i = 0; i < 3; ++i) rig.frame();
+    if (!has("End tour")) continue;
+    const Controls::Placed end = rig.control("End tour");
+    EXPECT_LE(end.hi.x, static_cast<float>(size.x));
+    EXPECT_LE(end.hi.y, static_cast<float>(size.y));
+    EXPECT_GE(end.lo.x, 0.0f);
+  }
+}
+
+TEST_F(TourTest, EverySectionSaysWhatItIsFor) {
+  rig.previewer().scene().open("mirrors");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
+  ASSERT_TRUE(rig.settle());
+  std::vector<std::string> sections;
+  for (const auto& [name, placed] : rig.content().controls().all())
+    if (name.starts_with("section/")) sections.push_back(name.substr(8));
+  EXPECT_GE(sections.size(), 14u);
+  for (const std::string& section : sections) {
+    ASSERT_TRUE(has("Help/" + section)) << section << " has no help";
+    rig.click("Help/" + section);
+    for (int i = 0; i < 2; ++i) rig.frame();
+    EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        << section;
+    rig.key(Key::escape);
+    rig.frame();
+  }
+}
+
+TEST_F(TourTest, TheMapsButtonExplainsAPixel) {
+  EXPECT_FALSE(has("Why is this pixel like this?"));
+  rig.key(Key::m);
+  rig.frame();
+  rig.frame();
+  rig.click("Why is this pixel like this?");
+  const Film& film = rig.previewer().render().film();
+  ASSERT_TRUE(state().picked);
+  EXPECT_EQ(state().picked, most_split_pixel(film));
+  ASSERT_TRUE(rig.frames_until([&] { return has("Verdict"); }));
+  EXPECT_TRUE(has("Why")) << "the cause, in words";
+  // The answer stands above the numbers.
+  EXPECT_LT(rig.control("Why").lo.y, rig.control("Linear").lo.y);
+}
+
+TEST_F(TourTest, TheStatusLineTellsThePixelUnderThePointer) {
+  rig.move_to({100.0f, 100.0f});
+  rig.frame();
+  EXPECT_EQ(state().hovered, glm::ivec2(100, 100));
+  EXPECT_TRUE(has("Pixel values"));
+  rig.move_to({-1e5f, -1e5f});
+  rig.frame();
+  EXPECT_FALSE(has("Pixel values"));
+}
+
+}  // namespace
+}  // namespace asos::test::tour_test

@@ -1,0 +1,182 @@
+#include "renderer/film/image_io.h"
+#include "tests/ui/ui_rig.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Pictures of the window for people to look at, made in memory: window_pages FOLDER [MODELS].
+// Writes index.html with the window at its first start, in both themes, at 200 %, 420 pixels wide,
+// at each card of the tour, and with what asks for an explanation open; and models of the folder
+// MODELS (its scenes/NAME/NAME.glb) as they open. Fails where a picture shows nothing.
+
+namespace asos::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Pages {
+ public:
+  explicit Pages(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
+
+  /// A window, opened on a scene and used; then its picture.
+  struct Page {
+    std::string name, caption, source;
+    glm::ivec2 size{1283, 600};
+    float scale = 1.0f;
+    std::function<void(UiRig&)> use;
+  };
+  void add(const Page& page) {
+    UiRig rig(LoadFunction{}, page.size, page.scale);
+    rig.set_blind(true);
+    RenderSettings& settings = rig.previewer().edits().settings();
+    settings = {};
+    settings.threads = 2;
+    settings.asos.max_level = 2;
+    rig.previewer().scene().open(page.source);
+    wait(rig, page.source);
+    if (page.use) page.use(rig);
+    wait(rig, page.source);
+    // Where no tooltip comes up.
+    rig.move_to({-1e5f, -1e5f});
+    for (int i = 0; i < 4; ++i) rig.frame();
+    save(page, rig.pixels());
+  }
+  void finish() {
+    std::ofstream(folder_ / "index.html")
+        << "<!doctype html><meta charset=\"utf-8\"><title>The window</title>\n"
+           "<style>body{font:15px sans-serif;margin:24px;background:#777}figure{margin:0 0 32px}"
+           "img{max-width:100%}</style>\n"
+        << html_;
+  }
+
+ private:
+  static void wait(UiRig& rig, const std::string& source) {
+    if (!rig.frames_until(
+            [&] {
+              return rig.previewer().scene() && !rig.previewer().scene().loading() &&
+                     rig.previewer().render().progress().finished && rig.content().input().empty();
+            },
+            300.0))
+      throw std::runtime_error(source + " is not shown");
+  }
+  void save(const Page& page, const std::vector<glm::u8vec3>& pixels) {
+    std::set<int> colours;
+    RgbImage image{page.size.x, page.size.y, {}, {}};
+    for (const glm::u8vec3 c : pixels) {
+      image.rgb.insert(image.rgb.end(), {c.x, c.y, c.z});
+      colours.insert((c.x << 16) + (c.y << 8) + c.z);
+    }
+    constexpr std::size_t least = 100;
+    if (colours.size() < least) throw std::runtime_error(page.name + " shows next to nothing");
+    const std::string file = page.name + ".png";
+    if (const Result<void> written = write_png((folder_ / file).string(), image); !written)
+      throw std::runtime_error(written.error().message());
+    html_ += fmt::format("<figure><figcaption>{}</figcaption><img src=\"{}\"></figure>\n",
+                         page.caption, file);
+    std::printf("%s\n", (folder_ / file).c_str());
+    std::fflush(stdout);
+  }
+
+  fs::path folder_;
+  std::string html_;
+};
+
+void card(UiRig& rig, int number) {
+  rig.content().state().tour_asked = true;
+  rig.frame();
+  // The first one has chosen its pixel.
+  show_card(rig.content().state(), number, 0.0);
+  // The pixel's splitting is shown to its end.
+  for (int i = 0; i < 300 && rig.content().state().shown_level; ++i) rig.frame();
+}
+
+void own_pages(Pages& pages, const std::string& source) {
+  pages.add(
+      {"first-start", "First start", source, {1283, 600}, 1.0f, [](UiRig& rig) { card(rig, 0); }});
+  pages.add({"dark", "Dark", source, {1283, 900}, 1.0f, {}});
+  pages.add({"light", "Light", source, {1283, 900}, 1.0f, [](UiRig& rig) {
+               rig.content().state().look.theme = theme::Look::light;
+             }});
+  pages.add({"double", "On a screen of 200 %", source, {1800, 1200}, 2.0f, {}});
+  pages.add({"narrow", "420 pixels wide", source, {420, 760}, 1.0f, {}});
+}
+
+void more_pages(Pages& pages, const std::string& source) {
+  for (int i = 1; i < Tour::cards; ++i)
+    pages.add({fmt::format("tour-{}", i + 1),
+               fmt::format("Card {} of the tour", i + 1),
+               source,
+               {1283, 600},
+               1.0f,
+               [i](UiRig& rig) { card(rig, i); }});
+  pages.add({"narrow-tour", "A card in 420 pixels", source, {420, 760}, 1.0f, [](UiRig& rig) {
+               card(rig, 1);
+             }});
+  for (const auto look : {theme::Look::dark, theme::Look::light}) {
+    const std::string name = look == theme::Look::dark ? "dark" : "light";
+    pages.add(
+        {"why-" + name, "The split map's answer", source, {1283, 800}, 1.0f, [look](UiRig& rig) {
+           rig.content().state().look.theme = look;
+           rig.key(Key::m);
+           rig.key(Key::c);
+           for (int i = 0; i < 3; ++i) rig.frame();
+           rig.click("Why is this pixel like this?");
+           if (!rig.frames_until(
+                   [&] { return rig.content().controls().all().contains("Verdict"); }))
+             throw std::runtime_error("the pixel is not explained");
+         }});
+    pages.add({"help-" + name, "A section's help", source, {1283, 600}, 1.0f, [look](UiRig& rig) {
+                 rig.content().state().look.theme = look;
+                 for (int i = 0; i < 3; ++i) rig.frame();
+                 rig.click("Help/Antialiasing");
+               }});
+    pages.add({"panel-" + name, "The whole panel", source, {760, 3000}, 1.0f, [look](UiRig& rig) {
+                 rig.content().state().look.theme = look;
+                 for (int i = 0; i < 3; ++i) rig.frame();
+                 for (const char* section : {"section/Refinement", "section/Sky", "section/Compare",
+                                             "section/Equal time", "section/Missed splits"})
+                   rig.click(section);
+               }});
+  }
+}
+
+int write_pages(const std::string& folder, const std::string& models) {
+  Pages pages(folder);
+  own_pages(pages, "builtin:boxes");
+  if (!models.empty()) {
+    more_pages(pages, "builtin:office");
+    for (const char* model :
+         {"Fox", "ToyCar", "Bike", "HotelRoom", "MetalRoughSpheresNoTextures"}) {
+      fs::path file = fs::path(models) / "scenes" / model / (std::string(model) + ".glb");
+      if (!fs::exists(file)) file.replace_extension(".gltf");
+      if (!fs::exists(file)) throw std::runtime_error(file.string() + " is not there");
+      pages.add({model, model, file.string(), {1283, 600}, 1.0f, {}});
+    }
+  }
+  pages.finish();
+  return 0;
+}
+
+}  // namespace
+}  // namespace asos::test
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::fputs("usage: window_pages FOLDER [MODELS]\n", stderr);
+    return 2;
+  }
+  try {
+    return asos::test::write_pages(argv[1], argc > 2 ? argv[2] : "");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "window_pages: %s\n", error.what());
+    return 1;
+  }
+}

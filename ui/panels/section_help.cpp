@@ -1,0 +1,315 @@
+#include "ui/panels/section_help.h"
+
+#include "ui/panels/sketch.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asos {
+
+namespace {
+
+using Ink = Sketch::Ink;
+
+// A pixel, an edge through it, and what it is split into.
+void antialiasing(const Sketch& s) {
+  s.split_square({1.0f, 1.0f}, 4.0f, {4.0f, 2.6f}, 0);
+  s.shape({{1.0f, 4.2f}, {5.0f, 2.2f}, {5.0f, 5.0f}, {1.0f, 5.0f}}, Ink::warm, 0.5f);
+  s.split_square({6.0f, 1.0f}, 4.0f, {9.5f, 2.4f}, 1);
+  s.shape({{6.0f, 4.2f}, {10.0f, 2.2f}, {10.0f, 5.0f}, {6.0f, 5.0f}}, Ink::warm, 0.5f);
+  s.split_square({11.0f, 1.0f}, 4.0f, {14.5f, 2.4f}, 3);
+  s.shape({{11.0f, 4.2f}, {15.0f, 2.2f}, {15.0f, 5.0f}, {11.0f, 5.0f}}, Ink::warm, 0.5f);
+}
+
+// Passes, each finer.
+void refinement(const Sketch& s) {
+  for (int pass = 0; pass < 3; ++pass) {
+    const glm::vec2 lo(1.0f + 5.0f * static_cast<float>(pass), 1.0f);
+    const int cells = 2 << pass;
+    const float side = 4.0f / static_cast<float>(cells);
+    for (int y = 0; y < cells; ++y) {
+      for (int x = 0; x < cells; ++x) {
+        const glm::vec2 cell = lo + side * glm::vec2(x, y);
+        const bool inside = glm::distance(cell + 0.5f * side, lo + 2.0f) < 1.6f;
+        s.filled(cell, cell + side, inside ? Ink::accent : Ink::dark);
+      }
+    }
+  }
+}
+
+void animation(const Sketch& s) {
+  for (int i = 0; i < 5; ++i) {
+    const float x = 2.0f + 2.9f * static_cast<float>(i);
+    s.disc({x, 3.2f - 1.8f * std::sin(0.9f * static_cast<float>(i))}, 0.6f, Ink::accent,
+           0.25f + 0.15f * static_cast<float>(i));
+    s.line({x, 5.2f}, {x, 5.6f}, Ink::dim);
+  }
+  s.line({1.2f, 5.4f}, {14.8f, 5.4f}, Ink::dim);
+}
+
+void scenes(const Sketch& s) {
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec2 lo(3.0f + 2.6f * static_cast<float>(i), 0.8f + 0.7f * static_cast<float>(i));
+    s.filled(lo, lo + glm::vec2(4.6f, 3.0f), Ink::dark);
+    s.box(lo, lo + glm::vec2(4.6f, 3.0f), i == 2 ? Ink::accent : Ink::dim);
+  }
+}
+
+void variants(const Sketch& s) {
+  s.disc({3.5f, 3.0f}, 1.7f, Ink::accent);
+  s.disc({8.0f, 3.0f}, 1.7f, Ink::warm);
+  s.disc({12.5f, 3.0f}, 1.7f, Ink::plain, 0.6f);
+}
+
+void warnings(const Sketch& s) {
+  s.shape({{8.0f, 0.8f}, {10.8f, 5.2f}, {5.2f, 5.2f}}, Ink::warm, 0.8f);
+  s.filled({7.8f, 2.2f}, {8.2f, 3.8f}, Ink::dark);
+  s.disc({8.0f, 4.5f}, 0.25f, Ink::dark);
+}
+
+void lights(const Sketch& s) {
+  s.disc({4.0f, 1.4f}, 0.6f, Ink::warm);
+  for (const float x : {2.0f, 4.5f, 7.0f, 9.5f}) s.line({4.2f, 1.9f}, {x, 5.0f}, Ink::dim);
+  s.filled({10.5f, 0.9f}, {14.5f, 1.3f}, Ink::warm);
+  for (const float x : {10.0f, 12.5f, 15.0f}) s.line({12.5f, 1.4f}, {x, 5.0f}, Ink::dim);
+  s.line({1.0f, 5.0f}, {15.0f, 5.0f});
+}
+
+void shadows(const Sketch& s) {
+  s.filled({2.0f, 0.6f}, {5.0f, 0.9f}, Ink::warm);
+  s.line({2.0f, 0.9f}, {11.6f, 5.2f}, Ink::dim);
+  s.line({5.0f, 0.9f}, {8.4f, 5.2f}, Ink::dim);
+  s.disc({6.6f, 2.9f}, 0.8f, Ink::accent);
+  s.line({1.0f, 5.2f}, {15.0f, 5.2f});
+  s.filled({6.2f, 5.2f}, {8.4f, 5.5f}, Ink::dim);
+  s.filled({8.4f, 5.2f}, {11.6f, 5.5f}, Ink::dark);
+}
+
+void reflections(const Sketch& s) {
+  s.line({1.0f, 5.2f}, {15.0f, 5.2f});
+  s.shape({{1.5f, 0.8f}, {7.4f, 5.2f}, {8.6f, 5.2f}}, Ink::accent, 0.3f);
+  s.shape({{7.4f, 5.2f}, {8.6f, 5.2f}, {15.4f, 1.6f}, {12.0f, 0.4f}}, Ink::accent, 0.2f);
+  s.disc({1.5f, 0.8f}, 0.3f, Ink::plain);
+}
+
+void sky(const Sketch& s) {
+  for (int i = 0; i < 12; ++i) {
+    const float turn = std::numbers::pi_v<float> * (static_cast<float>(i) + 0.5f) / 12.0f;
+    const glm::vec2 way(std::cos(turn), -std::sin(turn));
+    s.line(glm::vec2(8.0f, 5.2f) + 4.6f * way, glm::vec2(8.0f, 5.2f) + 1.8f * way, Ink::accent);
+  }
+  s.disc({8.0f, 5.0f}, 0.9f, Ink::warm);
+  s.line({1.0f, 5.6f}, {15.0f, 5.6f});
+}
+
+void compare(const Sketch& s) {
+  s.box({3.0f, 0.8f}, {13.0f, 5.2f}, Ink::dim);
+  s.disc({8.0f, 3.0f}, 1.7f, Ink::accent);
+  s.filled({8.0f, 0.9f}, {12.9f, 5.1f}, Ink::dark, 0.75f);
+  s.line({8.0f, 0.4f}, {8.0f, 5.6f});
+  s.words({5.0f, 1.5f}, "now");
+  s.words({11.0f, 1.5f}, "A");
+}
+
+void equal_time(const Sketch& s) {
+  s.filled({5.0f, 1.2f}, {14.0f, 2.4f}, Ink::accent);
+  s.filled({5.0f, 3.4f}, {14.0f, 4.6f}, Ink::warm);
+  s.words({2.6f, 1.8f}, "ASOS");
+  s.words({2.6f, 4.0f}, "rival");
+  s.line({14.0f, 0.6f}, {14.0f, 5.4f}, Ink::dim);
+}
+
+void missed_splits(const Sketch& s) {
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 10; ++x) {
+      const glm::vec2 lo(3.0f + static_cast<float>(x), 1.0f + static_cast<float>(y));
+      s.filled(lo, lo + 0.9f, x + y == 6 ? Ink::accent : Ink::dark);
+    }
+  }
+  s.filled({8.0f, 1.0f}, {8.9f, 1.9f}, Ink::warm);
+}
+
+void display(const Sketch& s) {
+  for (int i = 0; i < 28; ++i) {
+    const float x = 1.0f + 0.5f * static_cast<float>(i);
+    s.filled({x, 4.2f}, {x + 0.5f, 5.4f}, Ink::plain, static_cast<float>(i) / 27.0f);
+  }
+  glm::vec2 before(1.0f, 3.8f);
+  for (int i = 1; i <= 28; ++i) {
+    const float share = static_cast<float>(i) / 28.0f;
+    const glm::vec2 now(1.0f + 14.0f * share, 3.8f - 3.0f * share / (0.35f + 0.65f * share));
+    s.line(before, now, Ink::accent);
+    before = now;
+  }
+}
+
+void camera(const Sketch& s) {
+  s.disc({1.6f, 3.0f}, 0.4f, Ink::plain);
+  s.line({2.0f, 3.0f}, {11.0f, 0.6f}, Ink::dim);
+  s.line({2.0f, 3.0f}, {11.0f, 5.4f}, Ink::dim);
+  s.box({10.0f, 2.0f}, {12.0f, 4.0f}, Ink::accent);
+  s.disc({11.0f, 3.0f}, 0.25f, Ink::warm);
+}
+
+void statistics(const Sketch& s) {
+  constexpr std::array shares{0.35f, 0.9f, 0.55f, 0.2f, 0.7f};
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const float x = 2.2f + 2.5f * static_cast<float>(i);
+    s.filled({x, 5.2f - 4.2f * shares[i]}, {x + 1.6f, 5.2f}, Ink::accent);
+  }
+  s.line({1.4f, 5.2f}, {14.6f, 5.2f});
+}
+
+void study(const Sketch& s) {
+  s.line({2.0f, 0.6f}, {2.0f, 5.2f}, Ink::dim);
+  s.line({2.0f, 5.2f}, {14.6f, 5.2f}, Ink::dim);
+  s.line({3.0f, 1.0f}, {13.6f, 3.4f}, Ink::warm);
+  s.line({3.6f, 1.0f}, {11.0f, 4.9f}, Ink::accent);
+  s.words({13.0f, 4.6f}, "time");
+  s.words({3.6f, 4.6f}, "error");
+}
+
+void scene(const Sketch& s) {
+  s.box({6.6f, 0.6f}, {9.4f, 1.8f}, Ink::accent);
+  for (const float x : {2.0f, 6.6f, 11.2f}) {
+    s.line({8.0f, 1.8f}, {x + 1.4f, 3.8f}, Ink::dim);
+    s.box({x, 3.8f}, {x + 2.8f, 5.0f});
+  }
+}
+
+void left_out(const Sketch& s) {
+  for (const float x : {2.0f, 6.6f, 11.2f}) s.box({x, 1.8f}, {x + 2.8f, 4.2f}, Ink::dim);
+  s.line({6.2f, 4.6f}, {9.8f, 1.4f}, Ink::warm);
+}
+
+void window(const Sketch& s) {
+  s.filled({2.0f, 0.8f}, {7.6f, 5.2f}, Ink::dark);
+  s.filled({8.4f, 0.8f}, {14.0f, 5.2f}, Ink::plain, 0.9f);
+  s.words({4.8f, 3.0f}, "Aa", Ink::plain);
+  s.words({11.2f, 3.0f}, "Aa", Ink::dark);
+}
+
+struct Help {
+  std::string_view section;
+  const char* text;
+  void (*draw)(const Sketch&);
+};
+
+constexpr Help helps[] = {
+    {"Antialiasing",
+     "A pixel is a pyramid, which is split into quarters only where boundaries of objects pass "
+     "through it. EPS says how far a pixel may be off, MAX how deep it may be split.",
+     antialiasing},
+    {"Refinement",
+     "The picture is rendered in passes, each better all over than the one before. Here it can "
+     "rest, or stop by itself after a time or at a quality.",
+     refinement},
+    {"Animation",
+     "What the file says to move, at the time that the slider shows. While it plays, each moment "
+     "is shown as well as there is time for; one that is held is rendered to the end.",
+     animation},
+    {"Scenes",
+     "The file holds several scenes, of which one is shown. Another one is loaded when it is "
+     "chosen here.",
+     scenes},
+    {"Variants",
+     "The same model in other materials, as the file names them. The file is loaded again when "
+     "another one is chosen.",
+     variants},
+    {"Warnings",
+     "What of the file is missing, repaired or not shown. Read it before you trust the picture.",
+     warnings},
+    {"Lights",
+     "All that shines: lights of the file, faces that glow, and those that you add. Click a mark "
+     "in "
+     "the picture, or a name here, to move or change one.",
+     lights},
+    {"Shadows",
+     "Between a light and a patch that a leaf shows, a pyramid is split as pixels are. A point's "
+     "shadow has a sharp edge, that of a lamp with a size a soft one.",
+     shadows},
+    {"Reflections",
+     "A mirror sends a pixel's pyramid on, and what it meets is split in turn. The curve says how "
+     "much wider it gets, and so how blurred the image is, by the angle at which it is looked at.",
+     reflections},
+    {"Sky",
+     "What surrounds the scene, lights it from all sides and shows in mirrors. It may be a colour, "
+     "a "
+     "gradient, or a picture all around.",
+     sky},
+    {"Compare",
+     "Put the picture by, change something, and look at both: beside each other, in turn, or as "
+     "their difference. A frame of another size is resampled, and that is said.",
+     compare},
+    {"Equal time",
+     "Another method gets the processor time that this picture took, and renders the same view. "
+     "What "
+     "it makes of it stands at the right of a line that can be dragged.",
+     equal_time},
+    {"Missed splits",
+     "The finished picture is sampled in the background until it is clear which pixels are off. "
+     "Those that should have been split are marked, and those that were split for nothing.",
+     missed_splits},
+    {"Display",
+     "How a finished picture is shown, which never renders it anew. The split map shows in colours "
+     "where the work went, and why.",
+     display},
+    {"Camera",
+     "Where the eye stands, and the point that it turns about. Drag to orbit; double click a point "
+     "to turn about that.",
+     camera},
+    {"Statistics",
+     "Rays, and how deep pixels were split, of the pixels that are finished. Rest the pointer on a "
+     "row to read what it counts.",
+     statistics},
+    {"Error against run time",
+     "The view is rendered by several methods at several settings and held against many samples. "
+     "The lower a line lies and the more to the left, the better the method.",
+     study},
+    {"Scene",
+     "What the file holds: triangles, objects, lights, and the edges that can be boundaries. "
+     "Memory "
+     "is that of geometry, textures and hierarchies.",
+     scene},
+    {"Outline",
+     "The scene's materials with the extensions that each asks for, and the objects that have "
+     "them. "
+     "Choose an object, here or by a click on the picture, to hide it or to see it alone.",
+     scene},
+    {"Left out",
+     "What this scene does not need is not even looked for. Each row says why, and what is saved.",
+     left_out},
+    {"Window",
+     "Dark or light, and how large text is, on top of what the screen asks for. Both are "
+     "remembered.",
+     window},
+};
+
+const Help* help_of(std::string_view section) {
+  const auto at = std::find_if(std::begin(helps), std::end(helps),
+                               [&](const Help& help) { return help.section == section; });
+  return at == std::end(helps) ? nullptr : at;
+}
+
+}  // namespace
+
+bool has_section_help(std::string_view section) {
+  return help_of(section) != nullptr;
+}
+
+void section_help(std::string_view section) {
+  const Help* help = help_of(section);
+  if (!help) return;
+  constexpr float width_em = 20.0f;
+  const float width = width_em * ImGui::GetFontSize();
+  help->draw(Sketch(width));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  ImGui::TextUnformatted(help->text);
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace asos

@@ -1,0 +1,57 @@
+#include "ui/panels/controls.h"
+#include "ui/panels/section_help.h"
+#include "ui/theme.h"
+
+#include <imgui.h>
+
+namespace asos {
+
+void Controls::row(const char* label_text, const std::string& value, const char* tooltip) {
+  ImGui::BeginGroup();
+  ImGui::TextDisabled("%s", label_text);
+  ImGui::SameLine(ImGui::GetFontSize() * (label_width_em + 3.0f));
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::PopTextWrapPos();
+  // Lines of text are 20 units high, so that what follows stays in the rhythm.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      {style.ItemSpacing.x, ImGui::GetFontSize() / theme::text_pixels *
+                                                (theme::line_pixels - theme::text_pixels)});
+  ImGui::EndGroup();
+  ImGui::PopStyleVar();
+  placed(label_text, tooltip);
+}
+
+bool Controls::section(const char* name, bool open_at_first) {
+  ImGui::Spacing();
+  ImGui::Separator();
+  const bool helps = has_section_help(name);
+  ImGuiTreeNodeFlags flags = helps ? ImGuiTreeNodeFlags_AllowItemOverlap : ImGuiTreeNodeFlags_None;
+  if (open_at_first) flags |= ImGuiTreeNodeFlags_DefaultOpen;
+  const bool open = ImGui::CollapsingHeader(name, flags);
+  placed(std::string("section/") + name, nullptr);
+  if (helps) help_button(name);
+  return open;
+}
+
+// At the right end of the headline.
+void Controls::help_button(const char* section) {
+  const float width = 1.6f * ImGui::GetFontSize();
+  ImGui::PushID(section);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0f, 0.0f, 0.0f, 0.0f));
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
+  if (ImGui::Button("?", {width, 0.0f})) ImGui::OpenPopup("help");
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(2);
+  placed(std::string("Help/") + section, "Say what this section is for.", Use::edits);
+  if (ImGui::BeginPopup("help")) {
+    section_help(section);
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+}
+
+}  // namespace asos

@@ -1,0 +1,241 @@
+#include "ui/panels/tour_panel.h"
+
+#include "renderer/comparison/method.h"
+#include "ui/panels/sketch.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace asos {
+
+namespace {
+
+constexpr float card_width_em = 25.0f;
+
+struct CardWords {
+  const char* title;
+  const char* text;
+};
+constexpr std::array<CardWords, Tour::cards> card_words{{
+    {"A pixel is a pyramid",
+     "From the eye through the four corners of a pixel runs a pyramid: a pyray. Whatever lies in "
+     "it "
+     "makes the pixel's colour. Below, some pixels of your picture, with an edge in the middle "
+     "one."},
+    {"Watch this pixel split",
+     "Where an edge passes through a pyray, it is split into four, and each part again, as far as "
+     "that is worth while. What an edge cuts cleanly is weighed by its exact area."},
+    {"Drag EPS",
+     "EPS is how far a pixel may be off. Drag it to the left: more pixels are split, and deeper; "
+     "to "
+     "the right: fewer. The picture follows."},
+    {"See the map",
+     "Black pixels were told by one sample; the brighter the colour, the deeper the pixel was "
+     "split. "
+     "M shows and hides the map, and a click on a pixel says why it is as it is."},
+    {"Which method is better?",
+     "Let another method have the processor time that this picture took, and look at both beside a "
+     "line that you can drag. \"Error against run time\" in the panel measures it."},
+}};
+
+// Some pixels of the picture around one, large.
+void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
+           const DisplayTransform& display) {
+  constexpr int columns = 16, rows = 6;
+  const float side = std::floor(ImGui::GetContentRegionAvail().x / columns);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({side * columns, side * rows});
+  controls.placed("Loupe", nullptr);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const glm::ivec2 first = pixel - glm::ivec2(columns, rows) / 2;
+  const auto lo = [&](glm::ivec2 cell) {
+    return ImVec2{corner.x + side * static_cast<float>(cell.x),
+                  corner.y + side * static_cast<float>(cell.y)};
+  };
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      const glm::ivec2 at = first + glm::ivec2(x, y);
+      if (at.x < 0 || at.y < 0 || at.x >= film.width || at.y >= film.height) continue;
+      const glm::u8vec3 c = display_bytes(film.radiance[film.index(at.x, at.y)], display);
+      draw.AddRectFilled(lo({x, y}), lo({x + 1, y + 1}), IM_COL32(c.x, c.y, c.z, 255));
+    }
+  }
+  const glm::ivec2 middle = glm::ivec2(columns, rows) / 2;
+  draw.AddRect(lo(middle), lo(middle + 1), IM_COL32(0, 0, 0, 255), 0.0f, 0, 5.0f);
+  draw.AddRect(lo(middle), lo(middle + 1), IM_COL32(255, 255, 255, 255), 0.0f, 0, 2.0f);
+}
+
+void eps_slider(Controls& controls, Previewer& previewer) {
+  RenderSettings& settings = previewer.edits().settings();
+  controls.log_slider(
+      "Tolerance",
+      "EPS: how far a pixel's display intensity (0 to 1) may be off. Ctrl + Z takes "
+      "it back, a double click resets it.",
+      settings.asos.eps, {0.0, 1.0, RenderSettings{}.asos.eps},
+      [](double eps) { return eps > 0.0 ? fmt::format("1/{:.0f}", 1.0 / eps) : std::string("0"); });
+  const Film& film = previewer.render().film();
+  const auto split = std::count_if(film.split_level.begin(), film.split_level.end(),
+                                   [](std::uint8_t level) { return level > 0; });
+  const double pixels = std::max<double>(1.0, static_cast<double>(film.split_level.size()));
+  controls.row("Split",
+               fmt::format("{:.1f} % of the pixels", 100.0 * static_cast<double>(split) / pixels),
+               "The share of the picture's pixels that are split.");
+}
+
+void map_choice(Controls& controls, DisplaySettings& display) {
+  constexpr std::array options{
+      Controls::Option{"Levels", "How deep each pixel was split."},
+      Controls::Option{"Causes", "Why it was: outlines, creases, shadows, reflections."},
+      Controls::Option{"Their rays", "How many rays each pixel took."},
+  };
+  int colours = std::min(static_cast<int>(display.split_colours), 2);
+  if (controls.options("Map by", options, colours, {true, 0}))
+    display.split_colours = static_cast<SplitMapColours>(colours);
+}
+
+void ask_rival(Controls& controls, const Previewer& previewer, UiState& state, EqualTimeJob& job) {
+  const bool finished = previewer.render().progress().finished;
+  Tour& tour = state.tour;
+  if (tour.frames_when_asked && state.frames.stored.size() > *tour.frames_when_asked) {
+    tour.rival = state.frames.stored.back().name;
+    tour.frames_when_asked.reset();
+  }
+  if (controls.button("Ask for a rival",
+                      "Render the view by the method that \"Equal time\" has chosen, in the same "
+                      "time, and show it at the right of a line.")) {
+    if (start_equal_time(previewer, state.equal_time, job, state.frames))
+      tour.frames_when_asked = state.frames.stored.size();
+    else if (!job.busy())
+      state.said = finished ? "There are eight frames already: remove one first"
+                            : "Once the picture is finished";
+  }
+  ImGui::SameLine();
+  std::string words = finished ? row_of(state.equal_time.method).title
+                               : std::string("when the picture is finished");
+  if (job.busy()) words += " is rendering";
+  if (state.frames.comparison == Comparison::wipe && !job.busy()) words += " is at the right";
+  ImGui::TextDisabled("%s", words.c_str());
+}
+
+// The drawing, or the part of the picture, that the card is about.
+void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob& job,
+          float room_down, double now_seconds) {
+  const Film& film = previewer.render().film();
+  const float width = ImGui::GetContentRegionAvail().x;
+  switch (*state.tour.card) {
+    case Tour::Card::pyray:
+      // Low windows have room for one of them.
+      if (room_down > 28.0f * ImGui::GetFontSize() || !state.tour.pixel) draw_pyray(Sketch(width));
+      if (state.tour.pixel) loupe(controls, film, *state.tour.pixel, state.display.transform());
+      break;
+    case Tour::Card::split:
+      if (!state.tour.pixel) ImGui::TextDisabled("No pixel of this picture is split.");
+      if (controls.button("Again", "Show the splitting from the whole pixel on.")) {
+        state.shown_level = 0;
+        state.tour.since_seconds = now_seconds;
+      }
+      ImGui::SameLine();
+      if (state.shown_level) ImGui::TextDisabled("level %d", *state.shown_level);
+      break;
+    case Tour::Card::eps:
+      eps_slider(controls, previewer);
+      break;
+    case Tour::Card::map:
+      map_choice(controls, state.display);
+      break;
+    case Tour::Card::better:
+      ask_rival(controls, previewer, state, job);
+      break;
+  }
+}
+
+// Back, on, and out. Returns the card to go to; none: this one.
+std::optional<int> buttons(Controls& controls, int card) {
+  std::optional<int> next;
+  const bool last = card + 1 == Tour::cards;
+  ImGui::Spacing();
+  if (card > 0) {
+    if (controls.button("Card before", "To the card before.")) next = card - 1;
+    ImGui::SameLine();
+  }
+  if (!last) {
+    if (controls.button("Next card", "To the next card.")) next = card + 1;
+    ImGui::SameLine();
+  }
+  if (controls.button(last ? "Done" : "End tour",
+                      "Put everything back. \"Tour\" in the panel begins it again. Key: Esc."))
+    next = Tour::cards;
+  const std::string count = fmt::format("{} of {}", card + 1, Tour::cards);
+  const float left = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
+  ImGui::SameLine();
+  if (ImGui::GetCursorPosX() > left) return next;
+  ImGui::SetCursorPosX(left);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", count.c_str());
+  return next;
+}
+
+// The pixel that the cards speak of, until it is known for good.
+void choose_pixel(const Previewer& previewer, UiState& state) {
+  Tour& tour = state.tour;
+  const Film& film = previewer.render().film();
+  const bool gone = tour.pixel && (tour.pixel->x >= film.width || tour.pixel->y >= film.height);
+  const bool may_change = *tour.card == Tour::Card::pyray || !tour.pixel || gone;
+  if (!may_change) return;
+  tour.pixel = most_split_pixel(film);
+  if (*tour.card == Tour::Card::split) state.picked = tour.pixel;
+}
+
+void next_level(UiState& state, int deepest, double now_seconds) {
+  if (!state.shown_level) return;
+  if (now_seconds - state.tour.since_seconds < Tour::seconds_per_level) return;
+  state.tour.since_seconds = now_seconds;
+  if (++*state.shown_level > deepest) state.shown_level.reset();
+}
+
+}  // namespace
+
+void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob& equal_time,
+                const PictureArea& area, double now_seconds) {
+  if (std::exchange(state.tour_asked, false)) start_tour(state, now_seconds);
+  if (!state.tour.card) return;
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(card_width_em * em, area.rect.size.x - em);
+  if (width < 12.0f * em || area.rect.size.y < 10.0f * em) return;
+  choose_pixel(previewer, state);
+  next_level(state, previewer.edits().settings().asos.max_level, now_seconds);
+
+  const glm::vec2 corner = area.rect.lo + area.rect.size - 0.5f * em;
+  ImGui::SetNextWindowPos({corner.x, corner.y}, ImGuiCond_Always, {1.0f, 1.0f});
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::Begin("tour", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  const int card = static_cast<int>(*state.tour.card);
+  const CardWords& words = card_words[static_cast<std::size_t>(card)];
+  theme::push_title();
+  ImGui::TextUnformatted(words.title);
+  theme::pop_title();
+  ImGui::TextWrapped("%s", words.text);
+  body(controls, previewer, state, equal_time, area.rect.size.y, now_seconds);
+  const std::optional<int> next = buttons(controls, card);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  if (next) show_card(state, *next, now_seconds);
+}
+
+std::optional<double> seconds_to_card(const UiState& state, double now_seconds) {
+  if (!state.tour.card || !state.shown_level) return std::nullopt;
+  return std::max(0.0, state.tour.since_seconds + Tour::seconds_per_level - now_seconds);
+}
+
+}  // namespace asos

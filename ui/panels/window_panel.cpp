@@ -1,0 +1,49 @@
+#include "ui/panels/panels.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace asos {
+
+namespace {
+
+constexpr std::array themes{
+    Controls::Option{"Dark", "Light text on dark grey."},
+    Controls::Option{"Light", "Dark text on light grey."},
+};
+
+struct NamedScale {
+  const char* name;
+  float scale;
+};
+constexpr std::array scales{NamedScale{"75 %", 0.75f}, NamedScale{"100 %", 1.0f},
+                            NamedScale{"125 %", 1.25f}, NamedScale{"150 %", 1.5f},
+                            NamedScale{"200 %", 2.0f}};
+
+void scale_choice(Controls& controls, float& scale) {
+  std::array<Controls::Option, scales.size()> options{};
+  int chosen = -1, usual = 0;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    options[i] = {scales[i].name,
+                  "How large text and all else of the window is, beside what the screen asks for."};
+    if (scales[i].scale == scale) chosen = static_cast<int>(i);
+    if (scales[i].scale == WindowLook{}.scale) usual = static_cast<int>(i);
+  }
+  if (controls.options("Text size", options, chosen, {true, usual}) && chosen >= 0)
+    scale = scales[static_cast<std::size_t>(chosen)].scale;
+}
+
+}  // namespace
+
+void window_panel(Controls& controls, WindowLook& look) {
+  if (!controls.section("Window")) return;
+  int theme = static_cast<int>(look.theme);
+  if (controls.options("Theme", themes, theme, {true, 0}))
+    look.theme = static_cast<theme::Look>(theme);
+  scale_choice(controls, look.scale);
+}
+
+}  // namespace asos

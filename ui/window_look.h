@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ui/theme.h"
+
+namespace asos {
+
+/// How a person wants the window to look.
+struct WindowLook {
+  static constexpr float least_scale = 0.5f, most_scale = 3.0f;
+
+  theme::Look theme = theme::Look::dark;
+  float scale = 1.0f;  ///< of text and all else, beside that of the screen
+
+  bool operator==(const WindowLook&) const = default;
+};
+
+}  // namespace asos
