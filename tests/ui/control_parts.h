@@ -46,6 +46,7 @@ inline const std::map<std::string, Part> parts{
     {"Resume", Part::limits},
     {"Stop", Part::limits},
     {"Render again", Part::limits},
+    {"Go on", Part::limits},
     {"Time limit", Part::limits},
     {"Quality goal", Part::limits},
     {"Bounces", Part::settings},

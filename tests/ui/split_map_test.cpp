@@ -82,7 +82,7 @@ class SplitMapTest : public testing::Test {
     return rig.pixels()[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
   }
 
-  UiRig rig{kinked_wall, {900, 900}};
+  UiRig rig{kinked_wall, {905, 899}};  // the picture is of 577 x 871 pixels
 };
 
 TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
