@@ -52,7 +52,7 @@ struct ShadingSettings {
   float roughest_mirror = 0.35f;       ///< see RenderSettings
   const Dfr* dfr = nullptr;            ///< of all that mirrors; null: of each material its own
   const MaterialDfrs* dfrs = nullptr;  ///< the materials' own; null: none has any
-  Backdrop backdrop;                   ///< what eye rays see behind all surfaces
+  Backdrop backdrop{};                 ///< what eye rays see behind all surfaces
 };
 
 /// Samples the light that a scene sends along rays: every method shades through this one class.

@@ -10,8 +10,13 @@
 
 // Shadows of glass: straight, by what its walls let through and what its volume leaves.
 
-namespace asos::test::glass {
+namespace asos::test::glass_shadow_test {
 namespace {
+
+using glass::add_solid;
+using glass::clear;
+using glass::mean;
+using glass::picture;
 
 constexpr double thickness = 0.4, distance = 0.7;
 
@@ -105,4 +110,4 @@ TEST(GlassShadow, OfALightWithASizeIsTheMeanOverIt) {
 }
 
 }  // namespace
-}  // namespace asos::test::glass
+}  // namespace asos::test::glass_shadow_test
