@@ -249,6 +249,25 @@ HighlightError Refinement::highlights_error(const GlossyPatch& glossy) const {
   return all;
 }
 
+// Where triangles are smaller than the patch, one of them does not tell how the mirror bends: how
+// far its neighbours' normals are from what it says, in what may be neglected.
+double Refinement::strayed_width(const Hit& hit, const Patch& patch, const MirrorSurface& mirror,
+                                 const LeafRegion& region, float side) const {
+  constexpr double negligible = 0.02;
+  const World& world = eye_->scene->world();
+  if (world.is_face(hit.triangle)) return 0.0;
+  const glm::uvec3 v = world.triangles[hit.triangle];
+  const glm::vec3 p = world.positions[v.x];
+  const float triangle =
+      0.5f * glm::length(glm::cross(world.positions[v.y] - p, world.positions[v.z] - p));
+  if (!(triangle < glm::length(glm::cross(patch.right, patch.down)))) return 0.0;
+  const glm::ivec2 pixel = pixel_of(region);
+  const auto across = static_cast<double>(side);
+  const float strays = normals_.strays(pixel.x, pixel.y, glm::vec3(mirror.turn_right / across),
+                                       glm::vec3(mirror.turn_down / across));
+  return static_cast<double>(strays) * across / negligible;
+}
+
 // How far a curved mirror spreads the region's corner rays, in what one reflected pyray may be wide
 // (CGF'98 sections 5.2.1 to 5.2.4).
 double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) const {
@@ -266,13 +285,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const float side = region.square.side * static_cast<float>(eye_->block.width);
   const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
   const MirrorSurface surface = mirror_surface(eye_->scene->world(), hit, point, pyray, true);
-  // Where triangles are smaller than the patch, one of them does not tell how the mirror bends.
-  constexpr double strays_far = 0.02;
-  const glm::ivec2 pixel = pixel_of(region);
-  const auto across = static_cast<double>(side);
-  const float strays = normals_.strays(pixel.x, pixel.y, glm::vec3(surface.turn_right / across),
-                                       glm::vec3(surface.turn_down / across));
-  const double strayed = static_cast<double>(strays * side) / strays_far;
+  const double strayed = strayed_width(hit, patch_around(sample, region), surface, region, side);
   if (strayed > 1.0) return strayed;
   if (!surface.bent()) return 0.0;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();

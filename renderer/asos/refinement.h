@@ -5,6 +5,7 @@
 #include "renderer/asos/normal_variation.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/reflections/mirrored_pyray.h"
 #include "renderer/shading/highlight_unevenness.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/shadow_context.h"
@@ -75,6 +76,9 @@ class Refinement {
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] glm::ivec2 pixel_of(const LeafRegion& region) const;
+  [[nodiscard]] double strayed_width(const Hit& hit, const Patch& patch,
+                                     const MirrorSurface& mirror, const LeafRegion& region,
+                                     float side) const;
   [[nodiscard]] bool refracts_too_widely(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;

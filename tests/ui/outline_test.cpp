@@ -56,11 +56,13 @@ TEST(Extensions, AreThoseThatAMaterialAsksFor) {
   other.emissive_strength = 5.0f;
   other.unlit = true;
   other.diffuse_transmission.factor = 0.3f;
+  other.anisotropy.strength = 0.5f;
   EXPECT_EQ(extensions_of(other),
-            (std::vector<std::string>{
-                "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
-                "KHR_materials_emissive_strength", "KHR_materials_iridescence",
-                "KHR_materials_sheen", "KHR_materials_specular", "KHR_materials_unlit"}));
+            (std::vector<std::string>{"KHR_materials_anisotropy", "KHR_materials_clearcoat",
+                                      "KHR_materials_diffuse_transmission",
+                                      "KHR_materials_emissive_strength",
+                                      "KHR_materials_iridescence", "KHR_materials_sheen",
+                                      "KHR_materials_specular", "KHR_materials_unlit"}));
 }
 
 class OutlineTest : public PanelsTest {
@@ -132,8 +134,10 @@ TEST_F(OutlineTest, TheLastObjectStays) {
   choose("Object/1");
   rig.click("Isolate");
   ASSERT_TRUE(becomes(1));
-  rig.frame();
+  ASSERT_TRUE(rig.settle());
+  ASSERT_EQ(rig.content().state().outline.selected, -1);
   choose("Object/1");
+  ASSERT_EQ(rig.content().state().outline.selected, 0);
   rig.click("Hide");
   rig.frame();
   EXPECT_EQ(parts(), 1u);

@@ -122,6 +122,7 @@ std::vector<std::string> extensions_of(const Material& m) {
     const char* name;
   };
   const Asked all[] = {
+      {m.anisotropy.used(), "anisotropy"},
       {m.coat.factor > 0.0f, "clearcoat"},
       {m.diffuse_transmission.used(), "diffuse_transmission"},
       {m.volume.dispersion > 0.0f, "dispersion"},

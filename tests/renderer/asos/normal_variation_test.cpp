@@ -67,10 +67,10 @@ TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
     for (int x = 0; x < side; ++x) EXPECT_EQ(normals.error(x, y), 0.0f) << x << ' ' << y;
 }
 
-// What is foretold is a triangle's own turn; a cylinder's neighbours are where that of its circle
-// leads, but for its bend.
+// A cylinder's neighbours turn as its circle does; at the block's border as that of the next pixel,
+// whose turn is turned itself.
 TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
-  const double step = 0.02, bend = 2.0 - 2.0 * std::cos(step);
+  const double step = 0.02, bend = 1.01 * step * step;
   NormalVariation normals;
   normals.find(side, turned([&](int x) { return step * x; }), one_surface, background);
   for (int x = 0; x < side; ++x) {

@@ -1,13 +1,8 @@
 #include "renderer/shading/anisotropy.h"
 
-#include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_quadrature.h"
-#include "renderer/shading/shade.h"
-#include "renderer/shading/sky.h"
-#include "renderer/shading/sky_light.h"
-#include "tests/support/rendering_equation.h"
+#include "tests/renderer/shading/seen_floor.h"
 #include "tests/support/tiny_image.h"
-#include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
 
@@ -33,15 +28,6 @@ std::vector<Reflector> reflectors() {
           brushed(1.0, 0.6, 1.0, 2.5)};
 }
 
-Material material_of(const Reflector& r) {
-  Material m = matte(glm::vec3(r.base));
-  m.metallic = static_cast<float>(r.metallic);
-  m.roughness = static_cast<float>(r.roughness);
-  m.anisotropy.strength = static_cast<float>(r.anisotropy);
-  m.anisotropy.rotation_rad = static_cast<float>(std::atan2(r.tangent.z, r.tangent.x));
-  return m;
-}
-
 /// The lobe alone.
 Reflector white(Reflector r) {
   r.base = glm::dvec3(1.0);
@@ -49,78 +35,10 @@ Reflector white(Reflector r) {
   return r;
 }
 
-SeenPoint seen_at(double angle) {
-  return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
-}
-
-/// The light that arrives, and of the sky the mean over samples.
-class Sampled final : public LightTransport {
- public:
-  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
-    radiance += lit.reflected * lit.unshadowed;
-  }
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
-               RenderStatistics& /*counts*/) override {
-    constexpr std::uint32_t samples = 1 << 13;
-    const SobolPixel places(3, 5, 7);
-    glm::dvec3 sum(0.0);
-    for (std::uint32_t i = 0; i < samples; ++i)
-      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
-        sum += glm::dvec3(sample->carried);
-    radiance += glm::vec3(sum / static_cast<double>(samples));
-    return true;
-  }
-};
-
-/// A floor in y = 0, whose texture coordinate u grows along x and v against z.
-struct Floor {
-  World world;
-  Lighting lighting;
-  SceneNeeds needs;
-  RayScene rays;
-
-  explicit Floor(const Material& material, std::vector<Light> lights = {}) {
-    add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
-    lighting = prepare_lighting(world, std::move(lights));
-    needs = find_needs(world).with(lighting.needs);
-    rays = RayScene::build(world, alpha_at, lighting.lights).value();
-  }
-  Floor(const Floor&) = delete;
-
-  [[nodiscard]] glm::vec3 look(glm::vec3 to_viewer, const Sky& sky, bool sampled = false) const {
-    ShadingSettings settings;
-    settings.sky = &sky;
-    settings.sky_shadows = sampled;
-    Sampled transport;
-    RenderStatistics counts;
-    Ray ray;
-    ray.origin = 10.0f * to_viewer;
-    ray.direction = -to_viewer;
-    return Shader(world, needs, rays, lighting, settings)
-        .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
-  }
-};
-
 TEST(Anisotropy, OfALightIsTheExtensionsFormula) {
-  const Sky dark(glm::vec3(0.0f));
   for (const Reflector& reflector : reflectors()) {
-    for (const double angle : angles) {
-      for (const glm::dvec3 light : {glm::dvec3(0.2, 1, 0.1), {-0.9, 0.5, 0.3}, {1, 0.2, -1}}) {
-        const glm::dvec3 to_light = glm::normalize(light);
-        Light sun;
-        sun.type = Light::Type::directional;
-        sun.direction = -to_light;
-        sun.intensity = 2.0f;
-        const Floor floor(material_of(reflector), {sun});
-        const SeenPoint at = seen_at(angle);
-        const glm::dvec3 expected =
-            2.0 * to_light.y * gltf_brdf(reflector, at, LayersSeen(reflector, at), to_light);
-        const glm::vec3 found = floor.look(glm::vec3(at.to_viewer), dark);
-        for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(found[c], expected[c], 4e-3 * expected[c] + 1e-4)
-              << angle << ' ' << light.x << ' ' << reflector.anisotropy;
-      }
-    }
+    SCOPED_TRACE(reflector.anisotropy);
+    expect_formula_under_suns(reflector, angles);
   }
 }
 
@@ -128,13 +46,13 @@ TEST(Anisotropy, OfALightIsTheExtensionsFormula) {
 TEST(Anisotropy, UnderASkyOfRadianceOneReturnsItsAlbedo) {
   const Sky white(glm::vec3(1.0f));
   for (const Reflector& reflector : reflectors()) {
-    const Floor floor(material_of(reflector));
+    const SeenFloor floor(material_of(reflector));
     for (const double angle : angles) {
       const SeenPoint at = seen_at(angle);
       const LayersSeen layers(reflector, at);
       const glm::dvec3 albedo = over_hemisphere(
           at, 150, [&](glm::dvec3 l) { return gltf_brdf(reflector, at, layers, l); });
-      const glm::vec3 found = floor.look(glm::vec3(at.to_viewer), white, true);
+      const glm::vec3 found = floor.look(glm::vec3(at.to_viewer), white, sky_samples);
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(found[c], albedo[c], 1e-2) << angle << ' ' << reflector.anisotropy;
         EXPECT_LE(found[c], 1.0f);
@@ -150,7 +68,7 @@ TEST(Anisotropy, InTheAmbientLightNeverReturnsMoreThanItGets) {
       for (const double metallic : {0.0, 1.0}) {
         Reflector r = brushed(metallic, roughness, strength, 0.3);
         r.base = glm::dvec3(1.0);
-        const Floor floor(material_of(r));
+        const SeenFloor floor(material_of(r));
         for (double angle = 0.0; angle < 1.57; angle += 0.1) {
           const glm::vec3 found = floor.look(glm::vec3(seen_at(angle).to_viewer), white);
           EXPECT_LE(found.x, 1.0f + 1e-5f) << angle << ' ' << roughness << ' ' << strength;
@@ -223,7 +141,7 @@ double seen_of(const Material& material, glm::vec3 to_viewer, glm::dvec3 to_ligh
   sun.type = Light::Type::directional;
   sun.direction = -glm::normalize(to_light);
   const Sky dark(glm::vec3(0.0f));
-  return static_cast<double>(Floor(material, {sun}).look(glm::normalize(to_viewer), dark).x);
+  return static_cast<double>(SeenFloor(material, {sun}).look(glm::normalize(to_viewer), dark).x);
 }
 
 TEST(Anisotropy, IsTurnedByItsRotationAndItsTexture) {

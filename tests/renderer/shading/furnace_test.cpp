@@ -1,10 +1,5 @@
-#include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/film.h"
-#include "renderer/shading/shade.h"
-#include "renderer/shading/sky.h"
-#include "renderer/shading/sky_light.h"
-#include "tests/support/rendering_equation.h"
-#include "tests/support/tiny_world.h"
+#include "tests/renderer/shading/seen_floor.h"
 
 #include <gtest/gtest.h>
 
@@ -20,52 +15,9 @@ namespace {
 
 constexpr double angles[] = {0.0, 0.6, 1.0, 1.3};
 
-class SampledSky final : public LightTransport {
- public:
-  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
-           RenderStatistics& /*counts*/) override {}
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
-               RenderStatistics& /*counts*/) override {
-    constexpr std::uint32_t samples = 1 << 13;
-    const SobolPixel places(3, 5, 7);
-    glm::dvec3 sum(0.0);
-    for (std::uint32_t i = 0; i < samples; ++i)
-      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
-        sum += glm::dvec3(sample->carried);
-    radiance += glm::vec3(sum / static_cast<double>(samples));
-    return true;
-  }
-};
-
-SeenPoint seen_at(double angle) {
-  return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
-}
-
-/// What is seen of a floor of a material at an angle from upright.
 glm::vec3 seen_of(const Material& material, double angle) {
-  World world;
-  add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
-  const Lighting lighting = prepare_lighting(world, {});
-  const SceneNeeds needs = find_needs(world);
-  const RayScene rays = RayScene::build(world, alpha_at).value();
   const Sky white(glm::vec3(1.0f));
-  ShadingSettings settings;
-  settings.sky = &white;
-  settings.sky_shadows = true;
-  SampledSky transport;
-  RenderStatistics counts;
-  Ray ray;
-  ray.direction = -glm::vec3(seen_at(angle).to_viewer);
-  ray.origin = -10.0f * ray.direction;
-  return Shader(world, needs, rays, lighting, settings)
-      .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
-}
-
-Material material_of(const Reflector& r) {
-  Material m = matte(glm::vec3(r.base));
-  m.metallic = static_cast<float>(r.metallic);
-  m.roughness = static_cast<float>(r.roughness);
-  return m;
+  return SeenFloor(material).look(angle, white, sky_samples);
 }
 
 // KHR_materials_iridescence: the lobe's integral times the film's Fresnel term for the viewer, and

@@ -1,12 +1,7 @@
-#include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/brdf.h"
-#include "renderer/shading/shade.h"
 #include "renderer/shading/sheen.h"
-#include "renderer/shading/sky.h"
-#include "renderer/shading/sky_light.h"
-#include "tests/support/rendering_equation.h"
+#include "tests/renderer/shading/seen_floor.h"
 #include "tests/support/tiny_image.h"
-#include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
 
@@ -20,78 +15,6 @@ namespace asos::test::layers_test {
 namespace {
 
 constexpr double angles[] = {0.0, 0.5, 1.0, 1.3, 1.45};
-
-/// Adds up what the sky sends by way of all layers, by samples or, of an open one, at once.
-class SkyTransport final : public LightTransport {
- public:
-  explicit SkyTransport(std::uint32_t samples) : samples_(samples) {}
-
-  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
-    radiance += lit.reflected * lit.unshadowed;
-  }
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
-               RenderStatistics& /*counts*/) override {
-    const SobolPixel places(3, 5, 7);
-    glm::dvec3 sum(0.0);
-    for (std::uint32_t i = 0; i < samples_; ++i)
-      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
-        sum += glm::dvec3(sample->carried);
-    radiance += glm::vec3(sum / static_cast<double>(samples_));
-    return true;
-  }
-
- private:
-  std::uint32_t samples_;
-};
-
-Material material_of(const Reflector& reflector) {
-  Material m = matte(glm::vec3(reflector.base));
-  m.metallic = static_cast<float>(reflector.metallic);
-  m.roughness = static_cast<float>(reflector.roughness);
-  m.coat.factor = static_cast<float>(reflector.coat);
-  m.coat.roughness = static_cast<float>(reflector.coat_roughness);
-  m.sheen.color = glm::vec3(reflector.sheen);
-  m.sheen.roughness = static_cast<float>(reflector.sheen_roughness);
-  return m;
-}
-
-/// A floor of a material, under one sky and maybe a light.
-struct Floor {
-  World world;
-  Lighting lighting;
-  SceneNeeds needs;
-  RayScene rays;
-
-  explicit Floor(const Material& material, std::vector<Light> lights = {}) {
-    add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
-    lighting = prepare_lighting(world, std::move(lights));
-    needs = find_needs(world).with(lighting.needs);
-    rays = RayScene::build(world, alpha_at, lighting.lights).value();
-  }
-  Floor(const Floor&) = delete;
-
-  /// What is seen of its middle at an angle from upright, under `sky`; of an open one without
-  /// samples.
-  [[nodiscard]] glm::vec3 look(double angle, const Sky& sky, std::uint32_t samples = 0) const {
-    ShadingSettings settings;
-    settings.sky = &sky;
-    settings.sky_shadows = samples > 0;
-    SkyTransport transport(samples);
-    RenderStatistics counts;
-    Ray ray;
-    ray.origin = 10.0f * to_viewer(angle);
-    ray.direction = -to_viewer(angle);
-    return Shader(world, needs, rays, lighting, settings)
-        .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
-  }
-  static glm::vec3 to_viewer(double angle) {
-    return {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)), 0.0f};
-  }
-};
-
-SeenPoint seen_at(double angle) {
-  return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
-}
 
 Reflector coated(double metallic, double factor, double roughness) {
   return {{0.9, 0.6, 0.3}, metallic, 0.6, factor, roughness};
@@ -108,25 +31,9 @@ std::vector<Reflector> reflectors() {
 }
 
 TEST(Layers, OfALightAreTheExtensionsFormulas) {
-  const Sky dark(glm::vec3(0.0f));
   for (const Reflector& reflector : reflectors()) {
-    for (const double angle : angles) {
-      for (const glm::dvec3 light : {glm::dvec3(0.2, 1, 0.1), {-0.9, 0.5, 0.3}, {1, 0.2, -1}}) {
-        const glm::dvec3 to_light = glm::normalize(light);
-        Light sun;
-        sun.type = Light::Type::directional;
-        sun.direction = -to_light;
-        sun.intensity = 2.0f;
-        const Floor floor(material_of(reflector), {sun});
-        const SeenPoint at = seen_at(angle);
-        const glm::dvec3 expected =
-            2.0 * to_light.y * gltf_brdf(reflector, at, LayersSeen(reflector, at), to_light);
-        const glm::vec3 found = floor.look(angle, dark);
-        for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(found[c], expected[c], 4e-3 * expected[c] + 1e-4)
-              << angle << ' ' << light.x << ' ' << reflector.coat << ' ' << reflector.sheen.x;
-      }
-    }
+    SCOPED_TRACE(reflector.coat);
+    expect_formula_under_suns(reflector, angles);
   }
 }
 
@@ -135,13 +42,13 @@ TEST(Layers, OfALightAreTheExtensionsFormulas) {
 TEST(Layers, UnderASkyOfRadianceOneReturnTheirAlbedo) {
   const Sky white(glm::vec3(1.0f));
   for (const Reflector& reflector : reflectors()) {
-    const Floor floor(material_of(reflector));
+    const SeenFloor floor(material_of(reflector));
     for (const double angle : angles) {
       const SeenPoint at = seen_at(angle);
       const LayersSeen layers(reflector, at);
       const glm::dvec3 albedo = over_hemisphere(
           at, 150, [&](glm::dvec3 l) { return gltf_brdf(reflector, at, layers, l); });
-      const glm::vec3 found = floor.look(angle, white, 1 << 13);
+      const glm::vec3 found = floor.look(angle, white, sky_samples);
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(found[c], albedo[c], 1e-2)
             << angle << ' ' << reflector.coat << ' ' << reflector.sheen.x;
@@ -157,7 +64,7 @@ TEST(Layers, NeverReturnMoreThanTheyGet) {
       Reflector r{{1, 1, 1}, metallic, roughness, 1.0, roughness, {1, 1, 1}, roughness};
       for (const double coat : {0.0, 0.5, 1.0}) {
         r.coat = coat;
-        const Floor floor(material_of(r));
+        const SeenFloor floor(material_of(r));
         for (double angle = 0.0; angle < 1.57; angle += 0.05) {
           const glm::vec3 found = floor.look(angle, white);
           EXPECT_LE(std::max({found.x, found.y, found.z}), 1.0f + 1e-5f) << angle;
@@ -175,7 +82,7 @@ TEST(Layers, HideWhatShinesBelowThem) {
   m.coat.factor = 0.5f;
   for (const double angle : angles) {
     const double fresnel = 0.04 + 0.96 * std::pow(1.0 - std::cos(angle), 5.0);
-    const glm::vec3 found = Floor(m).look(angle, dark);
+    const glm::vec3 found = SeenFloor(m).look(angle, dark);
     EXPECT_NEAR(found.r, 3.0 * (1.0 - 0.5 * fresnel), 1e-5);
     EXPECT_NEAR(found.b, 1.0 - 0.5 * fresnel, 1e-5);
   }

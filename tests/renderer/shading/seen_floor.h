@@ -1,0 +1,123 @@
+#pragma once
+
+#include "renderer/sampling/sobol_points.h"
+#include "renderer/shading/shade.h"
+#include "renderer/shading/sky.h"
+#include "renderer/shading/sky_light.h"
+#include "tests/support/rendering_equation.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+// What shading makes of a material, seen on a floor, beside the formulas of glTF and its
+// extensions.
+
+namespace asos::test {
+
+/// Adds up what lights and the sky send by way of all layers, the sky by samples or, of an open
+/// one, at once.
+class FloorTransport final : public LightTransport {
+ public:
+  explicit FloorTransport(std::uint32_t samples) : samples_(samples) {}
+
+  void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
+    radiance += lit.reflected * lit.unshadowed;
+  }
+  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
+               RenderStatistics& /*counts*/) override {
+    const SobolPixel places(3, 5, 7);
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t i = 0; i < samples_; ++i)
+      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
+        sum += glm::dvec3(sample->carried);
+    radiance += glm::vec3(sum / static_cast<double>(samples_));
+    return true;
+  }
+
+ private:
+  std::uint32_t samples_;
+};
+
+/// Of the sky, that tell its share within 1e-2.
+inline constexpr std::uint32_t sky_samples = 1 << 13;
+
+/// The floor's middle, seen at an angle from upright.
+inline SeenPoint seen_at(double angle) {
+  return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
+}
+
+/// A floor of a material in y = 0, whose texture coordinate u grows along x and v against z, under
+/// one sky and maybe lights.
+struct SeenFloor {
+  World world;
+  Lighting lighting;
+  SceneNeeds needs;
+  RayScene rays;
+
+  explicit SeenFloor(const Material& material, std::vector<Light> lights = {}) {
+    add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
+    lighting = prepare_lighting(world, std::move(lights));
+    needs = find_needs(world).with(lighting.needs);
+    rays = RayScene::build(world, alpha_at, lighting.lights).value();
+  }
+  SeenFloor(const SeenFloor&) = delete;
+
+  /// What is seen of its middle from a unit direction; of an open sky without samples.
+  [[nodiscard]] glm::vec3 look(glm::vec3 to_viewer, const Sky& sky,
+                               std::uint32_t samples = 0) const {
+    ShadingSettings settings;
+    settings.sky = &sky;
+    settings.sky_shadows = samples > 0;
+    FloorTransport transport(samples);
+    RenderStatistics counts;
+    Ray ray;
+    ray.origin = 10.0f * to_viewer;
+    ray.direction = -to_viewer;
+    return Shader(world, needs, rays, lighting, settings)
+        .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
+  }
+  [[nodiscard]] glm::vec3 look(double angle, const Sky& sky, std::uint32_t samples = 0) const {
+    return look(glm::vec3(seen_at(angle).to_viewer), sky, samples);
+  }
+};
+
+inline Material material_of(const Reflector& r) {
+  Material m = matte(glm::vec3(r.base));
+  m.metallic = static_cast<float>(r.metallic);
+  m.roughness = static_cast<float>(r.roughness);
+  m.coat.factor = static_cast<float>(r.coat);
+  m.coat.roughness = static_cast<float>(r.coat_roughness);
+  m.sheen.color = glm::vec3(r.sheen);
+  m.sheen.roughness = static_cast<float>(r.sheen_roughness);
+  m.anisotropy.strength = static_cast<float>(r.anisotropy);
+  m.anisotropy.rotation_rad = static_cast<float>(std::atan2(r.tangent.z, r.tangent.x));
+  return m;
+}
+
+/// What is seen of suns in several places is the formula's.
+inline void expect_formula_under_suns(const Reflector& reflector, std::span<const double> angles) {
+  const Sky dark(glm::vec3(0.0f));
+  for (const double angle : angles) {
+    for (const glm::dvec3 light : {glm::dvec3(0.2, 1, 0.1), {-0.9, 0.5, 0.3}, {1, 0.2, -1}}) {
+      const glm::dvec3 to_light = glm::normalize(light);
+      Light sun;
+      sun.type = Light::Type::directional;
+      sun.direction = -to_light;
+      sun.intensity = 2.0f;
+      const SeenFloor floor(material_of(reflector), {sun});
+      const SeenPoint at = seen_at(angle);
+      const glm::dvec3 expected =
+          2.0 * to_light.y * gltf_brdf(reflector, at, LayersSeen(reflector, at), to_light);
+      const glm::vec3 found = floor.look(angle, dark);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(found[c], expected[c], 4e-3 * expected[c] + 1e-4) << angle << ' ' << light.x;
+    }
+  }
+}
+
+}  // namespace asos::test
