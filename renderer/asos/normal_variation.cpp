@@ -38,18 +38,18 @@ float NormalVariation::error(int x, int y) const {
 }
 
 float NormalVariation::strays(int x, int y, glm::vec3 right, glm::vec3 down) const {
-  if (!holds(x, y) || side_ < 3) return 0.0f;
-  const std::uint32_t surface = surfaces_[index(x, y)];
-  // Of the neighbours to both sides, so that an even bend of the turn itself does not count; at the
-  // block's border those of the next pixel.
-  const auto strays = [&](glm::ivec2 middle, glm::ivec2 step, glm::vec3 turn) {
-    const std::size_t before = index(middle.x - step.x, middle.y - step.y);
-    const std::size_t after = index(middle.x + step.x, middle.y + step.y);
-    if (surfaces_[before] != surface || surfaces_[after] != surface) return 0.0f;
-    return glm::length(0.5f * (normals_[after] - normals_[before]) - turn);
+  if (!holds(x, y)) return 0.0f;
+  const std::size_t middle = index(x, y);
+  float most = 0.0f;
+  const auto look = [&](int column, int row, glm::vec3 turn) {
+    if (!holds(column, row) || surfaces_[index(column, row)] != surfaces_[middle]) return;
+    most = std::max(most, glm::length(normals_[index(column, row)] - normals_[middle] - turn));
   };
-  const int inner_x = std::clamp(x, 1, side_ - 2), inner_y = std::clamp(y, 1, side_ - 2);
-  return std::max(strays({inner_x, y}, {1, 0}, right), strays({x, inner_y}, {0, 1}, down));
+  look(x + 1, y, right);
+  look(x - 1, y, -right);
+  look(x, y + 1, down);
+  look(x, y - 1, -down);
+  return most;
 }
 
 }  // namespace asos

@@ -24,9 +24,9 @@ class NormalVariation {
   /// neighbours show other surfaces.
   [[nodiscard]] float error(int x, int y) const;
 
-  /// How far, in radians, the normals of a pixel's neighbours turn otherwise than by `right` and
-  /// `down` from one pixel to the next: what one triangle says of a surface whose triangles are
-  /// smaller than that. 0 outside of the block, and where neighbours show other surfaces.
+  /// How far, in radians, the neighbours' normals are from where a turn of pixel (x, y)'s by
+  /// `right` and `down` from one pixel to the next would lead: what one triangle says of a surface
+  /// whose triangles are smaller than that. 0 outside of the block, and beside other surfaces.
   [[nodiscard]] float strays(int x, int y, glm::vec3 right, glm::vec3 down) const;
 
  private:

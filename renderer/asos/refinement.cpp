@@ -249,18 +249,12 @@ HighlightError Refinement::highlights_error(const GlossyPatch& glossy) const {
   return all;
 }
 
-// Where triangles are smaller than the patch, one of them does not tell how the mirror bends: how
-// far its neighbours' normals are from what it says, in what may be neglected.
-double Refinement::strayed_width(const Hit& hit, const Patch& patch, const MirrorSurface& mirror,
+// How far neighbours' normals are from what the mirror's own triangle says of them, in what may be
+// neglected: where triangles are smaller than the patch, one of them does not tell how it bends.
+double Refinement::strayed_width(const Hit& hit, const MirrorSurface& mirror,
                                  const LeafRegion& region, float side) const {
   constexpr double negligible = 0.02;
-  const World& world = eye_->scene->world();
-  if (world.is_face(hit.triangle)) return 0.0;
-  const glm::uvec3 v = world.triangles[hit.triangle];
-  const glm::vec3 p = world.positions[v.x];
-  const float triangle =
-      0.5f * glm::length(glm::cross(world.positions[v.y] - p, world.positions[v.z] - p));
-  if (!(triangle < glm::length(glm::cross(patch.right, patch.down)))) return 0.0;
+  if (eye_->scene->world().is_face(hit.triangle)) return 0.0;
   const glm::ivec2 pixel = pixel_of(region);
   const auto across = static_cast<double>(side);
   const float strays = normals_.strays(pixel.x, pixel.y, glm::vec3(mirror.turn_right / across),
@@ -285,7 +279,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const float side = region.square.side * static_cast<float>(eye_->block.width);
   const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
   const MirrorSurface surface = mirror_surface(eye_->scene->world(), hit, point, pyray, true);
-  const double strayed = strayed_width(hit, patch_around(sample, region), surface, region, side);
+  const double strayed = strayed_width(hit, surface, region, side);
   if (strayed > 1.0) return strayed;
   if (!surface.bent()) return 0.0;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();

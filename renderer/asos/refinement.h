@@ -76,9 +76,8 @@ class Refinement {
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] glm::ivec2 pixel_of(const LeafRegion& region) const;
-  [[nodiscard]] double strayed_width(const Hit& hit, const Patch& patch,
-                                     const MirrorSurface& mirror, const LeafRegion& region,
-                                     float side) const;
+  [[nodiscard]] double strayed_width(const Hit& hit, const MirrorSurface& mirror,
+                                     const LeafRegion& region, float side) const;
   [[nodiscard]] bool refracts_too_widely(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;

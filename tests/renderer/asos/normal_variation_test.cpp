@@ -67,8 +67,7 @@ TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
     for (int x = 0; x < side; ++x) EXPECT_EQ(normals.error(x, y), 0.0f) << x << ' ' << y;
 }
 
-// A cylinder's neighbours turn as its circle does; at the block's border as that of the next pixel,
-// whose turn is turned itself.
+// A cylinder's neighbours are where the turn of its circle leads, but for its bend.
 TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
   const double step = 0.02, bend = 1.01 * step * step;
   NormalVariation normals;
