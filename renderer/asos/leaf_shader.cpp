@@ -204,7 +204,8 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
 
 // The standard error that the part's weight deserves, and twice that where noise is all there is:
 // what is noisiest has most of a picture's error, so that samples are better spent there. One for
-// each finest cell at least, and four at most, or sixteen of what may be far brighter than white.
+// each finest cell at least, and four at most, eight of noise, or sixteen of what may be far
+// brighter than white.
 RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sampled what) const {
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
@@ -212,7 +213,7 @@ RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sam
   RegionSampler::Goal goal;
   goal.standard_error = (noisy ? 2.0 : 1.0) * eye_->budget.standard_error(weight);
   goal.least = eye_->budget.samples(weight, 1.0, fewest);
-  goal.most = eye_->budget.samples(weight, noisy || reflected ? 16.0 : 4.0, fewest);
+  goal.most = eye_->budget.samples(weight, reflected ? 16.0 : noisy ? 8.0 : 4.0, fewest);
   return goal;
 }
 
