@@ -1,8 +1,7 @@
 #include "renderer/picture/picture_text.h"
 #include "renderer/scene/load.h"
-#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/ui/choice_fixture.h"
 #include "tests/ui/test_scenes.h"
-#include "tests/ui/ui_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -20,35 +19,11 @@ GltfBuilder two_scenes() {
   return b;
 }
 
-class Scenes : public testing::Test {
+class Scenes : public ChoiceTest {
  protected:
-  Scenes() {
-    rig.set_blind(true);
-    rig.previewer().edits().settings().asos.max_level = 1;
-    open(folder_.write("scenes.glb", two_scenes().glb()));
-  }
-  void open(const std::string& source) {
-    const std::uint64_t opened = scene().times_opened();
-    scene().open(source);
-    arrive(opened);
-  }
-  void arrive(std::uint64_t opened) {
-    EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
-    EXPECT_TRUE(rig.settle());
-  }
-  void choose(const std::string& name) {
-    const std::uint64_t opened = scene().times_opened();
-    rig.click("Scene");
-    rig.frame();
-    rig.click("Scene/" + name);
-    arrive(opened);
-  }
-  OpenScene& scene() { return rig.previewer().scene(); }
+  Scenes() : ChoiceTest("Scene", two_scenes()) {}
   [[nodiscard]] std::size_t triangles() { return scene()->world().triangles.size(); }
   [[nodiscard]] double distance() { return rig.previewer().viewpoint().camera().distance(); }
-
-  TemporaryFolder folder_;
-  UiRig rig{{}, {660, 700}};
 };
 
 TEST_F(Scenes, AreChosenFromAList) {

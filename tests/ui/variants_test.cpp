@@ -1,8 +1,7 @@
 #include "renderer/picture/picture_text.h"
 #include "renderer/scene/load.h"
-#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/ui/choice_fixture.h"
 #include "tests/ui/test_scenes.h"
-#include "tests/ui/ui_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -27,36 +26,12 @@ GltfBuilder two_looks() {
   return b;
 }
 
-class Variants : public testing::Test {
+class Variants : public ChoiceTest {
  protected:
-  Variants() {
-    rig.set_blind(true);
-    rig.previewer().edits().settings().asos.max_level = 1;
-    open(folder_.write("looks.glb", two_looks().glb()));
-  }
-  void open(const std::string& source) {
-    const std::uint64_t opened = scene().times_opened();
-    scene().open(source);
-    arrive(opened);
-  }
-  void arrive(std::uint64_t opened) {
-    EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
-    EXPECT_TRUE(rig.settle());
-  }
-  void choose(const std::string& name) {
-    const std::uint64_t opened = scene().times_opened();
-    rig.click("Variant");
-    rig.frame();
-    rig.click("Variant/" + name);
-    arrive(opened);
-  }
-  OpenScene& scene() { return rig.previewer().scene(); }
+  Variants() : ChoiceTest("Variant", two_looks()) {}
   std::string material() {
     return scene()->world().materials.at(scene()->world().parts.at(0).material).name;
   }
-
-  TemporaryFolder folder_;
-  UiRig rig{{}, {660, 700}};
 };
 
 TEST_F(Variants, AreChosenFromAList) {

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/ui_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace asos::test {
+
+/// A file of which a list in the panel shows one thing or another.
+class ChoiceTest : public testing::Test {
+ protected:
+  /// `list`: the control's name.
+  ChoiceTest(std::string list, const GltfBuilder& file) : list_(std::move(list)) {
+    rig.set_blind(true);
+    rig.previewer().edits().settings().asos.max_level = 1;
+    open(folder_.write("file.glb", file.glb()));
+  }
+  void open(const std::string& source) {
+    const std::uint64_t opened = scene().times_opened();
+    scene().open(source);
+    arrive(opened);
+  }
+  void arrive(std::uint64_t opened) {
+    EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+    EXPECT_TRUE(rig.settle());
+  }
+  void choose(const std::string& name) {
+    const std::uint64_t opened = scene().times_opened();
+    rig.click(list_);
+    rig.frame();
+    rig.click(list_ + "/" + name);
+    arrive(opened);
+  }
+  OpenScene& scene() { return rig.previewer().scene(); }
+
+  TemporaryFolder folder_;
+  UiRig rig{{}, {660, 700}};
+
+ private:
+  std::string list_;
+};
+
+}  // namespace asos::test
