@@ -146,10 +146,11 @@ BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   const FatPyray fat = fat_pyray(job.view, job.block, framed, settings);
 
   // Look along it as the camera does.
-  const Shader shader = shader_of(job.scene, settings, job.view);
+  const Budget budget = Budget::of(settings.asos);
+  const Shader shader = shader_of(job.scene, settings, job.view, budget.negligible_bend());
   EyeContext eye{&job.scene, &settings, Viewer::camera(job.view, shader, settings.filter_width),
                  &fat.frame, framed};
-  eye.budget = Budget::of(settings.asos);
+  eye.budget = budget;
   eye.seed = settings.seed;
   eye.work = &work.eye;
   eye.stop = job.stop;

@@ -37,9 +37,10 @@ class LeafTransport final : public LightTransport {
   /// much as the irradiance does, whichever part it is.
   [[nodiscard]] float unsure_highlights() const { return unsure_highlights_; }
 
-  /// What the leaf would show more of if nothing shaded it, less what flat mirrors show: added to
-  /// its radiance, what is left varies with its shading alone.
-  [[nodiscard]] glm::vec3 inexact() const { return hidden_ - mirrored_; }
+  /// What the leaf would show more of if nothing shaded it, less what is known of all of it: what
+  /// flat mirrors show, and what is the patch's mean. Added to its radiance, what is left varies
+  /// with what its one sample stands for.
+  [[nodiscard]] glm::vec3 inexact() const { return hidden_ - exact_; }
 
  private:
   const EyeContext* eye_;
@@ -49,8 +50,8 @@ class LeafTransport final : public LightTransport {
   std::uint32_t weak_share_;
   SkyShares* sky_;
   std::uint32_t sky_share_;
-  glm::vec3 hidden_{0.0f};    // light that does not reach it
-  glm::vec3 mirrored_{0.0f};  // by flat mirrors
+  glm::vec3 hidden_{0.0f};  // light that does not reach it
+  glm::vec3 exact_{0.0f};
   float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;

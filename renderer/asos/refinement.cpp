@@ -64,19 +64,16 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
     return !shared && eye_->budget.samples_suffice(share, price,
                                                    static_cast<double>(found.highlights.radiance));
   };
-  const double leaf = leaf_price(sample);
   const bool shading = wide > 1.0 || found.all() > tolerance;
-  if (shading) {
-    // Each level of splitting quarters what is too much of errors and angles squared.
-    constexpr double splits_much = 8.0;
-    const double excess = std::max(static_cast<double>(found.error / tolerance), wide * wide);
-    const double price = std::max(leaf * std::min(1.0, excess / splits_much), highlights_price());
-    if (sampled(price)) return {Unevenness::shading, 0, true};
-  }
+  if (shading && sampled(price_of_splitting(sample, found, wide)))
+    return {Unevenness::shading, 0, true};
   LeafVerdict verdict;
   if (extended_lights_ && !shared) {
     const ShadowVerdict shadow = judge_shadows(sample, share, region);
-    if (shadow.uneven) return {Unevenness::shadow, 0, sampled(leaf)};
+    if (shadow.uneven) {
+      const double price = eye_->budget.leaves_of_uneven() * leaf_price(sample);
+      return {Unevenness::shadow, 0, sampled(price)};
+    }
     verdict.note = shadow.note;
     // A leaf that is split for its shading need not have its shadows found again for each part.
     if (shading && region.border.empty() && samples_->opaque(sample) && nearly_flat(sample, share))
@@ -84,6 +81,21 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   }
   if (shading) verdict.uneven = Unevenness::shading;
   return verdict;
+}
+
+// Until all leaves are even, in samples. Each level quarters what is too much of errors and angles
+// squared, and leaves a sixteenth of what highlights' means are off by, which take four looks more
+// at each light.
+double Refinement::price_of_splitting(SampleId sample, const ShadingError& found,
+                                      double wide) const {
+  const auto tolerance = static_cast<double>(eye_->budget.tolerance);
+  const double leaf = leaf_price(sample), highlights = highlights_price();
+  if (!(wide > 1.0) && !(found.error > eye_->budget.tolerance))
+    return std::sqrt(static_cast<double>(found.all()) / tolerance) * (leaf + 5.0 * highlights);
+  constexpr double splits_much = 8.0;
+  const double excess = std::max(static_cast<double>(found.error) / tolerance, wide * wide);
+  return eye_->budget.leaves_of_uneven() *
+         std::max(leaf * std::min(1.0, excess / splits_much), highlights);
 }
 
 // What a leaf of the surface costs, in samples: those of mirrors are pyrays of their own.
@@ -136,7 +148,7 @@ Refinement::ShadingError Refinement::shading_error(SampleId sample, double share
   const Hit& hit = samples_->hit(sample);
   const Ray& ray = samples_->ray(sample);
   const Patch patch = samples_->patch(sample, share);
-  ShadingError found = gloss_error(sample, patch_around(sample, region));
+  ShadingError found = gloss_error(sample, share, patch_around(sample, region));
   found.error += midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
                                 eye_->settings->shadow.light_rule) +
                  normal_error(sample, region) + light_error(sample, region);
@@ -196,7 +208,8 @@ bool Refinement::shows_highlight(std::uint32_t light, const GlossyPatch& glossy)
 
 // What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
 // reflection shows.
-Refinement::ShadingError Refinement::gloss_error(SampleId sample, const Patch& patch) const {
+Refinement::ShadingError Refinement::gloss_error(SampleId sample, double share,
+                                                 const Patch& patch) const {
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = samples_->hit(sample);
   // Textures make roughness less only.
@@ -218,6 +231,7 @@ Refinement::ShadingError Refinement::gloss_error(SampleId sample, const Patch& p
                                   point.shading_normal, glossy.to_viewer);
     glossy.stretch_turn = tangent_turn(scene.world(), hit, patch, point.shading_normal);
   }
+  glossy.white = static_cast<float>(1.0 / share);
   ShadingError all;
   const auto add = [&](const Gloss& gloss) {
     glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
@@ -241,8 +255,8 @@ HighlightError Refinement::highlights_error(const GlossyPatch& glossy) const {
   HighlightError all;
   for (std::size_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
     if (weak_lights_->holds(i)) continue;
-    const HighlightError one = highlight_error(lights[i], glossy, negligible);
-    if (one.error > 0.0f && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
+    const HighlightError one = highlight_error(lights[i], glossy);
+    if (one.error > negligible && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
     all.error += one.error;
     all.radiance += one.radiance;
   }
@@ -320,13 +334,23 @@ bool Refinement::glints(SampleId sample, double share) const {
          eye_->budget.tolerance;
 }
 
+// Whether samples would tell more of a leaf than its own mean does, or its middle: of highlights,
+// which may be far brighter than white, a few are off by more than the mean is.
+bool Refinement::better_sampled(const ShadingError& found) const {
+  constexpr float of_few_samples = 0.044f;
+  const float usual = static_cast<float>(Budget::usual_contrast);
+  const float noise = of_few_samples * (usual + found.highlights.radiance);
+  return found.error > eye_->budget.tolerance ||
+         found.highlights.error > std::max(noise, eye_->budget.tolerance);
+}
+
 bool Refinement::uneven_at_last(SampleId sample, double share, const LeafRegion& region) const {
   const int max_level = eye_->budget.max_level;
   const float finest =
       std::ldexp(eye_->viewer.pixel, -max_level) / static_cast<float>(eye_->block.width);
   return max_level > 0 && eye_->budget.refines() && !region.marginal &&
          samples_->hit(sample).valid() && region.square.side < 1.5f * finest &&
-         (shading_error(sample, share, region).all() > eye_->budget.tolerance ||
+         (better_sampled(shading_error(sample, share, region)) ||
           refracts_too_widely(sample, region));
 }
 

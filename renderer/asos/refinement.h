@@ -67,11 +67,14 @@ class Refinement {
   };
   [[nodiscard]] ShadingError shading_error(SampleId sample, double share,
                                            const LeafRegion& region) const;
+  [[nodiscard]] bool better_sampled(const ShadingError& found) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
-  [[nodiscard]] ShadingError gloss_error(SampleId sample, const Patch& patch) const;
+  [[nodiscard]] ShadingError gloss_error(SampleId sample, double share, const Patch& patch) const;
   [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;
   [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
+  [[nodiscard]] double price_of_splitting(SampleId sample, const ShadingError& found,
+                                          double wide) const;
   [[nodiscard]] double leaf_price(SampleId sample) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;

@@ -61,9 +61,9 @@ struct RenderScene {
 /// settings ask for it, and less where its boundaries, as soon as they are known, say so.
 [[nodiscard]] SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings);
 
-/// The shader of a scene's picture, as the settings ask.
+/// The shader of a scene's picture, as the settings ask; `bend` is ShadingSettings'.
 [[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings,
-                                      const View& view) {
+                                      const View& view, float bend = 1.0f) {
   const bool filtered = settings.texture.filter == TextureFilter::footprint;
   const bool mirrors = needs_of(scene, settings).mirrors;
   return Shader(
@@ -72,7 +72,7 @@ struct RenderScene {
        settings.shadow.light_rule, culling_of(settings), filtered ? &scene.mips() : nullptr,
        PixelSpacing::of(view), scene.sky_of(settings), mirrors ? settings.mirror.bounces : 0,
        static_cast<float>(settings.mirror.roughest),
-       settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs(),
+       settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs(), bend,
        Backdrop(settings.background, view)});
 }
 

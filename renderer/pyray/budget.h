@@ -39,6 +39,10 @@ struct Budget {
   /// Whether leaves that are shaded unevenly are split as well.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
 
+  /// How far the middle of a root may be off its mean before it is looked at more closely: a
+  /// sixteenth of what would split it; 1: however far.
+  [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 16.0f); }
+
   /// The standard error that a sampled part may have: half the tolerance, and more by the root of
   /// its weight, since the errors of a root's parts are independent.
   [[nodiscard]] double standard_error(double weight, double intensity = 1.0) const {
@@ -66,11 +70,13 @@ struct Budget {
     const double contrast = usual_contrast + highlights;
     return std::pow(error_of_one * contrast / standard_error(weight), 4.0 / 3.0);
   }
-  /// Whether these cost less than splitting the part until it is even, where a leaf costs as much
-  /// as `price` samples: the error of leaves falls with their number.
+  /// Whether these cost no more than that many.
   [[nodiscard]] bool samples_suffice(double weight, double price, double highlights) const {
-    const double leaves = usual_contrast / static_cast<double>(tolerance);
-    return samples_of_uneven(weight, highlights) <= price * leaves;
+    return samples_of_uneven(weight, highlights) <= price;
+  }
+  /// Leaves of a part that is split until it is even: their error falls with their number.
+  [[nodiscard]] double leaves_of_uneven() const {
+    return usual_contrast / static_cast<double>(tolerance);
   }
   static constexpr double usual_contrast = 0.25;
 

@@ -3,8 +3,8 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
-#include "renderer/shading/light_quadrature.h"
 #include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_bend.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
@@ -25,29 +25,11 @@ glm::vec3 viewer_from(const GlossyPatch& glossy, glm::vec3 offset) {
              : glossy.to_viewer;
 }
 
-/// What the patch shows of the light so far from its middle, its normal turned by `turn`.
-float shown(const PreparedLight& light, const GlossyPatch& glossy, glm::vec3 offset, glm::vec3 turn,
-            float stretch_turn) {
-  const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
-  const Receiver receiver{glm::dvec3(glossy.point.position + offset), glm::dvec3(normal),
-                          glm::dvec3(glossy.point.geometric_normal)};
-  const glm::vec3 to_viewer = viewer_from(glossy, offset);
-  LightQuadrature quadrature(receiver, glm::dvec3(to_viewer), static_cast<double>(glossy.roughness),
-                             0.0,
-                             std::cos(stretch_turn) * glossy.stretch.along +
-                                 std::sin(stretch_turn) * glm::cross(normal, glossy.stretch.along));
-  const ReflectedIntegral found = quadrature(light);
-  const double f0 = static_cast<double>(glossy.f0);
-  const double radiance =
-      static_cast<double>(largest(light.power)) * (f0 * found.lobe + (1.0 - f0) * found.fresnel);
-  return static_cast<float>(std::min(1.0, radiance));
-}
-
 }  // namespace
 
 bool turns(const GlossyPatch& glossy) {
   // Schlick's term bends by no more than this, per radian squared.
-  constexpr float most_bent = 20.0f, invisible = 1.0f / 4096.0f;
+  constexpr float steepest = 20.0f, invisible = 1.0f / 4096.0f;
   float turn2 =
       glm::dot(glossy.turn.right, glossy.turn.right) + glm::dot(glossy.turn.down, glossy.turn.down);
   turn2 += glm::dot(glossy.stretch_turn, glossy.stretch_turn);
@@ -56,7 +38,7 @@ bool turns(const GlossyPatch& glossy) {
     turn2 += (glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down)) /
              (glossy.viewer_distance * glossy.viewer_distance);
   }
-  return most_bent * turn2 > 24.0f * invisible;
+  return steepest * turn2 > 24.0f * invisible;
 }
 
 float reflectance_error(const GlossyPatch& glossy) {
@@ -75,8 +57,7 @@ float reflectance_error(const GlossyPatch& glossy) {
   return bend(glossy.patch.right, glossy.turn.right) + bend(glossy.patch.down, glossy.turn.down);
 }
 
-HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy,
-                               float negligible) {
+HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy) {
   if (!light.extended() || light.rule != LightRule::physical) return {};
   const glm::vec3 n = glossy.point.shading_normal;
   const glm::vec3 mirrored = glm::reflect(-glossy.to_viewer, n);
@@ -109,23 +90,17 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
           ? largest(light.power) / (alpha * light_distance(light, glossy.point.position))
           : largest(light.power);
   const float most = brightest * fresnel * alpha * alpha / width2;
-  const float bound = std::min(1.0f, most) * std::min(1.0f, spread2 / (6.0f * width2));
   const bool line = light.shape == PreparedLight::Shape::segment;
   const float filled = line ? 1.0f : std::min(1.0f, 0.5f * nearest.half_angle_tangent / alpha);
   const float radiance = most * filled * filled;
-  if (!(bound >= negligible)) return {0.0f, radiance};
+  const float of_middle =
+      std::min(glossy.white, radiance) * std::min(1.0f, spread2 / (6.0f * width2));
   const float highlight = alpha + (line ? 0.0f : 0.5f * nearest.half_angle_tangent);
-  if (spread2 > highlight * highlight) return {bound, radiance};
-
-  const float middle = shown(light, glossy, glm::vec3(0.0f), glm::vec3(0.0f), 0.0f);
-  const auto bend = [&](glm::vec3 edge, glm::vec3 turn, float angle) {
-    const float ends = shown(light, glossy, 0.5f * edge, 0.5f * turn, 0.5f * angle) +
-                       shown(light, glossy, -0.5f * edge, -0.5f * turn, -0.5f * angle);
-    return std::abs(ends - 2.0f * middle) / 6.0f;
-  };
-  return {bend(glossy.patch.right, glossy.turn.right, glossy.stretch_turn.x) +
-              bend(glossy.patch.down, glossy.turn.down, glossy.stretch_turn.y),
-          radiance};
+  if (spread2 > PatchBend::most_bent * highlight * highlight) return {of_middle, radiance};
+  // Of two points along each edge (h^4 / 270 of the fourth derivative, beside the middle's h^2 / 6
+  // of the second, h half of an edge), where a GGX lobe has 72 / width^4 for the one, 4 / width^2
+  // for the other; and twice that, for patches bend along both edges.
+  return {of_middle * std::min(1.0f, 0.2f * spread2 / width2), radiance};
 }
 
 }  // namespace asos

@@ -21,6 +21,7 @@ struct GlossyPatch {
   float roughness = 0.0f;
   LobeStretch stretch = {};
   glm::vec2 stretch_turn{0.0f};  ///< tangent_turn of the patch
+  float white = 1.0f;            ///< radiance of it that makes the pixel white, which shows no more
 };
 
 /// Whether normals and directions to the viewer turn so far across the patch that its reflectance
@@ -38,10 +39,8 @@ struct HighlightError {
   float radiance = 0.0f;  ///< about the most that is shown of it, 1 is white
 };
 
-/// Simpson's rule beside the midpoint's, of the highlight's integral (LightQuadrature), where a
-/// bound is not below `negligible`; that bound where the patch is wider than the highlight. For
-/// lights with a size, by the physical rule.
-[[nodiscard]] HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy,
-                                             float negligible);
+/// A bound for what ReflectedLights makes of the patch's highlight of a light with a size, by the
+/// physical rule: of the mean (PatchBend), or where the patch is too wide for that of the middle.
+[[nodiscard]] HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy);
 
 }  // namespace asos

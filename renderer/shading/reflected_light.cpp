@@ -4,6 +4,7 @@
 #include "renderer/shading/lobe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace asos {
@@ -101,9 +102,10 @@ std::optional<MirroredLights> shown_from(const PreparedLight& light) {
   return surface ? std::optional(MirroredLights::all) : std::nullopt;
 }
 
-ReflectedLights::ReflectedLights(const LitPoint& point)
+ReflectedLights::ReflectedLights(const LitPoint& point, std::optional<PatchBend> bend)
     : point_(point),
       receiver_(receiver_at(point.view.point)),
+      bend_(bend),
       mirrored_(glm::reflect(glm::dvec3(-point.view.to_viewer), receiver_.normal)) {}
 
 LightQuadrature& ReflectedLights::quadrature(float roughness) {
@@ -129,7 +131,31 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
     share.reflected = reflected_share(light, point_.material, point_.view, highlight);
   }
   share.reflected *= point_.share;
+  if (!bend_ || !light.extended() || light.rule != LightRule::physical) return share;
+  const float error = bend_->error_of_middle(point_.view, point_.material, light, highlight);
+  if (!std::isfinite(error)) return share;
+  share.of_patch = point_.view.point.spread.variance == 0.0f;
+  if (error * largest(share.reflected * irradiance) > bend_->negligible) {
+    const glm::vec3 found = mean(light);
+    for (int c = 0; c < 3; ++c) {
+      if (irradiance[c] > 0.0f) share.reflected[c] = found[c] / irradiance[c];
+    }
+  }
   return share;
+}
+
+glm::vec3 ReflectedLights::mean(const PreparedLight& light) const {
+  glm::vec3 sum(0.0f);
+  const auto points = bend_->points(point_.view, point_.material);
+  for (const PatchBend::Point& at : points) {
+    const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(at.surface));
+    if (irradiance == glm::vec3(0.0f)) continue;
+    const ViewedPoint view = viewed_point(at.surface, at.to_viewer);
+    const LitPoint lit{point_.lights,   view,         at.material,
+                       point_.mirrored, point_.share, point_.shadows};
+    sum += irradiance * ReflectedLights(lit).of(light, irradiance).reflected;
+  }
+  return sum / static_cast<float>(points.size());
 }
 
 ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,

@@ -4,6 +4,7 @@
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/light_quadrature.h"
 #include "renderer/shading/light_transport.h"
+#include "renderer/shading/patch_bend.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <glm/glm.hpp>
@@ -36,15 +37,18 @@ namespace asos {
   return least && mirrored >= *least;
 }
 
-/// What one point makes of its lights, with nothing in the way.
+/// What one point makes of its lights, with nothing in the way; or, where that may differ by more
+/// than the bend's `negligible`, the mean over its patch, of lights with a size, by the physical
+/// rule.
 class ReflectedLights {
  public:
   /// `point` has to outlive this.
-  explicit ReflectedLights(const LitPoint& point);
+  explicit ReflectedLights(const LitPoint& point, std::optional<PatchBend> bend = std::nullopt);
 
   struct Share {
     glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per irradiance
     float highlight = 0.0f;     ///< see Illumination
+    bool of_patch = false;      ///< the same
   };
   /// `irradiance`: of the whole light, not 0. Of lights with a size, by the physical rule, the BRDF
   /// is summed up over the light (LightQuadrature), of a lobe that is as much wider, and round, as
@@ -55,9 +59,11 @@ class ReflectedLights {
   [[nodiscard]] Share of_extended(const PreparedLight& light, const Highlight& highlight,
                                   glm::vec3 irradiance);
   [[nodiscard]] LightQuadrature& quadrature(float roughness);
+  [[nodiscard]] glm::vec3 mean(const PreparedLight& light) const;
 
   const LitPoint& point_;
   Receiver receiver_;
+  std::optional<PatchBend> bend_;
   glm::dvec3 mirrored_;
   std::optional<LightQuadrature> own_, wider_;  // of the surface, and of the patch
 };

@@ -51,6 +51,9 @@ Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays
                const Lighting& lighting, ShadingSettings settings)
     : world_(world), needs_(needs), rays_(rays), lighting_(lighting), settings_(settings) {
   if (!settings.backdrop.shows_coverage()) lights_ = lighting.prepared(settings.light_rule);
+  sums_patches_ = settings.bend < 1.0f && settings.light_rule == LightRule::physical &&
+                  std::any_of(lights_.begin(), lights_.end(),
+                              [](const PreparedLight& light) { return light.extended(); });
 }
 
 std::optional<LightHit> Shader::nearest_light_without_geometry(const Ray& ray) const {
@@ -224,7 +227,8 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   }
 
   const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
-  if (settings_.mips && viewed_ray.side > 0.0f && seen.roughness < least_broad_roughness) {
+  const bool narrow = settings_.mips && seen.roughness < least_broad_roughness;
+  if (viewed_ray.side > 0.0f && (narrow || sums_patches_)) {
     view.patch = shaped(patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
                                        point.geometric_normal, viewed_ray.side),
                         viewed_ray.shape);
@@ -236,15 +240,25 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
-  ReflectedLights reflected(lit_point);
+  std::optional<PatchBend> bend;
+  if (viewed_ray.side > 0.0f && sums_patches_) {
+    const Hit& hit = layer.hit;
+    bend = {normal_turn(world_, hit, view.patch, point.shading_normal)};
+    if (!seen.stretch.none())
+      bend->stretch_turn = tangent_turn(world_, hit, view.patch, point.shading_normal);
+    bend->rounded = world_.is_face(hit.triangle);
+    bend->negligible = settings_.bend / (viewed_ray.throughput * viewed_ray.side * viewed_ray.side);
+  }
+  ReflectedLights reflected(lit_point, bend);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
     if (gathered.holds(i)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
     const ReflectedLights::Share share = reflected.of(light, irradiance);
-    const Illumination lit{light,        i,          point,          irradiance, share.reflected,
-                           layer.number, &lit_point, share.highlight};
+    const Illumination lit{
+        light,        i,          point,          irradiance,     share.reflected,
+        layer.number, &lit_point, share.of_patch, share.highlight};
     if (light.casts_shadows && settings_.shadows) {
       transport.add(lit, radiance, counts);
     } else {

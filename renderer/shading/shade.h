@@ -52,7 +52,10 @@ struct ShadingSettings {
   float roughest_mirror = 0.35f;       ///< see RenderSettings
   const Dfr* dfr = nullptr;            ///< of all that mirrors; null: of each material its own
   const MaterialDfrs* dfrs = nullptr;  ///< the materials' own; null: none has any
-  Backdrop backdrop{};                 ///< what eye rays see behind all surfaces
+  /// Display intensity by which a pixel's middle may differ from its mean before lights are summed
+  /// up over its patch; 1: never.
+  float bend = 1.0f;
+  Backdrop backdrop{};  ///< what eye rays see behind all surfaces
 };
 
 /// Samples the light that a scene sends along rays: every method shades through this one class.
@@ -162,6 +165,7 @@ class Shader {
   const Lighting& lighting_;
   ShadingSettings settings_;
   std::span<const PreparedLight> lights_;
+  bool sums_patches_ = false;  // some light is summed up over a patch
 };
 
 }  // namespace asos

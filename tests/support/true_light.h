@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -146,6 +147,12 @@ inline std::optional<Met> meet(Subject subject, glm::dvec3 origin, glm::dvec3 di
   return met(enter, normal, face);
 }
 
+/// Node i of n, an even number, in 0..1: two of Gauss and Legendre's to each interval.
+inline double node(int i, int n) {
+  const double offset = (i % 2 == 0 ? -1.0 : 1.0) / std::numbers::sqrt3;
+  return (2.0 * (i / 2) + 1.0 + offset) / n;
+}
+
 /// By n x n points of each pixel that shows one face of the subject alone; nothing elsewhere.
 inline std::vector<std::optional<glm::dvec3>> truth(Subject subject, const Reflector& reflector,
                                                     const PreparedLight& light, int n) {
@@ -168,7 +175,7 @@ inline std::vector<std::optional<glm::dvec3>> truth(Subject subject, const Refle
       if (!whole) continue;
       glm::dvec3 sum(0.0);
       for (int i = 0; i < n * n; ++i) {
-        const auto met = at(x + (i % n + 0.5) / n, y + (i / n + 0.5) / n);
+        const auto met = at(x + node(i % n, n), y + node(i / n, n));
         sum += reflected_radiance(light, reflector, met->point);
       }
       pixel = sum / static_cast<double>(n * n);

@@ -53,11 +53,11 @@ void expect_true(Subject subject, double metallic, const Bounds& bounds) {
 }
 
 TEST(TrueLight, OnAMetalSphere) {
-  expect_true(Subject::sphere, 1.0, {0.008, 0.0045, 0.055, 0.012, 0.016, 0.016});
+  expect_true(Subject::sphere, 1.0, {0.005, 0.0009, 0.03, 0.0027, 0.0025, 0.011});
 }
 
 TEST(TrueLight, OnASphere) {
-  expect_true(Subject::sphere, 0.0, {0.027, 0.0006, 0.011, 0.011, 0.0065, 0.011});
+  expect_true(Subject::sphere, 0.0, {0.027, 0.0002, 0.0043, 0.0018, 0.0019, 0.0035});
 }
 
 TEST(TrueLight, OnAMetalPlane) {

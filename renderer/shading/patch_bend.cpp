@@ -1,0 +1,79 @@
+#include "renderer/shading/patch_bend.h"
+
+#include "renderer/shading/anisotropy.h"
+#include "renderer/shading/lobe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asos {
+
+float PatchBend::error_of_middle(const ViewedPoint& view, const ViewedMaterial& material,
+                                 const PreparedLight& light, const Highlight& highlight) const {
+  const bool distant = light.shape == PreparedLight::Shape::sun;
+  const float distance =
+      distant ? std::numeric_limits<float>::infinity()
+              : static_cast<float>(glm::distance(light.position, glm::dvec3(view.point.position)));
+  const NormalSpread spread = spread_about_half(
+      turn, view.patch, {view.to_viewer, view.distance, highlight.direction, distance});
+  const float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
+  const float rough = std::max(material.roughness, roughness_floor);
+  const float alpha = rough * rough;
+  const bool line = light.shape == PreparedLight::Shape::segment;
+  const float shown = alpha + (line ? 0.0f : 0.5f * highlight.half_angle_tangent);
+  if (spread2 > most_bent * shown * shown) return std::numeric_limits<float>::infinity();
+  // What rises or sets across the patch is bent by its horizon.
+  const float turn2 = glm::dot(turn.right, turn.right) + glm::dot(turn.down, turn.down);
+  const float height = glm::dot(view.point.shading_normal, highlight.direction);
+  if (height < std::sqrt(turn2)) return 1.0f;
+  const glm::vec3 half = glm::normalize(highlight.direction + view.to_viewer);
+  const float away = away_from_peak(view.point.shading_normal, half, material.stretch, rough);
+  const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
+  return std::min(1.0f, spread2 / (6.0f * (alpha * alpha + nearest * nearest)));
+}
+
+// A surface that is round lies below the tangent plane by half of place * normal, so that the
+// viewer's rays meet it farther on.
+PatchBend::Step PatchBend::step(const ViewedPoint& view, float u, float v) const {
+  const glm::vec3 right = view.patch.right, down = view.patch.down;
+  Step step{u * right + v * down, u * turn.right + v * turn.down};
+  if (!rounded) return step;
+  const float below = 0.5f * glm::dot(step.place, step.normal);
+  const glm::vec3 on = -(below / view.n_dot_v) * view.to_viewer;
+  const float rr = glm::dot(right, right), rd = glm::dot(right, down), dd = glm::dot(down, down);
+  const float determinant = rr * dd - rd * rd;
+  if (!(determinant > 0.0f)) return step;
+  const float along_right = glm::dot(on, right), along_down = glm::dot(on, down);
+  const float more_u = (along_right * dd - along_down * rd) / determinant;
+  const float more_v = (along_down * rr - along_right * rd) / determinant;
+  step.place += on;
+  step.normal += more_u * turn.right + more_v * turn.down;
+  return step;
+}
+
+std::array<PatchBend::Point, 4> PatchBend::points(const ViewedPoint& view,
+                                                  const ViewedMaterial& material) const {
+  constexpr float node = 0.28867513f;  // 1 / sqrt(12) of an edge from its middle
+  constexpr std::array<glm::vec2, 4> nodes{
+      {{-node, -node}, {node, -node}, {-node, node}, {node, node}}};
+  const auto at = [&](glm::vec2 uv) {
+    const Step from_middle = step(view, uv.x, uv.y);
+    Point point{view.point, view.to_viewer, material};
+    SurfacePoint& surface = point.surface;
+    surface.position += from_middle.place;
+    surface.shading_normal = glm::normalize(surface.shading_normal + from_middle.normal);
+    if (rounded) surface.geometric_normal = surface.shading_normal;
+    if (std::isfinite(view.distance))
+      point.to_viewer = glm::normalize(view.to_viewer - from_middle.place / view.distance);
+    if (!material.stretch.none()) {
+      const float angle = glm::dot(uv, stretch_turn);
+      glm::vec3& along = point.material.stretch.along;
+      along = std::cos(angle) * along + std::sin(angle) * glm::cross(surface.shading_normal, along);
+    }
+    return point;
+  };
+  return {at(nodes[0]), at(nodes[1]), at(nodes[2]), at(nodes[3])};
+}
+
+}  // namespace asos

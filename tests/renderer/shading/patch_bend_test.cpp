@@ -1,0 +1,114 @@
+#include "renderer/shading/patch_bend.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asos::test::patch_bend_test {
+namespace {
+
+// A ball around the origin, seen from above by parallel rays that lean.
+constexpr double radius = 2.0;
+const glm::dvec3 to_viewer = glm::normalize(glm::dvec3(0.3, -0.2, 1.0));
+
+/// Where the ray that meets the tangent plane at `on_plane` goes on to meet the ball.
+glm::dvec3 met(glm::dvec3 on_plane) {
+  const double b = glm::dot(on_plane, to_viewer);
+  const double c = glm::dot(on_plane, on_plane) - radius * radius;
+  return on_plane + (-b + std::sqrt(b * b - c)) * to_viewer;
+}
+
+struct Found {
+  double place = 0.0, normal = 0.0;  ///< the largest distance from the ball's own
+};
+
+/// The points of a patch of so wide edges around the place with this normal.
+Found errors(double size, glm::dvec3 normal) {
+  SurfacePoint middle;
+  middle.position = glm::vec3(radius * normal);
+  middle.geometric_normal = middle.shading_normal = glm::vec3(normal);
+  ViewedPoint view = viewed_point(middle, glm::vec3(to_viewer));
+  const glm::dvec3 right = size * glm::normalize(glm::cross(normal, glm::dvec3(0.0, 1.0, 0.3)));
+  const glm::dvec3 down = 0.7 * size * glm::normalize(glm::cross(normal, right) + 0.4 * right);
+  view.patch = {glm::vec3(right), glm::vec3(down)};
+  PatchBend bend{{glm::vec3(right / radius), glm::vec3(down / radius)}};
+  bend.rounded = true;
+  Found found;
+  const auto points = bend.points(view, {});
+  const double node = 0.5 / std::sqrt(3.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double u = i % 2 == 0 ? -node : node, v = i < 2 ? -node : node;
+    const glm::dvec3 exact = met(radius * normal + u * right + v * down);
+    const SurfacePoint& at = points[i].surface;
+    found.place = std::max(found.place, glm::distance(glm::dvec3(at.position), exact));
+    found.normal =
+        std::max(found.normal, glm::distance(glm::dvec3(at.shading_normal), exact / radius));
+    EXPECT_EQ(at.geometric_normal, at.shading_normal);
+  }
+  return found;
+}
+
+// The points are those that the viewer's rays meet, but for terms of third order.
+TEST(PatchBend, FindsThePointsOfABall) {
+  for (const glm::dvec3 n : {glm::dvec3(0, 0, 1), {0.3, 0.5, 1.0}, {-0.9, 0.2, 0.8}}) {
+    const glm::dvec3 normal = glm::normalize(n);
+    const Found wide = errors(0.4, normal), narrow = errors(0.2, normal);
+    EXPECT_LT(wide.place, 5e-3);
+    EXPECT_LT(wide.normal, 2.5e-3);
+    EXPECT_LT(narrow.place, wide.place / 6.0) << "third order";
+    EXPECT_LT(narrow.normal, wide.normal / 6.0);
+  }
+}
+
+// A flat patch under a light far away looks the same all over; one whose normals turn does not, the
+// more so the narrower its lobe is, and one that is wider than the highlight is left to the lobe.
+TEST(PatchBend, IsToldByTheLobe) {
+  SurfacePoint middle;
+  middle.geometric_normal = middle.shading_normal = {0, 0, 1};
+  ViewedPoint view = viewed_point(middle, {0, 0, 1});
+  view.patch = {{0.1f, 0, 0}, {0, 0.1f, 0}};
+  PreparedLight sun;
+  sun.shape = PreparedLight::Shape::sun;
+  const auto error = [&](float turn, float roughness, float half_angle_tangent,
+                         glm::vec3 direction = {0, 0, 1}) {
+    PatchBend bend;
+    bend.turn.right = {turn, 0, 0};
+    ViewedMaterial material{};
+    material.roughness = roughness;
+    const Highlight highlight{direction, half_angle_tangent};
+    return bend.error_of_middle(view, material, sun, highlight);
+  };
+  EXPECT_EQ(error(0.0f, 0.3f, 0.1f), 0.0f);
+  // turn^2 / (6 alpha^2), as the nearest of its normals has the half vector.
+  EXPECT_FLOAT_EQ(error(0.02f, 0.3f, 0.1f), 0.02f * 0.02f / (6.0f * 0.09f * 0.09f));
+  EXPECT_GT(error(0.02f, 0.2f, 0.1f), 4.0f * error(0.02f, 0.3f, 0.1f));
+  EXPECT_TRUE(std::isinf(error(0.3f, 0.3f, 0.1f)));
+  EXPECT_TRUE(std::isfinite(error(0.3f, 0.3f, 0.4f))) << "the light is as wide";
+  const glm::vec3 low = glm::normalize(glm::vec3(1.0f, 0.0f, 0.01f));
+  EXPECT_EQ(error(0.02f, 1.0f, 0.1f, low), 1.0f) << "it sets within the patch";
+  EXPECT_LT(error(0.005f, 1.0f, 0.1f, low), 1e-4f);
+}
+
+// What turns about the normal takes the lobe with it.
+TEST(PatchBend, TurnsTheStretch) {
+  SurfacePoint middle;
+  middle.geometric_normal = middle.shading_normal = {0, 0, 1};
+  ViewedPoint view = viewed_point(middle, {0, 0, 1});
+  view.patch = {{0.1f, 0, 0}, {0, 0.1f, 0}};
+  PatchBend bend;
+  bend.stretch_turn = {0.6f, 0.0f};
+  ViewedMaterial material{};
+  material.stretch.along = {0.5f, 0, 0};
+  const auto points = bend.points(view, material);
+  const float angle = 0.6f * 0.5f / std::sqrt(3.0f);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec3 along = points[i].material.stretch.along;
+    EXPECT_NEAR(along.x, 0.5f * std::cos(angle), 1e-6f);
+    EXPECT_NEAR(along.y, (i % 2 == 0 ? -0.5f : 0.5f) * std::sin(angle), 1e-6f);
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::patch_bend_test
