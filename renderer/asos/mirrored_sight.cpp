@@ -59,6 +59,8 @@ std::optional<MirroredSight> pyramid_sight(const EyeContext& eye, const Reflecti
   const auto reflected = mirrored(pyray, surface, lobe);
   if (!reflected) return std::nullopt;
   sight.pyray = *reflected;
+  sight.exact = !surface.bent();
+  if (width > 0.0f) sight.bundle = RayBundle::of(sight.pyray, surface.position);
   return sight;
 }
 
@@ -77,10 +79,28 @@ double depth_of(const EyeContext& eye, const RayBundle& bundle, const MirrorSurf
   return 4.0 * radius_around_origin(scene.world().bounds);
 }
 
-std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflection& reflection,
-                                          const Bounds2& part, RenderStatistics& counts) {
+// The rays of a part of the viewer's frame that meet the surface.
+RayBundle incident_bundle(const EyeContext& eye, const Reflection& reflection,
+                          const Bounds2& part) {
   const std::optional<RayBundle>& own = eye.viewer.bundle;
-  RayBundle bundle = own ? own->part(part) : RayBundle::of(*eye.frame, part);
+  if (!own) return RayBundle::of(*eye.frame, part);
+  const double t = glm::dot(glm::dvec3(reflection.point.position) - own->origin, own->direction);
+  if (!own->blurred() || !(t > 0.0)) return own->part(part);
+  return own->blurred_part(part, t);
+}
+
+// Blur that has been on the way already, and the surface's: their variances add up.
+void add_lobe(RayBundle& bundle, const MirrorLobe& lobe) {
+  const double before = std::max(glm::length(bundle.lobe_right), glm::length(bundle.lobe_down));
+  if (!(before > 0.0) && !(lobe.width > 0.0)) return;
+  bundle.lobe_right = std::hypot(glm::length(bundle.lobe_right), lobe.width) * lobe.right;
+  bundle.lobe_down = std::hypot(glm::length(bundle.lobe_down), lobe.width) * lobe.down;
+}
+
+std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflection& reflection,
+                                          const Bounds2& part, float width,
+                                          RenderStatistics& counts) {
+  RayBundle bundle = incident_bundle(eye, reflection, part);
   // Where the ray in its middle meets the surface's plane.
   const glm::dvec3 normal(reflection.point.geometric_normal);
   const auto meet = [&](glm::dvec3 n, glm::dvec3 position) {
@@ -102,12 +122,16 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
 
   MirroredSight sight;
   MirrorSurface& surface = sight.surface;
-  surface = mirror_surface(eye.scene->world(), reflection.hit, reflection.point, beam, true);
+  const bool bent = reflection.ratio > 0.0f || eye.viewer.passage.refractions > 0 ||
+                    eye.settings->mirror.curved == CurvedMirror::approximate;
+  surface = mirror_surface(eye.scene->world(), reflection.hit, reflection.point, beam, bent);
   if (reflection.ratio > 0.0f) surface = refracting(surface, static_cast<double>(reflection.ratio));
   const double exact = meet(surface.geometric, surface.position);
   surface.position =
       bundle.origin + (exact > 0.0 && std::isfinite(exact) ? exact : t) * bundle.direction;
   sight.bundle = mirrored(bundle, surface);
+  add_lobe(*sight.bundle,
+           lobe_around(surface, sight.bundle->direction, beam.right, static_cast<double>(width)));
   const double depth = depth_of(eye, *sight.bundle, surface, reflection.passage, counts);
   const auto pyray = pyramid_around(*sight.bundle, surface, depth);
   if (!pyray) return std::nullopt;
@@ -120,9 +144,9 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
 std::optional<MirroredSight> mirrored_sight(const EyeContext& eye, const Reflection& reflection,
                                             const Bounds2& part, float width,
                                             RenderStatistics& counts) {
-  const bool refracted = reflection.ratio > 0.0f || eye.viewer.bundle;
-  return refracted && !(width > 0.0f) ? bundle_sight(eye, reflection, part, counts)
-                                      : pyramid_sight(eye, reflection, part, width);
+  const bool by_bundle = reflection.ratio > 0.0f || eye.viewer.bundle;
+  return by_bundle ? bundle_sight(eye, reflection, part, width, counts)
+                   : pyramid_sight(eye, reflection, part, width);
 }
 
 }  // namespace asos

@@ -14,12 +14,15 @@ namespace asos {
 struct MirroredSight {
   MirroredPyray pyray;
   MirrorSurface surface;
-  std::optional<RayBundle> bundle;  ///< that the pyray stands for, once anything has refracted it
+  /// That the pyray stands for, once anything has refracted or blurred it.
+  std::optional<RayBundle> bundle;
+  bool exact = true;  ///< the pyray is what the surface makes of the viewer's, to first order
 };
 
 /// What a part of a viewer's frame becomes at the surface that it meets, where a lobe of `width` is
-/// around it. Refracted ones without a lobe are pyramids around bundles, for which one ray finds
-/// out how far they lead. Nothing where it has no extent or its numbers are not finite.
+/// around it. Where anything refracts, or the frame was blurred already, it is the pyramid around a
+/// bundle, for which one ray finds out how far it leads. Nothing where it has no extent or its
+/// numbers are not finite.
 [[nodiscard]] std::optional<MirroredSight> mirrored_sight(const EyeContext& eye,
                                                           const Reflection& reflection,
                                                           const Bounds2& part, float width,

@@ -112,12 +112,21 @@ Budget reflected_budget(const EyeContext& eye, const Reflection& reflection,
   return eye.budget.nested(levels, reflected, may_be_one_ray ? 0 : 1);
 }
 
+// What of the parent's square is mirrored: around the leaf, and, where that square is blurred
+// itself, so wide as the kernel is there. Two blurs' variances add up, and not their widths.
+Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
+                      const LeafRegion& region) {
+  const Bounds2 part = bounds_of(region);
+  if (!eye.mask || !eye.mask->blur) return part;
+  return eye.mask->blur->at(static_cast<double>(reflection.hit.t)).uniform_like(part);
+}
+
 // How much the parts of the mirrored square count: by the blur, and within the leaf's own outline
 // where that is not blurred beyond recognition.
 MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const Bounds2& part,
-                     float width, double start) {
+                     double start) {
   MirroredMask mask;
-  if (width > 0.0f) {
+  if (sight.pyray.sharp_share != glm::dvec2(1.0)) {
     mask.horizon = horizon_of(sight.pyray, sight.surface);
     mask.blur = {sight.pyray.sharp_share, sight.pyray.apex_distance, start};
   }
@@ -169,12 +178,12 @@ bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafConte
 Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const LeafContext& leaf,
                      float width, RenderStatistics& counts) {
   // Mirror the leaf's pyray.
-  const Bounds2 part = bounds_of(leaf.region);
+  const Bounds2 part = incident_part(eye, reflection, leaf.region);
   const auto sight = mirrored_sight(eye, reflection, part, width, counts);
   if (!sight) return {{}, false, true, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
-  const MirroredMask mask = mask_of(*sight, leaf.region, part, width, view.start());
+  const MirroredMask mask = mask_of(*sight, leaf.region, part, view.start());
 
   // Look along it, as its own viewer.
   const Viewer viewer{view,
@@ -206,7 +215,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   bool split = false;
   if (one_ray) {
     // Through the leaf's own sample, or anywhere in the lobe.
-    glm::vec2 at = (leaf.at - part.lo) / (part.hi - part.lo);
+    glm::vec2 at = glm::clamp((leaf.at - part.lo) / (part.hi - part.lo), 0.0f, 1.0f);
     if (mask.blur)
       at = BlurKernel(mask.blur->far_share).warped(random_place(leaf.seed), whole_square);
     const PyrayLeaf whole{0, caster.probe({&at, 1}), 1.0, {whole_square, {}, true}};
@@ -217,9 +226,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   // Its eye rays are reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
-  // A bundle is as exact as a plane is.
-  const bool flat =
-      (sight->bundle || !sight->surface.bent()) && !(reflection.point.spread.variance > 0.0f);
+  const bool flat = sight->exact && !(reflection.point.spread.variance > 0.0f);
   return {caster.colour(0), split || caster.sum(0).mirror_cut, flat};
 }
 

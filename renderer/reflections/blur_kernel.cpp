@@ -30,6 +30,28 @@ double BlurKernel::Trapezoid::where(double sum) const {
                                    : sum / height + 0.5 * ramp;
 }
 
+glm::dvec2 BlurKernel::Trapezoid::uniform_like(double lo, double hi) const {
+  // Between kinks x^2 times the trapezoid is a cubic. Relative to the middle, so that little
+  // cancels.
+  const double node = 1.0 / std::sqrt(3.0), middle = 0.5 * (lo + hi);
+  double sum = 0.0, first = 0.0, second = 0.0;
+  const std::array<double, 4> kinks{0.0, ramp, 1.0 - ramp, 1.0};
+  for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
+    const double from = std::max(lo, kinks[i]), to = std::min(hi, kinks[i + 1]);
+    if (!(from < to)) continue;
+    const double half = 0.5 * (to - from);
+    for (const double side : {-node, node}) {
+      const double x = 0.5 * (from + to) + side * half;
+      const double weight = half * at(x), off = x - middle;
+      sum += weight, first += weight * off, second += weight * off * off;
+    }
+  }
+  if (!(sum > 0.0)) return {lo, hi};
+  const double mean = first / sum;
+  const double half = std::sqrt(3.0 * std::max(0.0, second / sum - mean * mean));
+  return {middle + mean - half, middle + mean + half};
+}
+
 BlurKernel::BlurKernel(glm::dvec2 share) : u_(share.x), v_(share.y) {}
 
 // The integral of up_to(u) at(v) dv along a straight side.
@@ -73,6 +95,12 @@ double BlurKernel::integral(const LeafRegion& region) const {
   for (const BorderEdge& side : region.border)
     sum += along(glm::dvec2(side.from), glm::dvec2(side.to));
   return std::max(0.0, sum);
+}
+
+Bounds2 BlurKernel::uniform_like(const Bounds2& part) const {
+  const glm::dvec2 lo(part.lo), hi(part.hi);
+  const glm::dvec2 u = u_.uniform_like(lo.x, hi.x), v = v_.uniform_like(lo.y, hi.y);
+  return {glm::vec2(glm::dvec2(u.x, v.x)), glm::vec2(glm::dvec2(u.y, v.y))};
 }
 
 glm::vec2 BlurKernel::warped(glm::vec2 p, const Square& square) const {

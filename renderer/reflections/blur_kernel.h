@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/geometry/bounds2.h"
 #include "renderer/pyray/square.h"
 
 #include <glm/glm.hpp>
@@ -19,6 +20,11 @@ class BlurKernel {
   /// integrate exactly).
   [[nodiscard]] double integral(const LeafRegion& region) const;
 
+  /// The rectangle over which a uniform distribution has the mean and the variances that the kernel
+  /// has within another one: where that is all of the square, sides of the root of the sum of the
+  /// two boxes' squares. Where the kernel is 0 all over it, the same rectangle.
+  [[nodiscard]] Bounds2 uniform_like(const Bounds2& part) const;
+
   /// Where a point that is uniform in a square would be if it were distributed as the kernel is
   /// within that square.
   [[nodiscard]] glm::vec2 warped(glm::vec2 p, const Square& square) const;
@@ -33,6 +39,7 @@ class BlurKernel {
     [[nodiscard]] double at(double x) const;
     [[nodiscard]] double up_to(double x) const;    // integral from 0
     [[nodiscard]] double where(double sum) const;  // inverse of up_to
+    [[nodiscard]] glm::dvec2 uniform_like(double lo, double hi) const;
   };
   [[nodiscard]] double along(glm::dvec2 from, glm::dvec2 to) const;
 

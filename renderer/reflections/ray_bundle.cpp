@@ -22,6 +22,34 @@ glm::dvec3 edge_at(glm::dvec3 at, glm::dvec3 turn, double t, glm::dvec3 axis) {
   return glm::length(edge) < least ? edge + least * glm::normalize(moved) : edge;
 }
 
+// One direction across a blurred bundle, at a section. Which way the lobe's edge runs is all the
+// same.
+struct BlurredAxis {
+  glm::dvec3 unit;   // along the section
+  double own = 0.0;  // width of the section, and what blur adds to it
+  double blur = 0.0;
+  glm::dvec3 turn;  // what each of them changes of the direction, over its width
+  glm::dvec3 lobe;
+
+  BlurredAxis(glm::dvec3 section, double t, glm::dvec3 turn_, glm::dvec3 lobe_)
+      : unit(glm::normalize(glm::length(section) > t * glm::length(lobe_) ? section : lobe_)),
+        turn(turn_),
+        lobe(lobe_) {
+    if (glm::dot(section, unit) < 0.0) unit = -unit;
+    if (glm::dot(lobe, unit) < 0.0) lobe = -lobe;
+    own = glm::dot(section, unit);
+    blur = t * glm::dot(lobe, unit);
+  }
+  [[nodiscard]] double variance() const { return own * own + blur * blur; }
+  [[nodiscard]] double width() const { return own + blur; }
+  /// What a step along the section changes of the direction, as the mean of all rays there.
+  [[nodiscard]] glm::dvec3 slope() const { return (own * turn + blur * lobe) / variance(); }
+  /// The edge over which the direction varies in one place.
+  [[nodiscard]] glm::dvec3 rest() const {
+    return (blur * turn - own * lobe) / std::sqrt(variance());
+  }
+};
+
 }  // namespace
 
 RayBundle RayBundle::of(const Frame& frame, const Bounds2& part) {
@@ -59,6 +87,44 @@ RayBundle RayBundle::part(const Bounds2& part) const {
   return bundle;
 }
 
+RayBundle RayBundle::of(const MirroredPyray& pyray, glm::dvec3 position) {
+  const PyrayPicture& p = pyray.picture;
+  const glm::dvec3 axis = p.corner + 0.5 * (p.right + p.down);
+  const double length = glm::length(axis);
+  RayBundle bundle;
+  bundle.origin = position;
+  bundle.direction = axis / length;
+  const glm::dvec3 right = across(p.right, bundle.direction) / length;
+  const glm::dvec3 down = across(p.down, bundle.direction) / length;
+  bundle.right_at = pyray.apex_distance * right;
+  bundle.down_at = pyray.apex_distance * down;
+  bundle.right = pyray.sharp_share.x * right;
+  bundle.down = pyray.sharp_share.y * down;
+  bundle.lobe_right = right - bundle.right;
+  bundle.lobe_down = down - bundle.down;
+  return bundle;
+}
+
+RayBundle RayBundle::blurred_part(const Bounds2& part, double t) const {
+  const MirrorPatch there = section(t);
+  const BlurredAxis u(there.right, t, right, lobe_right), v(there.down, t, down, lobe_down);
+  const glm::dvec2 size(part.hi - part.lo);
+  const glm::dvec2 widths(u.width(), v.width());
+  const glm::dvec2 off = widths * (glm::dvec2(part.lo) + 0.5 * size - 0.5), wide = widths * size;
+  RayBundle bundle;
+  const glm::dvec3 slope_u = u.slope(), slope_v = v.slope();
+  bundle.direction = glm::normalize(direction + off.x * slope_u + off.y * slope_v);
+  const double way = t * glm::dot(direction, bundle.direction);
+  bundle.origin = origin + t * direction + off.x * u.unit + off.y * v.unit - way * bundle.direction;
+  bundle.right = across(wide.x * slope_u, bundle.direction);
+  bundle.down = across(wide.y * slope_v, bundle.direction);
+  bundle.right_at = wide.x * u.unit - way * bundle.right;
+  bundle.down_at = wide.y * v.unit - way * bundle.down;
+  bundle.lobe_right = u.rest();
+  bundle.lobe_down = v.rest();
+  return bundle;
+}
+
 RayBundle mirrored(const RayBundle& bundle, const MirrorSurface& surface) {
   const double t = glm::dot(surface.position - bundle.origin, bundle.direction);
   const MirrorPatch section = bundle.section(t);
@@ -78,14 +144,28 @@ RayBundle mirrored(const RayBundle& bundle, const MirrorSurface& surface) {
   };
   out.right = turned(bundle.right, surface.turn_right);
   out.down = turned(bundle.down, surface.turn_down);
+  if (bundle.blurred()) {
+    out.lobe_right = turned(bundle.lobe_right, glm::dvec3(0.0));
+    out.lobe_down = turned(bundle.lobe_down, glm::dvec3(0.0));
+  }
   return out;
 }
 
 std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const MirrorSurface& surface,
                                             double t) {
   const glm::dvec3 axis = bundle.direction;
-  const glm::dvec3 right = edge_at(bundle.right_at, bundle.right, t, axis);
+  glm::dvec3 right = edge_at(bundle.right_at, bundle.right, t, axis);
   glm::dvec3 down = edge_at(bundle.down_at, bundle.down, t, axis);
+  MirroredPyray out;
+  const bool blurred = bundle.blurred();
+  if (blurred) {
+    const auto widen = [t](glm::dvec3& edge, glm::dvec3 lobe) {
+      const double own = glm::length(edge), blur = t * glm::length(lobe);
+      edge *= (own + blur) / own;
+      return own / (own + blur);
+    };
+    out.sharp_share = {widen(right, bundle.lobe_right), widen(down, bundle.lobe_down)};
+  }
   // In a focal line the edges lie on each other.
   const glm::dvec3 beside = glm::cross(axis, right);
   const double area = glm::dot(beside, down);
@@ -94,12 +174,15 @@ std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const Mirro
 
   const glm::dvec3 patch_right = across(bundle.right_at, axis);
   const glm::dvec3 patch_down = across(bundle.down_at, axis);
-  const double fitting = (glm::dot(patch_right, right) + glm::dot(patch_down, down)) /
-                         (glm::dot(right, right) + glm::dot(down, down));
+  const double of_right = glm::dot(patch_right, right), of_down = glm::dot(patch_down, down);
+  const double right2 = glm::dot(right, right), down2 = glm::dot(down, down);
+  const double fitting = blurred ? std::min(of_right / right2, of_down / down2)
+                                 : (of_right + of_down) / (right2 + down2);
   const double share = std::clamp(fitting, least_share, most_share);
   const double before = t * share / (1.0 - share);
+  // On the surface all of it is sharp, and far away so much that it is right at `t`.
+  if (blurred) out.sharp_share = glm::clamp((out.sharp_share - share) / (1.0 - share), 0.0, 1.0);
 
-  MirroredPyray out;
   out.apex_distance = before;
   PyrayPicture& p = out.picture;
   p.apex = bundle.origin - before * axis;

@@ -20,10 +20,24 @@ struct RayBundle {
   glm::dvec3 down_at{0.0};
   glm::dvec3 right{0.0};  ///< and of the direction, to which they are square
   glm::dvec3 down{0.0};
+  /// What blur changes of the direction beside, as u and v do and without regard to them: the edges
+  /// of a square over which it is uniform. It changes nothing of the origin.
+  glm::dvec3 lobe_right{0.0};
+  glm::dvec3 lobe_down{0.0};
 
   /// Those of a part of a frame, or of the bundle's own square: both are 0 to 1 wide.
   [[nodiscard]] static RayBundle of(const Frame& frame, const Bounds2& part);
   [[nodiscard]] RayBundle part(const Bounds2& part) const;
+  /// That which is left of a blurred pyramid: its rays to first order.
+  [[nodiscard]] static RayBundle of(const MirroredPyray& pyray, glm::dvec3 position);
+
+  [[nodiscard]] bool blurred() const {
+    return lobe_right != glm::dvec3(0.0) || lobe_down != glm::dvec3(0.0);
+  }
+  /// Of a blurred one the rays through a part of the section `t` from the origin, which is as wide
+  /// as the bundle and its blur together. What the place there tells of the direction is the part's
+  /// `right` and `down`, by linear regression, and the rest of the variance its blur.
+  [[nodiscard]] RayBundle blurred_part(const Bounds2& part, double t) const;
 
   /// What it cuts out of a plane across it, `t` from the origin: its edges.
   [[nodiscard]] MirrorPatch section(double t) const {
@@ -36,8 +50,8 @@ struct RayBundle {
 
 /// The pyramid that comes nearest to a bundle that left a surface: through its middle ray and, `t`
 /// from there, through its corners, with the apex for which the patch on the surface fits best.
-/// Where rays meet before `t` it is turned round, as they are there. Nothing where the numbers are
-/// not finite.
+/// Where rays meet before `t` it is turned round, as they are there. Blur widens it, which then
+/// leaves no more than the patch. Nothing where the numbers are not finite.
 [[nodiscard]] std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle,
                                                           const MirrorSurface& surface, double t);
 

@@ -89,6 +89,30 @@ TEST_P(EveryShare, WarpsUniformPointsToItsOwnDistribution) {
   EXPECT_NEAR(found / static_cast<double>(n), expected, 1.0 / n);
 }
 
+TEST_P(EveryShare, HasTheMomentsOfItsUniformLikenessInAnyPart) {
+  const BlurKernel kernel({GetParam(), 0.1});
+  for (const glm::vec2 range : {glm::vec2(0, 1), {0.25f, 0.5f}, {0.1f, 0.95f}, {0.5f, 1.0f}}) {
+    // Its strips' integrals, as masses in their middles.
+    constexpr int n = 4000;
+    double mass = 0.0, first = 0.0, second = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const float x = range.x + (range.y - range.x) * static_cast<float>(i) / n;
+      const float to = range.x + (range.y - range.x) * static_cast<float>(i + 1) / n;
+      const std::array<BorderEdge, 4> sides{
+          {{{x, 0}, {to, 0}}, {{to, 0}, {to, 1}}, {{to, 1}, {x, 1}}, {{x, 1}, {x, 0}}}};
+      const double m = kernel.integral({whole.square, sides});
+      const double at = 0.5 * (static_cast<double>(x) + static_cast<double>(to));
+      mass += m, first += m * at, second += m * at * at;
+    }
+    const Bounds2 found = kernel.uniform_like({{range.x, 0.0f}, {range.y, 1.0f}});
+    const double mean = first / mass, half = std::sqrt(3.0 * (second / mass - mean * mean));
+    EXPECT_NEAR(found.lo.x, mean - half, 1e-3) << range.x;
+    EXPECT_NEAR(found.hi.x, mean + half, 1e-3) << range.x;
+    // All of the other coordinate: the root of the boxes' squares.
+    EXPECT_NEAR(found.hi.y - found.lo.y, std::hypot(0.1, 0.9), 1e-6);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kernels, EveryShare, testing::Values(0.0, 0.1, 0.4, 0.5, 0.9, 1.0));
 
 TEST(Horizon, SharesTheSquare) {

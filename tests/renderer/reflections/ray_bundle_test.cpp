@@ -116,5 +116,50 @@ TEST(RayBundle, PyramidsPassThroughItsCorners) {
   }
 }
 
+/// The second moments of a bundle's rays along x, t from a place: of the place, of it with the
+/// direction, and of the direction; by what its edges say.
+glm::dvec3 moments(const RayBundle& bundle, double t) {
+  const double place = bundle.section(t).right.x, blurred = t * bundle.lobe_right.x;
+  const double turn = bundle.right.x, lobe = bundle.lobe_right.x;
+  return glm::dvec3(place * place + blurred * blurred, place * turn + blurred * lobe,
+                    turn * turn + lobe * lobe) /
+         12.0;
+}
+
+// As wide as the rays are spread at a section, and spread as they are from there on.
+TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
+  for (const double lobe : {0.01, 0.1, 0.5}) {
+    for (const double turn : {0.04, 0.0, -0.2}) {
+      RayBundle bundle;
+      bundle.right_at = {0.1, 0, 0};
+      bundle.down_at = {0, -0.1, 0};
+      bundle.right = {turn, 0, 0};
+      bundle.down = {0, -turn, 0};
+      bundle.lobe_right = {lobe, 0, 0};
+      bundle.lobe_down = {0, -lobe, 0};
+      for (const double t : {0.01, 0.3, 4.0}) {
+        // The part of the section's frame that is as wide as the sum of both boxes is spread.
+        const double own = std::abs(0.1 + t * turn), blur = t * lobe;
+        const double share = std::hypot(own, blur) / (own + blur);
+        const auto lo = static_cast<float>(0.5 - 0.5 * share);
+        const auto hi = static_cast<float>(0.5 + 0.5 * share);
+        const RayBundle found = bundle.blurred_part({{lo, lo}, {hi, hi}}, t);
+        EXPECT_NEAR(found.section(t).right.x,
+                    (0.1 + t * turn < 0.0 ? -1 : 1) * std::hypot(own, blur), 1e-6);
+        for (const double beyond : {0.0, 0.5, 7.0}) {
+          // The blur that is left starts at the section.
+          RayBundle from_section = found;
+          from_section.right_at = found.section(t).right;
+          const glm::dvec3 expected = moments(bundle, t + beyond);
+          const glm::dvec3 seen = moments(from_section, beyond);
+          for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(seen[k], expected[k], 1e-6 * std::abs(expected[k]) + 1e-9)
+                << lobe << ' ' << turn << ' ' << t << ' ' << beyond << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asos
