@@ -81,10 +81,12 @@ bool EyeSamples::opaque(SampleId sample) const {
   const Material& material = eye_->scene->world().material_of(hit.triangle);
   if (material.alpha_mode != AlphaMode::opaque && !eye_->scene->features().outlined(hit.triangle))
     return false;
-  // What lies behind the boundary of a volume is seen elsewhere.
+  // What lies behind the boundary of a volume is seen elsewhere, and so is what frosted glass
+  // blurs.
   const Viewer& viewer = eye_->viewer;
+  const bool frosted = is_frosted(material) && !material.metallic_roughness_texture.used();
   return !(material.transmission > 0.0f) ||
-         (bounds_volume(material) && viewer.bounces < viewer.shader.reflections());
+         ((bounds_volume(material) || frosted) && viewer.bounces < viewer.shader.reflections());
 }
 
 SurfacePoint EyeSamples::point(SampleId sample) const {

@@ -198,6 +198,12 @@ struct Material {
   return !m.unlit && m.transmission > 0.0f && m.volume.thickness > 0.0f;
 }
 
+/// Whether a thin wall blurs what is seen through it (KHR_materials_transmission); where a texture
+/// says how rough it is, only in part.
+[[nodiscard]] inline bool is_frosted(const Material& m) {
+  return !m.unlit && m.transmission > 0.0f && !(m.volume.thickness > 0.0f) && m.roughness > 0.0f;
+}
+
 /// Whether its back is met as its front is.
 [[nodiscard]] inline bool shows_both_sides(const Material& m) {
   return m.double_sided || bounds_volume(m);

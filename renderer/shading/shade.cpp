@@ -126,30 +126,39 @@ bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point, floa
 glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point, float roughness,
                                 const Layer& layer, glm::vec3 through, LightTransport& transport,
                                 glm::vec3& radiance, RenderStatistics& counts) const {
-  const VolumeBoundary& boundary = *layer.boundary;
-  const auto follow = [&](float ratio, int colour, glm::vec3 share) {
+  const double alpha = static_cast<double>(roughness * roughness);
+  const double bumps = static_cast<double>(point.spread.variance);
+  const auto mirrored = static_cast<float>(lobe_width(std::sqrt(std::sqrt(alpha * alpha + bumps))));
+  const auto follow = [&](float ratio, float width, const VolumePath& passage, int colour,
+                          glm::vec3 share) {
     if (layer.passage.straight || !follows(seen, share)) return false;
-    // A facet that is turned by an angle turns the refracted ray by |1 - ratio| of it, and a
-    // mirrored one by twice the angle.
-    const double alpha = static_cast<double>(roughness * roughness);
-    const double bumps = static_cast<double>(point.spread.variance);
-    const double mirrored = lobe_width(std::sqrt(std::sqrt(alpha * alpha + bumps)));
-    const auto width = static_cast<float>(0.5 * mirrored) * std::abs(1.0f - ratio);
     Reflection refraction{seen,  point,        layer.hit,         glm::vec3(width),
                           share, layer.number, !seen.hides_lights};
     refraction.ratio = ratio;
-    refraction.passage = boundary.refracted(layer.passage);
+    refraction.passage = passage;
     refraction.passage.colour = colour;
     return transport.reflect(refraction, radiance, counts);
   };
   const int only = layer.passage.colour;
+  if (!layer.boundary) {
+    VolumePath beyond = layer.passage;
+    ++beyond.refractions;
+    return follow(1.0f, mirrored, beyond, only, through) ? glm::vec3(0.0f) : through;
+  }
+  // A facet that is turned by an angle turns the refracted ray by |1 - ratio| of it, and a mirrored
+  // one by twice the angle.
+  const VolumeBoundary& boundary = *layer.boundary;
+  const VolumePath beyond = boundary.refracted(layer.passage);
+  const auto bend = [&](float ratio, int colour, glm::vec3 share) {
+    return follow(ratio, 0.5f * mirrored * std::abs(1.0f - ratio), beyond, colour, share);
+  };
   const glm::vec3 ratio = boundary.ratio;
   if (only >= 0 || ratio.x == ratio.z)
-    return follow(boundary.ratio_of(layer.passage), only, through) ? glm::vec3(0.0f) : through;
+    return bend(boundary.ratio_of(layer.passage), only, through) ? glm::vec3(0.0f) : through;
   for (int c = 0; c < 3; ++c) {
     glm::vec3 share(0.0f);
     share[c] = through[c];
-    if (follow(ratio[c], c, share)) through[c] = 0.0f;
+    if (bend(ratio[c], c, share)) through[c] = 0.0f;
   }
   return through;
 }
@@ -342,21 +351,24 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         }
       }
       if (!blended) return {sum};
-      if (boundary && settings_.backdrop.shows_coverage() && settings_.reflections > 0) return {};
-      // Thin glass tints what shines through it by its base colour.
-      if (boundary) {
-        glm::vec3 through = share * material.opacity * left * (1.0f - material.metallic) *
-                            material.transmission * material.base_color;
-        const Layer here{through, layer, hit, passage, &*boundary};
+      // Glass that bends or blurs is followed, and covers all.
+      const bool frosted =
+          !boundary && material.transmission > 0.0f && material.roughness > 0.0f && !material.unlit;
+      if ((boundary || frosted) && settings_.backdrop.shows_coverage() && settings_.reflections > 0)
+        return {};
+      // It tints what shines through it by its base colour.
+      if (!material.unlit) left *= 1.0f - material.metallic;
+      glm::vec3 through =
+          share * material.opacity * left * material.transmission * material.base_color;
+      if (boundary || frosted) {
+        const Layer here{through, layer, hit, passage, boundary ? &*boundary : nullptr};
         through =
             add_refracted(seen, point, material.roughness, here, through, transport, sum, counts);
-        share = share * (1.0f - material.opacity) + through;
+      }
+      share = share * (1.0f - material.opacity) + through;
+      if (boundary) {
         passage = boundary->refracted(passage);
         passage.straight = passage.inside;
-      } else {
-        if (!material.unlit) left *= 1.0f - material.metallic;
-        share *= (1.0f - material.opacity) +
-                 material.opacity * left * material.transmission * material.base_color;
       }
       if (std::max({share.x, share.y, share.z}) < invisible_share) return {sum};
       last = hit.triangle;

@@ -72,8 +72,8 @@ class Shader {
   /// that cast shadows, and reflections, go by way of `transport`. Counts the rays that go on
   /// behind a blended surface. Results that are not finite are returned as they are; the caller
   /// drops and counts them. Where the backdrop shows coverage: what share of the ray surfaces hide,
-  /// by colour; a volume's boundary hides all where it is followed, for what is seen in it is the
-  /// environment.
+  /// by colour; a volume's boundary and frosted glass hide all where they are followed, for what is
+  /// seen in them is the environment.
   [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
                                    RenderStatistics& counts) const;
   /// Along an eye ray.
@@ -150,8 +150,10 @@ class Shader {
   [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point, float roughness,
                                   const Layer& layer, glm::vec3 specular, LightTransport& transport,
                                   glm::vec3& radiance, RenderStatistics& counts) const;
-  /// Hands what shines through a volume's boundary to `transport`, where it is followed; `through`
-  /// is its share of the ray's radiance. Returns what is left of that.
+  /// Hands what shines through a volume's boundary, or blurred through a rough thin wall, to
+  /// `transport`, where it is followed; `through` is its share of the ray's radiance. Returns what
+  /// is left of that. A thin wall's lobe is the mirrored one, on its other side
+  /// (KHR_materials_transmission, "Transmission BTDF").
   [[nodiscard]] glm::vec3 add_refracted(const ViewedRay& seen, const SurfacePoint& point,
                                         float roughness, const Layer& layer, glm::vec3 through,
                                         LightTransport& transport, glm::vec3& radiance,

@@ -261,7 +261,7 @@ bool needs_mirrors(const World& world, const MaterialDfrs& dfrs) {
   const std::vector<std::size_t> shown = shown_materials(world);
   return std::any_of(shown.begin(), shown.end(), [&](std::size_t i) {
     const Material& m = world.materials[i];
-    return !m.unlit && (may_mirror(m, dfrs[i]) || bounds_volume(m));
+    return !m.unlit && (may_mirror(m, dfrs[i]) || bounds_volume(m) || is_frosted(m));
   });
 }
 

@@ -201,5 +201,46 @@ TEST(GlassVolume, RoughGlassBlursWhatLiesBehindIt) {
   }
 }
 
+// A rough thin wall shows what lies behind it as a mirror as rough shows what lies before it, on
+// the other side: straight on, convolved with the lobe (KHR_materials_transmission).
+TEST(GlassVolume, RoughThinWallsBlurAsMirrorsDo) {
+  constexpr double behind = 4.0, width = 2.0, pixel = width / picture_side, edge = 0.0123;
+  for (const double angle : {0.0, 0.8}) {
+    for (const double roughness : {0.05, 0.2, 0.4}) {
+      World world;
+      Material frosted = clear(1.5f);
+      frosted.volume.thickness = 0.0f;
+      frosted.double_sided = true;
+      frosted.roughness = static_cast<float>(roughness);
+      // Seen upright, and along its length at an angle.
+      const auto up = static_cast<float>(std::cos(angle)),
+                 back = static_cast<float>(std::sin(angle));
+      add_quad(world, {-5, -5 * up, 5 * back}, {10, 0, 0}, {0, 10 * up, -10 * back}, frosted);
+      add_edge(world, edge, -behind, 40.0);
+      const auto scene = make_render_scene(std::move(world));
+      for (const Method method : methods) {
+        const std::vector<glm::vec3> seen = picture(*scene, orthographic(width), method);
+        for (int x = 0; x < picture_side; ++x) {
+          double column = 0.0, expected = 0.0;
+          for (int y = 0; y < picture_side; ++y) {
+            column += static_cast<double>(seen[static_cast<std::size_t>(y * picture_side + x)].y);
+            // The wall leans towards the viewer at its lower end.
+            const double up_there = (0.5 * picture_side - y - 0.5) * pixel;
+            const double blur = lobe_width(roughness) * (behind - up_there * std::tan(angle));
+            const double middle = (x + 0.5 - 0.5 * picture_side) * pixel;
+            // A third box that is next to nothing.
+            expected += below(edge - middle, {pixel, blur, 1e-3});
+          }
+          const double allowed =
+              method == Method::asos ? 3e-3 : 3.0 * 0.5 / std::sqrt(12.0 * 256.0);
+          EXPECT_NEAR(column / picture_side, expected / picture_side, allowed)
+              << "roughness " << roughness << ", angle " << angle << ", column " << x << ", method "
+              << static_cast<int>(method);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asos::test::glass

@@ -89,6 +89,11 @@ TEST(Needs, EachMaterialsPropertyAsksForItsOwnFeaturesOnly) {
   EXPECT_EQ(added_by_material([](Material& m) { m.alpha_mode = AlphaMode::blend; }),
             Names{"alpha blending and transmission"});
   EXPECT_EQ(added_by_material([](Material& m) { m.transmission = 0.5f; }),
+            (Names{"alpha blending and transmission", "mirrors"}));
+  EXPECT_EQ(added_by_material([](Material& m) {
+              m.transmission = 0.5f;
+              m.unlit = true;
+            }),
             Names{"alpha blending and transmission"});
   EXPECT_EQ(added_by_material([](Material& m) { m.roughness = 0.35f; }), Names{"mirrors"});
   EXPECT_EQ(added_by_material([](Material& m) { m.roughness = 0.36f; }), Names{});
