@@ -2,6 +2,7 @@
 
 #include "renderer/reflections/own_side.h"
 #include "renderer/sampling/random.h"
+#include "renderer/shading/volume_boundary.h"
 #include "renderer/world/hit_plane.h"
 
 #include <algorithm>
@@ -85,6 +86,11 @@ bool EyeSamples::opaque(SampleId sample) const {
   // blurs.
   const Viewer& viewer = eye_->viewer;
   const bool frosted = is_frosted(material) && !material.metallic_roughness_texture.used();
+  if (material.transmission > 0.0f && viewer.passage.in_medium()) {
+    const auto boundary =
+        VolumeBoundary::met(eye_->scene->world(), hit, rays_[sample], viewer.passage);
+    if (boundary && boundary->hidden()) return false;
+  }
   return !(material.transmission > 0.0f) ||
          ((bounds_volume(material) || frosted) && viewer.bounces < viewer.shader.reflections());
 }

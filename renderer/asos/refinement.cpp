@@ -301,7 +301,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const double mirrored = mirror ? reflected_angle(pyray, surface) / widest : 0.0;
   if (!refracts) return mirrored;
   const auto boundary =
-      VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample).direction);
+      VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample), viewer.passage);
   const auto ratio = static_cast<double>(boundary->ratio_of(viewer.passage));
   return std::max(mirrored, reflected_angle(pyray, refracting(surface, ratio)) / widest);
 }

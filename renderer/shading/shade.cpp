@@ -324,14 +324,16 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
     const bool blended = needs_.alpha_blend &&
                          surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
-    const auto boundary = blended ? VolumeBoundary::met(world_, hit, ray.direction) : std::nullopt;
+    const auto boundary = blended ? VolumeBoundary::met(world_, hit, ray, passage) : std::nullopt;
     // The inner side of a boundary tells of what lies before it, wherever the ray started.
-    if (boundary && !boundary->entering) passage = boundary->reflected(passage);
-    if (passage.inside) share *= passage.left_after(hit.t - passed);
+    if (boundary && !boundary->entering) passage = boundary->incident(passage);
+    if (passage.in_medium()) share *= passage.left_after(hit.t - passed);
     passed = hit.t;
 
     // A face of an analytic shape may be met twice, in front and at its back.
-    if (hit.triangle != last || world_.is_face(hit.triangle)) {
+    if (boundary && boundary->hidden()) {
+      passage = boundary->passed(passage);
+    } else if (hit.triangle != last || world_.is_face(hit.triangle)) {
       // Add the layer by its opacity.
       SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
       if (material.anisotropy.strength > 0.0f)
@@ -341,6 +343,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
       if (material.opacity > 0.0f) {
         Layer here{share * material.opacity, layer, hit, passage};
         if (boundary) {
+          boundary->set_reflectance(material);
           here.boundary = &*boundary;
           here.passage = boundary->reflected(passage);
         }
@@ -368,7 +371,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
       share = share * (1.0f - material.opacity) + through;
       if (boundary) {
         passage = boundary->refracted(passage);
-        passage.straight = passage.inside;
+        passage.straight = passage.in_medium();
       }
       if (std::max({share.x, share.y, share.z}) < invisible_share) return {sum};
       last = hit.triangle;
