@@ -151,27 +151,25 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   const int n =
       texture_divisions(settings.resolution, side / static_cast<double>(eye_->viewer.pixel));
   const Hit& hit = samples_->hit(leaf.sample);
-  // Under a mask only whole squares are divided: it is asked about leaves, not their parts.
-  const bool masked_part = eye_->mask && !region.border.empty();
-  if (n == 1 || region.marginal || masked_part || !hit.valid() ||
+  // What a boundary has cut is marginal, too: parts of its square would not count by their areas.
+  if (n == 1 || region.marginal || !region.border.empty() || !hit.valid() ||
       !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->needs))
     return false;
   // Sample its parts.
   const LeafPlace place{{eye_->block.x, eye_->block.y}, eye_->block.width};
   const std::vector<TexturePart> parts =
-      texture_parts(region, n, place, eye_->seed, settings.filter == TextureFilter::point);
-  if (parts.empty()) return false;
+      texture_parts(region.square, n, place, eye_->seed, settings.filter == TextureFilter::point);
   std::vector<glm::vec2> places;
   for (const TexturePart& part : parts) places.push_back(part.at);
   const SampleId first = samples_->probe(places);
 
   // One look at the lights does for all of them.
   EvenPatch whole = refinement_->even_patch(leaf.sample, region, leaf.note);
-  const bool even = region.border.empty() && samples_->opaque(leaf.sample);
+  const bool even = samples_->opaque(leaf.sample);
   const RootSum before = sums_[leaf.root];
   const double share = leaf.weight / static_cast<double>(parts.size());
   for (std::uint32_t i = 0; i < parts.size() && !eye_->stop.stop_requested(); ++i) {
-    const PyrayLeaf part{leaf.root, first + i, share, {parts[i].square, {}, parts[i].marginal}};
+    const PyrayLeaf part{leaf.root, first + i, share, {parts[i].square, {}}};
     (void)add_leaf(part, even ? &whole : refinement_->even_around(part.sample, part.region));
   }
   // Note their mean as the leaf's.

@@ -42,9 +42,8 @@ int texture_divisions(int texture_resolution, double side) {
   return std::max(1, static_cast<int>(std::ceil(texture_resolution * side - 1e-3)));
 }
 
-std::vector<TexturePart> texture_parts(const LeafRegion& region, int n, const LeafPlace& place,
-                                       int seed, bool jitter) {
-  const Square& all = region.square;
+std::vector<TexturePart> texture_parts(const Square& all, int n, const LeafPlace& place, int seed,
+                                       bool jitter) {
   const float side = all.side / static_cast<float>(n);
   std::vector<TexturePart> parts;
   for (int j = 0; j < n; ++j) {
@@ -56,15 +55,7 @@ std::vector<TexturePart> texture_parts(const LeafRegion& region, int n, const Le
       const RandomPair random = jitter ? unit_pair(bits_of(corner, seed)) : RandomPair{0.5, 0.5};
       const glm::vec2 at(square.u + side * static_cast<float>(random.u),
                          square.v + side * static_cast<float>(random.v));
-      if (!region.border.empty() && !region.holds(at)) continue;
-      // Drawn in by more than the rounding of its place, so that a border along it is not in it.
-      const float edge = side / 1024.0f;
-      const Square inner{square.u + edge, square.v + edge, side - 2.0f * edge};
-      const bool marginal =
-          std::any_of(region.border.begin(), region.border.end(), [&](const BorderEdge& s) {
-            return !clip({s.from.x, s.from.y, 0, s.to.x, s.to.y, 0, 0}, inner).empty();
-          });
-      parts.push_back({square, at, marginal});
+      parts.push_back({square, at});
     }
   }
   return parts;

@@ -23,8 +23,7 @@ namespace asos {
 /// A part of a divided leaf.
 struct TexturePart {
   Square square;
-  glm::vec2 at{0.0f};     ///< a place in it
-  bool marginal = false;  ///< the leaf's border passes through it
+  glm::vec2 at{0.0f};  ///< a place in it
 };
 
 /// Where a leaf lies in the picture: its frame's (0, 0) and size in pixels.
@@ -33,11 +32,10 @@ struct LeafPlace {
   int width = 1;
 };
 
-/// Those of the n x n parts of the leaf's square whose place lies in the leaf: a random one, which
-/// is a function of the pixel, the part's place in it and the seed, not of the frame; or without
-/// `jitter` their middle, around which textures are averaged over a part
-/// (TextureFilter::footprint).
-[[nodiscard]] std::vector<TexturePart> texture_parts(const LeafRegion& region, int n,
+/// The n x n parts of a leaf's square, each with a random place, which is a function of the pixel,
+/// the part's place in it and the seed, not of the frame; or without `jitter` with its middle,
+/// around which textures are averaged over a part (TextureFilter::footprint).
+[[nodiscard]] std::vector<TexturePart> texture_parts(const Square& leaf, int n,
                                                      const LeafPlace& place, int seed, bool jitter);
 
 }  // namespace asos
