@@ -18,6 +18,10 @@ namespace {
 // mirror shows.
 constexpr std::uint32_t few_samples = 4;
 
+// Cut leaves have their colours averaged over so many parts along each side, but for small ones.
+constexpr int parts_along = 3;
+constexpr double least_in_parts = 1.0 / 64.0;
+
 bool finite(glm::vec3 v) {
   return std::isfinite(v.x + v.y + v.z);
 }
@@ -86,9 +90,10 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   const std::uint32_t share = weak_lights_->start(leaf.root, leaf.sample, leaf.weight);
   const std::uint32_t sky_share = eye_->mask ? 0 : sky_.start(leaf.root, leaf.sample, leaf.weight);
   LeafTransport transport(*eye_, *shadows_, context, *weak_lights_, share, sky_, sky_share);
-  const glm::vec3 radiance = viewer.shader.radiance(
-      viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at)),
-      transport, *eye_->counts);
+  ViewedRay seen =
+      viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at));
+  seen.parts = colour_parts(leaf, context.at);
+  const glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
   sum.shadow_cut |= transport.met_shadow_edge();
   sum.mirror_cut |= transport.met_mirror_edge();
   if (!finite(radiance)) {
@@ -113,6 +118,23 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
                   radiance + transport.inexact(), share, sky_share});
   return radiance;
+}
+
+// What a boundary has cut is no parallelogram: where that would reach beyond it a texture may show
+// something else, as textures do along their seams. So colours are averaged over its parts.
+std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
+  parts_.clear();
+  const LeafRegion& region = leaf.region;
+  const Hit& hit = samples_->hit(leaf.sample);
+  if (region.border.empty() || !hit.valid() || leaf.weight < least_in_parts ||
+      eye_->settings->texture.filter == TextureFilter::point)
+    return {};
+  const Material& material = material_of(leaf);
+  if (!eye_->scene->needs.textures ||
+      !(material.base_color_texture.used() || material.emissive_texture.used()))
+    return {};
+  add_part_shapes(region, at, parts_along, parts_);
+  return parts_;
 }
 
 // Whether highlights of lights that are seen in part may be off by more than a leaf may. At most

@@ -63,6 +63,7 @@ class LeafShader {
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] std::span<const SharedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
 
   const EyeContext* eye_;
@@ -76,6 +77,7 @@ class LeafShader {
   std::optional<RegionSampler> sampler_;  // made when first needed
   std::vector<PyrayLeaf> put_off_;        // in the sampler's order; without their borders
   LeafVariation variation_;
+  std::vector<SharedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;
 };
 

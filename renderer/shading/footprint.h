@@ -36,6 +36,12 @@ struct PartShape {
   glm::vec2 down{0.0f, 1.0f};
 };
 
+/// One of several such parts that make up a whole.
+struct SharedShape {
+  PartShape shape;     ///< in sides of the square that has the whole's area
+  float share = 1.0f;  ///< of the whole's area
+};
+
 /// The square itself. Copied from here, it takes no waiting for what was just written.
 inline constexpr PartShape square_part{};
 

@@ -39,6 +39,16 @@ float behind(const Ray& ray, const SurfacePoint& point, float t) {
   return std::max(std::nextafter(t, std::numeric_limits<float>::infinity()), t + error);
 }
 
+/// What all of a sample's square shows of a surface, whatever part of it the sample stands for.
+Footprint square_footprint(const World& world, const SampleExtent& extent, const Ray& ray,
+                           const Hit& hit, const SurfacePoint& point) {
+  Footprint square = footprint_on(
+      world, hit,
+      patch_on_plane(*extent.spacing, ray.direction, hit.t, point.geometric_normal, extent.side));
+  square.side = extent.side;
+  return square;
+}
+
 /// For who wants no light.
 class NoTransport final : public LightTransport {
  public:
@@ -336,6 +346,9 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     } else if (hit.triangle != last || world_.is_face(hit.triangle)) {
       // Add the layer by its opacity.
       SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
+      if (!seen.parts.empty() && mips)
+        average_colours(world_, needs_, hit, square_footprint(world_, extent, ray, hit, point),
+                        seen.parts, *mips, material);
       if (material.anisotropy.strength > 0.0f)
         material.stretch = lobe_stretch(world_, hit, material.anisotropy, material.roughness,
                                         point.shading_normal, to_viewer);

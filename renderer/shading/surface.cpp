@@ -299,6 +299,21 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   return material_with(material, needs, base, sample);
 }
 
+void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
+                     const Footprint& square, std::span<const SharedShape> parts,
+                     const MipChains& mips, SurfaceMaterial& material) {
+  glm::vec3 color(0.0f), emission(0.0f);
+  for (const SharedShape& part : parts) {
+    Footprint footprint = shaped(square, part.shape);
+    footprint.side *= std::sqrt(part.share);
+    const SurfaceMaterial own = surface_material(world, needs, hit, footprint, &mips);
+    color += part.share * own.base_color;
+    emission += part.share * own.emission;
+  }
+  material.base_color = color;
+  material.emission = emission;
+}
+
 SurfaceMaterial untextured_material(const Material& material, const SceneNeeds& needs) {
   return material_with(material, needs, material.base_color,
                        [](const TextureUse&, TexelKind) { return glm::vec4(1.0f); });

@@ -107,6 +107,12 @@ struct SampleExtent {
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
 
+/// Makes the colours that the material shows and sends out their means over parts of what a
+/// square's footprint shows.
+void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
+                     const Footprint& square, std::span<const SharedShape> parts,
+                     const MipChains& mips, SurfaceMaterial& material);
+
 /// The same of a material without textures or vertex colours.
 [[nodiscard]] SurfaceMaterial untextured_material(const Material& material,
                                                   const SceneNeeds& needs);

@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include <span>
+
 namespace asos {
 
 /// A ray whose radiance is asked for, and what it stands for: it comes from the eye, or was
@@ -28,6 +30,9 @@ struct ViewedRay {
   /// that brings their light to another surface, which sees lights by itself.
   bool diffuse = false;
   VolumePath passage = {};
+  /// Parts that `shape` stands for all together, over which colours are averaged one by one; empty:
+  /// it is as exact.
+  std::span<const SharedShape> parts = {};
 
   /// Whether any surface has reflected it, and not only let it through.
   [[nodiscard]] bool reflected() const { return bounces > passage.refractions; }

@@ -80,5 +80,64 @@ TEST(PartShape, WithoutAreaIsTheSquare) {
   EXPECT_EQ(shape.down, glm::vec2(0.0f, 1.0f));
 }
 
+/// The second moments of a parallelogram around its middle.
+glm::dvec3 spread_of(const PartShape& shape) {
+  const glm::dvec2 e(shape.right), f(shape.down);
+  return glm::dvec3(e.x * e.x + f.x * f.x, e.x * e.y + f.x * f.y, e.y * e.y + f.y * f.y) / 12.0;
+}
+
+// Together they have the area, the middle and the second moments of the whole.
+TEST(PartShape, ItsPartsMakeUpTheWhole) {
+  std::mt19937 rng(12);
+  std::uniform_real_distribution<float> u(0.0f, 1.0f);
+  for (int i = 0; i < 50; ++i) {
+    // Triangles, and quadrilaterals that may run in on themselves.
+    std::vector<glm::vec2> corners{{u(rng), u(rng)}, {u(rng), u(rng)}, {u(rng), u(rng)}};
+    if (i % 2 == 0) corners.push_back(0.4f * corners[0] + 0.3f * corners[1] + 0.3f * corners[2]);
+    const std::vector<BorderEdge> sides = around(corners);
+    const glm::vec2 at(u(rng), u(rng));
+    const PartShape whole = shape_of(sides, at);
+    if (whole.right == glm::vec2(1.0f, 0.0f)) continue;  // no area
+    for (const int n : {1, 2, 3, 8}) {
+      std::vector<SharedShape> parts;
+      add_part_shapes({{0.0f, 0.0f, 1.0f}, sides, false}, at, n, parts);
+      ASSERT_FALSE(parts.empty());
+      EXPECT_LE(parts.size(), static_cast<std::size_t>(n * n));
+      double share = 0.0;
+      glm::dvec2 middle(0.0);
+      for (const SharedShape& part : parts) {
+        share += static_cast<double>(part.share);
+        middle += static_cast<double>(part.share) * glm::dvec2(part.shape.offset);
+      }
+      glm::dvec3 spread(0.0);
+      for (const SharedShape& part : parts) {
+        const glm::dvec2 off = glm::dvec2(part.shape.offset) - middle;
+        spread += static_cast<double>(part.share) *
+                  (spread_of(part.shape) + glm::dvec3(off.x * off.x, off.x * off.y, off.y * off.y));
+      }
+      // Less what is next to nothing.
+      const double size = static_cast<double>(glm::length(whole.right) + glm::length(whole.down));
+      EXPECT_NEAR(share, 1.0, 1e-5);
+      EXPECT_NEAR(glm::distance(middle, glm::dvec2(whole.offset)), 0.0, 0.02 * size)
+          << i << ' ' << n;
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(spread[k], spread_of(whole)[k], 0.02 * size * size) << i << ' ' << n;
+    }
+  }
+}
+
+TEST(PartShape, OfASquareInFourAreItsQuarters) {
+  const auto sides = around({{0.25f, 0.25f}, {0.75f, 0.25f}, {0.75f, 0.75f}, {0.25f, 0.75f}});
+  std::vector<SharedShape> parts;
+  add_part_shapes({{0.0f, 0.0f, 1.0f}, sides, false}, {0.5f, 0.5f}, 2, parts);
+  ASSERT_EQ(parts.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_FLOAT_EQ(parts[i].share, 0.25f);
+    expect_near(parts[i].shape.offset, {i % 2 == 0 ? -0.25f : 0.25f, i < 2 ? -0.25f : 0.25f});
+    expect_near(parts[i].shape.right, {0.5f, 0.0f});
+    expect_near(parts[i].shape.down, {0.0f, 0.5f});
+  }
+}
+
 }  // namespace
 }  // namespace asos

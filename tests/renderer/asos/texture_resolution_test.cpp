@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
+#include <utility>
 
 namespace asos::test::texture_resolution_test {
 namespace {
@@ -34,6 +37,13 @@ World checks(bool post) {
   for (glm::vec2& uv : world.texcoords[0]) uv = uv * (48.0f / 0.62f) + glm::vec2(0.123f, 0.237f);
   if (post) add_quad(world, {-0.33f, -3, 1}, {0.5f, 0.1f, 0}, {0, 6, 0}, unlit({0.2f, 0.4f, 0.6f}));
   return world;
+}
+
+/// With its mip chains, over which textures are averaged.
+std::shared_ptr<const RenderScene> filtered_scene(World world) {
+  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
+  Lighting lighting = prepare_lighting(geometry->world, {});
+  return unedited_scene(std::move(geometry), std::move(lighting));
 }
 
 RenderSettings with_tr(int tr) {
@@ -146,7 +156,7 @@ TEST(TextureResolution, LeavesWhatBoundariesCutToTheirOwnAreas) {
   constexpr float left = -0.33f, slant = 0.1f;
   add_quad(world, {left, -3, 1}, {0.5f, slant, 0}, {0, 6, 0}, unlit(glm::vec3(0.0f)));
   add_quad(world, {-3, -1.7f, 1.5f}, {6, 0.9f, 0}, {0, 1, 0}, unlit(glm::vec3(0.0f)));
-  const auto scene = make_render_scene(std::move(world));
+  const auto scene = filtered_scene(std::move(world));
   const auto seen = [&](double x, double y) {
     const bool post = x > static_cast<double>(left) && x < static_cast<double>(left) + 0.5;
     const double low = -1.7 + 0.15 * (x + 3.0);
@@ -170,6 +180,52 @@ TEST(TextureResolution, LeavesWhatBoundariesCutToTheirOwnAreas) {
       }
     }
   }
+}
+
+// A texture that is another colour as soon as it is out of sight, as textures are beyond their
+// seams: little of that is seen in what the seam leaves of a pixel.
+TEST(TextureResolution, WhatBoundariesHideOfATextureIsNotSeen) {
+  World world;
+  Material m = unlit(glm::vec3(1.0f));
+  const Image halves = make_image(256, 1, [](int x, int) {
+    const auto grey = static_cast<std::uint8_t>(x < 128 ? 255 : 0);
+    return Texel{grey, grey, grey, 255};
+  });
+  m.base_color_texture.texture = add_texture(world, halves, Wrap::clamp_to_edge, Filter::linear);
+  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
+  // White up to a slanted line, along which a post begins.
+  const auto beyond = [](glm::dvec2 p) { return p.x - 0.03 - 0.7 * p.y; };
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec2 corner(world.positions[i].x, world.positions[i].y);
+    world.texcoords[0][i].x = static_cast<float>(0.5 + 0.5 * beyond(corner));
+  }
+  add_quad(world, {0.03f - 2.1f, -3, 1}, {4, 0, 0}, {4.2f, 6, 0}, unlit(glm::vec3(0.3f)));
+  const auto scene = filtered_scene(std::move(world));
+  RenderSettings settings = with_tr(1);
+  settings.texture.filter = TextureFilter::footprint;
+  const Picture found = render_picture(*scene, orthographic(2.0), settings);
+  constexpr int n = 200;
+  constexpr double pixel = 2.0 / picture_side;
+  double worst = 0.0;
+  for (int x = 0; x < picture_side; ++x) {
+    const int y = x;
+    for (const int beside : {-2, -1, 0, 1, 2}) {
+      const int column = std::clamp(picture_side / 2 + (picture_side / 2 - y) * 7 / 10 + beside, 0,
+                                    picture_side - 1);
+      double white = 0.0;
+      for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < n; ++k)
+          white += beyond({-1.0 + pixel * (column + (i + 0.5) / n),
+                           1.0 - pixel * (y + (k + 0.5) / n)}) < 0.0
+                       ? 1.0
+                       : 0.0;
+      }
+      const double expected = 0.3 + 0.7 * white / (n * n);
+      const auto seen = static_cast<double>(found.film.radiance[found.film.index(column, y)].r);
+      worst = std::max(worst, std::abs(seen - expected));
+    }
+  }
+  EXPECT_LT(worst, 0.02);
 }
 
 TEST(TextureResolution, ATraceAddsUpToThePicture) {
