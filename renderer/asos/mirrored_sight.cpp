@@ -80,27 +80,20 @@ double depth_of(const EyeContext& eye, const RayBundle& bundle, const MirrorSurf
 }
 
 // The rays of a part of the viewer's frame that meet the surface.
-RayBundle incident_bundle(const EyeContext& eye, const Reflection& reflection,
-                          const Bounds2& part) {
+RayBundle incident_bundle(const EyeContext& eye, const Reflection& reflection, const Bounds2& part,
+                          bool whole) {
   const std::optional<RayBundle>& own = eye.viewer.bundle;
   if (!own) return RayBundle::of(*eye.frame, part);
+  if (!own->blurred()) return own->part(part);
+  if (whole) return *own;
   const double t = glm::dot(glm::dvec3(reflection.point.position) - own->origin, own->direction);
-  if (!own->blurred() || !(t > 0.0)) return own->part(part);
-  return own->blurred_part(part, t);
-}
-
-// Blur that has been on the way already, and the surface's: their variances add up.
-void add_lobe(RayBundle& bundle, const MirrorLobe& lobe) {
-  const double before = std::max(glm::length(bundle.lobe_right), glm::length(bundle.lobe_down));
-  if (!(before > 0.0) && !(lobe.width > 0.0)) return;
-  bundle.lobe_right = std::hypot(glm::length(bundle.lobe_right), lobe.width) * lobe.right;
-  bundle.lobe_down = std::hypot(glm::length(bundle.lobe_down), lobe.width) * lobe.down;
+  return t > 0.0 ? own->blurred_part(part, t) : own->part(part);
 }
 
 std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflection& reflection,
-                                          const Bounds2& part, float width,
+                                          const Bounds2& part, bool whole, float width,
                                           RenderStatistics& counts) {
-  RayBundle bundle = incident_bundle(eye, reflection, part);
+  RayBundle bundle = incident_bundle(eye, reflection, part, whole);
   // Where the ray in its middle meets the surface's plane.
   const glm::dvec3 normal(reflection.point.geometric_normal);
   const auto meet = [&](glm::dvec3 n, glm::dvec3 position) {
@@ -116,8 +109,8 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
   IncidentPyray beam;
   beam.perspective = false;
   beam.axis = bundle.direction;
-  beam.right = bundle.section(t).right;
-  beam.down = bundle.section(t).down;
+  beam.right = bundle.whole_section(t).right;
+  beam.down = bundle.whole_section(t).down;
   beam.distance = t;
 
   MirroredSight sight;
@@ -130,9 +123,9 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
   surface.position =
       bundle.origin + (exact > 0.0 && std::isfinite(exact) ? exact : t) * bundle.direction;
   sight.bundle = mirrored(bundle, surface);
-  add_lobe(*sight.bundle,
-           lobe_around(surface, sight.bundle->direction, beam.right, static_cast<double>(width)));
   const double depth = depth_of(eye, *sight.bundle, surface, reflection.passage, counts);
+  sight.bundle->add_lobe(
+      lobe_around(surface, sight.bundle->direction, beam.right, static_cast<double>(width)), depth);
   const auto pyray = pyramid_around(*sight.bundle, surface, depth);
   if (!pyray) return std::nullopt;
   sight.pyray = *pyray;
@@ -142,10 +135,10 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
 }  // namespace
 
 std::optional<MirroredSight> mirrored_sight(const EyeContext& eye, const Reflection& reflection,
-                                            const Bounds2& part, float width,
+                                            const Bounds2& part, bool whole, float width,
                                             RenderStatistics& counts) {
   const bool by_bundle = reflection.ratio > 0.0f || eye.viewer.bundle;
-  return by_bundle ? bundle_sight(eye, reflection, part, width, counts)
+  return by_bundle ? bundle_sight(eye, reflection, part, whole, width, counts)
                    : pyramid_sight(eye, reflection, part, width);
 }
 

@@ -19,13 +19,13 @@ struct MirroredSight {
   bool exact = true;  ///< the pyray is what the surface makes of the viewer's, to first order
 };
 
-/// What a part of a viewer's frame becomes at the surface that it meets, where a lobe of `width` is
-/// around it. Where anything refracts, or the frame was blurred already, it is the pyramid around a
-/// bundle, for which one ray finds out how far it leads. Nothing where it has no extent or its
-/// numbers are not finite.
+/// What a part of a viewer's frame, all of it or not, becomes at the surface that it meets, where a
+/// lobe of `width` is around it. Where anything refracts, or the frame was blurred already, it is
+/// the pyramid around a bundle, for which one ray finds out how far it leads. Nothing where it has
+/// no extent or its numbers are not finite.
 [[nodiscard]] std::optional<MirroredSight> mirrored_sight(const EyeContext& eye,
                                                           const Reflection& reflection,
-                                                          const Bounds2& part, float width,
-                                                          RenderStatistics& counts);
+                                                          const Bounds2& part, bool whole,
+                                                          float width, RenderStatistics& counts);
 
 }  // namespace asos

@@ -121,6 +121,10 @@ Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
   return eye.mask->blur->at(static_cast<double>(reflection.hit.t)).uniform_like(part);
 }
 
+bool is_whole(const LeafRegion& region) {
+  return region.border.empty() && region.square.side == 1.0f;
+}
+
 // How much the parts of the mirrored square count: by the blur, and within the leaf's own outline
 // where that is not blurred beyond recognition.
 MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const Bounds2& part,
@@ -179,7 +183,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
                      float width, RenderStatistics& counts) {
   // Mirror the leaf's pyray.
   const Bounds2 part = incident_part(eye, reflection, leaf.region);
-  const auto sight = mirrored_sight(eye, reflection, part, width, counts);
+  const auto sight = mirrored_sight(eye, reflection, part, is_whole(leaf.region), width, counts);
   if (!sight) return {{}, false, true, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);

@@ -1,7 +1,11 @@
 #include "renderer/reflections/ray_bundle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -22,7 +26,7 @@ glm::dvec3 edge_at(glm::dvec3 at, glm::dvec3 turn, double t, glm::dvec3 axis) {
   return glm::length(edge) < least ? edge + least * glm::normalize(moved) : edge;
 }
 
-// One direction across a blurred bundle, at a section. Which way the lobe's edge runs is all the
+// One direction across a blurred bundle, at a section. Which way the blur's edge runs is all the
 // same.
 struct BlurredAxis {
   glm::dvec3 unit;   // along the section
@@ -31,24 +35,80 @@ struct BlurredAxis {
   glm::dvec3 turn;  // what each of them changes of the direction, over its width
   glm::dvec3 lobe;
 
-  BlurredAxis(glm::dvec3 section, double t, glm::dvec3 turn_, glm::dvec3 lobe_)
-      : unit(glm::normalize(glm::length(section) > t * glm::length(lobe_) ? section : lobe_)),
+  BlurredAxis(glm::dvec3 section, glm::dvec3 blurred, glm::dvec3 turn_, glm::dvec3 lobe_)
+      : unit(glm::normalize(glm::length(section) > glm::length(blurred) ? section : blurred)),
         turn(turn_),
         lobe(lobe_) {
     if (glm::dot(section, unit) < 0.0) unit = -unit;
-    if (glm::dot(lobe, unit) < 0.0) lobe = -lobe;
     own = glm::dot(section, unit);
-    blur = t * glm::dot(lobe, unit);
+    blur = glm::dot(blurred, unit);
+    if (blur < 0.0) blur = -blur, lobe = -lobe;
   }
   [[nodiscard]] double variance() const { return own * own + blur * blur; }
   [[nodiscard]] double width() const { return own + blur; }
-  /// What a step along the section changes of the direction, as the mean of all rays there.
+  // What a step along the section changes of the direction, as the mean of all rays there.
   [[nodiscard]] glm::dvec3 slope() const { return (own * turn + blur * lobe) / variance(); }
-  /// The edge over which the direction varies in one place.
+  // The edge over which the direction varies in one place.
   [[nodiscard]] glm::dvec3 rest() const {
     return (blur * turn - own * lobe) / std::sqrt(variance());
   }
 };
+
+// Independent boxes along one direction: what each changes of the place and of the direction.
+struct Boxes {
+  std::array<glm::dvec3, 3> at{};
+  std::array<glm::dvec3, 3> turn{};
+};
+
+// The squares of the widths of two boxes that have the sum of squares and, where two can, of fourth
+// powers of three: the larger first.
+std::pair<double, double> two_for_three(const glm::dvec3& widths) {
+  const glm::dvec3 squares = widths * widths;
+  const double sum = squares.x + squares.y + squares.z, fourth = glm::dot(squares, squares);
+  const double half = 0.5 * std::sqrt(std::max(0.0, 2.0 * fourth - sum * sum));
+  return {0.5 * sum + half, std::max(0.0, 0.5 * sum - half)};
+}
+
+// Two boxes for three, seen `t` away: the second is the one that blurs, of which the least is to be
+// seen where they begin.
+void merge(const Boxes& boxes, double t, glm::dvec3& at, glm::dvec3& turn, glm::dvec3& lobe_at,
+           glm::dvec3& lobe) {
+  glm::dvec3 unit(0.0), places, turns;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 there = boxes.at[i] + t * boxes.turn[i];
+    if (const double length = glm::length(there); length > longest)
+      longest = length, unit = there / length;
+  }
+  if (!(longest > 0.0)) return;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    places[i] = glm::dot(boxes.at[k] + t * boxes.turn[k], unit);
+    turns[i] = glm::dot(boxes.turn[k], unit);
+  }
+  // Rotate the three into two that span what they do, of these widths there.
+  const glm::dvec3 first = glm::normalize(places);
+  glm::dvec3 second = turns - glm::dot(turns, first) * first;
+  const double left = glm::length(second);
+  second = left > 1e-12 * glm::length(turns) ? second / left : glm::dvec3(0.0);
+  const auto [larger, smaller] = two_for_three(places);
+  const double all = larger + smaller;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double blurring : {larger, smaller}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const double c = std::sqrt((all - blurring) / all), s = std::sqrt(blurring / all);
+      const glm::dvec3 own = c * first - sign * s * second, blur = s * first + sign * c * second;
+      const auto combined = [](const glm::dvec3& by, const std::array<glm::dvec3, 3>& edges) {
+        return by.x * edges[0] + by.y * edges[1] + by.z * edges[2];
+      };
+      const glm::dvec3 blur_at = combined(blur, boxes.at);
+      if (!(glm::length(blur_at) < least)) continue;
+      least = glm::length(blur_at);
+      at = combined(own, boxes.at), turn = combined(own, boxes.turn);
+      lobe_at = blur_at, lobe = combined(blur, boxes.turn);
+    }
+  }
+}
 
 }  // namespace
 
@@ -105,9 +165,29 @@ RayBundle RayBundle::of(const MirroredPyray& pyray, glm::dvec3 position) {
   return bundle;
 }
 
+MirrorPatch RayBundle::whole_section(double t) const {
+  MirrorPatch whole = section(t);
+  if (!blurred()) return whole;
+  const MirrorPatch blur = blur_of_section(t);
+  const BlurredAxis u(whole.right, blur.right, right, lobe_right);
+  const BlurredAxis v(whole.down, blur.down, down, lobe_down);
+  return {std::sqrt(u.variance()) * u.unit, std::sqrt(v.variance()) * v.unit};
+}
+
+void RayBundle::add_lobe(const MirrorLobe& lobe, double t) {
+  if (!(lobe.width > 0.0)) return;
+  const glm::dvec3 none(0.0);
+  const Boxes along_right{{right_at, lobe_right_at, none},
+                          {right, lobe_right, lobe.width * lobe.right}};
+  const Boxes along_down{{down_at, lobe_down_at, none}, {down, lobe_down, lobe.width * lobe.down}};
+  merge(along_right, t, right_at, right, lobe_right_at, lobe_right);
+  merge(along_down, t, down_at, down, lobe_down_at, lobe_down);
+}
+
 RayBundle RayBundle::blurred_part(const Bounds2& part, double t) const {
-  const MirrorPatch there = section(t);
-  const BlurredAxis u(there.right, t, right, lobe_right), v(there.down, t, down, lobe_down);
+  const MirrorPatch there = section(t), blur = blur_of_section(t);
+  const BlurredAxis u(there.right, blur.right, right, lobe_right);
+  const BlurredAxis v(there.down, blur.down, down, lobe_down);
   const glm::dvec2 size(part.hi - part.lo);
   const glm::dvec2 widths(u.width(), v.width());
   const glm::dvec2 off = widths * (glm::dvec2(part.lo) + 0.5 * size - 0.5), wide = widths * size;
@@ -122,18 +202,22 @@ RayBundle RayBundle::blurred_part(const Bounds2& part, double t) const {
   bundle.down_at = wide.y * v.unit - way * bundle.down;
   bundle.lobe_right = u.rest();
   bundle.lobe_down = v.rest();
+  bundle.lobe_right_at = -way * bundle.lobe_right;
+  bundle.lobe_down_at = -way * bundle.lobe_down;
   return bundle;
 }
 
 RayBundle mirrored(const RayBundle& bundle, const MirrorSurface& surface) {
   const double t = glm::dot(surface.position - bundle.origin, bundle.direction);
-  const MirrorPatch section = bundle.section(t);
   IncidentPyray beam;
   beam.perspective = false;
   beam.axis = bundle.direction;
-  beam.right = section.right;
-  beam.down = section.down;
-  const MirrorPatch patch = patch_of(beam, surface.geometric);
+  const auto patch_of_section = [&](const MirrorPatch& section) {
+    beam.right = section.right;
+    beam.down = section.down;
+    return patch_of(beam, surface.geometric);
+  };
+  const MirrorPatch section = bundle.section(t), patch = patch_of_section(section);
   RayBundle out;
   out.origin = surface.position;
   out.direction = mirrored_direction(surface, bundle.direction);
@@ -142,12 +226,23 @@ RayBundle mirrored(const RayBundle& bundle, const MirrorSurface& surface) {
   const auto turned = [&](glm::dvec3 edge, glm::dvec3 turn) {
     return across(mirrored_edge(surface, bundle.direction, edge, turn), out.direction);
   };
-  out.right = turned(bundle.right, surface.turn_right);
-  out.down = turned(bundle.down, surface.turn_down);
-  if (bundle.blurred()) {
-    out.lobe_right = turned(bundle.lobe_right, glm::dvec3(0.0));
-    out.lobe_down = turned(bundle.lobe_down, glm::dvec3(0.0));
+  if (!bundle.blurred()) {
+    out.right = turned(bundle.right, surface.turn_right);
+    out.down = turned(bundle.down, surface.turn_down);
+    return out;
   }
+  // Of the normal's turn over all of the section to each of both its share.
+  const MirrorPatch whole = bundle.whole_section(t), blur = bundle.blur_of_section(t);
+  const auto share = [](glm::dvec3 edge, glm::dvec3 all) {
+    return glm::dot(edge, all) / glm::dot(all, all);
+  };
+  out.right = turned(bundle.right, share(section.right, whole.right) * surface.turn_right);
+  out.down = turned(bundle.down, share(section.down, whole.down) * surface.turn_down);
+  out.lobe_right = turned(bundle.lobe_right, share(blur.right, whole.right) * surface.turn_right);
+  out.lobe_down = turned(bundle.lobe_down, share(blur.down, whole.down) * surface.turn_down);
+  const MirrorPatch blurred = patch_of_section(blur);
+  out.lobe_right_at = blurred.right;
+  out.lobe_down_at = blurred.down;
   return out;
 }
 
@@ -159,12 +254,13 @@ std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const Mirro
   MirroredPyray out;
   const bool blurred = bundle.blurred();
   if (blurred) {
-    const auto widen = [t](glm::dvec3& edge, glm::dvec3 lobe) {
-      const double own = glm::length(edge), blur = t * glm::length(lobe);
-      edge *= (own + blur) / own;
-      return own / (own + blur);
+    const MirrorPatch blur = bundle.blur_of_section(t);
+    const auto widen = [](glm::dvec3& edge, glm::dvec3 by) {
+      const double own = glm::length(edge), wide = own + glm::length(by);
+      edge *= wide / own;
+      return own / wide;
     };
-    out.sharp_share = {widen(right, bundle.lobe_right), widen(down, bundle.lobe_down)};
+    out.sharp_share = {widen(right, blur.right), widen(down, blur.down)};
   }
   // In a focal line the edges lie on each other.
   const glm::dvec3 beside = glm::cross(axis, right);
@@ -172,8 +268,9 @@ std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const Mirro
   const double least = least_width * glm::length(right) * glm::length(down);
   if (std::abs(area) < least) down += std::copysign(least, area) / glm::dot(right, right) * beside;
 
-  const glm::dvec3 patch_right = across(bundle.right_at, axis);
-  const glm::dvec3 patch_down = across(bundle.down_at, axis);
+  const MirrorPatch start = bundle.whole_section(0.0);
+  const glm::dvec3 patch_right = across(start.right, axis);
+  const glm::dvec3 patch_down = across(start.down, axis);
   const double of_right = glm::dot(patch_right, right), of_down = glm::dot(patch_down, down);
   const double right2 = glm::dot(right, right), down2 = glm::dot(down, down);
   const double fitting = blurred ? std::min(of_right / right2, of_down / down2)

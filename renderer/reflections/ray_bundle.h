@@ -20,8 +20,10 @@ struct RayBundle {
   glm::dvec3 down_at{0.0};
   glm::dvec3 right{0.0};  ///< and of the direction, to which they are square
   glm::dvec3 down{0.0};
-  /// What blur changes of the direction beside, as u and v do and without regard to them: the edges
-  /// of a square over which it is uniform. It changes nothing of the origin.
+  /// What blur changes beside, as u and v do and without regard to them: it is uniform, too, over
+  /// -1/2 to 1/2.
+  glm::dvec3 lobe_right_at{0.0};
+  glm::dvec3 lobe_down_at{0.0};
   glm::dvec3 lobe_right{0.0};
   glm::dvec3 lobe_down{0.0};
 
@@ -34,6 +36,16 @@ struct RayBundle {
   [[nodiscard]] bool blurred() const {
     return lobe_right != glm::dvec3(0.0) || lobe_down != glm::dvec3(0.0);
   }
+  /// What blur adds to the section.
+  [[nodiscard]] MirrorPatch blur_of_section(double t) const {
+    return {lobe_right_at + t * lobe_right, lobe_down_at + t * lobe_down};
+  }
+  /// The square over which the section and its blur are as widely spread together.
+  [[nodiscard]] MirrorPatch whole_section(double t) const;
+  /// Adds a lobe around the directions to the blur that there is. Two boxes stand for three then:
+  /// of the same second moments of places and directions, and `t` from the origin, where it is to
+  /// be seen, as nearly as can be of the same fourth cumulant, too.
+  void add_lobe(const MirrorLobe& lobe, double t);
   /// Of a blurred one the rays through a part of the section `t` from the origin, which is as wide
   /// as the bundle and its blur together. What the place there tells of the direction is the part's
   /// `right` and `down`, by linear regression, and the rest of the variance its blur.

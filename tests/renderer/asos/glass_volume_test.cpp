@@ -178,7 +178,7 @@ TEST(GlassVolume, RoughGlassBlursWhatLiesBehindIt) {
       // Two boxes stand for three in ASOS: of the same variance, but not all of the shape. The
       // samples of a column are independent of each other.
       const bool exact = method == Method::asos;
-      const double allowed = exact ? 0.03 : 3.0 * 0.5 / std::sqrt(12.0 * 256.0);
+      const double allowed = exact ? 0.01 : 3.0 * 0.5 / std::sqrt(12.0 * 256.0);
       Ramp seen_ramp, expected_ramp;
       for (int x = 0; x < picture_side; ++x) {
         double column = 0.0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 // Bundles against rays of their own, traced one by one through a ball by Snell's law.
@@ -158,6 +159,53 @@ TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
         }
       }
     }
+  }
+}
+
+/// The second moments of places and directions along x, t from a bundle's origin.
+glm::dvec3 all_moments(const RayBundle& bundle, double t) {
+  const double place = bundle.section(t).right.x, blur = bundle.blur_of_section(t).right.x;
+  const double turn = bundle.right.x, lobe = bundle.lobe_right.x;
+  return {place * place + blur * blur, place * turn + blur * lobe, turn * turn + lobe * lobe};
+}
+
+double fourth_powers(const RayBundle& bundle, double t) {
+  return std::pow(bundle.section(t).right.x, 4.0) +
+         std::pow(bundle.blur_of_section(t).right.x, 4.0);
+}
+
+// Lobe after lobe: what they add to the moments, wherever that is looked at; and where it is to be
+// seen the shape, as far as two boxes can have that of three.
+TEST(RayBundle, LobesAddUpTheirMoments) {
+  for (const double second : {0.05, 0.3, 1.0}) {
+    RayBundle bundle;
+    bundle.right_at = {0.1, 0, 0};
+    bundle.down_at = {0, -0.1, 0};
+    bundle.right = {0.02, 0, 0};
+    bundle.down = {0, -0.02, 0};
+    constexpr double first = 0.2;
+    bundle.add_lobe({{1, 0, 0}, {0, -1, 0}, first}, 3.0);
+    EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are two boxes";
+    EXPECT_NEAR(std::abs(bundle.lobe_right.x), first, 1e-12);
+    EXPECT_NEAR(bundle.lobe_right_at.x, 0.0, 1e-12);
+    // From a surface on that is half a unit away.
+    bundle.right_at = bundle.section(0.5).right, bundle.down_at = bundle.section(0.5).down;
+    bundle.lobe_right_at = bundle.blur_of_section(0.5).right;
+    bundle.lobe_down_at = bundle.blur_of_section(0.5).down;
+    const RayBundle before = bundle;
+    constexpr double depth = 4.0;
+    bundle.add_lobe({{1, 0, 0}, {0, -1, 0}, second}, depth);
+    for (const double t : {0.0, 1.0, depth, 20.0}) {
+      const double width = second * t;
+      const glm::dvec3 expected =
+          all_moments(before, t) + glm::dvec3(width * width, width * second, second * second);
+      const glm::dvec3 found = all_moments(bundle, t);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 1e-9) << second << ' ' << t;
+    }
+    const double fourth = fourth_powers(before, depth) + std::pow(second * depth, 4.0);
+    const double variance = all_moments(bundle, depth).x;
+    EXPECT_NEAR(fourth_powers(bundle, depth), std::max(fourth, 0.5 * variance * variance), 1e-9);
+    EXPECT_NEAR(glm::length(bundle.down), glm::length(bundle.right), 1e-12);
   }
 }
 
