@@ -57,6 +57,28 @@ TEST(GlassVolume, AddsNoLight) {
   }
 }
 
+// A frosted pane, too, returns what it does not let through, and no more.
+TEST(GlassVolume, FrostedWallsAddNoLight) {
+  Material glass = clear(1.5f);
+  glass.volume.thickness = 0.0f;
+  glass.specular = 1.0f;
+  glass.double_sided = true;
+  const auto white = std::make_shared<const Sky>(glm::vec3(1.0f));
+  for (const float roughness : {0.1f, 0.3f, 0.8f}) {
+    glass.roughness = roughness;
+    World world;
+    add_quad(world, {-5, -5, 0}, {10, 0, 0}, {0, 10, 2}, glass);
+    add_quad(world, {-5, -5, -1}, {10, 0, 1}, {0, 10, 0}, glass);
+    const auto scene = make_render_scene(std::move(world));
+    for (const Method method : methods) {
+      const double seen = mean(picture(*scene, orthographic(2.0), method, white)).y;
+      EXPECT_LE(seen, 1.001) << roughness << ", method " << static_cast<int>(method);
+      // Lobes lose what would be reflected twice.
+      EXPECT_GE(seen, 0.97) << roughness << ", method " << static_cast<int>(method);
+    }
+  }
+}
+
 Material green() {
   Material m = clear(1.5f);
   m.volume.attenuation_color = {0.25f, 0.9f, 0.0f};
