@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/shading/gradient.h"
 #include "renderer/shading/sky_choice.h"
 
 #include <glm/glm.hpp>
@@ -9,46 +10,41 @@
 
 namespace asos {
 
-/// An environment: its colours, linear radiance, between which it is a gradient, and how it is
-/// named and explained. What lights come with it: environment_lights.h.
+/// An environment: its colours, linear radiance, and how it is named and explained. What lights
+/// come with it: environment_lights.h.
 struct EnvironmentRow {
   const char* name;
   Environment value;
   const char* hint;
-  glm::vec3 zenith, horizon, nadir;
+  Gradient::Colours colours;
 };
 
 inline constexpr std::array environments{
-    EnvironmentRow{"studio",
-                   Environment::studio,
-                   "Bright from above over a dark floor; the rig's lights stay.",
-                   {0.75f, 0.75f, 0.75f},
-                   {0.3f, 0.3f, 0.3f},
-                   {0.06f, 0.06f, 0.06f}},
-    EnvironmentRow{"daylight",
-                   Environment::daylight,
-                   "A blue sky over grey ground; a high sun for a scene without lights.",
-                   {0.2f, 0.4f, 0.85f},
-                   {0.7f, 0.8f, 0.95f},
-                   {0.28f, 0.26f, 0.23f}},
-    EnvironmentRow{"dusk",
-                   Environment::dusk,
-                   "A dark sky over a red horizon; a low sun for a scene without lights.",
-                   {0.08f, 0.1f, 0.25f},
-                   {0.75f, 0.4f, 0.22f},
-                   {0.06f, 0.05f, 0.05f}},
-    EnvironmentRow{"white",
-                   Environment::white,
-                   "White from everywhere, which is the only light of a scene without its own.",
-                   {1.0f, 1.0f, 1.0f},
-                   {1.0f, 1.0f, 1.0f},
-                   {1.0f, 1.0f, 1.0f}},
-    EnvironmentRow{"grey",
-                   Environment::grey,
-                   "Half as bright as white, likewise.",
-                   {0.5f, 0.5f, 0.5f},
-                   {0.5f, 0.5f, 0.5f},
-                   {0.5f, 0.5f, 0.5f}},
+    EnvironmentRow{
+        "studio",
+        Environment::studio,
+        "Bright from above over a dark floor; the rig's lights stay.",
+        {{0.75f, 0.75f, 0.75f}, {0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, 0.3f}, {0.06f, 0.06f, 0.06f}}},
+    EnvironmentRow{
+        "daylight",
+        Environment::daylight,
+        "A blue sky over grey ground; a high sun for a scene without lights.",
+        {{0.2f, 0.4f, 0.85f}, {0.7f, 0.8f, 0.95f}, {0.7f, 0.8f, 0.95f}, {0.28f, 0.26f, 0.23f}}},
+    EnvironmentRow{
+        "dusk",
+        Environment::dusk,
+        "A dark sky over a red horizon; a low sun for a scene without lights.",
+        {{0.08f, 0.1f, 0.25f}, {0.75f, 0.4f, 0.22f}, {0.75f, 0.4f, 0.22f}, {0.06f, 0.05f, 0.05f}}},
+    EnvironmentRow{
+        "white",
+        Environment::white,
+        "White from everywhere, which is the only light of a scene without its own.",
+        {{1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}}},
+    EnvironmentRow{
+        "grey",
+        Environment::grey,
+        "Half as bright as white, likewise.",
+        {{0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}}},
 };
 
 [[nodiscard]] constexpr const EnvironmentRow& row_of(Environment environment) {

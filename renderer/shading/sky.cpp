@@ -29,21 +29,9 @@ std::string colours(glm::vec3 zenith, glm::vec3 horizon) {
   return zenith == horizon ? text(zenith) : text(zenith) + ":" + text(horizon);
 }
 
-/// How far a step turns a direction, and how far it lifts it.
-struct Across {
-  double length;
-  double up;
-};
-
-Across across(glm::dvec3 direction, glm::dvec3 step) {
-  const glm::dvec3 turn = step - glm::dot(step, direction) * direction;
-  return {glm::length(turn), turn.y};
-}
-
-/// The mean of max(0, x) over x from `middle` - `half_range` to `middle` + `half_range`.
-double mean_above_0(double middle, double half_range) {
-  if (std::abs(middle) >= half_range) return std::max(0.0, middle);
-  return (middle + half_range) * (middle + half_range) / (4.0 * half_range);
+/// A step from a direction, less what of it is along the direction.
+glm::dvec3 across(glm::dvec3 direction, glm::dvec3 step) {
+  return step - glm::dot(step, direction) * direction;
 }
 
 struct Parts {
@@ -88,15 +76,11 @@ glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 nor
 
 }  // namespace
 
-Sky::Sky(glm::vec3 zenith, glm::vec3 horizon)
-    : zenith_(zenith), horizon_(horizon), nadir_(horizon) {
+Sky::Sky(glm::vec3 zenith, glm::vec3 horizon) : gradient_({zenith, horizon, horizon, horizon}) {
   choice_.colours = {zenith, horizon};
 }
 
-Sky::Sky(Environment environment)
-    : zenith_(row_of(environment).zenith),
-      horizon_(row_of(environment).horizon),
-      nadir_(row_of(environment).nadir) {
+Sky::Sky(Environment environment) : gradient_(row_of(environment).colours) {
   choice_.environment = environment;
 }
 
@@ -134,18 +118,24 @@ glm::dvec3 Sky::in_map(glm::dvec3 d) const {
 }
 
 glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) const {
-  if (constant()) return zenith_;
+  if (constant()) return gradient_.zenith();
   const glm::dvec3 middle(direction), r(right), s(down);
-  const Parts n = parts_of(across(middle, r).length, across(middle, s).length);
+  const double width = glm::length(across(middle, r)), height = glm::length(across(middle, s));
+  // A small patch on one side of a gradient's horizon, as nearly all pixels are.
+  if (!map_ && std::max(width, height) <= widest_part &&
+      gradient_.linear_near(middle.y, width + height))
+    return gradient_.mean(middle.y, 0.0);
+  const Parts n = parts_of(width, height);
   return mean_of_parts({middle, r, s}, n.right, n.down);
 }
 
 glm::vec3 Sky::around(glm::vec3 direction, float width) const {
-  if (constant()) return zenith_;
-  constexpr int parts = 3;
+  if (constant()) return gradient_.zenith();
   const glm::dvec3 middle(direction);
-  const glm::dvec3 right = any_perpendicular(middle);
   const double w = static_cast<double>(width);
+  if (!map_) return gradient_.around(middle.y, w);
+  constexpr int parts = 3;
+  const glm::dvec3 right = any_perpendicular(middle);
   return mean_of_parts({middle, w * right, w * glm::cross(middle, right)}, parts, parts);
 }
 
@@ -166,15 +156,12 @@ glm::dvec3 Sky::mean_of_parts(const Directions& all, int across_right, int acros
 }
 
 glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
-  const Across r = across(direction, right), s = across(direction, down);
+  const glm::dvec3 r = across(direction, right), s = across(direction, down);
   // A square, or a range of heights, of the variance of the part.
   if (map_)
-    return brightness_ *
-           glm::dvec3(map_->mean(in_map(direction), std::hypot(r.length, s.length) / sqrt2));
-  const double half_range = 0.5 * std::hypot(r.up, s.up);
-  const glm::dvec3 above = horizon_ + mean_above_0(direction.y, half_range) * (zenith_ - horizon_);
-  if (nadir_ == horizon_) return above;
-  return above + mean_above_0(-direction.y, half_range) * (nadir_ - horizon_);
+    return brightness_ * glm::dvec3(map_->mean(in_map(direction),
+                                               std::hypot(glm::length(r), glm::length(s)) / sqrt2));
+  return gradient_.mean(direction.y, 0.5 * std::sqrt(r.y * r.y + s.y * s.y));
 }
 
 SkyDirection Sky::bright_direction(glm::dvec2 place) const {
@@ -192,18 +179,8 @@ glm::vec3 Sky::ambient(glm::vec3 normal) const {
   if (map_)
     return sky_visibility * static_cast<float>(brightness_) *
            map_->irradiance_over_pi(in_map(normal));
-  if (constant()) return sky_visibility * glm::vec3(zenith_);
-  // The integral over the sphere of the product of two clamped cosines whose axes are theta apart
-  // is 2/3 (sin(theta) + (pi - theta) cos(theta)) (the arc-cosine kernel of Cho and Saul 2009).
-  const glm::dvec3 n(normal);
-  const auto share = [&n](double up) {
-    const double theta = std::atan2(std::hypot(n.x, n.z), up * n.y);
-    return 2.0 / (3.0 * std::numbers::pi) *
-           (std::sin(theta) + (std::numbers::pi - theta) * std::cos(theta));
-  };
-  const glm::dvec3 upper = horizon_ + share(1.0) * (zenith_ - horizon_);
-  if (nadir_ == horizon_) return sky_visibility * glm::vec3(upper);
-  return sky_visibility * glm::vec3(upper + share(-1.0) * (nadir_ - horizon_));
+  if (constant()) return sky_visibility * gradient_.zenith();
+  return sky_visibility * glm::vec3(gradient_.irradiance_over_pi(normal));
 }
 
 Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice) {

@@ -3,6 +3,7 @@
 #include "renderer/result.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/gradient.h"
 #include "renderer/shading/sky_choice.h"
 #include "renderer/shading/sky_map.h"
 
@@ -22,7 +23,7 @@ class Sky {
   /// From the horizon to the zenith linear in the sine of the elevation; below the horizon as at
   /// the horizon.
   Sky(glm::vec3 zenith, glm::vec3 horizon);
-  /// From the horizon to the zenith, and to the nadir, linear in the sine of the angle.
+  /// A gradient up and down from the horizon.
   explicit Sky(Environment environment);
   /// An equirectangular picture that is turned about +Y, counter-clockwise as seen from above; at 0
   /// its middle is at -Z. `file` is where it comes from.
@@ -53,7 +54,7 @@ class Sky {
   [[nodiscard]] Sky brightened(double times) const;
 
   /// Whether it is the same all over.
-  [[nodiscard]] bool constant() const { return !map_ && zenith_ == horizon_ && nadir_ == horizon_; }
+  [[nodiscard]] bool constant() const { return !map_ && gradient_.constant(); }
   [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
 
   /// As on the command line: the environment, "R,G,B:R,G,B" or the file, how it is turned and how
@@ -71,9 +72,7 @@ class Sky {
   [[nodiscard]] glm::dvec3 in_map(glm::dvec3 direction) const;
   [[nodiscard]] glm::dvec3 part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const;
 
-  glm::dvec3 zenith_{0.0};
-  glm::dvec3 horizon_{0.0};
-  glm::dvec3 nadir_{0.0};  // as the horizon, but of environments
+  Gradient gradient_;
   std::shared_ptr<const SkyMap> map_;
   double brightness_ = 1.0;  // of the picture
   double turn_cos_ = 1.0;
