@@ -23,8 +23,8 @@ inline constexpr std::array environments{
     EnvironmentRow{
         "studio",
         Environment::studio,
-        "Bright from above over a dark floor; the rig's lights stay.",
-        {{0.75f, 0.75f, 0.75f}, {0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, 0.3f}, {0.06f, 0.06f, 0.06f}}},
+        "A bright room over a dark floor; the rig's lights, as its soft boxes, stay.",
+        {{0.8f, 0.8f, 0.8f}, {0.4f, 0.4f, 0.4f}, {0.22f, 0.22f, 0.22f}, {0.07f, 0.07f, 0.07f}}},
     EnvironmentRow{
         "daylight",
         Environment::daylight,

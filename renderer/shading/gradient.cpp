@@ -75,13 +75,15 @@ glm::dvec3 Gradient::around(double height, double width) const {
 glm::dvec3 Gradient::irradiance_over_pi(glm::dvec3 normal) const {
   // The integral over the sphere of the product of two clamped cosines whose axes are theta apart
   // is 2/3 (sin(theta) + (pi - theta) cos(theta)) (the arc-cosine kernel of Cho and Saul 2009). The
-  // axis of the lower half is pi - theta away. Of a half of the sphere a surface sees the share
-  // (1 + cos(theta)) / 2, to which the ramp adds the order of its square.
+  // axis of the lower half is pi - theta away. Of what lies above a height t a surface sees the
+  // share (1 + cos(theta)) / 2 - 2 sin(theta) t / pi - cos(theta) t^2 / 2 + ..., here its mean over
+  // the ramp.
   const double sine = std::sqrt(normal.x * normal.x + normal.z * normal.z);
   const double theta = std::atan2(sine, normal.y);
   constexpr double scale = 2.0 / (3.0 * std::numbers::pi);
+  constexpr double less = ramp * ramp / 3.0;
   return sum_of({scale * (sine + (std::numbers::pi - theta) * normal.y),
-                 scale * (sine - theta * normal.y), 0.5 + 0.5 * normal.y});
+                 scale * (sine - theta * normal.y), 0.5 + 0.5 * (1.0 - less) * normal.y});
 }
 
 }  // namespace asos

@@ -32,7 +32,7 @@ class Gradient {
   [[nodiscard]] glm::dvec3 around(double height, double width) const;
 
   /// The irradiance over pi of a surface with this unit normal under the whole of it: closed form
-  /// (within 1e-4 of it where there is a ramp).
+  /// (but for the third order of the ramp).
   [[nodiscard]] glm::dvec3 irradiance_over_pi(glm::dvec3 normal) const;
 
   /// Whether it is the same all over.
