@@ -64,7 +64,8 @@ Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
   // Blocks, not pixels, are independent.
   const double variance = std::max(0.0, squares / pixels - told.split_share * told.split_share);
   told.split_error = std::sqrt(variance / blocks);
-  told.seconds =
+  told.processor_seconds = taken;
+  told.wait_seconds =
       taken / pixels * settings.width * settings.height / worker_count(settings.threads, true);
   return told;
 }

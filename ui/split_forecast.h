@@ -12,10 +12,11 @@ class Previewer;
 
 /// The outcome of a render, forecast from blocks all over the picture.
 struct Forecast {
-  double split_share = 0.0;  ///< of the pixels, 0 to 1
-  double split_error = 0.0;  ///< its standard error
-  double seconds = 0.0;      ///< that the final pixels take, with all workers
-  int pixels = 0;            ///< that were looked at
+  double split_share = 0.0;        ///< of the pixels, 0 to 1
+  double split_error = 0.0;        ///< its standard error
+  double wait_seconds = 0.0;       ///< of the clock, that the final pixels take with all workers
+  int pixels = 0;                  ///< that were looked at
+  double processor_seconds = 0.0;  ///< of one processor, that those took
 };
 
 /// Renders blocks of a view, at the places of a sequence that fills the picture evenly (Roberts'

@@ -8,25 +8,27 @@ namespace asos {
 namespace {
 
 /// The mean of max(0, x) over x from `middle` - `half_range` to `middle` + `half_range`.
-double mean_above_0(double middle, double half_range) {
-  if (std::abs(middle) >= half_range) return std::max(0.0, middle);
-  return (middle + half_range) * (middle + half_range) / (4.0 * half_range);
+template <typename T>
+T mean_above_0(T middle, T half_range) {
+  if (std::abs(middle) >= half_range) return std::max(T(0), middle);
+  return (middle + half_range) * (middle + half_range) / (T(4) * half_range);
 }
 
 /// The mean over the same range of what goes from 0 at -ramp to 1 at ramp.
-double mean_of_step(double middle, double half_range) {
-  constexpr double ramp = Gradient::ramp;
-  if (std::abs(middle) >= half_range + ramp) return middle > 0.0 ? 1.0 : 0.0;
-  // A range this narrow would be lost in rounding.
-  if (half_range < 1e-7 * ramp) return std::clamp(0.5 + 0.5 * middle / ramp, 0.0, 1.0);
+template <typename T>
+T mean_of_step(T middle, T half_range) {
+  constexpr T ramp = static_cast<T>(Gradient::ramp);
+  if (std::abs(middle) >= half_range + ramp) return middle > T(0) ? T(1) : T(0);
+  // A narrow range would be lost in rounding.
+  if (half_range < T(1e-3) * ramp) return std::clamp(T(0.5) + T(0.5) * middle / ramp, T(0), T(1));
   return (mean_above_0(middle + half_range, ramp) - mean_above_0(middle - half_range, ramp)) /
-         (2.0 * half_range);
+         (T(2) * half_range);
 }
 
 /// ln(1 + x) / x, within 1e-5.
-double log_share(double x) {
-  if (x < 0.02) return 1.0 - x * (0.5 - x / 3.0);
-  return static_cast<double>(std::log(static_cast<float>(1.0 + x))) / x;
+float log_share(float x) {
+  if (x < 0.02f) return 1.0f - x * (0.5f - x / 3.0f);
+  return std::log(1.0f + x) / x;
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ Gradient::Gradient(const Colours& colours)
       has_step_(colours.above != colours.below) {}
 
 bool Gradient::constant() const {
-  return colours_ == Colours{colours_.zenith, colours_.zenith, colours_.zenith, colours_.zenith};
+  return !has_step_ && up_ == glm::dvec3(0.0) && down_ == glm::dvec3(0.0);
 }
 
 bool Gradient::linear_near(double height, double reach) const {
@@ -64,12 +66,21 @@ glm::dvec3 Gradient::around(double height, double width) const {
   // Points of a disk of radius r, one unit ahead, are on average 2 / (1 + sqrt(1 + r^2)) along the
   // direction once they are unit directions, and their squares ln(1 + r^2) / r^2 of it, the rest of
   // which is shared by the two directions across.
-  const double square = width * width / std::numbers::pi;
-  const double along = 2.0 / (1.0 + std::sqrt(1.0 + square));
-  const double squared = log_share(square);
-  const double up = height * height;
-  const double variance = (squared - along * along) * up + 0.5 * (1.0 - squared) * (1.0 - up);
-  return mean(along * height, std::sqrt(3.0 * std::max(0.0, variance)));
+  // In single precision, for each sample of a surface asks.
+  const auto y = static_cast<float>(height);
+  const auto w = static_cast<float>(width);
+  const float square = w * w * std::numbers::inv_pi_v<float>;
+  const float along = 2.0f / (1.0f + std::sqrt(1.0f + square));
+  const float squared = log_share(square);
+  const float variance =
+      (squared - along * along) * y * y + 0.5f * (1.0f - squared) * (1.0f - y * y);
+  const float middle = along * y, half_range = std::sqrt(3.0f * std::max(0.0f, variance));
+  // Of what is above 0 and what is below, the difference is the whole.
+  const float up = mean_above_0(middle, half_range);
+  glm::vec3 sum = colours_.below + up * (colours_.zenith - colours_.above) +
+                  (up - middle) * (colours_.nadir - colours_.below);
+  if (has_step_) sum += mean_of_step(middle, half_range) * (colours_.above - colours_.below);
+  return sum;
 }
 
 glm::dvec3 Gradient::irradiance_over_pi(glm::dvec3 normal) const {
@@ -79,7 +90,8 @@ glm::dvec3 Gradient::irradiance_over_pi(glm::dvec3 normal) const {
   // share (1 + cos(theta)) / 2 - 2 sin(theta) t / pi - cos(theta) t^2 / 2 + ..., here its mean over
   // the ramp.
   const double sine = std::sqrt(normal.x * normal.x + normal.z * normal.z);
-  const double theta = std::atan2(sine, normal.y);
+  const auto theta =
+      static_cast<double>(std::atan2(static_cast<float>(sine), static_cast<float>(normal.y)));
   constexpr double scale = 2.0 / (3.0 * std::numbers::pi);
   constexpr double less = ramp * ramp / 3.0;
   return sum_of({scale * (sine + (std::numbers::pi - theta) * normal.y),

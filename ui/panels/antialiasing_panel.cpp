@@ -1,5 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/time_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -72,12 +73,7 @@ bool is_held() {
 
 void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast& forecast) {
   std::string words = "drag EPS or MAX";
-  if (const Forecast* told = forecast.of(previewer)) {
-    words = fmt::format("{:.1f} \u00b1 {:.1f} % split, {} to wait", 100.0 * told->split_share,
-                        100.0 * told->split_error,
-                        told->seconds < 10.0 ? fmt::format("{:.1f} s", told->seconds)
-                                             : fmt::format("{:.0f} s", told->seconds));
-  }
+  if (const Forecast* told = forecast.of(previewer)) words = forecast_words(*told);
   controls.row(
       "Forecast", words,
       "The share of pixels that would be split, and how many seconds of the clock the render would "

@@ -144,8 +144,14 @@ std::optional<double> Controls::seconds_to_tooltip() const {
 
 void Controls::placed(const std::string& name, const char* tooltip, Use use) {
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  placed_[name] = {{lo.x, lo.y}, {hi.x, hi.y}, tooltip != nullptr, use == Use::edits};
+  placed_[name] = {{lo.x, lo.y}, {hi.x, hi.y}, tooltip != nullptr, use == Use::edits, {}};
   explain(name, tooltip);
+}
+
+void Controls::placed_words(const std::string& name, const std::string& words,
+                            const char* tooltip) {
+  placed(name, tooltip);
+  placed_[name].words = words;
 }
 
 void Controls::explain(const std::string& name, const char* tooltip) {

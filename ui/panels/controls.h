@@ -27,6 +27,7 @@ class Controls {
     glm::vec2 lo, hi;  ///< window coordinates, y down
     bool has_tooltip = false;
     bool edits = false;
+    std::string words;  ///< the value of a row
     [[nodiscard]] glm::vec2 centre() const { return 0.5f * (lo + hi); }
   };
 
@@ -99,6 +100,8 @@ class Controls {
 
   /// Remembers the item just drawn, and shows its tooltip once the pointer has rested on it.
   void placed(const std::string& name, const char* tooltip, Use use = Use::shows);
+  /// The same of words that are shown.
+  void placed_words(const std::string& name, const std::string& words, const char* tooltip);
 
   [[nodiscard]] const std::map<std::string, Placed>& all() const { return placed_; }
   /// Whether this frame has a tooltip that the one before had not, or the other way round: it has

@@ -1,6 +1,7 @@
 #include "ui/panels/equal_time_panel.h"
 
-#include <fmt/format.h>
+#include "ui/panels/time_words.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -74,8 +75,7 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
     start_equal_time(previewer, choice, job, frames);
   }
   std::string words = "when finished";
-  if (render.progress().finished)
-    words = fmt::format("{:.3g} s of one processor", processor_seconds(render.film()));
+  if (render.progress().finished) words = processor_words(processor_seconds(render.film()));
   if (frames.stored.size() >= Frames::most) words = "remove a frame first";
   if (job.busy()) words = "rendering";
   controls.row("Processor time", words,

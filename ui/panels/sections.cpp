@@ -20,7 +20,7 @@ void Controls::row(const char* label_text, const std::string& value, const char*
                                                 (theme::line_pixels - theme::text_pixels)});
   ImGui::EndGroup();
   ImGui::PopStyleVar();
-  placed(label_text, tooltip);
+  placed_words(label_text, value, tooltip);
 }
 
 bool Controls::section(const char* name, bool open_at_first) {

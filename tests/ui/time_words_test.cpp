@@ -1,0 +1,75 @@
+#include "ui/panels/time_words.h"
+
+#include "renderer/comparison/method.h"
+#include "renderer/study/timed_render.h"
+#include "tests/ui/panels_fixture.h"
+#include "ui/equal_time.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace asos {
+namespace {
+
+using TimeWordsTest = test::PanelsTest;
+
+// Seconds of the clock are those that are waited for; a processor's are always called so.
+TEST(TimeWords, SayWhoseSecondsTheyAre) {
+  EXPECT_EQ(wait_words(0.2), "about 1 s to wait");
+  EXPECT_EQ(wait_words(12.0), "about 15 s to wait");
+  EXPECT_EQ(wait_words(61.0), "about 2 min to wait");
+  EXPECT_EQ(wait_words(5400.0), "about 1.5 h to wait");
+  EXPECT_EQ(processor_words(4.25), "4.25 s of one processor");
+  EXPECT_EQ(duration_words(4.25), "4.2 s");
+  EXPECT_EQ(duration_words(65.0), "1 min 05 s");
+  EXPECT_EQ(duration_words(3725.0), "1 h 02 min");
+  Forecast forecast;
+  forecast.split_share = 0.25;
+  forecast.split_error = 0.011;
+  forecast.wait_seconds = 2.5;
+  forecast.processor_seconds = 40.0;
+  EXPECT_EQ(forecast_words(forecast), "25.0 \u00b1 1.1 % split, about 3 s to wait");
+}
+
+TEST(TimeWords, AProgressTellsWhatIsWaitedFor) {
+  Progress progress;
+  progress.fraction = 0.4;
+  progress.seconds = 2.0;
+  EXPECT_EQ(progress_words(progress, Rest::none, false), "Rendering 40 %   2.0 s");
+  progress.seconds_left = 3.2;
+  EXPECT_EQ(progress_words(progress, Rest::none, false),
+            "Rendering 40 %   2.0 s   about 4 s to wait");
+  EXPECT_EQ(progress_words(progress, Rest::none, true), "Looking for boundaries   2.0 s");
+  EXPECT_EQ(progress_words(progress, Rest::paused, true),
+            "Paused at 40 %   2.0 s   about 4 s to wait");
+  progress.finished = true;
+  EXPECT_EQ(progress_words(progress, Rest::none, false), "Finished in 2.0 s");
+}
+
+// The window's rows are these words, of these seconds.
+TEST_F(TimeWordsTest, TheWindowShowsThem) {
+  rig.previewer().scene().open("point light");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
+  ASSERT_TRUE(rig.settle());
+  rig.click("section/Equal time");
+  rig.frame();
+  const auto& all = rig.content().controls().all();
+  const PreviewRender& render = rig.previewer().render();
+  EXPECT_EQ(all.at("Progress").words, "Finished in " + duration_words(render.progress().seconds));
+  EXPECT_EQ(all.at("Processor time").words, processor_words(processor_seconds(render.film())));
+  rig.click("Split screen");
+  const auto& stored = rig.content().state().frames.stored;
+  ASSERT_TRUE(rig.frames_until([&] { return !stored.empty(); }));
+  EXPECT_NE(stored[0].summary.find(" s of one processor, "), std::string::npos)
+      << stored[0].summary;
+  slide("EPS", 0.3f, 0.4f);
+  ASSERT_TRUE(rig.frames_until([&] { return all.at("Forecast").words.ends_with(" s to wait"); }))
+      << all.at("Forecast").words;
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,69 @@
+#include "ui/panels/time_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+
+namespace {
+
+std::string rough_duration(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.0f} s", std::max(1.0, std::ceil(seconds)));
+  if (seconds < 60.0) return fmt::format("{:.0f} s", 5.0 * std::ceil(seconds / 5.0));
+  if (seconds < 3600.0) return fmt::format("{:.0f} min", std::ceil(seconds / 60.0));
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+const char* doing(Rest rest) {
+  switch (rest) {
+    case Rest::none:
+      break;
+    case Rest::paused:
+      return "Paused at";
+    case Rest::time:
+      return "Rests at its time limit,";
+    case Rest::quality:
+      return "Rests at its quality,";
+    case Rest::stopped:
+      return "Stopped at";
+  }
+  return "Rendering";
+}
+
+}  // namespace
+
+std::string duration_words(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
+  const int whole = static_cast<int>(seconds);
+  if (seconds < 3600.0) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string wait_words(double seconds) {
+  return fmt::format("about {} to wait", rough_duration(seconds));
+}
+
+std::string processor_words(double seconds) {
+  return fmt::format("{:.3g} s of one processor", seconds);
+}
+
+std::string progress_words(const Progress& progress, Rest rest, bool without_boundaries) {
+  if (progress.failed) return "Not enough memory for the boundaries";
+  if (without_boundaries && rest == Rest::none)
+    return "Looking for boundaries   " + duration_words(progress.seconds);
+  if (progress.finished) return "Finished in " + duration_words(progress.seconds);
+  std::string text = fmt::format("{} {:.0f} %   {}", doing(rest), 100.0 * progress.fraction,
+                                 duration_words(progress.seconds));
+  if (progress.seconds_left >= 0.0) text += "   " + wait_words(progress.seconds_left);
+  return text;
+}
+
+std::string forecast_words(const Forecast& forecast) {
+  return fmt::format("{:.1f} \u00b1 {:.1f} % split, {}", 100.0 * forecast.split_share,
+                     100.0 * forecast.split_error, wait_words(forecast.wait_seconds));
+}
+
+}  // namespace asos
