@@ -1,12 +1,12 @@
 #pragma once
 
-#include "renderer/film/film.h"
 #include "ui/display_settings.h"
 #include "ui/frames.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -26,6 +26,13 @@ struct Tour {
   bool seen = false;         ///< it was shown once, and comes again only where it is asked for
   double since_seconds = 0.0;
   std::optional<glm::ivec2> pixel;  ///< that the cards speak of
+  /// Of which render it was chosen, and whether that was finished.
+  struct ChosenFor {
+    std::uint64_t restarts = 0;
+    bool finished = false;
+    bool operator==(const ChosenFor&) const = default;
+  };
+  ChosenFor chosen_for;
 
   struct Before {
     bool show_split_map = false;
@@ -42,9 +49,5 @@ void start_tour(UiState& state, double now_seconds);
 /// To another card; -1 and `Tour::cards` end it.
 void show_card(UiState& state, int card, double now_seconds);
 void end_tour(UiState& state);
-
-/// Of those that were split deepest, the pixel nearest to the middle, and rather one that the
-/// bounds of objects split; none: nothing was split.
-[[nodiscard]] std::optional<glm::ivec2> most_split_pixel(const Film& film);
 
 }  // namespace asos

@@ -2,9 +2,11 @@
 
 #include "ui/gl/read_framebuffer.h"
 #include "ui/panels/grid_overlay.h"
+#include "ui/panels/pixel_place.h"
 #include "ui/panels/side_panel.h"
 #include "ui/panels/tour_panel.h"
 #include "ui/screenshot.h"
+#include "ui/split_pixel.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -187,10 +189,17 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
   pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
   DisplaySettings legend = state_.display;
-  // There is no room for both.
-  constexpr float beside_card_em = 52.0f;
-  if (state_.tour.card && picture.size.x < beside_card_em * em) legend.show_legend = false;
-  if (split_legend(controls_, legend, previewer_.edits().settings().asos.max_level, picture))
+  // Beside the card and the panel that explains a pixel; there may be no room for all.
+  constexpr float beside_another_em = 52.0f;
+  const std::optional<PixelPlace> explained = picked_place(state_, shown, em);
+  const bool panel_left = explained && explained->side == PixelPlace::Side::left;
+  const bool panel_over =
+      explained && (panel_left || explained->side == PixelPlace::Side::below_pixel);
+  if ((state_.tour.card || panel_over) && picture.size.x < beside_another_em * em)
+    legend.show_legend = false;
+  if (state_.tour.card && panel_left) legend.show_legend = false;
+  if (split_legend(controls_, legend, previewer_.edits().settings().asos.max_level, picture,
+                   panel_left))
     explain_a_pixel();
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);

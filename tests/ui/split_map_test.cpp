@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -156,6 +157,49 @@ TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
     EXPECT_LT(entry.hi.x, static_cast<float>(rig.size().x)) << names[i];
     EXPECT_EQ(shown(glm::ivec2(entry.lo) + 4), split_cause_colour(static_cast<SplitCause>(i + 1)))
         << names[i];
+  }
+}
+
+// In whatever colours, while the map is shown and no longer: on the picture, above the fold, with
+// what is measured and in which unit.
+TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
+  const auto& all = rig.content().controls().all();
+  EXPECT_FALSE(all.contains("Map legend"));
+  for (const auto& [colours, title] :
+       {std::pair<SplitMapColours, std::string>{SplitMapColours::level,
+                                                "Deepest level of each pixel, 0 to MAX = 2"},
+        {SplitMapColours::cause, "Why pixels were split"},
+        {SplitMapColours::rays, "Rays of all kinds for each pixel"},
+        {SplitMapColours::time, "Time of one processor for each pixel"}}) {
+    SCOPED_TRACE(title);
+    show(colours);
+    display().show_legend = true;
+    for (int i = 0; i < 3; ++i) rig.frame();
+    ASSERT_TRUE(all.contains("Map legend"));
+    EXPECT_EQ(all.at("Legend title").words, title);
+    const Controls::Placed legend = all.at("Map legend");
+    const PixelRect picture = rig.content().picture_rect();
+    EXPECT_GE(std::min(legend.lo.x, legend.lo.y), 0.0f);
+    EXPECT_LE(legend.hi.x, static_cast<float>(picture.width));
+    EXPECT_LE(legend.hi.y, static_cast<float>(picture.height));
+    if (colours == SplitMapColours::rays) {
+      EXPECT_EQ(all.at("Scale").words, "1 4 16 64 256 4096 rays");
+    }
+    if (colours == SplitMapColours::time) {
+      EXPECT_EQ(all.at("Scale").words, "0.1 1 \u00b5s 10 100 1 ms 10");
+    }
+    // The panel of a pixel stands beside it.
+    rig.click("Why is this pixel like this?");
+    ASSERT_TRUE(rig.frames_until([&] { return all.contains("Verdict"); }));
+    for (int i = 0; i < 3; ++i) rig.frame();
+    if (all.contains("Map legend")) {
+      const Controls::Placed beside = all.at("Map legend"), panel = all.at("Pixel panel");
+      EXPECT_TRUE(beside.lo.x >= panel.hi.x || beside.hi.x <= panel.lo.x ||
+                  beside.lo.y >= panel.hi.y || beside.hi.y <= panel.lo.y);
+    }
+    rig.click("Close pixel");
+    rig.key(Key::m);
+    EXPECT_FALSE(all.contains("Map legend"));
   }
 }
 

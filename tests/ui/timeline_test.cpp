@@ -63,6 +63,8 @@ TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;
   }
   EXPECT_FALSE(has("Time")) << "at rest there is no time";
+  EXPECT_FALSE(notes_of(*scene()).not_shown.empty());
+  EXPECT_FALSE(has("section/Warnings")) << "that it can be played, one sees";
   open("still");
   EXPECT_FALSE(has("Clip"));
   EXPECT_FALSE(has("section/Animation"));

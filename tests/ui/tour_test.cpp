@@ -1,10 +1,14 @@
 #include "ui/tour.h"
 
+#include "renderer/asos/pixel_trace.h"
 #include "tests/ui/panels_fixture.h"
+#include "ui/panels/pixel_place.h"
+#include "ui/split_pixel.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -45,6 +49,88 @@ TEST(MostSplitPixel, IsTheDeepestNearestToTheMiddle) {
   film.cause[film.index(8, 4)] = SplitCause::depth_limit;
   EXPECT_EQ(most_split_pixel(film), glm::ivec2(8, 4)) << "split all the way";
   EXPECT_FALSE(most_split_pixel(Film{}));
+}
+
+// Nearest to the middle of the fence is an edge that cuts a pixel and splits none: the one to watch
+// is another.
+TEST(TourOfAFence, WatchesAPixelThatIsSplit) {
+  UiRig rig(LoadFunction{}, {900, 300});
+  rig.set_blind(true);
+  rig.previewer().scene().open("builtin:fence");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+  ASSERT_TRUE(rig.settle());
+  const RenderSettings& rendered = rig.previewer().render().settings();
+  const RenderScene& scene = *rig.previewer().scene().get();
+  const View view(rig.previewer().viewpoint().camera().camera(), rendered.width, rendered.height,
+                  radius_around_origin(scene.world().bounds));
+  const auto splits = [&](glm::ivec2 pixel) {
+    const PixelTrace trace = trace_pixel(scene, view, rendered, pixel.x, pixel.y);
+    return std::count_if(trace.cells.begin(), trace.cells.end(),
+                         [](const TracedCell& cell) { return cell.fate == CellFate::split; });
+  };
+  rig.content().state().tour_asked = true;
+  for (int i = 0; i < 3; ++i) rig.frame();
+  rig.click("Next card");
+  rig.frame();
+  const UiState& state = rig.content().state();
+  ASSERT_TRUE(state.picked);
+  EXPECT_GT(splits(*state.picked), 0) << state.picked->x << ' ' << state.picked->y;
+  std::vector<glm::ivec2> pixels = split_pixels(rig.previewer().render().film());
+  EXPECT_LT(
+      std::count_if(pixels.begin(), pixels.end(), [&](glm::ivec2 p) { return splits(p) > 0; }),
+      std::ssize(pixels))
+      << "there are others";
+  EXPECT_GT(pixels.size(), 8u) << "from all over the picture";
+}
+
+// Wherever the pixel is, what explains it lies in the window and not on it.
+TEST(PixelPlace, LeavesThePixelVisible) {
+  constexpr float em = 13.0f;
+  for (const glm::vec2 size : {glm::vec2(1283, 600), glm::vec2(420, 760), glm::vec2(600, 500),
+                               glm::vec2(900, 420), glm::vec2(420, 400)}) {
+    for (const bool panel : {true, false}) {
+      const WindowRect picture = WindowLayout::of(size, em, panel).picture;
+      for (int i = 0; i <= 400; ++i) {
+        const glm::vec2 pixel = picture.lo + picture.size * glm::vec2(i % 20, i / 20) / 20.0f;
+        const PixelPlace place = place_beside_pixel(pixel, picture, size, em);
+        const glm::vec2 hi = place.lo + glm::vec2(place.width, place.most_height);
+        SCOPED_TRACE(testing::Message()
+                     << size.x << " x " << size.y << ", " << pixel.x << ' ' << pixel.y);
+        EXPECT_GE(
+            std::max({place.lo.x - pixel.x, pixel.x - hi.x, place.lo.y - pixel.y, pixel.y - hi.y}),
+            em);
+        EXPECT_GE(std::min(place.lo.x, place.lo.y), 0.0f);
+        EXPECT_LE(hi.x, size.x);
+        EXPECT_LE(hi.y, size.y);
+        EXPECT_GE(place.most_height, 6.0f * em) << "there is room for some of it";
+      }
+    }
+  }
+}
+
+TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
+  rig.resize({420, 760});
+  rig.frame();
+  ASSERT_TRUE(rig.settle());
+  begin();
+  for (int k = 0; k < 3; ++k) rig.frame();  // the card finds its size
+  show_card(state(), 1, 0.0);
+  ASSERT_TRUE(rig.frames_until([&] { return has("Subdivision"); }));
+  ASSERT_TRUE(rig.settle());
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const PictureArea area{
+      {{0.0f, 0.0f},
+       glm::vec2(rig.content().picture_rect().width, rig.content().picture_rect().height)},
+      1.0f};
+  const WindowRect at = shown_pixel(*state().picked, state().view, area);
+  const glm::vec2 middle = at.lo + 0.5f * at.size;
+  for (const char* name : {"Pixel panel", "Card"}) {
+    ASSERT_TRUE(has(name));
+    const Controls::Placed over = rig.content().controls().all().at(name);
+    EXPECT_TRUE(middle.x < over.lo.x || middle.x > over.hi.x || middle.y < over.lo.y ||
+                middle.y > over.hi.y)
+        << name << " covers " << middle.x << ' ' << middle.y;
+  }
 }
 
 TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {

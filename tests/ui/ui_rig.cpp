@@ -30,14 +30,14 @@ RenderSettings small_settings() {
 
 }  // namespace
 
-UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale)
+UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skies)
     : context_(value_or_throw(OsmesaContext::make(size.x, size.y))),
       previewer_(std::make_unique<Previewer>(
           Previewer::Hooks{std::move(load), [this] { woken_ = true; }}, small_settings())),
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
       content_scale_(content_scale) {
-  previewer_->edits().keep_first_sky();  // the neutral one: one colour behind all scenes
+  if (skies == Skies::neutral) previewer_->edits().keep_first_sky();
 }
 
 void UiRig::frame() {

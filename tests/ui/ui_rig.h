@@ -20,7 +20,11 @@ namespace asos::test {
 /// moves. Opens nothing by itself.
 class UiRig {
  public:
-  explicit UiRig(LoadFunction load, glm::ivec2 size = {640, 400}, float content_scale = 1.0f);
+  /// Which sky scenes have that do not ask for one: one colour behind all of them, or their usual
+  /// one, as in the program.
+  enum class Skies { neutral, usual };
+  explicit UiRig(LoadFunction load, glm::ivec2 size = {640, 400}, float content_scale = 1.0f,
+                 Skies skies = Skies::neutral);
 
   Previewer& previewer() { return *previewer_; }
   WindowContent& content() { return *content_; }

@@ -34,7 +34,7 @@ class Pages {
     std::function<void(UiRig&)> use;
   };
   void add(const Page& page) {
-    UiRig rig(LoadFunction{}, page.size, page.scale);
+    UiRig rig(LoadFunction{}, page.size, page.scale, UiRig::Skies::usual);
     rig.set_blind(true);
     RenderSettings& settings = rig.previewer().edits().settings();
     settings = {};

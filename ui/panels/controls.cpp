@@ -154,6 +154,11 @@ void Controls::placed_words(const std::string& name, const std::string& words,
   placed_[name].words = words;
 }
 
+void Controls::placed_window(const std::string& name) {
+  const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  placed_[name] = {{lo.x, lo.y}, {lo.x + size.x, lo.y + size.y}, false, false, {}};
+}
+
 void Controls::explain(const std::string& name, const char* tooltip) {
   if (!tooltip || ImGui::IsItemActive() || !ImGui::IsItemHovered()) return;
   hovered_ = name;

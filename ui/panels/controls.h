@@ -103,6 +103,9 @@ class Controls {
   /// The same of words that are shown.
   void placed_words(const std::string& name, const std::string& words, const char* tooltip);
 
+  /// Remembers the ImGui window that is being drawn.
+  void placed_window(const std::string& name);
+
   [[nodiscard]] const std::map<std::string, Placed>& all() const { return placed_; }
   /// Whether this frame has a tooltip that the one before had not, or the other way round: it has
   /// to be drawn again, because a tooltip finds its size in its first frame.

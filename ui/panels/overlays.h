@@ -47,10 +47,10 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
 /// to open something.
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 
-/// What the split map's colours mean, over the picture while the map is shown. True: a pixel of it
-/// is to be explained.
+/// What the split map's colours mean, over the picture while the map is shown, at its lower left or
+/// right. True: a pixel of it is to be explained.
 [[nodiscard]] bool split_legend(Controls& controls, const DisplaySettings& display, int max_level,
-                                const WindowRect& area);
+                                const WindowRect& area, bool at_right);
 
 /// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);

@@ -1,6 +1,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/pixel_place.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -13,8 +14,6 @@
 namespace asos {
 
 namespace {
-
-constexpr float pixel_width_em = 24.0f;
 
 std::uint32_t kind_colour(FeatureKind kind) {
   SplitCause cause = SplitCause::outline;
@@ -66,9 +65,9 @@ void why(Controls& controls, const Film& film, const PixelReport& report, glm::i
     const glm::u8vec3 c = split_cause_colour(cause);
     const float em = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15f * em},
-                                              {at.x + 0.8f * em, at.y + 0.95f * em},
-                                              IM_COL32(c.x, c.y, c.z, 255));
+    const ImVec2 lo{at.x, at.y + 0.15f * em}, hi{at.x + 0.8f * em, at.y + 0.95f * em};
+    ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, IM_COL32(c.x, c.y, c.z, 255));
+    ImGui::GetWindowDrawList()->AddRect(lo, hi, theme::packed(theme::dim_text));
     ImGui::Dummy({0.8f * em, em});
     ImGui::SameLine();
     ImGui::TextWrapped("%s", words_of(cause));
@@ -297,11 +296,10 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   const Film& film = previewer.render().film();
   if (!state.picked || state.picked->x >= film.width || state.picked->y >= film.height) return;
   const float em = ImGui::GetFontSize();
-  const float width = std::min(pixel_width_em * em, area.rect.size.x - em);
-  const float most_height = area.rect.size.y - em;
-  if (width < 8.0f * em || most_height < 8.0f * em) return;
-  ImGui::SetNextWindowPos({area.rect.lo.x + 0.5f * em, area.rect.lo.y + 0.5f * em});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, most_height});
+  const std::optional<PixelPlace> place = picked_place(state, area, em);
+  if (!place || place->width < 8.0f * em || place->most_height < 6.0f * em) return;
+  ImGui::SetNextWindowPos({place->lo.x, place->lo.y});
+  ImGui::SetNextWindowSizeConstraints({place->width, 0.0f}, {place->width, place->most_height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::Begin("pixel", nullptr,
@@ -334,6 +332,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   if (report && state.show_boundaries && !report->all_boundaries)
     ImGui::TextDisabled(
         "%s", fmt::format("The first {} are shown.", PixelReport::most_boundaries).c_str());
+  controls.placed_window("Pixel panel");
   ImGui::End();
   ImGui::PopStyleVar(2);
   if (closed) state.picked.reset();
@@ -352,7 +351,8 @@ void picked_mark(const PixelReport* report, const UiState& state, const PictureA
       draw.AddLine(window(b.from), window(b.to), kind_colour(b.kind));
   }
   // Around the pixel, at least so large that it is found.
-  const ImVec2 lo = window(*state.picked), hi = window(*state.picked + 1);
+  const WindowRect at = shown_pixel(*state.picked, state.view, area);
+  const ImVec2 lo{at.lo.x, at.lo.y}, hi{at.lo.x + at.size.x, at.lo.y + at.size.y};
   const float grow = std::max(1.0f, 0.5f * (9.0f - (hi.x - lo.x)));
   draw.AddRect({lo.x - grow - 1.0f, lo.y - grow - 1.0f}, {hi.x + grow + 1.0f, hi.y + grow + 1.0f},
                IM_COL32(0, 0, 0, 255));

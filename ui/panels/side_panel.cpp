@@ -63,7 +63,12 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
   timeline_panel(controls, previewer.playback());
   scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
-  if (scene) warnings_panel(controls, notes_of(*scene));
+  if (scene) {
+    // What another choice would show is chosen above, or in the file's animation.
+    SceneNotes notes = notes_of(*scene);
+    notes.not_shown.clear();
+    warnings_panel(controls, notes);
+  }
   antialiasing_panel(controls, previewer, jobs.forecast);
   refinement_panel(controls, previewer);
   lights_panel(controls, previewer, state.lights, state.picked);

@@ -64,9 +64,9 @@ struct CostTick {
   double value;
   const char* text;
 };
-constexpr std::array ray_ticks{CostTick{1, "1"},      CostTick{4, "4"},     CostTick{16, "16"},
-                               CostTick{64, "64"},    CostTick{256, "256"}, CostTick{1024, ""},
-                               CostTick{4096, "4096"}};
+constexpr std::array ray_ticks{CostTick{1, "1"},           CostTick{4, "4"},     CostTick{16, "16"},
+                               CostTick{64, "64"},         CostTick{256, "256"}, CostTick{1024, ""},
+                               CostTick{4096, "4096 rays"}};
 constexpr std::array time_ticks{CostTick{1e-7, "0.1"},  CostTick{1e-6, "1 \u00b5s"},
                                 CostTick{1e-5, "10"},   CostTick{1e-4, "100"},
                                 CostTick{1e-3, "1 ms"}, CostTick{1e-2, "10"}};
@@ -89,7 +89,9 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
                         {x_at(static_cast<float>(i + 1) / steps), corner.y + height},
                         IM_COL32(c.x, c.y, c.z, 255));
   }
+  std::string words;
   for (const CostTick& tick : ticks) {
+    if (*tick.text) words += (words.empty() ? "" : " ") + std::string(tick.text);
     const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
     draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
                   theme::packed(theme::dim_text));
@@ -100,13 +102,13 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
   }
   draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
   ImGui::Dummy({width, height + 1.4f * em});
-  controls.placed("Scale",
-                  colours == SplitMapColours::rays
-                      ? "Rays of all kinds for a pixel, from 1 to 4096 and above, "
-                        "logarithmic. The scale does not depend on the picture."
-                      : "Seconds of one processor for a pixel, from 0.1 microseconds to 10 "
-                        "milliseconds and above, logarithmic. The scale does not depend "
-                        "on the picture.");
+  controls.placed_words("Scale", words,
+                        colours == SplitMapColours::rays
+                            ? "Rays of all kinds for a pixel, from 1 to 4096 and above, "
+                              "logarithmic. The scale does not depend on the picture."
+                            : "Seconds of one processor for a pixel, from 0.1 microseconds to 10 "
+                              "milliseconds and above, logarithmic. The scale does not depend "
+                              "on the picture.");
 }
 
 // One swatch a cause, in two columns.
@@ -144,14 +146,15 @@ std::string headline(SplitMapColours colours, int max_level) {
 }  // namespace
 
 bool split_legend(Controls& controls, const DisplaySettings& display, int max_level,
-                  const WindowRect& area) {
+                  const WindowRect& area, bool at_right) {
   const float em = ImGui::GetFontSize();
   const float width = std::min(legend_width_em * em, area.size.x - em);
   if (!display.show_split_map || !display.show_legend || width < 8.0f * em ||
       area.size.y < 8.0f * em)
     return false;
-  ImGui::SetNextWindowPos({area.lo.x + 0.5f * em, area.lo.y + area.size.y - 0.5f * em},
-                          ImGuiCond_Always, {0.0f, 1.0f});
+  const float left = at_right ? area.lo.x + area.size.x - width - 0.5f * em : area.lo.x + 0.5f * em;
+  ImGui::SetNextWindowPos({left, area.lo.y + area.size.y - 0.5f * em}, ImGuiCond_Always,
+                          {0.0f, 1.0f});
   ImGui::SetNextWindowSize({width, 0.0f});
   ImGui::SetNextWindowBgAlpha(0.85f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
@@ -159,7 +162,9 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::TextUnformatted(headline(display.split_colours, max_level).c_str());
+  const std::string title = headline(display.split_colours, max_level);
+  ImGui::TextUnformatted(title.c_str());
+  controls.placed_words("Legend title", title, nullptr);
   switch (display.split_colours) {
     case SplitMapColours::level:
       level_legend(controls, max_level);
@@ -178,6 +183,7 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
                                    "other pixel asks the same of that.");
   ImGui::SameLine();
   ImGui::TextDisabled("M: hide   C: next");
+  controls.placed_window("Map legend");
   ImGui::End();
   ImGui::PopStyleVar();
   return why;

@@ -1,7 +1,9 @@
 #include "ui/panels/tour_panel.h"
 
 #include "renderer/comparison/method.h"
+#include "ui/panels/pixel_place.h"
 #include "ui/panels/sketch.h"
+#include "ui/split_pixel.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -181,14 +183,19 @@ std::optional<int> buttons(Controls& controls, int card) {
   return next;
 }
 
-// The pixel that the cards speak of, until it is known for good.
+// The pixel that the cards speak of: from the coarse picture at once, and again when it is
+// finished, but for one that is being watched as it splits.
 void choose_pixel(const Previewer& previewer, UiState& state) {
   Tour& tour = state.tour;
   const Film& film = previewer.render().film();
   const bool gone = tour.pixel && (tour.pixel->x >= film.width || tour.pixel->y >= film.height);
-  const bool may_change = *tour.card == Tour::Card::pyray || !tour.pixel || gone;
-  if (!may_change) return;
-  tour.pixel = most_split_pixel(film);
+  const bool finished = previewer.render().progress().finished;
+  const Tour::ChosenFor now{previewer.render().restarts(), finished};
+  const bool may_change = *tour.card == Tour::Card::pyray || !tour.pixel || gone ||
+                          (finished && !tour.chosen_for.finished);
+  if (!may_change || (finished && tour.chosen_for == now && !gone)) return;
+  tour.chosen_for = now;
+  tour.pixel = finished ? pixel_that_splits(previewer) : most_split_pixel(film);
   if (*tour.card == Tour::Card::split) state.picked = tour.pixel;
 }
 
@@ -211,8 +218,19 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   choose_pixel(previewer, state);
   next_level(state, previewer.edits().settings().asos.max_level, now_seconds);
 
-  const glm::vec2 corner = area.rect.lo + area.rect.size - 0.5f * em;
-  ImGui::SetNextWindowPos({corner.x, corner.y}, ImGuiCond_Always, {1.0f, 1.0f});
+  // In a corner below, or above, that neither the picked pixel nor its panel is in.
+  glm::vec2 corner{1.0f, 1.0f};
+  if (const std::optional<PixelPlace> explained = picked_place(state, area, em)) {
+    if (explained->side == PixelPlace::Side::right) corner.x = 0.0f;
+    const WindowRect pixel = shown_pixel(*state.picked, state.view, area);
+    const bool low = pixel.lo.y > area.rect.lo.y + 0.5f * area.rect.size.y;
+    if (explained->side == PixelPlace::Side::below_pixel ||
+        (low && explained->side == PixelPlace::Side::below_picture))
+      corner.y = 0.0f;
+  }
+  const glm::vec2 at =
+      glm::mix(area.rect.lo + 0.5f * em, area.rect.lo + area.rect.size - 0.5f * em, corner);
+  ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {corner.x, corner.y});
   ImGui::SetNextWindowSize({width, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
@@ -228,6 +246,7 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   ImGui::TextWrapped("%s", words.text);
   body(controls, previewer, state, equal_time, area.rect.size.y, now_seconds);
   const std::optional<int> next = buttons(controls, card);
+  controls.placed_window("Card");
   ImGui::End();
   ImGui::PopStyleVar(2);
   if (next) show_card(state, *next, now_seconds);

@@ -83,14 +83,17 @@ std::vector<std::string> not_shown(const SceneContents& contents,
   }
   if (contents.shown_scene >= 0 && contents.scenes.size() > 1)
     lines.push_back(scenes_line(contents));
-  if (contents.cameras_not_placed > 0)
-    lines.push_back(fmt::format("{} in no node that is shown and cannot be looked through",
-                                counted(contents.cameras_not_placed, "camera is", "cameras are")));
   if (!contents.variants.empty() && contents.variant.empty())
     lines.push_back(fmt::format("{} not shown: {}; materials are as without (--variant shows one)",
                                 counted(contents.variants.size(), "variant is", "variants are"),
                                 listed(contents.variants)));
   return lines;
+}
+
+std::optional<std::string> cameras_remark(const SceneContents& contents) {
+  if (contents.cameras_not_placed == 0) return std::nullopt;
+  return fmt::format("{} in no node that is shown and cannot be looked through",
+                     counted(contents.cameras_not_placed, "camera is", "cameras are"));
 }
 
 }  // namespace asos::gltf

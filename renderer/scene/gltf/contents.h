@@ -19,4 +19,7 @@ namespace asos::gltf {
 [[nodiscard]] std::vector<std::string> not_shown(const SceneContents& contents,
                                                  const std::optional<ClipTime>& time);
 
+/// A line on the file's cameras that no picture is seen through, whatever is chosen; none: all are.
+[[nodiscard]] std::optional<std::string> cameras_remark(const SceneContents& contents);
+
 }  // namespace asos::gltf

@@ -65,6 +65,8 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     Warnings said = doc_.warnings;
     scene->notes.warnings_dropped = said.dropped();
     scene->notes.warnings = said.take();
+    if (std::optional<std::string> remark = cameras_remark(scene->contents))
+      scene->notes.warnings.push_back(std::move(*remark));
     scene->notes.unsupported_extensions = doc_.unsupported_extensions;
     scene->contents.variant = options_.variant;
     scene->notes.not_shown = not_shown(scene->contents, time);

@@ -1,0 +1,59 @@
+#include "ui/panels/pixel_place.h"
+
+#include "ui/theme.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace asos {
+
+namespace {
+
+constexpr float pixel_width_em = 24.0f;
+constexpr float least_height_em = 14.0f;  // of a panel below the picture
+
+}  // namespace
+
+PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture, glm::vec2 window,
+                              float em) {
+  const float gap = 0.5f * em;
+  const float clear = 1.5f * em;  // around the pixel, so that one sees what is beside it
+  const glm::vec2 lo = picture.lo + gap, hi = picture.lo + picture.size - gap;
+  PixelPlace place{PixelPlace::Side::left, lo, std::min(pixel_width_em * em, hi.x - lo.x),
+                   hi.y - lo.y};
+  const bool seen = pixel.x >= picture.lo.x && pixel.y >= picture.lo.y && pixel.x <= hi.x + gap &&
+                    pixel.y <= hi.y + gap;
+  if (!seen || pixel.x > lo.x + place.width + clear) return place;
+  if (pixel.x < hi.x - place.width - clear) {
+    place.side = PixelPlace::Side::right;
+    place.lo.x = hi.x - place.width;
+    return place;
+  }
+  const float below = hi.y + gap + theme::status_height_em * em;
+  if (window.y - below - 2.0f * gap > least_height_em * em) {
+    place.side = PixelPlace::Side::below_picture;
+    place.lo.y = below + gap;
+    place.most_height = window.y - below - 2.0f * gap;
+    return place;
+  }
+  const bool above = pixel.y - lo.y > hi.y - pixel.y;
+  place.side = above ? PixelPlace::Side::above_pixel : PixelPlace::Side::below_pixel;
+  if (!above) place.lo.y = pixel.y + clear;
+  place.most_height = above ? pixel.y - clear - lo.y : hi.y - place.lo.y;
+  return place;
+}
+
+WindowRect shown_pixel(glm::ivec2 pixel, const PictureView& view, const PictureArea& area) {
+  const float scale = view.scale() / area.scale;
+  return {area.rect.lo + view.offset() / area.scale + glm::vec2(pixel) * scale, glm::vec2(scale)};
+}
+
+std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& area, float em) {
+  if (!state.picked || state.view.scale() <= 0.0f) return std::nullopt;
+  const WindowRect at = shown_pixel(*state.picked, state.view, area);
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  return place_beside_pixel(at.lo + 0.5f * at.size, area.rect, {window.x, window.y}, em);
+}
+
+}  // namespace asos
