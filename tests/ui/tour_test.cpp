@@ -131,6 +131,9 @@ TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
                 middle.y > over.hi.y)
         << name << " covers " << middle.x << ' ' << middle.y;
   }
+  rig.click("Next card");
+  rig.frame();
+  EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are pressed, too";
 }
 
 TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {

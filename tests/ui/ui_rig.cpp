@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -160,6 +161,19 @@ void UiRig::type(const std::string& ascii) {
   run_input();
 }
 
+namespace {
+
+constexpr const char* over_picture[] = {"Card", "Pixel panel", "Map legend"};
+
+bool holds(const std::map<std::string, Controls::Placed>& all, const char* window,
+           const Controls::Placed& control) {
+  const auto found = all.find(window);
+  return found != all.end() && glm::all(glm::greaterThanEqual(control.lo, found->second.lo)) &&
+         glm::all(glm::lessThanEqual(control.hi, found->second.hi));
+}
+
+}  // namespace
+
 Controls::Placed UiRig::control(const std::string& name) {
   const auto& all = content_->controls().all();
   constexpr int most_turns = 100;
@@ -169,7 +183,10 @@ Controls::Placed UiRig::control(const std::string& name) {
     const Controls::Placed at = found->second;
     const WindowRect& panel = content_->layout().panel;
     const auto height = static_cast<float>(size_.y);
-    const bool in_panel = at.centre().x > panel.lo.x && panel.size.x > 0.0f;
+    // What stands over the picture is not turned to.
+    const bool over = std::any_of(std::begin(over_picture), std::end(over_picture),
+                                  [&](const char* window) { return holds(all, window, at); });
+    const bool in_panel = at.centre().x > panel.lo.x && panel.size.x > 0.0f && !over;
     const bool above = at.lo.y<(in_panel ? panel.lo.y : 0.0f), below = at.hi.y> height;
     if ((!above && !below) || turn == most_turns) return at;
     // The panel is longer than the window: turn the wheel over it, as a person would.
