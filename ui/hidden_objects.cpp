@@ -1,12 +1,18 @@
 #include "ui/hidden_objects.h"
 
+#include "renderer/scene/rig.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace asos {
 
-void leave_out(Scene& scene, const std::vector<int>& hidden) {
-  if (hidden.empty()) return;
+namespace {
+
+void take_out(Scene& scene, const std::vector<int>& hidden) {
   int place = -1;
   std::erase_if(scene.instances, [&](const Instance& instance) {
     const bool shows = instance.shape >= 0 ||
@@ -16,7 +22,33 @@ void leave_out(Scene& scene, const std::vector<int>& hidden) {
     ++place;
     return std::binary_search(hidden.begin(), hidden.end(), place);
   });
-  scene.rig.reset();
+}
+
+/// Poses what another rig does, without some of its objects.
+class RigWithout : public Rig, public std::enable_shared_from_this<RigWithout> {
+ public:
+  RigWithout(std::shared_ptr<Rig> whole, std::vector<int> hidden)
+      : whole_(std::move(whole)), hidden_(std::move(hidden)) {}
+
+  Result<Scene> pose(const std::optional<ClipTime>& time) override {
+    Result<Scene> scene = whole_->pose(time);
+    if (!scene) return scene;
+    take_out(*scene, hidden_);
+    scene->rig = shared_from_this();
+    return scene;
+  }
+
+ private:
+  std::shared_ptr<Rig> whole_;
+  std::vector<int> hidden_;
+};
+
+}  // namespace
+
+void leave_out(Scene& scene, const std::vector<int>& hidden) {
+  if (hidden.empty()) return;
+  take_out(scene, hidden);
+  if (scene.rig) scene.rig = std::make_shared<RigWithout>(scene.rig, hidden);
 }
 
 int place_among_all(int shown, const std::vector<int>& hidden) {

@@ -8,7 +8,7 @@ namespace asos {
 
 /// Takes objects out of a scene that was loaded: `hidden` are their places among those that show
 /// something, ascending, in the order of World::parts. Others, and places beyond the last, do
-/// nothing. What is left stands still: poses would bring the others back.
+/// nothing. What is left moves as before.
 void leave_out(Scene& scene, const std::vector<int>& hidden);
 
 /// The place, among all objects, of the one that is `shown`th where `hidden` (ascending) are left

@@ -19,6 +19,14 @@ GltfBuilder sliding_line() {
   return b;
 }
 
+/// With another square above, which stands still.
+GltfBuilder two_squares() {
+  GltfBuilder b = sliding();
+  b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 2, 0}}});
+  b.json["scenes"][0]["nodes"].push_back(3);
+  return b;
+}
+
 class Timeline : public testing::Test {
  protected:
   Timeline() {
@@ -52,6 +60,7 @@ class Timeline : public testing::Test {
 
   UiRig rig{[](const std::string& source) -> Result<Scene> {
               if (source == "lines") return with_rig(sliding_line());
+              if (source == "two") return with_rig(two_squares());
               if (source == "still") return two_triangles({1, 0, 0}, source);
               return with_rig(sliding());
             },
@@ -232,6 +241,23 @@ TEST_F(Timeline, EditsOfLightsLast) {
   rig.previewer().edits().reset_lights();
   EXPECT_TRUE(rig.settle());
   EXPECT_EQ(scene()->lights().at(0).intensity, 30.0f);
+}
+
+TEST_F(Timeline, WhatIsLeftMovesOnWhenSomethingIsHidden) {
+  open("two");
+  ASSERT_EQ(scene()->world().parts.size(), 2u);
+  const std::uint64_t opened = scene().times_opened();
+  scene().hide(1);
+  ASSERT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+  ASSERT_EQ(scene()->world().parts.size(), 1u);
+  const double from = corner_x();
+  ASSERT_TRUE(playback().available());
+  for (const double seconds : {0.5, 1.0}) {
+    playback().seek(seconds);
+    arrive();
+    EXPECT_EQ(scene()->world().parts.size(), 1u) << "it stays hidden";
+    EXPECT_NEAR(corner_x(), from + 2.0 * seconds, 1e-6);
+  }
 }
 
 TEST_F(Timeline, PicturesSayTheirMoment) {

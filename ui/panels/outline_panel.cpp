@@ -49,8 +49,7 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
     }
   };
   if (controls.button("Hide",
-                      "Load the scene without the chosen object; its light and its shadow go, too. "
-                      "What moves stands still until all is shown again.",
+                      "Load the scene without the chosen object; its light and its shadow go, too.",
                       width))
     act(parts > 1, [&] { scene.hide(choice.selected); });
   ImGui::SameLine();
