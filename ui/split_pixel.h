@@ -1,10 +1,13 @@
 #pragma once
 
 #include "renderer/film/film.h"
+#include "renderer/prepared/render_scene.h"
+#include "ui/latest_job.h"
 
 #include <glm/glm.hpp>
 
-#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,16 +15,40 @@ namespace asos {
 
 class Previewer;
 
-/// Pixels that were split, deepest first, of these the nearest to the middle first, and rather such
-/// as the bounds of objects split; from all over the picture: of each of its parts the first, and
-/// that with most rays.
-[[nodiscard]] std::vector<glm::ivec2> split_pixels(const Film& film);
-/// The first of them; none: nothing was split.
+/// Of the pixels that were split deepest the one nearest to the middle, and rather such as the
+/// bounds of objects split; none: nothing was split.
 [[nodiscard]] std::optional<glm::ivec2> most_split_pixel(const Film& film);
 
-/// A pixel of the finished picture on which one sees what splitting is: of those that were split
-/// deepest, that whose cells are split most often and differ most, as traces of them tell. Takes
-/// no more than some tens of milliseconds. None: nothing was split.
-[[nodiscard]] std::optional<glm::ivec2> pixel_that_splits(const Previewer& previewer);
+/// Looks in the background for a pixel of the finished picture on which one sees what splitting is.
+/// Edges that cut a pixel cleanly split none, and few pixels are left: of many from all over the
+/// picture, that are traced, the one whose cells are split most often and differ most. All members
+/// are for one thread.
+class SplitPixelSearch {
+ public:
+  SplitPixelSearch();
+
+  /// Call once a frame. The pixel of the picture as it is; none: not yet, or nothing is split.
+  /// `wanted`: whether to look for one.
+  std::optional<glm::ivec2> update(const Previewer& previewer, bool wanted);
+  [[nodiscard]] bool busy() const { return job_.pending(); }
+
+ private:
+  struct Request {
+    std::shared_ptr<const RenderScene> scene;
+    Camera camera;
+    RenderSettings settings;
+    std::vector<glm::ivec2> candidates;
+    std::uint64_t restarts = 0;
+  };
+  struct Found {
+    std::optional<glm::ivec2> pixel;
+    std::uint64_t restarts = 0;
+  };
+  [[nodiscard]] static Found work(const Request& request);
+
+  std::uint64_t asked_ = 0;  // about the picture of so many restarts
+  Found found_;
+  LatestJob<Request, Found> job_;
+};
 
 }  // namespace asos

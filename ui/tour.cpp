@@ -38,7 +38,6 @@ void start_tour(UiState& state, double now_seconds) {
   Tour& tour = state.tour;
   tour.seen = true;
   tour.pixel.reset();
-  tour.chosen_for = {};
   tour.before = {state.display.show_split_map, state.display.split_colours, state.picked,
                  state.frames.comparison};
   show_card(state, 0, now_seconds);

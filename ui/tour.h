@@ -6,7 +6,6 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -26,13 +25,7 @@ struct Tour {
   bool seen = false;         ///< it was shown once, and comes again only where it is asked for
   double since_seconds = 0.0;
   std::optional<glm::ivec2> pixel;  ///< that the cards speak of
-  /// Of which render it was chosen, and whether that was finished.
-  struct ChosenFor {
-    std::uint64_t restarts = 0;
-    bool finished = false;
-    bool operator==(const ChosenFor&) const = default;
-  };
-  ChosenFor chosen_for;
+  std::optional<glm::ivec2> found;  ///< for that, in the finished picture; see SplitPixelSearch
 
   struct Before {
     bool show_split_map = false;

@@ -6,7 +6,6 @@
 #include "ui/panels/side_panel.h"
 #include "ui/panels/tour_panel.h"
 #include "ui/screenshot.h"
-#include "ui/split_pixel.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -109,6 +108,8 @@ void WindowContent::draw(const FrameInput& in) {
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
+  state_.tour.found =
+      split_search_.update(previewer_, state_.tour.card && *state_.tour.card <= Tour::Card::split);
   // A study's times count: what only checks the picture waits for it.
   check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
@@ -342,6 +343,7 @@ void WindowContent::save_window(const FrameInput& in) {
 std::uint32_t WindowContent::activity() const {
   const Progress progress = previewer_.render().progress();
   const bool going_on[] = {inspector_.busy(),
+                           split_search_.busy(),
                            sky_reader_.busy(),
                            forecast_.busy(),
                            check_.pending(),
@@ -374,7 +376,8 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
   if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
   if (flying()) also(0.0);
-  if (inspector_.busy() || sky_reader_.busy() || forecast_.busy()) also(0.02);
+  if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy())
+    also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
   if (keys_repeat()) also(0.03);
   if (const std::optional<double> card = seconds_to_card(state_, time_seconds_)) also(*card);

@@ -12,6 +12,7 @@
 #include "ui/previewer.h"
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
+#include "ui/split_pixel.h"
 #include "ui/stored_settings.h"
 #include "ui/theme.h"
 #include "ui/ui_state.h"
@@ -94,6 +95,7 @@ class WindowContent {
   ViewStudy study_;
   EditHistory history_;
   PixelInspector inspector_;
+  SplitPixelSearch split_search_;
   SkyReader sky_reader_;
   SplitForecast forecast_;
   SplitCheck check_;

@@ -183,20 +183,23 @@ std::optional<int> buttons(Controls& controls, int card) {
   return next;
 }
 
-// The pixel that the cards speak of: from the coarse picture at once, and again when it is
-// finished, but for one that is being watched as it splits.
-void choose_pixel(const Previewer& previewer, UiState& state) {
+// The pixel that the cards speak of: from the coarse picture at once, and the one that was looked
+// for in the finished one.
+void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds) {
   Tour& tour = state.tour;
   const Film& film = previewer.render().film();
   const bool gone = tour.pixel && (tour.pixel->x >= film.width || tour.pixel->y >= film.height);
-  const bool finished = previewer.render().progress().finished;
-  const Tour::ChosenFor now{previewer.render().restarts(), finished};
-  const bool may_change = *tour.card == Tour::Card::pyray || !tour.pixel || gone ||
-                          (finished && !tour.chosen_for.finished);
-  if (!may_change || (finished && tour.chosen_for == now && !gone)) return;
-  tour.chosen_for = now;
-  tour.pixel = finished ? pixel_that_splits(previewer) : most_split_pixel(film);
-  if (*tour.card == Tour::Card::split) state.picked = tour.pixel;
+  const bool watched = *tour.card == Tour::Card::split;
+  if (*tour.card != Tour::Card::pyray && tour.pixel && !gone && !(watched && tour.found)) return;
+  const bool stays = previewer.render().progress().finished && tour.pixel && !gone;
+  const std::optional<glm::ivec2> pixel =
+      tour.found ? tour.found : (stays ? tour.pixel : most_split_pixel(film));
+  if (pixel == tour.pixel) return;
+  tour.pixel = pixel;
+  if (!watched) return;
+  state.picked = pixel;
+  state.shown_level = 0;
+  tour.since_seconds = now_seconds;
 }
 
 void next_level(UiState& state, int deepest, double now_seconds) {
@@ -215,7 +218,7 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   const float em = ImGui::GetFontSize();
   const float width = std::min(card_width_em * em, area.rect.size.x - em);
   if (width < 12.0f * em || area.rect.size.y < 10.0f * em) return;
-  choose_pixel(previewer, state);
+  choose_pixel(previewer, state, now_seconds);
   next_level(state, previewer.edits().settings().asos.max_level, now_seconds);
 
   // In a corner below, or above, that neither the picked pixel nor its panel is in.
