@@ -20,11 +20,13 @@ struct EnvironmentRow {
 };
 
 inline constexpr std::array environments{
-    EnvironmentRow{
-        "studio",
-        Environment::studio,
-        "A bright room over a dark floor; the rig's lights, as its soft boxes, stay.",
-        {{0.8f, 0.8f, 0.8f}, {0.4f, 0.4f, 0.4f}, {0.22f, 0.22f, 0.22f}, {0.07f, 0.07f, 0.07f}}},
+    EnvironmentRow{"studio",
+                   Environment::studio,
+                   "A bright room over a darker floor; the rig's lights, as its soft boxes, stay.",
+                   {{0.72f, 0.72f, 0.72f},
+                    {0.44f, 0.44f, 0.44f},
+                    {0.33f, 0.33f, 0.33f},
+                    {0.19f, 0.19f, 0.19f}}},
     EnvironmentRow{
         "daylight",
         Environment::daylight,

@@ -69,5 +69,31 @@ TEST(EnvironmentLights, SunsBringWhiteSurfacesNearWhite) {
   }
 }
 
+// What faces the key is near white and below it; behind it all is what both white and black stand
+// out on, wherever the camera looks but into the ceiling.
+TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
+  const auto dark = ready(unlit("builtin:boxes"));
+  const Sky sky(Environment::studio);
+  const glm::dvec3 middle =
+      0.5 * (glm::dvec3(dark->world().bounds.lo) + glm::dvec3(dark->world().bounds.hi));
+  ASSERT_EQ(dark->lights().size(), 2u);
+  const glm::dvec3 to_key = glm::normalize(dark->lights()[0].position - middle);
+  const Receiver receiver{middle, to_key, to_key};
+  glm::dvec3 radiance(sky.ambient(to_key));
+  for (const Light& light : dark->lights())
+    radiance +=
+        glm::dvec3(unshadowed_irradiance(prepare_light(light), receiver)) / std::numbers::pi;
+  EXPECT_GT(radiance.x, 0.9);
+  EXPECT_LT(radiance.x, 1.05) << "what is nearer to the light than the middle may be white";
+  for (int elevation_deg = -60; elevation_deg <= 20; elevation_deg += 5) {
+    const double elevation = elevation_deg * std::numbers::pi / 180.0;
+    const float behind = sky.radiance({0.0, std::sin(elevation), -std::cos(elevation)}).g;
+    EXPECT_GT(behind, 0.18f) << elevation_deg;
+    EXPECT_LT(behind, 0.6f) << elevation_deg;
+  }
+  // Mirrored in metal there is a horizon: a step within a few degrees.
+  EXPECT_GT(sky.radiance({0.0f, 0.07f, -1.0f}).g, 1.25f * sky.radiance({0.0f, -0.07f, -1.0f}).g);
+}
+
 }  // namespace
 }  // namespace asos
