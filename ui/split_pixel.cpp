@@ -45,6 +45,8 @@ std::vector<glm::ivec2> candidates(const Film& film) {
   std::sort(pixels.begin(), pixels.end(),
             [&](glm::ivec2 a, glm::ivec2 b) { return key(a) < key(b); });
   pixels.resize(std::min(pixels.size(), most_traced));
+  if (const std::optional<glm::ivec2> first = most_split_pixel(film))
+    pixels.insert(pixels.begin(), *first);
   return pixels;
 }
 

@@ -172,6 +172,12 @@ bool holds(const std::map<std::string, Controls::Placed>& all, const char* windo
          glm::all(glm::lessThanEqual(control.hi, found->second.hi));
 }
 
+// Whether a control is one of the pixel's panel.
+bool of_pixel(const std::string& name) {
+  return name == "Back" || name == "Boundaries" || name == "Subdivision" || name == "Levels" ||
+         name.starts_with("Pyray/");
+}
+
 }  // namespace
 
 Controls::Placed UiRig::control(const std::string& name) {
@@ -186,6 +192,13 @@ Controls::Placed UiRig::control(const std::string& name) {
     // What stands over the picture is not turned to.
     const bool over = std::any_of(std::begin(over_picture), std::end(over_picture),
                                   [&](const char* window) { return holds(all, window, at); });
+    // The pixel's panel is scrolled where there is little room for it.
+    const auto pixel = all.find("Pixel panel");
+    if (pixel != all.end() && of_pixel(name) && turn < most_turns &&
+        (at.lo.y < pixel->second.lo.y || at.hi.y > pixel->second.hi.y)) {
+      wheel(pixel->second.centre(), at.lo.y < pixel->second.lo.y ? 1.0f : -1.0f);
+      continue;
+    }
     const bool in_panel = at.centre().x > panel.lo.x && panel.size.x > 0.0f && !over;
     const bool above = at.lo.y<(in_panel ? panel.lo.y : 0.0f), below = at.hi.y> height;
     if ((!above && !below) || turn == most_turns) return at;
