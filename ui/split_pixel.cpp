@@ -12,8 +12,8 @@ namespace asos {
 
 namespace {
 
-constexpr std::size_t most_traced = 400;
-constexpr auto longest_search = std::chrono::milliseconds(600);
+constexpr std::size_t most_traced = 3000;
+constexpr auto longest_search = std::chrono::seconds(3);
 
 bool bounded(SplitCause cause) {
   return cause == SplitCause::outline || cause == SplitCause::crease ||
@@ -89,12 +89,14 @@ std::optional<glm::ivec2> most_split_pixel(const Film& film) {
   return best;
 }
 
-SplitPixelSearch::SplitPixelSearch() : job_(work, {}, Overtaken::kept) {}
+SplitPixelSearch::SplitPixelSearch()
+    : job_([this](const Request& request) { return work(request); }, {}, Overtaken::kept) {}
 
 std::optional<glm::ivec2> SplitPixelSearch::update(const Previewer& previewer, bool wanted) {
   if (std::optional<Found> found = job_.take_outcome()) found_ = *found;
   const PreviewRender& render = previewer.render();
   const std::uint64_t now = render.restarts();
+  current_ = now;
   if (!previewer.scene() || !render.progress().finished) return std::nullopt;
   if (found_.restarts == now) return found_.pixel;
   if (!wanted || asked_ == now || !previewer.scene()->geometry->boundaries.known())
@@ -105,7 +107,7 @@ std::optional<glm::ivec2> SplitPixelSearch::update(const Previewer& previewer, b
   return std::nullopt;
 }
 
-SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) {
+SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) const {
   const RenderSettings& settings = request.settings;
   const View view(request.camera, settings.width, settings.height,
                   radius_around_origin(request.scene->world().bounds));
@@ -114,11 +116,13 @@ SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) {
   const auto start = std::chrono::steady_clock::now();
   for (const glm::ivec2 pixel : request.candidates) {
     if (pixel.x >= settings.width || pixel.y >= settings.height) continue;
-    constexpr double enough = 0.9;
+    constexpr double enough = 0.5;
     const double seen = interest(trace_pixel(*request.scene, view, settings, pixel.x, pixel.y));
     if (seen > most) found.pixel = pixel;
     most = std::max(most, seen);
-    if (most > enough || std::chrono::steady_clock::now() - start > longest_search) break;
+    if (most > enough || current_ != request.restarts ||
+        std::chrono::steady_clock::now() - start > longest_search)
+      break;
   }
   return found;
 }

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,6 +27,9 @@ class Previewer;
 class SplitPixelSearch {
  public:
   SplitPixelSearch();
+  ~SplitPixelSearch() { current_ = 0; }
+  SplitPixelSearch(const SplitPixelSearch&) = delete;
+  SplitPixelSearch& operator=(const SplitPixelSearch&) = delete;
 
   /// Call once a frame. The pixel of the picture as it is; none: not yet, or nothing is split.
   /// `wanted`: whether to look for one.
@@ -44,9 +48,10 @@ class SplitPixelSearch {
     std::optional<glm::ivec2> pixel;
     std::uint64_t restarts = 0;
   };
-  [[nodiscard]] static Found work(const Request& request);
+  [[nodiscard]] Found work(const Request& request) const;
 
-  std::uint64_t asked_ = 0;  // about the picture of so many restarts
+  std::atomic<std::uint64_t> current_ = 0;  // restarts of the picture: others are given up
+  std::uint64_t asked_ = 0;                 // about the picture of so many restarts
   Found found_;
   LatestJob<Request, Found> job_;
 };

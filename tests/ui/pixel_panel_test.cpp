@@ -141,8 +141,10 @@ TEST_F(PixelPanelTest, PyraysOfAMirrorAreSteppedInto) {
 TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
   const glm::ivec2 pixel = cut_pixel();
   pick(pixel);
-  // Above the pixel, below which its panel stands in a picture as narrow as this.
-  rig.drag({300, 200}, {360, 220});
+  // Beside the pixel's panel, which leaves the pixel's side of the picture free.
+  const Controls::Placed panel = rig.control("Pixel panel");
+  const float x = panel.lo.x > 40.0f ? 10.0f : 320.0f;
+  rig.drag({x, 800}, {x + (x < 100.0f ? 25.0f : -25.0f), 820});
   EXPECT_TRUE(restarted());
   PixelInspector inspector;
   ASSERT_TRUE(rig.frames_until([&] {

@@ -11,6 +11,7 @@ namespace asos {
 namespace {
 
 constexpr float pixel_width_em = 24.0f;
+constexpr float least_width_em = 17.0f;   // of a panel beside a pixel near the middle
 constexpr float least_height_em = 14.0f;  // of a panel below the picture
 
 }  // namespace
@@ -20,12 +21,16 @@ PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture, glm::v
   const float gap = 0.5f * em;
   const float clear = 1.5f * em;  // around the pixel, so that one sees what is beside it
   const glm::vec2 lo = picture.lo + gap, hi = picture.lo + picture.size - gap;
-  PixelPlace place{PixelPlace::Side::left, lo, std::min(pixel_width_em * em, hi.x - lo.x),
-                   hi.y - lo.y};
+  const float width = std::min(pixel_width_em * em, hi.x - lo.x);
+  PixelPlace place{PixelPlace::Side::left, lo, width, hi.y - lo.y};
   const bool seen = pixel.x >= picture.lo.x && pixel.y >= picture.lo.y && pixel.x <= hi.x + gap &&
                     pixel.y <= hi.y + gap;
-  if (!seen || pixel.x > lo.x + place.width + clear) return place;
-  if (pixel.x < hi.x - place.width - clear) {
+  const float left = pixel.x - clear - lo.x, right = hi.x - clear - pixel.x;
+  if (!seen || left > width) return place;
+  if (std::max(left, right) > least_width_em * em) {
+    const bool at_left = right < width && left > right;
+    place.width = std::min(width, at_left ? left : right);
+    if (at_left) return place;
     place.side = PixelPlace::Side::right;
     place.lo.x = hi.x - place.width;
     return place;
