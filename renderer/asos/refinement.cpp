@@ -65,13 +65,14 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
                                                    static_cast<double>(found.highlights.radiance));
   };
   const bool shading = wide > 1.0 || found.all() > tolerance;
-  if (shading && sampled(price_of_splitting(sample, found, wide)))
+  const double leaf = leaf_price(sample);
+  if (shading && sampled(found.price_of_splitting(eye_->budget, wide, leaf, highlights_price())))
     return {Unevenness::shading, 0, true};
   LeafVerdict verdict;
   if (extended_lights_ && !shared) {
     const ShadowVerdict shadow = judge_shadows(sample, share, region);
     if (shadow.uneven) {
-      const double price = eye_->budget.leaves_of_uneven() * leaf_price(sample);
+      const double price = eye_->budget.leaves_of_uneven() * leaf;
       return {Unevenness::shadow, 0, sampled(price)};
     }
     verdict.note = shadow.note;
@@ -81,21 +82,6 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   }
   if (shading) verdict.uneven = Unevenness::shading;
   return verdict;
-}
-
-// Until all leaves are even, in samples. Each level quarters what is too much of errors and angles
-// squared, and leaves a sixteenth of what highlights' means are off by, which take four looks more
-// at each light.
-double Refinement::price_of_splitting(SampleId sample, const ShadingError& found,
-                                      double wide) const {
-  const auto tolerance = static_cast<double>(eye_->budget.tolerance);
-  const double leaf = leaf_price(sample), highlights = highlights_price();
-  if (!(wide > 1.0) && !(found.error > eye_->budget.tolerance))
-    return std::sqrt(static_cast<double>(found.all()) / tolerance) * (leaf + 5.0 * highlights);
-  constexpr double splits_much = 8.0;
-  const double excess = std::max(static_cast<double>(found.error) / tolerance, wide * wide);
-  return eye_->budget.leaves_of_uneven() *
-         std::max(leaf * std::min(1.0, excess / splits_much), highlights);
 }
 
 // What a leaf of the surface costs, in samples: those of mirrors are pyrays of their own.
@@ -143,8 +129,8 @@ Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double shar
   return {false, static_cast<std::uint32_t>(saturated_.size())};
 }
 
-Refinement::ShadingError Refinement::shading_error(SampleId sample, double share,
-                                                   const LeafRegion& region) const {
+ShadingError Refinement::shading_error(SampleId sample, double share,
+                                       const LeafRegion& region) const {
   const Hit& hit = samples_->hit(sample);
   const Ray& ray = samples_->ray(sample);
   const Patch patch = samples_->patch(sample, share);
@@ -208,8 +194,7 @@ bool Refinement::shows_highlight(std::uint32_t light, const GlossyPatch& glossy)
 
 // What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
 // reflection shows.
-Refinement::ShadingError Refinement::gloss_error(SampleId sample, double share,
-                                                 const Patch& patch) const {
+ShadingError Refinement::gloss_error(SampleId sample, double share, const Patch& patch) const {
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = samples_->hit(sample);
   // Textures make roughness less only.
@@ -334,23 +319,13 @@ bool Refinement::glints(SampleId sample, double share) const {
          eye_->budget.tolerance;
 }
 
-// Whether samples would tell more of a leaf than its own mean does, or its middle: of highlights,
-// which may be far brighter than white, a few are off by more than the mean is.
-bool Refinement::better_sampled(const ShadingError& found) const {
-  constexpr float of_few_samples = 0.044f;
-  const float usual = static_cast<float>(Budget::usual_contrast);
-  const float noise = of_few_samples * (usual + found.highlights.radiance);
-  return found.error > eye_->budget.tolerance ||
-         found.highlights.error > std::max(noise, eye_->budget.tolerance);
-}
-
 bool Refinement::uneven_at_last(SampleId sample, double share, const LeafRegion& region) const {
   const int max_level = eye_->budget.max_level;
   const float finest =
       std::ldexp(eye_->viewer.pixel, -max_level) / static_cast<float>(eye_->block.width);
   return max_level > 0 && eye_->budget.refines() && !region.marginal &&
          samples_->hit(sample).valid() && region.square.side < 1.5f * finest &&
-         (better_sampled(shading_error(sample, share, region)) ||
+         (shading_error(sample, share, region).better_sampled(eye_->budget) ||
           refracts_too_widely(sample, region));
 }
 

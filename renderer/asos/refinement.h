@@ -3,6 +3,7 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/normal_variation.h"
+#include "renderer/asos/shading_error.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/reflections/mirrored_pyray.h"
@@ -58,23 +59,13 @@ class Refinement {
   };
   [[nodiscard]] ShadowVerdict judge_shadows(SampleId sample, double share,
                                             const LeafRegion& region);
-  /// The error of the surface's shading by one sample, but for its boundaries and shadows.
-  struct ShadingError {
-    float error = 0.0f;  // but for
-    HighlightError highlights;
-
-    [[nodiscard]] float all() const { return error + highlights.error; }
-  };
   [[nodiscard]] ShadingError shading_error(SampleId sample, double share,
                                            const LeafRegion& region) const;
-  [[nodiscard]] bool better_sampled(const ShadingError& found) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] ShadingError gloss_error(SampleId sample, double share, const Patch& patch) const;
   [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;
   [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
-  [[nodiscard]] double price_of_splitting(SampleId sample, const ShadingError& found,
-                                          double wide) const;
   [[nodiscard]] double leaf_price(SampleId sample) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
