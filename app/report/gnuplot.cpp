@@ -122,6 +122,9 @@ std::string script_of(const CurvePlot& picture, const std::string& path) {
   if (picture.floor > 0.0)
     add(fmt::format("{:.9g} with lines dt 2 lw 1.2 lc rgb \"#606060\" title \"floor\"",
                     picture.floor));
+  if (picture.bias > 0.0)
+    add(fmt::format("{:.9g} with lines dt 4 lw 1.2 lc rgb \"#202020\" title {}", picture.bias,
+                    gnuplot_text(picture.bias_title)));
   const std::string pictures = fmt::format(
       "set terminal svg size 860,480 font \"DejaVu Sans,13\" background \"#ffffff\"\n"
       "set output {0}\nreplot\n"

@@ -7,6 +7,19 @@
 namespace asos {
 namespace {
 
+/// What is left of ASOS's error however long it takes, in words.
+std::string bias_text(const SceneStudy& study) {
+  if (!study.bias)
+    return fmt::format(
+        "<p>ASOS's own bias beside the rendering equation: under the floor of {} RMSE.</p>\n",
+        error_text(study.floor));
+  const OwnBias& bias = *study.bias;
+  return fmt::format("<p>ASOS's own bias beside the rendering equation: {} {} RMSE ({}{}).</p>\n",
+                     bias.levels_off ? "about" : "at most", error_text(bias.at_most),
+                     escaped(bias.setting),
+                     bias.levels_off ? "; twice and four times its time hardly help" : "");
+}
+
 std::string facts_text(const SceneReport& scene) {
   std::string text = fmt::format(
       "<p>{} triangles, {} lights, {:.1f} MB. Reference: {} samples a pixel, noise {} RMSE; errors "
@@ -17,6 +30,7 @@ std::string facts_text(const SceneReport& scene) {
       scene.quiet ? " The noise is at most a quarter of the smallest error."
                   : " The reference's budget ended before its noise was a quarter of the smallest "
                     "error.");
+  text += bias_text(scene.study);
   if (!scene.facts.left_out.empty()) {
     std::string items;
     for (const std::string& word : scene.facts.left_out)

@@ -34,6 +34,10 @@ PlotPoint plot_point(const StudyPoint& p, const Quantity& quantity) {
 
 CurvePlot plot_of(const SceneStudy& study, const Quantity& quantity) {
   CurvePlot plot{study.scene, quantity.title, {}, quantity.has_floor ? study.floor : 0.0};
+  if (quantity.has_floor && study.bias) {
+    plot.bias = study.bias->at_most;
+    plot.bias_title = study.bias->levels_off ? "ASOS's own bias" : "ASOS's own bias, at most";
+  }
   for (const StudyPoint& p : study.points) {
     auto curve = std::find_if(plot.curves.begin(), plot.curves.end(),
                               [&](const PlotCurve& c) { return c.name == p.rung.curve; });

@@ -58,6 +58,9 @@ json scene_json(const SceneReport& scene) {
            {"quiet_enough", scene.quiet}}},
          {"points", json::array()}};
   for (const StudyPoint& p : scene.study.points) j["points"].push_back(point_json(p));
+  if (const auto& bias = scene.study.bias)
+    j["asos_bias"] = {
+        {"at_most", bias->at_most}, {"levels_off", bias->levels_off}, {"setting", bias->setting}};
   return j;
 }
 

@@ -74,6 +74,17 @@ bool levels_off(const SceneStudy& study, const std::string& method) {
   return std::isfinite(before) && in_all > levelled_share * before;
 }
 
+std::optional<OwnBias> bias_of(const SceneStudy& study) {
+  const StudyPoint* best = nullptr;
+  for (const StudyPoint& p : study.points) {
+    if (p.rung.method == subject && (!best || p.measures.rmse < best->measures.rmse)) best = &p;
+  }
+  if (!best || best->under_floor) return std::nullopt;
+  const double rmse = best->measures.rmse;
+  return OwnBias{std::sqrt(std::max(0.0, rmse * rmse - study.noise * study.noise)),
+                 levels_off(study, subject), best->rung.setting};
+}
+
 /// A method's best settings, and whether more time would help it.
 struct Rival {
   std::vector<CurvePoint> front;
@@ -240,6 +251,7 @@ void analyse(SceneStudy& study) {
   study.equal_time.clear();
   study.slopes.clear();
   mark_best(study);
+  study.bias = bias_of(study);
   for (const std::string& method :
        names_in(study, [](const StudyPoint& p) { return p.rung.method; }))
     if (method != subject) compare(study, method);

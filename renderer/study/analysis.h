@@ -76,6 +76,14 @@ struct Slope {
   int points = 0;      ///< above the floor
 };
 
+/// What no time takes away of ASOS's error: its own bias, beside a reference that is the rendering
+/// equation. Known from above only, by the best of its settings, without the reference's noise.
+struct OwnBias {
+  double at_most = 0.0;     ///< RMSE
+  bool levels_off = false;  ///< more time hardly helped: about as much is bias
+  std::string setting;      ///< the best one
+};
+
 /// The results for one scene.
 struct SceneStudy {
   std::string scene;
@@ -85,6 +93,7 @@ struct SceneStudy {
   std::vector<EqualError> equal_error;
   std::vector<EqualTime> equal_time;
   std::vector<Slope> slopes;
+  std::optional<OwnBias> bias;  ///< nothing where all that is better known lies under the floor
 };
 
 /// The time that `rival` takes to reach the error of a point, at the best of its settings above the

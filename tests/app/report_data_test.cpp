@@ -1,8 +1,10 @@
 #include "app/report/report_data.h"
 
 #include "app/report/html_page.h"
+#include "app/report/plots.h"
 #include "app/report/subdivision_tables.h"
 #include "tests/app/run_asos.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +39,21 @@ StudyReport paper_report() {
   analyse(office.study);
   report.scenes.push_back(office);
   return report;
+}
+
+// The bias is a line across the plot of what it is a floor of, and of nothing else.
+TEST(Plots, ShowAsosOwnBias) {
+  const test::TemporaryFolder folder;
+  SceneReport scene = paper_report().scenes.front();
+  ASSERT_TRUE(scene.study.bias);
+  const auto plots = draw_plots(scene, folder.path().string(), "office");
+  ASSERT_TRUE(plots) << plots.error().message();
+  const std::string rmse = test::content_of(folder.path() / "office-rmse.gp");
+  EXPECT_TRUE(contains(rmse, "\n0.01 with lines dt 4")) << rmse;
+  EXPECT_TRUE(contains(rmse, "title \"ASOS's own bias, at most\""));
+  scene.study.bias.reset();
+  ASSERT_TRUE(draw_plots(scene, folder.path().string(), "office"));
+  EXPECT_FALSE(contains(test::content_of(folder.path() / "office-rmse.gp"), "bias"));
 }
 
 TEST(PaperRows, StandBesideThePublishedRatios) {

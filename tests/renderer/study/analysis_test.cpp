@@ -91,6 +91,26 @@ TEST(Analyse, PointsUnderTheFloorAreNotQuoted) {
   EXPECT_EQ(study.slopes[0].curve, "sobol");
 }
 
+// What is left of ASOS's error however long it takes, without the reference's own.
+TEST(Analyse, FindsAsosOwnBias) {
+  SceneStudy study;
+  study.points = {point("asos", "MAX 1", 1, 0.05), point("asos", "MAX 2", 2, 0.01),
+                  point("asos", "MAX 3", 4, 0.0051), point("asos", "MAX 4", 16, 0.005),
+                  point("sobol", "4 spp", 16, 0.001)};
+  study.noise = 0.001;
+  analyse(study);
+  ASSERT_TRUE(study.bias);
+  EXPECT_NEAR(study.bias->at_most, std::sqrt(24e-6), 1e-12);
+  EXPECT_EQ(study.bias->setting, "MAX 4");
+  EXPECT_TRUE(study.bias->levels_off) << "four times the time took 2 % of it";
+  study.points[3].measures.rmse = 0.0025;
+  analyse(study);
+  EXPECT_FALSE(study.bias->levels_off) << "half of it goes";
+  study.noise = 0.002;
+  analyse(study);
+  EXPECT_FALSE(study.bias) << "the best is under the floor of 0.004";
+}
+
 // No sampling goes below one sample: a rival that is better at its quickest costs that and no less.
 TEST(Analyse, ALossIsALoss) {
   SceneStudy study;
