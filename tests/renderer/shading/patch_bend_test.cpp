@@ -62,13 +62,20 @@ TEST(PatchBend, FindsThePointsOfABall) {
   }
 }
 
+/// A level square, seen from above.
+struct FlatPatch {
+  FlatPatch() {
+    middle.geometric_normal = middle.shading_normal = {0, 0, 1};
+    view.patch = {{0.1f, 0, 0}, {0, 0.1f, 0}};
+  }
+  SurfacePoint middle;
+  ViewedPoint view{middle, {0, 0, 1}, 1.0f};
+};
+
 // A flat patch under a light far away looks the same all over; one whose normals turn does not, the
 // more so the narrower its lobe is, and one that is wider than the highlight is left to the lobe.
 TEST(PatchBend, IsToldByTheLobe) {
-  SurfacePoint middle;
-  middle.geometric_normal = middle.shading_normal = {0, 0, 1};
-  ViewedPoint view = viewed_point(middle, {0, 0, 1});
-  view.patch = {{0.1f, 0, 0}, {0, 0.1f, 0}};
+  const FlatPatch flat;
   PreparedLight sun;
   sun.shape = PreparedLight::Shape::sun;
   const auto error = [&](float turn, float roughness, float half_angle_tangent,
@@ -78,7 +85,7 @@ TEST(PatchBend, IsToldByTheLobe) {
     ViewedMaterial material{};
     material.roughness = roughness;
     const Highlight highlight{direction, half_angle_tangent};
-    return bend.error_of_middle(view, material, sun, highlight);
+    return bend.error_of_middle(flat.view, material, sun, highlight);
   };
   EXPECT_EQ(error(0.0f, 0.3f, 0.1f), 0.0f);
   // turn^2 / (6 alpha^2), as the nearest of its normals has the half vector.
@@ -93,15 +100,12 @@ TEST(PatchBend, IsToldByTheLobe) {
 
 // What turns about the normal takes the lobe with it.
 TEST(PatchBend, TurnsTheStretch) {
-  SurfacePoint middle;
-  middle.geometric_normal = middle.shading_normal = {0, 0, 1};
-  ViewedPoint view = viewed_point(middle, {0, 0, 1});
-  view.patch = {{0.1f, 0, 0}, {0, 0.1f, 0}};
+  const FlatPatch flat;
   PatchBend bend;
   bend.stretch_turn = {0.6f, 0.0f};
   ViewedMaterial material{};
   material.stretch.along = {0.5f, 0, 0};
-  const auto points = bend.points(view, material);
+  const auto points = bend.points(flat.view, material);
   const float angle = 0.6f * 0.5f / std::sqrt(3.0f);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::vec3 along = points[i].material.stretch.along;
