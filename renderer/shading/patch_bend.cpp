@@ -9,6 +9,16 @@
 
 namespace asos {
 
+PatchBend PatchBend::at(const World& world, const Hit& hit, const ViewedPoint& view,
+                        const ViewedMaterial& material, float negligible) {
+  const glm::vec3 normal = view.point.shading_normal;
+  PatchBend bend{normal_turn(world, hit, view.patch, normal)};
+  if (!material.stretch.none()) bend.stretch_turn = tangent_turn(world, hit, view.patch, normal);
+  bend.rounded = world.is_face(hit.triangle);
+  bend.negligible = negligible;
+  return bend;
+}
+
 float PatchBend::error_of_middle(const ViewedPoint& view, const ViewedMaterial& material,
                                  const PreparedLight& light, const Highlight& highlight) const {
   const bool distant = light.shape == PreparedLight::Shape::sun;

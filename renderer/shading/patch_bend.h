@@ -21,6 +21,10 @@ struct PatchBend {
   bool rounded = false;          ///< the surface itself bends as its normals do
   float negligible = 0.0f;       ///< radiance by which the middle may differ from the mean
 
+  /// That of the patch of `view`, where `hit` is its middle.
+  [[nodiscard]] static PatchBend at(const World& world, const Hit& hit, const ViewedPoint& view,
+                                    const ViewedMaterial& material, float negligible);
+
   /// The patch's squared width, in those of a highlight, up to which so few points tell its mean
   /// better than a lobe that is widened.
   static constexpr float most_bent = 3.0f;

@@ -260,14 +260,10 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
   std::optional<PatchBend> bend;
-  if (viewed_ray.side > 0.0f && sums_patches_) {
-    const Hit& hit = layer.hit;
-    bend = {normal_turn(world_, hit, view.patch, point.shading_normal)};
-    if (!seen.stretch.none())
-      bend->stretch_turn = tangent_turn(world_, hit, view.patch, point.shading_normal);
-    bend->rounded = world_.is_face(hit.triangle);
-    bend->negligible = settings_.bend / (viewed_ray.throughput * viewed_ray.side * viewed_ray.side);
-  }
+  if (viewed_ray.side > 0.0f && sums_patches_)
+    bend =
+        PatchBend::at(world_, layer.hit, view, seen,
+                      settings_.bend / (viewed_ray.throughput * viewed_ray.side * viewed_ray.side));
   ReflectedLights reflected(lit_point, bend);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];
