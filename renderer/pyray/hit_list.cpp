@@ -20,9 +20,10 @@ constexpr double finest_curve = 1.0 / 4096.0;
 // that it is marginal anyway.
 constexpr std::size_t few_entries = 4;
 constexpr std::size_t many_entries = 16;
-// With so many nodes in front of the surface that a sample met, the cell is saturated with
-// boundaries, whatever smaller ones they hold.
+// With so many nodes, or segments, in front of the surface that a sample met, the cell is saturated
+// with boundaries, whatever else there is.
 constexpr std::size_t most_nodes_in_front = 64;
+constexpr std::size_t most_segments_in_front = 256;
 // Segments are cut this far outside the root square, so that they are straight through its border.
 constexpr double margin = 1.0 / 16.0;
 // An edge smaller than this in the square, however it is turned, may be a point in float32. It
@@ -116,8 +117,8 @@ void HitLists::add_boundary(glm::vec2 p, glm::vec2 q) {
 void HitLists::refine(const Square& cell, const HidingPlane& hiding,
                       std::span<const std::uint32_t> parent, List& list, bool seen) {
   list.clear();
-  nodes_in_view_ = 0;
-  most_nodes_in_view_ = seen ? most_nodes_in_front : std::numeric_limits<std::size_t>::max();
+  in_view_ = {};
+  stops_when_saturated_ = seen;
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
   // Few entries are left: open nodes, for their contents decide.
@@ -139,17 +140,19 @@ void HitLists::refine(const Square& cell, const HidingPlane& hiding,
 void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list) {
   const HitEntry e = entries_[i];
   if (!e.meets(cell)) return;
-  if (e.is_segment()) {
-    if (!clip(segments_[e.ref], cell).empty()) list.push_back(i);
-    return;
-  }
+  if (e.is_segment() && clip(segments_[e.ref], cell).empty()) return;
   const bool is_hidden = hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),
                                       std::min(e.u1, cell.u + cell.side),
                                       std::min(e.v1, cell.v + cell.side), e.nearness);
+  if (e.is_segment()) {
+    in_view_.segments += !is_hidden;
+    list.push_back(i);
+    return;
+  }
   const float size = e.extent();
-  if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ ||
-      nodes_in_view_ >= most_nodes_in_view_ || exhausted()) {
-    nodes_in_view_ += !is_hidden;
+  if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ || saturated() ||
+      exhausted()) {
+    in_view_.nodes += !is_hidden;
     list.push_back(i);
     return;
   }
@@ -226,6 +229,11 @@ bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hi
       return false;
   }
   return true;
+}
+
+bool HitLists::saturated() const {
+  return stops_when_saturated_ &&
+         (in_view_.nodes >= most_nodes_in_front || in_view_.segments >= most_segments_in_front);
 }
 
 void HitLists::open(std::uint32_t i) {

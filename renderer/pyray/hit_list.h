@@ -105,6 +105,7 @@ class HitLists {
 
  private:
   void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
+  [[nodiscard]] bool saturated() const;
   void open(std::uint32_t i);
   void open_node(const FeatureNode& node, unsigned children);
   void open_leaf(std::uint32_t i);
@@ -121,8 +122,13 @@ class HitLists {
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;
-  std::size_t nodes_in_view_ = 0;  // unopened nodes of the list being refined that may be seen
-  std::size_t most_nodes_in_view_ = 0;
+  // Of the list being refined, what may be seen: unopened nodes, and segments.
+  struct InView {
+    std::size_t nodes = 0;
+    std::size_t segments = 0;
+  };
+  InView in_view_;
+  bool stops_when_saturated_ = false;
   float squares_a_unit_ =
       1.0f;  // length in the square of a world unit across the view, at nearness 1
   std::vector<HitEntry> entries_;

@@ -104,6 +104,38 @@ TEST(HitLists, ChildrenNeedOnlyTheirParentsList) {
   }
 }
 
+// What is in front of the surface that a sample met, wherever it is: open edges that cross all of
+// the square, as those of thousands of points that are as wide as a pixel.
+TEST(HitLists, ASaturatedCellKeepsTheRestClosedForItsQuarters) {
+  PolygonScene scene;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  const auto corner = [&] {
+    return at_depth(2.0 * unit(random) - 0.5, 2.0 * unit(random) - 0.5, 4.0);
+  };
+  for (int i = 0; i < 4000; ++i) scene.add({corner(), corner(), corner()});
+  const FeatureSet features(scene.world);
+  const std::set<std::uint32_t> truth = edges_in_square(features, unit_frame());
+  ASSERT_GT(truth.size(), 5000u);
+  const Square square{0, 0, 1};
+  HitLists lists;
+  HitLists::List all, list;
+  lists.reset(features, unit_frame(), 0.0f);
+  lists.refine(square, {}, lists.root(), all);
+  EXPECT_EQ(all.size(), truth.size()) << "no surface is known, so that any of them may be hidden";
+
+  lists.reset(features, unit_frame(), 0.0f);
+  lists.refine(square, {}, lists.root(), list, true);
+  EXPECT_GT(list.size(), 256u);
+  EXPECT_LT(list.size(), 400u);
+  // What was left closed holds all the others.
+  HitLists::List resolved;
+  for (const std::uint32_t i : list) ASSERT_TRUE(lists.resolve(i, square, 0.0f, 20000, resolved));
+  std::set<std::uint32_t> found;
+  for (const std::uint32_t i : resolved) found.insert(lists.segment(i).edge);
+  for (const std::uint32_t e : truth) EXPECT_TRUE(found.contains(e)) << e;
+}
+
 TEST(HitLists, AClosedSmoothMeshOutOfSilhouetteIsDroppedNearTheRoot) {
   // A finely divided dome that fills the square and faces the apex: thousands of candidates, none
   // of them an outline, and the search looks at a few nodes only.
