@@ -138,7 +138,9 @@ void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& ne
 }  // namespace
 
 TexelKind base_color_kind(const Material& material) {
-  return material.alpha_mode == AlphaMode::opaque ? TexelKind::color : TexelKind::cover;
+  const bool covers_all = material.alpha_mode == AlphaMode::opaque ||
+                          (material.alpha_mode == AlphaMode::mask && material.alpha_cutoff <= 0.0f);
+  return covers_all ? TexelKind::color : TexelKind::cover;
 }
 
 MipChain make_mip_chain(const Image& image, TexelKind kind) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace asos {
 namespace {
@@ -275,9 +276,17 @@ SurfacePoint coat_point(const World& world, const SceneNeeds& needs, const Hit& 
 SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit,
                                  const Footprint& footprint, const MipChains* mips) {
   const Material& material = world.material_of(hit.triangle);
+  const bool tinted = needs.vertex_colors && !world.colors.empty();
+  const glm::vec4 tint =
+      tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
+  // The texture's alpha from which on a mask shows its colours.
+  std::optional<float> seen_from;
+  if (material.alpha_mode == AlphaMode::mask)
+    seen_from = material.alpha_cutoff / (material.base_color.a * tint.a);
   const auto sample = [&](const TextureUse& use, TexelKind kind) {
     if (mips)
-      return filtered_texture(world, *mips, use, kind, {hit.triangle, hit.b1, hit.b2, footprint});
+      return filtered_texture(world, *mips, use, {kind, seen_from},
+                              {hit.triangle, hit.b1, hit.b2, footprint});
     return sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
                           kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
   };
@@ -293,8 +302,7 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
     }
     base *= texel;
   }
-  if (needs.vertex_colors && !world.colors.empty())
-    base *= vertex_color(world, hit.triangle, hit.b1, hit.b2);
+  if (tinted) base *= tint;
 
   return material_with(material, needs, base, sample);
 }
@@ -302,13 +310,23 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
 void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
                      const Footprint& square, std::span<const SharedShape> parts,
                      const MipChains& mips, SurfaceMaterial& material) {
+  // What blends counts by how much it covers.
+  const bool blends = world.material_of(hit.triangle).alpha_mode == AlphaMode::blend;
   glm::vec3 color(0.0f), emission(0.0f);
+  float opacity = 0.0f;
   for (const SharedShape& part : parts) {
     Footprint footprint = shaped(square, part.shape);
     footprint.side *= std::sqrt(part.share);
     const SurfaceMaterial own = surface_material(world, needs, hit, footprint, &mips);
-    color += part.share * own.base_color;
-    emission += part.share * own.emission;
+    const float share = part.share * (blends ? own.opacity : 1.0f);
+    color += share * own.base_color;
+    emission += share * own.emission;
+    opacity += share;
+  }
+  if (blends) {
+    material.opacity = opacity;
+    if (!(opacity > 0.0f)) return;
+    color /= opacity, emission /= opacity;
   }
   material.base_color = color;
   material.emission = emission;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace asos {
@@ -152,6 +153,37 @@ LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse
                   TexelBudget::of(place.footprint.side));
 }
 
+/// A level of colours, each times what is seen of it, which comes last.
+template <typename Level>
+struct Premultiplied {
+  const Level& level;
+  std::optional<float> cutoff;
+  int width = level.width;
+  int height = level.height;
+
+  [[nodiscard]] glm::vec4 at(int x, int y) const {
+    const glm::vec4 texel = level.at(x, y);
+    const float seen = cutoff ? (texel.a >= *cutoff ? 1.0f : 0.0f) : texel.a;
+    return {seen * glm::vec3(texel), seen};
+  }
+};
+
+/// The mean of a level's texels; where alpha blends or cuts, the colour is that of what is seen,
+/// for the rest has a colour, too.
+template <typename Level>
+glm::vec4 mean_of(const Level& level, const TexelUse& texels, glm::vec2 uv, const TexelPatch& patch,
+                  TexelShape shape, const Texture& texture) {
+  if (texels.kind == TexelKind::cover) {
+    const glm::vec4 seen =
+        mean_of(Premultiplied<Level>{level, texels.cutoff}, uv, patch, shape, texture);
+    if (seen.a > 0.0f) {
+      const float alpha = texels.cutoff ? mean_of(level, uv, patch, shape, texture).a : seen.a;
+      return {glm::vec3(seen) / seen.a, alpha};
+    }
+  }
+  return mean_of(level, uv, patch, shape, texture);
+}
+
 /// A level of normals as moments: the mean and, last, the mean square, so that they may be mixed.
 struct Moments {
   const MipLevel& level;
@@ -188,16 +220,18 @@ const MipChain& chain_of(const World& world, const MipChains& mips, const Textur
 }  // namespace
 
 glm::vec4 filtered_texture(const World& world, const MipChains& mips, const TextureUse& use,
-                           TexelKind kind, const TexturePlace& place) {
-  const Encoding encoding = kind == TexelKind::data ? Encoding::linear : Encoding::srgb;
+                           const TexelUse& texels, const TexturePlace& place) {
+  const Encoding encoding = texels.kind == TexelKind::data ? Encoding::linear : Encoding::srgb;
   const glm::vec2 uv = lookup_uv(world, use, place);
-  const MipChain& chain = chain_of(world, mips, use, kind);
+  const MipChain& chain = chain_of(world, mips, use, texels.kind);
   const LevelPatch found = patch_for(world, chain, use, place);
   if (found.point()) return sample_texture(world, use.texture, uv, encoding);
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
   const TexelShape shape = shape_of(texture, found.level);
-  if (found.level > 0) return mean_of(chain[found.level - 1], uv, found.patch, shape, texture);
-  return mean_of(Texels(*image_of(world, use.texture), encoding), uv, found.patch, shape, texture);
+  if (found.level > 0)
+    return mean_of(chain[found.level - 1], texels, uv, found.patch, shape, texture);
+  const Texels finest(*image_of(world, use.texture), encoding);
+  return mean_of(finest, texels, uv, found.patch, shape, texture);
 }
 
 MeanNormal filtered_normal(const World& world, const MipChains& mips, const TextureUse& use,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 // Textures averaged over the footprint of what a sample stands for: the integral over a
 // parallelogram (TexelWindow), in a level of a mip chain that is much finer.
@@ -36,11 +37,19 @@ struct TexelBudget {
 /// Sides, in texels, up to which a footprint is a point.
 inline constexpr float least_footprint = 0.25f;
 
-/// A texture's mean over the footprint, in linear light. `sample_texture`'s value to the last bit
+/// What texels mean where they are looked up.
+struct TexelUse {
+  TexelKind kind = TexelKind::color;
+  /// Of colours that alpha cuts: the alpha from which on they are seen. Nothing: alpha blends them.
+  std::optional<float> cutoff = std::nullopt;
+};
+
+/// A texture's mean over the footprint, in linear light; of colours that alpha blends or cuts, that
+/// of what is seen, or of all where nothing is. `sample_texture`'s value to the last bit
 /// where the footprint is a point, is no larger than least_footprint, or is not finite; as point
 /// samples from there on where `mips` lacks the chain.
 [[nodiscard]] glm::vec4 filtered_texture(const World& world, const MipChains& mips,
-                                         const TextureUse& use, TexelKind kind,
+                                         const TextureUse& use, const TexelUse& texels,
                                          const TexturePlace& place);
 
 /// A normal map's mean, as unsigned as its texels and of any length, and the variance about it that

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace asos {
@@ -24,8 +25,10 @@ struct Textured {
   MipChains mips;
   TextureUse use;
 
-  explicit Textured(Image image, Wrap wrap = Wrap::repeat, Filter filter = Filter::linear) {
+  explicit Textured(Image image, Wrap wrap = Wrap::repeat, Filter filter = Filter::linear,
+                    AlphaMode alpha = AlphaMode::opaque) {
     Material m = test::matte(glm::vec3(1));
+    m.alpha_mode = alpha;
     use.texture = test::add_texture(world, std::move(image), wrap, filter);
     m.base_color_texture = m.metallic_roughness_texture = m.normal_texture = use;
     test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, m);
@@ -34,7 +37,7 @@ struct Textured {
 
   [[nodiscard]] glm::vec4 look(TexelKind kind, glm::vec2 uv, glm::vec2 right,
                                glm::vec2 down) const {
-    return filtered_texture(world, mips, use, kind, {0, uv.x, uv.y, {right, down}});
+    return filtered_texture(world, mips, use, {kind}, {0, uv.x, uv.y, {right, down}});
   }
 };
 
@@ -206,6 +209,34 @@ TEST(TextureFilter, MeansCrossBordersAsTheSamplerWraps) {
   EXPECT_NEAR(at_border(Wrap::repeat), 0.5f, 1e-4f);
   EXPECT_NEAR(at_border(Wrap::mirrored_repeat), 0.0f, 1e-4f);
   EXPECT_NEAR(at_border(Wrap::clamp_to_edge), 0.0f, 1e-4f);
+}
+
+// Columns of red that covers, green that covers by 0.4, and blue that does not, a whole period of
+// them.
+TEST(TextureFilter, ColoursThatAlphaBlendsOrCutsCountByWhatIsSeenOfThem) {
+  const Image columns = make_image(64, 64, [](int x, int) {
+    constexpr Texel red{255, 0, 0, 255}, green{0, 255, 0, 102}, blue{0, 0, 255, 0};
+    return x / 8 % 4 == 1 ? green : x / 8 % 4 == 2 ? blue : red;
+  });
+  const auto look = [&](const Textured& t, TexelKind kind, std::optional<float> cutoff,
+                        float height) {
+    return filtered_texture(t.world, t.mips, t.use, {kind, cutoff},
+                            {0, 0.31f, 0.4f, {{0.5f, 0.0f}, {0.0f, height}}});
+  };
+  const auto expect = [](glm::vec4 got, glm::vec4 truth, const char* what) {
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(got[k], truth[k], 0.02f) << what << " " << k;
+  };
+  const Textured blend(columns, Wrap::repeat, Filter::linear, AlphaMode::blend);
+  const Textured mask(columns, Wrap::repeat, Filter::linear, AlphaMode::mask);
+  const Textured opaque(columns);
+  // In a coarser level, and in the texels themselves.
+  for (const float height : {0.5f, 0.06f}) {
+    expect(look(blend, TexelKind::cover, {}, height), {2.0f / 2.4f, 0.4f / 2.4f, 0, 0.6f}, "blend");
+    expect(look(mask, TexelKind::cover, 0.3f, height), {2.0f / 3.0f, 1.0f / 3.0f, 0, 0.6f}, "mask");
+    expect(look(mask, TexelKind::cover, 0.5f, height), {1, 0, 0, 0.6f}, "half");
+    expect(look(mask, TexelKind::cover, 2.0f, height), {0.5f, 0.25f, 0.25f, 0.6f}, "none");
+    expect(look(opaque, TexelKind::color, {}, height), {0.5f, 0.25f, 0.25f, 0.6f}, "opaque");
+  }
 }
 
 TEST(TextureFilter, AnyFootprintIsSafe) {
