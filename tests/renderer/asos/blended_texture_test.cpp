@@ -1,0 +1,74 @@
+#include "tests/support/render_picture.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+namespace asos::test::blended_texture_test {
+namespace {
+
+constexpr int side = 24;
+
+/// White labels of 13 texels on what is black and does not cover; a few texels of them by 0.4.
+Image labels() {
+  return make_image(128, 128, [](int x, int y) {
+    const bool label = x % 32 < 13 && y % 32 < 13;
+    const std::uint8_t c = label ? 255 : 0;
+    return Texel{c, c, c, static_cast<std::uint8_t>(label ? (x % 32 < 3 ? 102 : 255) : 0)};
+  });
+}
+
+/// A sheet of labels before a grey wall; a pixel is 11 texels wide.
+std::shared_ptr<const RenderScene> sheet(AlphaMode mode, float cutoff) {
+  World world;
+  add_quad(world, {-2, -2, -1}, {4, 0, 0}, {0, 4, 0}, unlit(glm::vec3(0.5f)));
+  Material m = unlit(glm::vec3(1));
+  m.alpha_mode = mode;
+  m.alpha_cutoff = cutoff;
+  m.double_sided = true;
+  m.base_color_texture.texture = add_texture(world, labels(), Wrap::repeat, Filter::linear);
+  add_quad(world, {-2, -2, 0}, {4, 0.3f, 0}, {-0.2f, 4, 0}, m);
+  for (glm::vec2& uv : world.texcoords[0]) uv *= 4.1f;
+  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
+  Lighting lighting = prepare_lighting(geometry->world, {});
+  return unedited_scene(std::move(geometry), std::move(lighting));
+}
+
+double rmse(const Film& a, const Film& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+    const glm::vec3 d = a.radiance[i] - b.radiance[i];
+    sum += static_cast<double>(glm::dot(d, d)) / 3.0;
+  }
+  return std::sqrt(sum / static_cast<double>(a.radiance.size()));
+}
+
+double error_of_asos(AlphaMode mode, float cutoff) {
+  const auto scene = sheet(mode, cutoff);
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  const Film asos = render_picture(*scene, orthographic(2.0), settings).film;
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  const Film truth = render_picture(*scene, orthographic(2.0), settings).film;
+  return rmse(asos, truth);
+}
+
+// Black that covers nothing darkens nothing. It was 0.09 while colours were averaged apart from alpha.
+TEST(BlendedTexture, LabelsAreAsBrightAsSamplesFindThem) {
+  EXPECT_LT(error_of_asos(AlphaMode::blend, 0.5f), 0.001);
+}
+
+TEST(BlendedTexture, SoAreThoseThatAreCutOut) {
+  for (const float cutoff : {0.2f, 0.5f})
+    EXPECT_LT(error_of_asos(AlphaMode::mask, cutoff), 0.001) << cutoff;
+}
+
+}  // namespace
+}  // namespace asos::test::blended_texture_test
