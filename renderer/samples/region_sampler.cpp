@@ -1,6 +1,7 @@
 #include "renderer/samples/region_sampler.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace asos {
@@ -24,6 +25,23 @@ std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
   return number * count;
 }
 
+/// How many times larger than a region the rectangle around it is, which its samples are spread
+/// over: a power of two. Of those of a thin one few count, and few tell nothing of themselves.
+std::uint32_t times_larger_around(const LeafRegion& region) {
+  constexpr float most = 16.0f;
+  const Bounds2 bounds = bounds_of(region);
+  const glm::vec2 size = bounds.hi - bounds.lo;
+  float twice_area = 0.0f;
+  region.for_each_edge([&](const BorderEdge& edge) {
+    const glm::vec2 from = edge.from - bounds.lo, to = edge.to - bounds.lo;
+    twice_area += from.x * to.y - from.y * to.x;
+  });
+  // To the nearest power of two, or so.
+  const float times = 1.5f * 2.0f * size.x * size.y / std::abs(twice_area);
+  return times < most ? std::bit_floor(static_cast<std::uint32_t>(std::max(1.0f, times)))
+                      : static_cast<std::uint32_t>(most);
+}
+
 }  // namespace
 
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
@@ -42,7 +60,10 @@ std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
   waiting.edges = region.border.size();
   borders_.insert(borders_.end(), region.border.begin(), region.border.end());
   waiting.goal = goal;
-  waiting.per_sum = std::max(1u, goal.least / 4);
+  const std::uint32_t times = times_larger_around(region);
+  waiting.goal.least *= times;
+  waiting.goal.most *= times;
+  waiting.per_sum = std::max(1u, waiting.goal.least / 4);
   return waiting_.size() - 1;
 }
 

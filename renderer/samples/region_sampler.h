@@ -27,7 +27,7 @@ class RegionSampler {
   /// How far to go.
   struct Goal {
     double standard_error = 0.0;  ///< of the mean, in display intensity; negative: take `most`
-    std::uint32_t most = 16;      ///< samples; a power of two, at least 16
+    std::uint32_t most = 16;      ///< samples in the region, about; a power of two, at least 16
     std::uint32_t least = 16;     ///< the same, at most `most`: so few tell nothing of themselves
   };
   struct Estimate {

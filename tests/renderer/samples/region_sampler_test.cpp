@@ -87,6 +87,25 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
   EXPECT_EQ(found.samples, 256u);
 }
 
+// What is thin fills little of the rectangle around it, which the samples are spread over.
+TEST_F(TwoColours, AsManyCountInAThinRegionAsInASquare) {
+  // A strip from corner to corner of a red pixel, an eleventh of its area.
+  const Square pixel{1.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
+  const auto at = [&](float u, float v) {
+    return glm::vec2(pixel.u, pixel.v) + pixel.side * glm::vec2(u, v);
+  };
+  const std::array<BorderEdge, 4> sides = {BorderEdge{at(0, 0), at(0.1f, 0)},
+                                           {at(0.1f, 0), at(1, 1)},
+                                           {at(1, 1), at(0.9f, 1)},
+                                           {at(0.9f, 1), at(0, 0)}};
+  const auto all = sample({pixel, sides}, {-1.0, 256});
+  EXPECT_GT(all.samples, 128u);
+  EXPECT_LT(all.samples, 512u);
+  const auto even = sample({pixel, sides}, {1e-3, 256});
+  EXPECT_GT(even.samples, 8u) << "a few that agree are no answer";
+  EXPECT_LT(even.samples, 32u);
+}
+
 TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
   const RegionSampler::Goal goal{-1.0, 64};
