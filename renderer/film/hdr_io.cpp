@@ -24,10 +24,11 @@ namespace {
 constexpr std::uint64_t most_bytes = std::uint64_t{300} << 20;
 constexpr std::size_t longest_header = std::size_t{1} << 16;
 constexpr std::int64_t longest_side = 1 << 20;
+// As many are read from files of any size, however well they pack.
+constexpr std::size_t free_pixels = std::size_t{1} << 25;
 // Widths whose rows may be packed channel by channel (Ward, "Real Pixels", and Radiance's color.c).
 constexpr std::size_t narrowest_packed = 8, widest_packed = 0x7fff;
 
-using Rgbe = std::array<std::uint8_t, 4>;
 using Bytes = std::span<const std::uint8_t>;
 template <typename T>
 using Checked = tl::expected<T, std::string>;
@@ -154,12 +155,6 @@ class Rows {
   Bytes bytes_;
 };
 
-glm::vec3 radiance_of(const Rgbe& pixel) {
-  if (pixel[3] == 0) return glm::vec3(0.0f);
-  const float unit = std::ldexp(1.0f, pixel[3] - (128 + 8));
-  return unit * glm::vec3(pixel[0], pixel[1], pixel[2]);
-}
-
 Checked<HdrImage> read(Bytes file, const SizeCheck& check) {
   const Checked<Header> header = read_header(file);
   if (!header) return fault(header.error());
@@ -174,12 +169,19 @@ Checked<HdrImage> read(Bytes file, const SizeCheck& check) {
   HdrImage image;
   image.width = static_cast<int>(header->width);
   image.height = static_cast<int>(header->height);
+  const auto width = static_cast<std::size_t>(header->width);
+  const std::size_t pixels = width * static_cast<std::size_t>(header->height);
+  if (pixels > std::max(free_pixels, file.size()))
+    return fault(
+        fmt::format("has {} x {} pixels in {} bytes; where there are more than {}, each "
+                    "takes a byte at least",
+                    header->width, header->height, file.size(), free_pixels));
   Rows rows(header->pixels);
-  std::vector<Rgbe> row(static_cast<std::size_t>(header->width));
+  image.pixels.resize(pixels);
   for (std::int64_t y = 0; y < header->height; ++y) {
+    const auto row = std::span(image.pixels).subspan(static_cast<std::size_t>(y) * width, width);
     if (!rows.next(row))
       return fault(fmt::format("its picture cannot be read: row {} is damaged or missing", y));
-    std::transform(row.begin(), row.end(), std::back_inserter(image.radiance), radiance_of);
   }
   return image;
 }

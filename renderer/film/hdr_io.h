@@ -1,25 +1,25 @@
 #pragma once
 
+#include "renderer/film/rgbe.h"
 #include "renderer/film/size_check.h"
 #include "renderer/result.h"
-
-#include <glm/glm.hpp>
 
 #include <string>
 #include <vector>
 
 namespace asos {
 
-/// Linear radiance, rows from top to bottom.
+/// Rows from top to bottom, as they are in the file: a third of the memory of their radiance.
 struct HdrImage {
   int width = 0;
   int height = 0;
-  std::vector<glm::vec3> radiance;
+  std::vector<Rgbe> pixels;
 };
 
 /// A Radiance picture (.hdr, .pic; RGBE, packed or not) whose rows run from top to bottom. `check`
 /// is asked before anything of the picture's size is made. Errors name the file: what is none, has
-/// another order of rows, ends too early, or has runs that do not fit their row.
+/// another order of rows, ends too early, has runs that do not fit their row, or so many pixels in
+/// so few bytes that their memory would be out of proportion.
 [[nodiscard]] Result<HdrImage> read_hdr(const std::string& path, const SizeCheck& check = {});
 
 }  // namespace asos

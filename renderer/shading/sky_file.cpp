@@ -19,7 +19,7 @@ constexpr float most_radiance = 1e15f;
 struct SkyPicture {
   int width = 0;
   int height = 0;
-  std::vector<glm::vec3> texels;
+  SkyTexels texels;
 };
 
 std::string size_fault(std::int64_t width, std::int64_t height) {
@@ -33,7 +33,7 @@ std::string size_fault(std::int64_t width, std::int64_t height) {
 
 Result<SkyPicture> read_hdr_sky(const std::string& path) {
   return read_hdr(path, size_fault).map([](HdrImage image) {
-    return SkyPicture{image.width, image.height, std::move(image.radiance)};
+    return SkyPicture{image.width, image.height, std::move(image.pixels)};
   });
 }
 
@@ -45,7 +45,8 @@ Result<SkyPicture> read_exr_sky(const std::string& path) {
 
 Result<void> check_texels(const std::string& path, const SkyPicture& picture) {
   std::size_t infinite = 0, negative = 0, blinding = 0;
-  for (const glm::vec3& c : picture.texels) {
+  for (std::size_t i = 0; i < picture.texels.size(); ++i) {
+    const glm::vec3 c = picture.texels[i];
     if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) {
       ++infinite;
     } else if (c.x < 0.0f || c.y < 0.0f || c.z < 0.0f) {

@@ -16,6 +16,9 @@ constexpr double pi = std::numbers::pi;
 /// The irradiance is found from texels of some 3 degrees, and kept for normals 6 degrees apart.
 constexpr int irradiance_source_rows = 64;
 constexpr int irradiance_rows = 32;
+/// A picture of so many texels has the second level made where it is looked at, which would take
+/// two thirds of its radiance's memory again.
+constexpr std::size_t large_picture = std::size_t{1} << 23;
 /// Directions are taken by texels of half a degree.
 constexpr int distribution_rows = 360;
 
@@ -26,7 +29,6 @@ SkyRows empty_rows(int rows, const ColumnsOf& columns_of) {
   level.start.push_back(0);
   for (int r = 0; r < rows; ++r)
     level.start.push_back(level.start.back() + static_cast<std::uint32_t>(columns_of(r)));
-  level.texels.reserve(level.start.back());
   return level;
 }
 
@@ -38,17 +40,20 @@ SkyRows reduced_rows(int rows, int most_columns) {
   });
 }
 
-/// The sum, over u from `lo` to `hi` turns, of a row.
-glm::dvec3 row_integral(const SkyRows& level, int row, double lo, double hi) {
-  const int n = level.columns(row);
-  const glm::vec3* texels = level.texels.data() + level.start[static_cast<std::size_t>(row)];
+/// The sum, over u from `lo` to `hi` turns, of a row of `n` texels.
+template <typename Texel>
+glm::dvec3 row_integral(int n, double lo, double hi, const Texel& texel) {
   const double from = lo * n, to = hi * n;
   const int last = std::min(n, static_cast<int>(std::ceil(to)));
   glm::dvec3 sum(0.0);
   for (int i = static_cast<int>(from); i < last; ++i)
     sum += std::max(0.0, std::min(to, i + 1.0) - std::max(from, static_cast<double>(i))) *
-           glm::dvec3(texels[i]);
+           glm::dvec3(texel(i));
   return sum / static_cast<double>(n);
+}
+
+glm::dvec3 row_integral(const SkyRows& level, int row, double lo, double hi) {
+  return row_integral(level.columns(row), lo, hi, [&](int i) { return level.texel(row, i); });
 }
 
 void find_poles(SkyRows& level) {
@@ -56,9 +61,39 @@ void find_poles(SkyRows& level) {
   level.nadir = row_integral(level, level.rows() - 1, 0.0, 1.0);
 }
 
-/// Fills `coarse` with means of `fine` by solid angle.
-void fill_with_means(const SkyRows& fine, SkyRows& coarse) {
+/// A texel of the rows that are as many as the picture's: the mean of those that it covers.
+glm::vec3 mean_in_row(const SkyRows& picture, int row, int column, int columns) {
+  const double lo = static_cast<double>(column) / columns;
+  const double hi = static_cast<double>(column + 1) / columns;
+  return row_integral(picture, row, lo, hi) / (hi - lo);
+}
+
+/// Whether a row of so many columns is made where it is looked at, and not kept.
+bool is_made_anew(int columns, int picture_columns) {
+  constexpr int most_covered = 8;
+  return most_covered * columns >= picture_columns;
+}
+
+/// The rows of a large picture's second level that are kept, which are those near the poles: the
+/// others have no texels.
+SkyRows polar_rows(const SkyRows& picture, const SkyRows& shape) {
+  const int width = picture.columns(0);
+  SkyRows kept;
+  kept.start.push_back(0);
+  for (int r = 0; r < shape.rows(); ++r) {
+    const int n = shape.columns(r);
+    if (!is_made_anew(n, width))
+      for (int i = 0; i < n; ++i) kept.texels.add(mean_in_row(picture, r, i, n));
+    kept.start.push_back(static_cast<std::uint32_t>(kept.texels.size()));
+  }
+  return kept;
+}
+
+/// Fills `coarse` with means of `fine` by solid angle, whose texels `texel(row, column)` says.
+template <typename Texel>
+void fill_with_means(const SkyRows& fine, SkyRows& coarse, const Texel& texel) {
   const int rows = coarse.rows();
+  coarse.texels.reserve(coarse.start.back());
   const double ratio = static_cast<double>(fine.rows()) / rows;
   const auto height_at = [&](double fine_row) { return std::cos(pi * fine_row / fine.rows()); };
   for (int r = 0; r < rows; ++r) {
@@ -72,10 +107,11 @@ void fill_with_means(const SkyRows& fine, SkyRows& coarse) {
       for (int k = static_cast<int>(from); k < last; ++k) {
         const double share =
             height_at(std::max(from, static_cast<double>(k))) - height_at(std::min(to, k + 1.0));
-        sum += share * row_integral(fine, k, lo, hi);
+        sum += share *
+               row_integral(fine.columns(k), lo, hi, [&](int column) { return texel(k, column); });
         weight += share * (hi - lo);
       }
-      coarse.texels.emplace_back(sum / weight);
+      coarse.texels.add(sum / weight);
     }
   }
   find_poles(coarse);
@@ -102,7 +138,7 @@ std::vector<SkyPatch> patches_of(const SkyRows& level) {
     const double across = n > 1 ? mean_sine * std::sin(pi / n) / (pi / n) : 0.0;
     for (int i = 0; i < n; ++i) {
       const double angle = 2.0 * pi * ((i + 0.5) / n - 0.5);
-      patches.push_back({level.texels[level.start[static_cast<std::size_t>(r)] + i],
+      patches.push_back({level.texel(r, i),
                          {across * std::sin(angle), mean_cosine, -across * std::cos(angle)},
                          2.0 * pi * height / n});
     }
@@ -130,7 +166,7 @@ SkyRows find_irradiance(const SkyRows& level) {
     const double theta = pi * (r + 0.5) / irradiance_rows;
     for (int i = 0; i < 2 * irradiance_rows; ++i) {
       const double angle = 2.0 * pi * ((i + 0.5) / (2 * irradiance_rows) - 0.5);
-      found.texels.emplace_back(
+      found.texels.add(
           irradiance_over_pi_of(patches, {std::sin(theta) * std::sin(angle), std::cos(theta),
                                           -std::sin(theta) * std::cos(angle)}));
     }
@@ -148,33 +184,51 @@ SkyPlace sky_place(glm::dvec3 d) {
   return {0.5 + std::atan2(d.x, -d.z) / (2.0 * pi), std::atan2(std::hypot(d.x, d.z), d.y) / pi};
 }
 
-glm::vec3 SkyRows::at(double u, double v) const {
+namespace {
+
+template <typename Texel>
+glm::vec3 look_up(const SkyRows& rows, double u, double v, const Texel& texel) {
   if (!std::isfinite(u) || !std::isfinite(v))
     return glm::vec3(std::numeric_limits<float>::quiet_NaN());
   const double turns = u - std::floor(u);
   const auto along_row = [&](int row) {
-    const int n = columns(row);
-    const glm::vec3* const texel = texels.data() + start[static_cast<std::size_t>(row)];
+    const int n = rows.columns(row);
     const double x = turns * n - 0.5;
     const double left = std::floor(x);
     const int i = (static_cast<int>(left) + n) % n;
-    return glm::mix(glm::dvec3(texel[i]), glm::dvec3(texel[(i + 1) % n]), x - left);
+    return glm::mix(glm::dvec3(texel(row, i)), glm::dvec3(texel(row, (i + 1) % n)), x - left);
   };
-  const double y = v * rows() - 0.5;
-  const double last = rows() - 1.0;
-  if (y < 0.0) return glm::mix(zenith, along_row(0), 1.0 + 2.0 * y);
-  if (y >= last) return glm::mix(along_row(rows() - 1), nadir, std::min(1.0, 2.0 * (y - last)));
+  const double y = v * rows.rows() - 0.5;
+  const int last = rows.rows() - 1;
+  if (y < 0.0) return glm::mix(rows.zenith, along_row(0), 1.0 + 2.0 * y);
+  if (y >= last) return glm::mix(along_row(last), rows.nadir, std::min(1.0, 2.0 * (y - last)));
   const int row = static_cast<int>(y);
   return glm::mix(along_row(row), along_row(row + 1), y - row);
 }
 
-SkyMap::SkyMap(int width, int height, std::vector<glm::vec3> texels) {
+}  // namespace
+
+glm::vec3 SkyRows::at(double u, double v) const {
+  return look_up(*this, u, v, [this](int row, int column) { return texel(row, column); });
+}
+
+SkyMap::SkyMap(int width, int height, SkyTexels texels) {
+  const bool large = texels.size() >= large_picture;
   levels_.push_back(empty_rows(height, [&](int) { return width; }));
   levels_.front().texels = std::move(texels);
   find_poles(levels_.front());
   for (int rows = height; rows >= 1; rows /= 2) {
+    const SkyRows& finer = levels_.back();
     SkyRows level = reduced_rows(rows, width);
-    fill_with_means(levels_.back(), level);
+    if (large && levels_.size() == 1) {
+      polar_ = polar_rows(finer, level);
+      level.zenith = row_integral(polar_, 0, 0.0, 1.0);
+      level.nadir = row_integral(polar_, rows - 1, 0.0, 1.0);
+    } else if (large && levels_.size() == 2) {
+      fill_with_means(finer, level, [this](int r, int i) { return second_texel(r, i); });
+    } else {
+      fill_with_means(finer, level, [&finer](int r, int i) { return finer.texel(r, i); });
+    }
     levels_.push_back(std::move(level));
   }
   const auto first_below = [this](int rows) -> const SkyRows& {
@@ -183,6 +237,16 @@ SkyMap::SkyMap(int width, int height, std::vector<glm::vec3> texels) {
   };
   irradiance_ = find_irradiance(first_below(irradiance_source_rows));
   distribution_.emplace(first_below(distribution_rows));
+}
+
+glm::vec3 SkyMap::second_texel(int row, int column) const {
+  return polar_.columns(row) > 0 ? polar_.texel(row, column)
+                                 : mean_in_row(levels_[0], row, column, levels_[1].columns(row));
+}
+
+glm::vec3 SkyMap::level_at(std::size_t level, double u, double v) const {
+  if (level != 1 || polar_.start.empty()) return levels_[level].at(u, v);
+  return look_up(levels_[1], u, v, [this](int r, int i) { return second_texel(r, i); });
 }
 
 glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
@@ -194,13 +258,13 @@ glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
   const double texel = side / std::numbers::sqrt3 * picture.rows() / pi;
   if (texel < 1.0) {
     const glm::dvec3 sharp = picture.at(u, v);
-    return glm::mix(sharp, glm::dvec3(levels_[1].at(u, v)), texel);
+    return glm::mix(sharp, glm::dvec3(level_at(1, u, v)), texel);
   }
   const double level = std::min(std::log2(texel), static_cast<double>(levels_.size() - 2));
   const auto finer = static_cast<std::size_t>(level);
   const std::size_t coarser = std::min(finer + 1, levels_.size() - 2);
-  return glm::mix(glm::dvec3(levels_[1 + finer].at(u, v)),
-                  glm::dvec3(levels_[1 + coarser].at(u, v)), level - static_cast<double>(finer));
+  return glm::mix(glm::dvec3(level_at(1 + finer, u, v)), glm::dvec3(level_at(1 + coarser, u, v)),
+                  level - static_cast<double>(finer));
 }
 
 glm::vec3 SkyMap::irradiance_over_pi(glm::dvec3 normal) const {
@@ -209,10 +273,11 @@ glm::vec3 SkyMap::irradiance_over_pi(glm::dvec3 normal) const {
 }
 
 std::size_t SkyMap::memory_bytes() const {
-  std::size_t bytes = 0;
-  for (const SkyRows& level : levels_)
-    bytes += level.texels.capacity() * sizeof(glm::vec3) +
-             level.start.capacity() * sizeof(std::uint32_t);
+  const auto bytes_of = [](const SkyRows& level) {
+    return level.texels.memory_bytes() + level.start.capacity() * sizeof(std::uint32_t);
+  };
+  std::size_t bytes = bytes_of(polar_) + bytes_of(irradiance_);
+  for (const SkyRows& level : levels_) bytes += bytes_of(level);
   return bytes;
 }
 

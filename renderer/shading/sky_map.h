@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/shading/sky_distribution.h"
+#include "renderer/shading/sky_texels.h"
 
 #include <glm/glm.hpp>
 
@@ -25,7 +26,7 @@ struct SkyPlace {
 /// middle of a row is -Z and right of it is +X, as a camera that looks along -Z sees them.
 struct SkyRows {
   std::vector<std::uint32_t> start;  ///< of each row in texels, and the end
-  std::vector<glm::vec3> texels;
+  SkyTexels texels;
   glm::dvec3 zenith{0.0};  ///< at v = 0; of a picture, the mean of the first row
   glm::dvec3 nadir{0.0};   ///< at v = 1
 
@@ -33,6 +34,9 @@ struct SkyRows {
   [[nodiscard]] int columns(int row) const {
     const auto r = static_cast<std::size_t>(row);
     return static_cast<int>(start[r + 1] - start[r]);
+  }
+  [[nodiscard]] glm::vec3 texel(int row, int column) const {
+    return texels[start[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column)];
   }
   /// The bilinear mean at `u` turns (any number) and `v`, 0 at the zenith to 1 at the nadir: across
   /// the seam, and between the poles and the rows next to them. NaN where they are not finite.
@@ -47,7 +51,7 @@ class SkyMap {
  public:
   /// `texels`: linear radiance, finite, row by row from the zenith down; `width` and `height` at
   /// least 1, their product at most that of 32-bit numbers.
-  SkyMap(int width, int height, std::vector<glm::vec3> texels);
+  SkyMap(int width, int height, SkyTexels texels);
 
   /// The mean around a unit direction of a patch whose sides are `side` radians; 0: a point.
   [[nodiscard]] glm::vec3 mean(glm::dvec3 direction, double side) const;
@@ -61,8 +65,15 @@ class SkyMap {
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  std::vector<SkyRows> levels_;  // the picture; then rows of its height, half its height, ..., 1
-  SkyRows irradiance_;           // over pi, by normal
+  [[nodiscard]] glm::vec3 level_at(std::size_t level, double u, double v) const;
+  [[nodiscard]] glm::vec3 second_texel(int row, int column) const;
+
+  // The picture; then rows of its height, half its height, ..., 1. Of a large picture the second
+  // has no texels of its own: `polar_` has those of its rows near the poles, the others, means of
+  // few texels of the picture, are made where they are looked at.
+  std::vector<SkyRows> levels_;
+  SkyRows polar_;
+  SkyRows irradiance_;  // over pi, by normal
   std::optional<SkyDistribution> distribution_;
 };
 

@@ -257,8 +257,8 @@ TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
   RenderSettings settings;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.4f));
   EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "one colour is no picture";
-  settings.sky = std::make_shared<const Sky>(SkyMap(2, 1, {glm::vec3(0.4f), glm::vec3(0.2f)}), 0.0,
-                                             "two texels");
+  settings.sky = std::make_shared<const Sky>(
+      SkyMap(2, 1, std::vector{glm::vec3(0.4f), glm::vec3(0.2f)}), 0.0, "two texels");
   EXPECT_TRUE(needs_of(*scene, settings).sky_picture);
 }
 

@@ -44,12 +44,12 @@ TEST_F(HdrFile, PackedRowsHoldRunsAndWhatIsNone) {
                                 "\x84\x08\x06\x01\x01\x01\x01\x01\x40", "\x8a\x88"});
   const auto image = read(bytes);
   ASSERT_TRUE(image) << image.error().message();
-  ASSERT_EQ(image->radiance.size(), 10u);
+  ASSERT_EQ(image->pixels.size(), 10u);
   // The exponent 136 makes a unit of every mantissa.
   for (std::size_t x = 0; x < 10; ++x) {
-    EXPECT_EQ(image->radiance[x].r, 128.0f);
-    EXPECT_EQ(image->radiance[x].g, static_cast<float>(x + 1));
-    EXPECT_EQ(image->radiance[x].b, x < 4 ? 8.0f : x < 9 ? 1.0f : 64.0f);
+    EXPECT_EQ(radiance_of(image->pixels[x]).r, 128.0f);
+    EXPECT_EQ(radiance_of(image->pixels[x]).g, static_cast<float>(x + 1));
+    EXPECT_EQ(radiance_of(image->pixels[x]).b, x < 4 ? 8.0f : x < 9 ? 1.0f : 64.0f);
   }
 }
 
@@ -58,14 +58,14 @@ TEST_F(HdrFile, FlatRowsAreReadAndMayRepeatPixels) {
   const auto plain = read(head(2, 2) + "\x80\x40\x20\x81"s + "\x80\x40\x20\x82"s +
                           "\x01\x02\x03\x88"s + "\x00\x00\x00\x00"s);
   ASSERT_TRUE(plain) << plain.error().message();
-  EXPECT_EQ(plain->radiance[0], glm::vec3(1, 0.5f, 0.25f));
-  EXPECT_EQ(plain->radiance[1], glm::vec3(2, 1, 0.5f));
-  EXPECT_EQ(plain->radiance[2], glm::vec3(1, 2, 3));
-  EXPECT_EQ(plain->radiance[3], glm::vec3(0));
+  EXPECT_EQ(radiance_of(plain->pixels[0]), glm::vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(radiance_of(plain->pixels[1]), glm::vec3(2, 1, 0.5f));
+  EXPECT_EQ(radiance_of(plain->pixels[2]), glm::vec3(1, 2, 3));
+  EXPECT_EQ(radiance_of(plain->pixels[3]), glm::vec3(0));
   const auto repeated =
       read(head(300, 1) + "\x80\x40\x20\x81"s + "\x01\x01\x01\x2b"s + "\x01\x01\x01\x01"s);
   ASSERT_TRUE(repeated) << repeated.error().message();
-  EXPECT_EQ(repeated->radiance[299], glm::vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(radiance_of(repeated->pixels[299]), glm::vec3(1, 0.5f, 0.25f));
 }
 
 TEST_F(HdrFile, RunsThatDoNotEndAreRefused) {
@@ -101,6 +101,15 @@ TEST_F(HdrFile, TheSizeIsAskedAboutBeforeThePicture) {
   EXPECT_EQ(image.error().reason, "7 by 3");
 }
 
+TEST_F(HdrFile, SoManyPixelsInSoFewBytesAreRefused) {
+  // Rows without any bytes would be told first.
+  const std::string rows(4 * 5792, '\0');
+  EXPECT_NE(refusal(head(11584, 5792) + rows).find("has 11584 x 5792 pixels in "),
+            std::string::npos);
+  EXPECT_NE(refusal(head(8192, 4096) + rows).find("row 0 is damaged"), std::string::npos)
+      << "these are read from files of any size";
+}
+
 TEST_F(HdrFile, BrokenAnywhereItIsReadOrRefused) {
   const std::string good =
       head(10, 2) + packed(10, {"\x8a\x80", "\x8a\x40", "\x84\x08\x86\x09", "\x8a\x88"}) +
@@ -114,7 +123,7 @@ TEST_F(HdrFile, BrokenAnywhereItIsReadOrRefused) {
       broken[random() % broken.size()] = static_cast<char>(random() % 256);
     if (i % 4 == 0) broken.resize(random() % broken.size());
     if (const auto image = read(broken)) {
-      EXPECT_EQ(image->radiance.size(),
+      EXPECT_EQ(image->pixels.size(),
                 static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height));
     }
   }

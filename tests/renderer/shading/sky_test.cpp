@@ -100,6 +100,51 @@ TEST(Sky, OfOneColourIsThatEverywhere) {
   }
 }
 
+// Waves along both ways, as a Radiance picture has them.
+std::vector<Rgbe> waves(int height) {
+  std::vector<Rgbe> texels;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < 2 * height; ++x) {
+      const double u = (x + 0.5) / (2 * height), v = (y + 0.5) / height;
+      const double wave = std::sin(8.0 * std::numbers::pi * u) * std::sin(4.0 * v);
+      const auto byte = static_cast<std::uint8_t>(std::lround(150.0 + 100.0 * wave));
+      texels.push_back({byte, 255, static_cast<std::uint8_t>(y % 251), 129});
+    }
+  }
+  return texels;
+}
+
+TEST(SkyMap, TexelsOfARadiancePictureAreItsRadiance) {
+  std::vector<glm::vec3> radiance;
+  for (const Rgbe& pixel : waves(64)) radiance.push_back(radiance_of(pixel));
+  const SkyMap plain(128, 64, std::move(radiance)), packed(128, 64, waves(64));
+  for (int i = 0; i < 256; ++i) {
+    const Patch3 p = random_patch(i, 1.0);
+    for (const double side : {0.0, 0.03, 0.1, 0.7})
+      EXPECT_EQ(packed.mean(p.direction, side), plain.mean(p.direction, side)) << i << " " << side;
+    EXPECT_EQ(packed.irradiance_over_pi(p.direction), plain.irradiance_over_pi(p.direction));
+  }
+}
+
+// Of large pictures, rows of means are made where they are looked at.
+TEST(SkyMap, ALargePictureTakesLittleMoreThanItsFile) {
+  constexpr int height = 2048;
+  const SkyMap large(2 * height, height, waves(height));
+  const SkyMap small(height, height / 2, waves(height / 2));
+  constexpr double texels = 2.0 * height * height;
+  EXPECT_LT(static_cast<double>(large.memory_bytes()), 7.0 * texels);
+  for (int i = 0; i < 512; ++i) {
+    const Patch3 p = random_patch(i, 1.0);
+    // As wide as a texel or two of the large picture's, which the small one has as well.
+    for (const double texel : {0.5, 1.0, 2.0, 4.0}) {
+      const double side = texel * std::numbers::sqrt3 * std::numbers::pi / height;
+      const glm::vec3 a = large.mean(p.direction, side), b = small.mean(p.direction, side);
+      EXPECT_NEAR(a.r, b.r, 0.02) << i << " " << texel;
+      EXPECT_FLOAT_EQ(a.g, 255.0f / 128.0f) << i << " " << texel;
+    }
+  }
+}
+
 TEST(Sky, APictureIsSoManyTimesAsBrightAllOver) {
   const Sky dim(noise_map(32), 20.0, "noise");
   const Sky bright = dim.brightened(0.5).brightened(8.0);

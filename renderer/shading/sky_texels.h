@@ -1,0 +1,37 @@
+#pragma once
+
+#include "renderer/film/rgbe.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace asos {
+
+/// Texels of linear radiance: as numbers, or as a Radiance picture has them, which takes a third of
+/// the memory and is the same radiance.
+class SkyTexels {
+ public:
+  SkyTexels() = default;
+  SkyTexels(std::vector<glm::vec3> radiance) : radiance_(std::move(radiance)) {}
+  SkyTexels(std::vector<Rgbe> packed) : packed_(std::move(packed)) {}
+
+  [[nodiscard]] glm::vec3 operator[](std::size_t i) const {
+    return packed_.empty() ? radiance_[i] : radiance_of(packed_[i]);
+  }
+  [[nodiscard]] std::size_t size() const { return radiance_.size() + packed_.size(); }
+  [[nodiscard]] std::size_t memory_bytes() const {
+    return radiance_.capacity() * sizeof(glm::vec3) + packed_.capacity() * sizeof(Rgbe);
+  }
+
+  void reserve(std::size_t count) { radiance_.reserve(count); }
+  void add(glm::vec3 radiance) { radiance_.push_back(radiance); }
+
+ private:
+  std::vector<glm::vec3> radiance_;
+  std::vector<Rgbe> packed_;
+};
+
+}  // namespace asos
