@@ -1,12 +1,16 @@
 #include "app/picture_files.h"
 
 #include "renderer/film/image_io.h"
+#include "renderer/scene/source_files.h"
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace asos {
+namespace fs = std::filesystem;
 namespace {
 
 Result<std::optional<OutputFile>> plan_optional(const std::string& path) {
@@ -31,6 +35,16 @@ Result<void> write_split_map(const std::string& path, const Film& film, const Re
                              picture_metadata(of_map));
 }
 
+fs::path folder_of(const std::string& scene) {
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(scene, error), error).parent_path();
+}
+
+bool is_within(const fs::path& file, const fs::path& folder) {
+  const fs::path step = file.lexically_relative(folder);
+  return !step.empty() && *step.begin() != "..";
+}
+
 }  // namespace
 
 PictureDisplay split_map_display(const PictureDisplay& display, SplitMapColours colours) {
@@ -39,6 +53,27 @@ PictureDisplay split_map_display(const PictureDisplay& display, SplitMapColours 
 
 bool is_picture_path(const std::string& path) {
   return has_extension(path, ".png") || has_extension(path, ".exr");
+}
+
+Result<void> check_inputs_stay(const RenderArguments& arguments) {
+  const std::string& scene = arguments.picture.scene;
+  const fs::path folder = folder_of(scene);
+  for (const std::string* output :
+       {&arguments.output, &arguments.split_map, &arguments.stats_file}) {
+    std::error_code error;
+    if (output->empty() || !fs::exists(*output, error)) continue;
+    std::vector<std::string> inputs{scene};
+    // Its textures and buffers lie in its folder: elsewhere the scene need not be asked for them.
+    const bool beside =
+        is_within(fs::weakly_canonical(fs::absolute(*output, error), error), folder);
+    if (beside && !same_file(*output, scene)) inputs = source_files(scene);
+    inputs.push_back(arguments.picture.sky.file);
+    for (const std::string& input : inputs)
+      if (!input.empty() && same_file(*output, input))
+        return tl::unexpected(
+            Error{*output, "is what the picture is made of; it is not written over"});
+  }
+  return {};
 }
 
 Result<OutputPlan> plan_outputs(const RenderArguments& arguments) {

@@ -27,6 +27,9 @@ struct OutputPlan {
 [[nodiscard]] PictureDisplay split_map_display(const PictureDisplay& display,
                                                SplitMapColours colours);
 
+/// An error where an output is the scene, one of its files or the sky's, which would be lost.
+[[nodiscard]] Result<void> check_inputs_stay(const RenderArguments& arguments);
+
 [[nodiscard]] Result<OutputPlan> plan_outputs(const RenderArguments& arguments);
 
 /// Writes the picture, the split map and the statistics.

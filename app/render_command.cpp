@@ -282,6 +282,8 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
   if (arguments.picture.from_error) return tl::unexpected(*arguments.picture.from_error);
   if (auto fits = check_picture_fits(arguments.picture.settings); !fits) return fits;
   // Told before the scene is read, which may take long.
+  if (auto stay = check_inputs_stay(arguments_of(arguments, first_frame(arguments))); !stay)
+    return stay;
   if (const auto plan = plan_outputs(arguments_of(arguments, first_frame(arguments))); !plan)
     return tl::unexpected(plan.error());
   Result<Work> work = open(arguments, bar, interrupt);

@@ -177,6 +177,40 @@ TEST_F(HostileInput, ASavedPictureWithACameraBeyondTheLimitIsRefused) {
   }
 }
 
+TEST_F(HostileInput, WhatAPictureIsMadeOfIsNotWrittenOver) {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["images"] = {{{"uri", "maps/wood.png"}}};
+  b.json["textures"] = {{{"source", 0}}};
+  b.json["materials"] = {{{"emissiveTexture", {{"index", 0}}}}};
+  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  const std::string scene = put(b);
+  std::filesystem::create_directory(folder_.file("maps"));
+  const std::string texture = folder_.file("maps/wood.png"), sky = folder_.file("sky.exr");
+  ASSERT_TRUE(write_png(texture, RgbImage{1, 1, {1, 2, 3}, {}}));
+  Film film(2, 1);
+  film.radiance.assign(2, glm::vec3(0.5f));
+  ASSERT_TRUE(write_exr(sky, film, {}));
+  const std::string link = folder_.file("link.png");
+  std::filesystem::create_symlink(texture, link);
+  const std::string all =
+      test::content_of(scene) + test::content_of(texture) + test::content_of(sky);
+  const std::string free = folder_.file("free.png");
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"-o", texture},
+                                                {"-o", link},
+                                                {"-o", free, "--split-map", texture},
+                                                {"-o", free, "--stats", scene},
+                                                {"-o", sky, "--sky", sky}}) {
+    const AsosRun run =
+        run_asos(std::vector<std::string>{"render", scene, "--size", "8x6"} + words);
+    EXPECT_EQ(run.exit_code, 1) << words.back() << run.out;
+    EXPECT_TRUE(contains(run.err, "is what the picture is made of"));
+  }
+  EXPECT_EQ(test::content_of(scene) + test::content_of(texture) + test::content_of(sky), all);
+  EXPECT_FALSE(std::filesystem::exists(free));
+  EXPECT_EQ(render({scene, "--sky", sky}).exit_code, 0);
+  EXPECT_EQ(render({scene, "--sky", sky}).exit_code, 0) << "a picture may be made again";
+}
+
 TEST_F(HostileInput, PipesAndDevicesAreRefusedAtOnce) {
   for (const char* ending : {".gltf", ".glb", ".hdr", ".exr", ".png"}) {
     const std::string pipe = folder_.file(std::string("pipe") + ending);
