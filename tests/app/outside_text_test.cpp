@@ -219,6 +219,64 @@ TEST_F(OutsideText, PropertiesOfTheWrongKindAreSaid) {
   }
 }
 
+/// A square with one of each thing whose properties are told to be of the wrong kind.
+GltfBuilder of_everything() {
+  GltfBuilder b = GltfBuilder::square();
+  nlohmann::json& j = b.json;
+  j["materials"] = {{{"normalTexture", {{"scale", 1}}}}};
+  j["meshes"][0]["primitives"][0]["material"] = 0;
+  j["samplers"] = nlohmann::json::array({nlohmann::json::object()});
+  j["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}}};
+  j["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}, {"spot", {{"x", 0}}}}};
+  b.node()["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  b.node()["camera"] = 0;
+  return b;
+}
+
+TEST_F(OutsideText, PropertiesOfTheWrongKindAreSaidWhereverTheyStand) {
+  const std::string material = "/materials/0/extensions/KHR_materials_";
+  const std::string light = "/extensions/KHR_lights_punctual/lights/0/";
+  const std::string transform = "/materials/0/normalTexture/extensions/KHR_texture_transform/";
+  const std::vector<std::pair<std::string, nlohmann::json>> wrong{
+      {material + "ior/ior", "1.5"},
+      {material + "transmission/transmissionFactor", true},
+      {material + "transmission/transmissionTexture", 3},
+      {material + "emissive_strength/emissiveStrength", {1}},
+      {material + "volume/attenuationColor", {1, 2}},
+      {material + "volume/attenuationDistance", "far"},
+      {material + "specular/specularColorFactor", {1, "0", 0}},
+      {material + "clearcoat/clearcoatFactor", nlohmann::json::object()},
+      {material + "sheen/sheenColorFactor", 1},
+      {material + "iridescence/iridescenceIor", "x"},
+      {material + "anisotropy/anisotropyRotation", "x"},
+      {material + "diffuse_transmission/diffuseTransmissionColorFactor", 0},
+      {material + "pbrSpecularGlossiness/diffuseFactor", {1, 1, 1}},
+      {transform + "offset", {0}},
+      {transform + "rotation", "half"},
+      {light + "color", "red"},
+      {light + "intensity", "bright"},
+      {light + "range", -1},
+      {light + "spot/innerConeAngle", "narrow"},
+      {"/cameras/0/perspective/aspectRatio", 0},
+      {"/nodes/0/scale", 2},
+      {"/nodes/0/children", 1},
+      {"/nodes/0/extensions/KHR_node_visibility/visible", 0},
+      {"/meshes/0/primitives/0/mode", 3.5},
+      {"/meshes/0/primitives/0/targets", "x"},
+      {"/samplers/0/wrapS", "repeat"},
+      {"/skins", 3},
+      {"/animations", "x"}};
+  for (const auto& [place, value] : wrong) {
+    GltfBuilder b = of_everything();
+    b.json[nlohmann::json::json_pointer(place)] = value;
+    const std::string file = put(b);
+    const AsosRun run = render({file});
+    EXPECT_EQ(run.exit_code, 0) << place << ": " << run.err;
+    EXPECT_TRUE(contains(run.err, "asos: warning: " + place + " is not "));
+    EXPECT_TRUE(contains(run_asos({"info", file}).out, "Warning: " + place + " is not "));
+  }
+}
+
 TEST_F(OutsideText, ASceneWhoseNameIsNoUtf8IsFoundAgain) {
   for (const std::string name : {"caf\xe9.glb", "file:%41.glb", "100%.glb", "\xff\n.glb"}) {
     const std::string file = put(GltfBuilder::square(), name);

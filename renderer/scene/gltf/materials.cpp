@@ -354,19 +354,21 @@ class MaterialReader {
     const tinygltf::Value& value = parent.Get(name);
     tinygltf::TextureInfo info;
     info.index = whole(value, "index").value_or(-1);
+    if (info.index < 0)
+      warnings_.add(fmt::format("{}: its {} texture names no texture", place_, what));
     info.texCoord = whole(value, "texCoord").value_or(0);
     if (const auto* e = extension(value, "KHR_texture_transform"))
       info.extensions["KHR_texture_transform"] = *e;
     return use(info, what);
   }
 
-  static glm::mat3 transform(const tinygltf::Value& e) {
+  glm::mat3 transform(const tinygltf::Value& e) {
     const auto at = [&](const char* name, int i, double otherwise) {
-      return static_cast<float>(number_at(e, name, i).value_or(otherwise));
+      return finite(number_at(e, name, i).value_or(otherwise), otherwise, "texture transform");
     };
     const float x = at("offset", 0, 0.0), y = at("offset", 1, 0.0);
     const float sx = at("scale", 0, 1.0), sy = at("scale", 1, 1.0);
-    const auto angle = static_cast<float>(number(e, "rotation").value_or(0.0));
+    const float angle = finite(number(e, "rotation").value_or(0.0), 0.0, "texture transform");
     const float c = std::cos(angle), s = std::sin(angle);
     // Translation * rotation * scale; the rotation is counter-clockwise as the picture is seen,
     // whose v runs downwards. Columns.

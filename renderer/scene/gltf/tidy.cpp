@@ -1,6 +1,7 @@
 #include "renderer/scene/gltf/tidy.h"
 
 #include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/kinds.h"
 #include "renderer/scene/gltf/tidy_animations.h"
 #include "renderer/scene/gltf/tidy_lights.h"
 
@@ -58,31 +59,10 @@ constexpr std::array<std::string_view, 5> size_names = {"byteOffset", "byteLengt
                                                         "count", "componentType"};
 constexpr std::array<std::string_view, 4> list_names = {"children", "nodes", "joints", "ids"};
 
-// Optional properties of the core format by the kind that their values have to be of; one that is
-// of another kind is taken for absent, which a reader of the file should know.
-constexpr std::array<std::string_view, 9> object_names = {
-    "pbrMetallicRoughness", "baseColorTexture", "metallicRoughnessTexture",
-    "normalTexture",        "occlusionTexture", "emissiveTexture",
-    "perspective",          "orthographic",     "sparse"};
-constexpr std::array<std::string_view, 6> numbers_names = {
-    "baseColorFactor", "emissiveFactor", "matrix", "rotation", "translation", "weights"};
-constexpr std::array<std::string_view, 3> number_names = {"metallicFactor", "roughnessFactor",
-                                                          "alphaCutoff"};
-
-/// What the value of a property is not, but has to be; empty: nothing.
-std::string_view wrong_kind(std::string_view name, const json& value) {
-  if (is_one_of(name, object_names) && !value.is_object()) return "an object";
-  if (is_one_of(name, numbers_names)) {
-    const bool numbers =
-        value.is_array() &&
-        std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); });
-    if (!numbers) return "a list of numbers";
-  }
-  if (is_one_of(name, number_names) && !value.is_number()) return "a number";
-  if (name == "doubleSided" && !value.is_boolean()) return "true or false";
-  if (name == "alphaMode" && !value.is_string()) return "a text";
-  return "";
-}
+// Whole numbers beside these.
+constexpr std::array<std::string_view, 11> whole_names = {
+    "mode",   "wrapS",   "wrapT",       "magFilter", "minFilter", "POSITION",
+    "NORMAL", "TANGENT", "TRANSLATION", "ROTATION",  "SCALE"};
 
 /// Writes 3.0 as 3, which tinygltf would not take for an index.
 void make_whole(json& value) {
@@ -189,10 +169,9 @@ class Tidier {
 
   /// Sets a property whose value is of the wrong kind to null, which takes it out.
   void tidy_kind(const std::string& name, json& value, const std::string& place) {
-    // Extensions and animations give such names to other things.
-    if (place.find("/extensions") != std::string::npos || place.starts_with("/animations")) return;
-    const std::string_view kind = wrong_kind(name, value);
-    if (kind.empty() || value.is_null()) return;
+    if (is_one_of(name, whole_names)) make_whole(value);
+    const std::string_view kind = wrong_kind(name, value, place);
+    if (kind.empty()) return;
     warnings_.add(fmt::format("{}/{} is not {}; ignored", place, name, kind));
     value = nullptr;
   }
@@ -201,7 +180,7 @@ class Tidier {
   Checked<void> tidy_number(const std::string& name, json& value, const std::string& place) {
     const bool size = is_one_of(name, size_names);
     if (!size && !is_one_of(name, reference_names)) return {};
-    if (value.is_structured() || value.is_null()) return {};  // sparse.indices and the like
+    if (value.is_null() || (name == "indices" && value.is_object())) return {};  // a sparse one's
     make_whole(value);
     if (size && !value.is_number_unsigned()) {
       return fault(fmt::format("{}/{} is not a whole number", place, name));

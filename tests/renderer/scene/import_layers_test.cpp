@@ -117,7 +117,7 @@ TEST(ImportLayers, AnisotropyIsRead) {
       {{"anisotropyStrength", -2}, {"anisotropyRotation", 1e300}, {"anisotropyTexture", "x"}});
   EXPECT_FALSE(broken.materials.at(0).anisotropy.used());
   EXPECT_EQ(broken.materials.at(0).anisotropy.rotation_rad, 0.0f);
-  EXPECT_EQ(broken.notes.warnings.size(), 2u);
+  EXPECT_EQ(broken.notes.warnings.size(), 3u);
 }
 
 TEST(ImportLayers, VolumesAreRead) {
@@ -196,9 +196,15 @@ TEST(ImportLayers, ValuesOutOfRangeAreBroughtIntoItByName) {
   ASSERT_EQ(coat.notes.warnings.size(), 2u);
   EXPECT_EQ(coat.notes.warnings[0],
             "material 'car': its clearcoat factor of 1.5 is out of range; 1 is used");
-  const Scene sheen = sheeny({{"sheenColorFactor", {2, "x", 0.5}}, {"sheenRoughnessFactor", "y"}});
+  const Scene sheen = sheeny({{"sheenColorFactor", {2, 0, 0.5}}, {"sheenRoughnessFactor", "y"}});
   EXPECT_EQ(sheen.materials.at(0).sheen.color, glm::vec3(1.0f, 0.0f, 0.5f));
-  EXPECT_EQ(sheen.notes.warnings.size(), 1u);
+  EXPECT_EQ(sheen.notes.warnings.size(), 2u);
+  const Scene none = sheeny({{"sheenColorFactor", {2, "x", 0.5}}});
+  EXPECT_EQ(none.materials.at(0).sheen.color, glm::vec3(0.0f));
+  ASSERT_EQ(none.notes.warnings.size(), 1u);
+  EXPECT_EQ(none.notes.warnings[0],
+            "/materials/0/extensions/KHR_materials_sheen/sheenColorFactor is not three numbers; "
+            "ignored");
 }
 
 }  // namespace
