@@ -277,6 +277,23 @@ TEST_F(OutsideText, PropertiesOfTheWrongKindAreSaidWhereverTheyStand) {
   }
 }
 
+TEST_F(OutsideText, ALongNameMakesNoLongMessage) {
+  const std::string name(1 << 20, 'x');
+  GltfBuilder b = GltfBuilder::square();
+  b.json["extensionsRequired"] = {name};
+  const AsosRun refused = render({put(b)});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(contains(refused.err, "requires the extension xxx"));
+  EXPECT_TRUE(contains(refused.err, "xxx, which is not supported"));
+  EXPECT_LT(refused.err.size(), 1000u);
+  GltfBuilder odd = GltfBuilder::square();
+  odd.json["materials"] = {{{"name", name}, {"alphaMode", "NONE"}}};
+  odd.json["meshes"][0]["primitives"][0]["material"] = 0;
+  const AsosRun warned = render({put(odd)});
+  EXPECT_TRUE(contains(warned.err, "its alpha mode 'NONE' is unknown"));
+  EXPECT_LT(warned.err.size(), 1000u);
+}
+
 TEST_F(OutsideText, ASceneWhoseNameIsNoUtf8IsFoundAgain) {
   for (const std::string name : {"caf\xe9.glb", "file:%41.glb", "100%.glb", "\xff\n.glb"}) {
     const std::string file = put(GltfBuilder::square(), name);

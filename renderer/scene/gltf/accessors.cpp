@@ -51,6 +51,9 @@ int component_count(int type) {
 // Bytes of zeros that a file of any size may declare.
 constexpr std::uint64_t free_zeros = std::uint64_t{1} << 20;
 
+// What meshopt's codecs expand to at most. Views that share their bytes would come to more.
+constexpr std::uint64_t most_decompressed_per_byte = 80;
+
 template <typename T>
 T load(const std::uint8_t* at) {
   T value;
@@ -120,7 +123,7 @@ Checked<Bytes> Accessors::slice(std::int64_t buffer, std::uint64_t offset,
     return fault(fmt::format("{} bytes at {} reach outside buffer {} of {} bytes", length, offset,
                              buffer, size));
   }
-  return Bytes(source.bytes).subspan(offset, length);
+  return source.bytes.subspan(offset, length);
 }
 
 Checked<Bytes> Accessors::view(int index) {
@@ -133,6 +136,12 @@ Checked<Bytes> Accessors::view(int index) {
     if (found == decompressed_.end()) {
       Checked<FileBytes> bytes = decode_meshopt(*compressed, *this);
       if (!bytes) return fault(fmt::format("buffer view {}: {}", index, bytes.error()));
+      decompressed_bytes_ += bytes->size();
+      if (decompressed_bytes_ > most_decompressed_per_byte * doc_.honest_bytes + free_zeros)
+        return fault(
+            fmt::format("buffer view {}: the views decompressed are more than the file can "
+                        "hold",
+                        index));
       found = decompressed_.emplace(index, std::move(*bytes)).first;
     }
     return Bytes(found->second);

@@ -44,7 +44,7 @@ Checked<FlatShape> read_khr_sizes(const tinygltf::Value& source) {
   };
   for (std::string why :
        {read("width", shape.width), read("height", shape.height), read("radius", shape.radius)}) {
-    if (!why.empty()) return fault(std::move(why));
+    if (!why.empty()) return fault(why);
   }
   return shape;
 }

@@ -55,7 +55,7 @@ std::string header_fault(Bytes head, std::uint64_t file_size) {
 }
 
 Checked<Container> open_binary(Bytes file, Warnings& warnings) {
-  if (std::string why = header_fault(file, file.size()); !why.empty()) return fault(std::move(why));
+  if (std::string why = header_fault(file, file.size()); !why.empty()) return fault(why);
   const std::uint64_t declared = little_endian(file, 8);
   if (declared < file.size()) warnings.add("bytes after the GLB's end are ignored");
   const Bytes glb = file.first(static_cast<std::size_t>(declared));

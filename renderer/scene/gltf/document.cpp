@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace asos::gltf {
@@ -64,24 +66,38 @@ std::vector<std::string> variants_of(const json& root) {
 }
 
 Buffer missing(std::string reason) {
-  return Buffer{{}, std::move(reason)};
+  return Buffer{{}, {}, std::move(reason)};
+}
+
+Buffer holding(FileBytes bytes) {
+  Buffer buffer{std::make_shared<const FileBytes>(std::move(bytes)), {}, {}};
+  buffer.bytes = *buffer.held;
+  return buffer;
+}
+
+/// Files by their place, each read once however often it is named.
+using FilesRead = std::map<std::filesystem::path, Buffer>;
+
+Buffer read_named(const std::filesystem::path& folder, const std::string& uri, FilesRead& files) {
+  const bool embedded = uri.starts_with("data:");
+  const Checked<std::filesystem::path> file = file_of_uri(folder, uri);
+  const auto known = file ? files.find(*file) : files.end();
+  if (known != files.end()) return known->second;
+  Checked<FileBytes> bytes = read_uri(folder, uri);
+  Buffer buffer = bytes ? holding(std::move(*bytes)) : missing(bytes.error());
+  if (file && !embedded) files.emplace(*file, buffer);
+  return buffer;
 }
 
 /// Reads one buffer; `bin` is the GLB's binary chunk where this is its buffer.
-Buffer read_buffer(const json& declared, const std::filesystem::path& folder, const Bytes* bin) {
+Buffer read_buffer(const json& declared, const std::filesystem::path& folder, const Bytes* bin,
+                   FilesRead& files) {
   if (!declared.is_object()) return missing("is not an object");
-  Buffer buffer;
   if (declared.contains("uri")) {
     if (!declared["uri"].is_string()) return missing("has a uri that is not a text");
-    Checked<FileBytes> bytes = read_uri(folder, declared["uri"].get_ref<const std::string&>());
-    if (!bytes) return missing(bytes.error());
-    buffer.bytes = std::move(*bytes);
-  } else if (bin) {
-    buffer.bytes.assign(bin->begin(), bin->end());
-  } else {
-    return missing("has no data");
+    return read_named(folder, declared["uri"].get_ref<const std::string&>(), files);
   }
-  return buffer;
+  return bin ? holding(FileBytes(bin->begin(), bin->end())) : missing("has no data");
 }
 
 /// Takes the buffers out of the JSON and reads them.
@@ -89,10 +105,12 @@ Checked<void> take_buffers(json& root, const Container& container, Document& doc
   const auto found = root.find("buffers");
   if (found == root.end()) return {};
   if (!found->is_array()) return fault("/buffers is not a list");
+  FilesRead files;
+  std::set<const FileBytes*> counted;
   for (std::size_t i = 0; i < found->size(); ++i) {
     const json& declared = (*found)[i];
     const bool is_bin = i == 0 && container.has_bin;
-    Buffer buffer = read_buffer(declared, doc.folder, is_bin ? &container.bin : nullptr);
+    Buffer buffer = read_buffer(declared, doc.folder, is_bin ? &container.bin : nullptr, files);
     if (!buffer.missing_because.empty()) {
       // A buffer without a uri may be a placeholder for decompressed data
       // (EXT_meshopt_compression).
@@ -106,9 +124,11 @@ Checked<void> take_buffers(json& root, const Container& container, Document& doc
       doc.warnings.add(fmt::format("buffer {} declares {} bytes, but has only {}", i, length,
                                    buffer.bytes.size()));
     } else {
-      buffer.bytes.resize(static_cast<std::size_t>(length));
+      buffer.bytes = buffer.bytes.first(static_cast<std::size_t>(length));
     }
-    doc.honest_bytes += buffer.bytes.size();
+    // A file that is named again brings nothing more along.
+    if (buffer.held && counted.insert(buffer.held.get()).second)
+      doc.honest_bytes += buffer.held->size();
     doc.buffers.push_back(std::move(buffer));
   }
   root.erase(found);
@@ -184,7 +204,8 @@ Checked<Document> read_document(const std::filesystem::path& path) {
   if (!optional) return fault(optional.error());
   doc.unsupported_extensions = std::move(*optional);
   doc.variants = variants_of(*root);
-  if (auto done = tidy(*root, doc.warnings); !done) return fault(done.error());
+  if (auto done = tidy(*root, container->json.size(), doc.warnings); !done)
+    return fault(done.error());
   if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
   if (auto done = take_images(*root, doc); !done) return fault(done.error());
   if (auto done = read_model(*root, doc); !done) return fault(done.error());

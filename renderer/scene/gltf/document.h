@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct ImageSource {
 
 /// A buffer's bytes, or why there are none. Only a use of the buffer makes that an error.
 struct Buffer {
-  FileBytes bytes;
+  std::shared_ptr<const FileBytes> held;  ///< buffers of one file share it
+  Bytes bytes;
   std::string missing_because;  ///< empty where the bytes are there
 };
 

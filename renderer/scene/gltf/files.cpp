@@ -56,11 +56,18 @@ Checked<fs::path> inside(const fs::path& folder, const std::string& relative) {
 
 }  // namespace
 
+Checked<fs::path> file_of_uri(const fs::path& folder, std::string_view uri) {
+  if (uri.starts_with("data:") || has_scheme(uri))
+    return fault(fmt::format("'{}' is not a local file", shown_uri(uri)));
+  Checked<fs::path> path = inside(folder, percent_decoded(uri));
+  if (!path) return fault(fmt::format("'{}' is refused: {}", shown_uri(uri), path.error()));
+  return path;
+}
+
 Checked<FileBytes> read_uri(const fs::path& folder, std::string_view uri) {
   if (uri.starts_with("data:")) return read_data_uri(uri);
-  if (has_scheme(uri)) return fault(fmt::format("'{}' is not a local file", shown_uri(uri)));
-  const Checked<fs::path> path = inside(folder, percent_decoded(uri));
-  if (!path) return fault(fmt::format("'{}' is refused: {}", shown_uri(uri), path.error()));
+  const Checked<fs::path> path = file_of_uri(folder, uri);
+  if (!path) return fault(path.error());
   Checked<FileBytes> bytes = read_file(*path, {largest_outside_file});
   if (!bytes) return fault(fmt::format("'{}' cannot be read: {}", shown_uri(uri), bytes.error()));
   return bytes;

@@ -15,6 +15,11 @@ namespace asos::gltf {
 [[nodiscard]] Checked<FileBytes> read_uri(const std::filesystem::path& folder,
                                           std::string_view uri);
 
+/// The file that a uri names, with all links followed: what `read_uri` reads. Faults: it is
+/// refused, or embedded.
+[[nodiscard]] Checked<std::filesystem::path> file_of_uri(const std::filesystem::path& folder,
+                                                         std::string_view uri);
+
 /// Takes %41 back to A. Incomplete escapes stay as they are.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
 

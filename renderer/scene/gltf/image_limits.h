@@ -9,9 +9,12 @@
 
 namespace asos::gltf {
 
+constexpr std::uint64_t any_number_of_pixels = ~std::uint64_t{0};
+
 /// Why a picture that claims this size is not to be decoded from so many bytes: it would be larger
-/// than textures may be, or than the bytes can stand for.
-[[nodiscard]] inline Checked<void> check_size(int width, int height, std::size_t bytes) {
+/// than textures may be, than the bytes can stand for, or than `most_pixels`.
+[[nodiscard]] inline Checked<void> check_size(int width, int height, std::size_t bytes,
+                                              std::uint64_t most_pixels) {
   constexpr int largest_side = 16384;
   // Deflate expands at most 1032 times, and a byte may be a whole pixel of a palette.
   constexpr std::uint64_t most_pixels_per_byte = 1100;
@@ -23,6 +26,11 @@ namespace asos::gltf {
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   if (pixels > bytes * most_pixels_per_byte + free_pixels)
     return fault(fmt::format("{} bytes cannot hold {} x {} pixels", bytes, width, height));
+  if (pixels > most_pixels)
+    return fault(
+        fmt::format("with its {} x {} pixels the textures would be more than a file of "
+                    "this size has use for",
+                    width, height));
   return {};
 }
 

@@ -51,10 +51,10 @@ const char* format_of(Bytes bytes) {
 
 }  // namespace
 
-Checked<Image> decode_image(Bytes bytes) {
+Checked<Image> decode_image(Bytes bytes, std::uint64_t most_pixels) {
   if (bytes.empty()) return fault("it is empty");
   if (bytes.size() > INT_MAX) return fault("it is larger than 2 GiB");
-  if (is_webp(bytes)) return decode_webp(bytes);
+  if (is_webp(bytes)) return decode_webp(bytes, most_pixels);
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {
@@ -62,7 +62,8 @@ Checked<Image> decode_image(Bytes bytes) {
     if (format) return fault(fmt::format("{} pictures are not supported", format));
     return fault(fmt::format("it is no usable PNG, JPEG or WebP ({})", stbi_failure_reason()));
   }
-  if (auto sound = check_size(width, height, bytes.size()); !sound) return fault(sound.error());
+  if (auto sound = check_size(width, height, bytes.size(), most_pixels); !sound)
+    return fault(sound.error());
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
@@ -140,18 +141,49 @@ int Textures::use_image(int index) {
   int& known = image_of_[static_cast<std::size_t>(index)];
   if (known != unknown) return known;
   known = none;
-  Checked<Image> image = load_image(index);
+  const Checked<int> image = add_image(index);
+  if (image) return known = *image;
   const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
-  if (!image) {
-    const std::string name = source.name.empty() ? shown_uri(source.uri) : source.name;
-    doc_.warnings.add(
-        fmt::format("image {} '{}': {}; its textures are left out", index, name, image.error()));
-    return none;
+  const std::string name = source.name.empty() ? shown_uri(source.uri) : source.name;
+  doc_.warnings.add(
+      fmt::format("image {} '{}': {}; its textures are left out", index, name, image.error()));
+  return none;
+}
+
+std::uint64_t Textures::pixels_left() const {
+  // Two gigabytes, and what pictures that are packed well take.
+  constexpr std::uint64_t free_pixels = std::uint64_t{1} << 29, pixels_per_byte = 64;
+  const std::uint64_t most = free_pixels + pixels_per_byte * (doc_.honest_bytes + outside_bytes_);
+  return most - std::min(most, pixels_);
+}
+
+/// Empty where the bytes are nobody else's.
+Textures::ImagePlace Textures::place_of(const ImageSource& source) {
+  if (source.buffer_view >= 0) {
+    const Checked<Bytes> bytes = accessors_.view(source.buffer_view);
+    return bytes ? ImagePlace{bytes->data(), bytes->size(), {}} : ImagePlace{};
   }
+  const auto file = file_of_uri(doc_.folder, source.uri);
+  return file ? ImagePlace{nullptr, 0, file->string()} : ImagePlace{};
+}
+
+Checked<int> Textures::add_image(int index) {
+  const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
+  ImagePlace place = place_of(source);
+  const bool shareable = place != ImagePlace{};
+  if (const auto known = image_at_.find(place); shareable && known != image_at_.end())
+    return known->second;
+  Checked<Image> image = with_image_bytes(doc_, accessors_, index, [&](Bytes bytes) {
+    if (source.buffer_view < 0) outside_bytes_ += bytes.size();
+    return decode_image(bytes, pixels_left());
+  });
+  if (!image) return fault(image.error());
+  pixels_ += image->rgba.size() / 4;
   image->name = source.name;
-  known = static_cast<int>(scene_.images.size());
+  const auto made = static_cast<int>(scene_.images.size());
   scene_.images.push_back(std::move(*image));
-  return known;
+  if (shareable) image_at_.emplace(std::move(place), made);
+  return made;
 }
 
 int Textures::roughness_of(int texture, float factor) {
@@ -168,7 +200,15 @@ int Textures::roughness_of(int texture, float factor) {
                       rough.name, most_factors));
       return none;
     }
+    if (scene_.images[static_cast<std::size_t>(rough.image)].rgba.size() / 4 > pixels_left()) {
+      doc_.warnings.add(fmt::format(
+          "the roughness of texture '{}' would be more than a file of this size has use "
+          "for; its factor alone is used",
+          rough.name));
+      return none;
+    }
     Image image = scene_.images[static_cast<std::size_t>(rough.image)];
+    pixels_ += image.rgba.size() / 4;
     SharedBytes::Bytes& rgba = image.rgba.own();
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
       const float glossiness = factor * static_cast<float>(rgba[i + 3]);
@@ -181,10 +221,6 @@ int Textures::roughness_of(int texture, float factor) {
   rough.image = found->second;
   scene_.textures.push_back(std::move(rough));
   return static_cast<int>(scene_.textures.size()) - 1;
-}
-
-Checked<Image> Textures::load_image(int index) {
-  return with_image_bytes(doc_, accessors_, index, decode_image);
 }
 
 }  // namespace asos::gltf

@@ -1,17 +1,23 @@
 #pragma once
 
 #include "renderer/scene/gltf/accessors.h"
+#include "renderer/scene/gltf/image_limits.h"
 #include "renderer/scene/scene.h"
 
+#include <cstdint>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace asos::gltf {
 
 /// Decodes a PNG, JPEG or WebP to 8-bit RGBA (16-bit PNGs lose their lower half). Faults: another
-/// format, broken data, and dimensions that the bytes cannot stand for, before they are allocated.
-[[nodiscard]] Checked<Image> decode_image(Bytes bytes);
+/// format, broken data, and dimensions that the bytes cannot stand for or that are more than
+/// `most_pixels`, before they are allocated.
+[[nodiscard]] Checked<Image> decode_image(Bytes bytes,
+                                          std::uint64_t most_pixels = any_number_of_pixels);
 
 /// What `use` makes of the bytes of one of the document's images; a fault where there are none.
 template <typename Use>
@@ -46,16 +52,24 @@ class Textures {
   [[nodiscard]] int roughness_of(int texture, float factor);
 
  private:
+  /// Bytes of a buffer, or a file: images that share theirs are one.
+  using ImagePlace = std::tuple<const std::uint8_t*, std::size_t, std::string>;
+
   [[nodiscard]] int load(int texture);
   [[nodiscard]] int image_of(const tinygltf::Texture& texture, int index);
   [[nodiscard]] int use_image(int image);
-  [[nodiscard]] Checked<Image> load_image(int image);
+  [[nodiscard]] Checked<int> add_image(int image);
+  [[nodiscard]] ImagePlace place_of(const ImageSource& source);
+  [[nodiscard]] std::uint64_t pixels_left() const;
 
   Document& doc_;
   Accessors& accessors_;
   Scene& scene_;
   std::vector<int> texture_of_;  // by document texture: unknown, or the scene's
   std::vector<int> image_of_;
+  std::map<ImagePlace, int> image_at_;  // the scene's, by where its bytes are
+  std::uint64_t pixels_ = 0;            // of all
+  std::uint64_t outside_bytes_ = 0;     // of those in files of their own
   std::map<int, std::vector<std::pair<float, int>>> roughness_of_;  // by image: factor, image
 };
 

@@ -46,16 +46,20 @@ Checked<void> Importer::add_mesh(int index, const tinygltf::Node& node) {
   }
   shown_.insert(static_cast<std::size_t>(node.mesh));
   const tinygltf::Mesh& mesh = doc_.model.meshes[static_cast<std::size_t>(node.mesh)];
-  std::optional<SkinPose> skin;
+  const SkinPose* skin = nullptr;
   if (node.skin >= 0) {
-    Checked<SkinPose> pose = skin_pose(doc_, accessors_, graph_, node.skin);
+    auto known = skins_.find(node.skin);
+    if (known == skins_.end())
+      known = skins_.emplace(node.skin, skin_pose(doc_, accessors_, graph_, node.skin)).first;
+    const Checked<SkinPose>& pose = known->second;
     if (!pose) doc_.warnings.add(fmt::format("node {}: {}; drawn unskinned", index, pose.error()));
-    if (pose) skin = std::move(*pose);
+    if (pose) skin = &*pose;
   }
-  const std::vector<glm::dmat4> copies =
-      instance_matrices(node, fmt::format("node {}", index), accessors_, doc_.warnings);
+  const auto copies = instance_matrices(node, fmt::format("node {}", index), most_instances,
+                                        accessors_, doc_.warnings);
+  if (!copies) return fault(copies.error());
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-    auto done = add_primitive(index, static_cast<int>(p), skin ? &*skin : nullptr, copies);
+    auto done = add_primitive(index, static_cast<int>(p), skin, *copies);
     if (!done) return done;
   }
   return {};
@@ -80,8 +84,10 @@ Checked<void> Importer::add_shape(int index, const tinygltf::Node& node, const S
   const auto number = static_cast<int>(known - scene_.shapes.begin());
   if (known == scene_.shapes.end()) scene_.shapes.push_back(shape);
   const bool shows_light = on_or_off(node.extras, "asos_light_fallback").value_or(false);
-  for (const glm::dmat4& copy :
-       instance_matrices(node, fmt::format("node {}", index), accessors_, doc_.warnings)) {
+  const auto copies = instance_matrices(node, fmt::format("node {}", index), most_instances,
+                                        accessors_, doc_.warnings);
+  if (!copies) return fault(copies.error());
+  for (const glm::dmat4& copy : *copies) {
     if (scene_.instances.size() >= most_instances)
       return fault(fmt::format("has more than {} objects, which is the limit", most_instances));
     scene_.instances.push_back({node.name, mesh, world_from_shape * copy, shows_light, number});
@@ -117,6 +123,9 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
   if (skinned) world_from_mesh = glm::dmat4(1.0);
   const int loaded = load(index, p, skinned ? skin : nullptr, place, world_from_mesh);
   const bool shows_light = on_or_off(node.extras, "asos_light_fallback").value_or(false);
+  // A growing list would be held twice.
+  if (loaded >= 0 && copies.size() > scene_.instances.capacity() / 2)
+    scene_.instances.reserve(scene_.instances.size() + copies.size());
   for (const glm::dmat4& copy : copies) {
     if (loaded < 0) continue;
     scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light, -1});
@@ -140,7 +149,14 @@ int Importer::load(int index, int p, const SkinPose* skin, const std::string& pl
   PrimitiveRequest request{primitive, place, {}, skin, graph_.world_from_node(index), nullptr};
   if (!primitive.targets.empty() || !mesh.weights.empty()) {
     const std::vector<double>& own = graph_.pose(index).weights;
-    request.weights = own.empty() ? mesh.weights : own;
+    const std::vector<double>& all = own.empty() ? mesh.weights : own;
+    const std::size_t targets = primitive.targets.size();
+    if (all.size() > targets)
+      doc_.warnings.add(
+          fmt::format("{}: {} weights for {} morph targets", place, all.size(), targets));
+    // No more than are needed: every primitive is known by its own.
+    const auto used = static_cast<std::ptrdiff_t>(std::min(all.size(), targets));
+    request.weights.assign(all.begin(), all.begin() + used);
   }
   const MeshKey key{node.mesh, p, request.weights};
   if (const auto known = meshes_.find(key); !skin && known != meshes_.end()) return known->second;

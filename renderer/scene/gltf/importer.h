@@ -3,6 +3,7 @@
 #include "renderer/scene/gltf/accessors.h"
 #include "renderer/scene/gltf/nodes.h"
 #include "renderer/scene/gltf/primitive.h"
+#include "renderer/scene/gltf/skin.h"
 #include "renderer/scene/load.h"
 #include "renderer/scene/scene.h"
 
@@ -61,6 +62,7 @@ class Importer {
   Scene scene_;
   std::map<MeshKey, int> meshes_;  // the scene's
   std::set<std::size_t> shown_;    // the document's meshes
+  std::map<int, Checked<SkinPose>> skins_;
   std::uint64_t triangles_ = 0;
 };
 

@@ -28,9 +28,9 @@ glm::dvec3 vector_at(const std::vector<float>& values, std::size_t i) {
   return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
 }
 
-Checked<std::vector<NodePose>> read_copies(const tinygltf::Value& attributes,
-                                           const std::string& place, Accessors& accessors,
-                                           Warnings& warnings) {
+Checked<std::vector<glm::dmat4>> read_copies(const tinygltf::Value& attributes,
+                                             const std::string& place, Accessors& accessors,
+                                             Warnings& warnings) {
   const auto translations = values_of(attributes, "TRANSLATION", 3, accessors);
   const auto rotations = values_of(attributes, "ROTATION", 4, accessors);
   const auto scales = values_of(attributes, "SCALE", 3, accessors);
@@ -44,35 +44,41 @@ Checked<std::vector<NodePose>> read_copies(const tinygltf::Value& attributes,
   if (!fits(translations->size(), 3) || !fits(rotations->size(), 4) || !fits(scales->size(), 3)) {
     return fault("its attributes differ in length");
   }
-  std::vector<NodePose> poses(count);
+  std::vector<glm::dmat4> matrices;
+  matrices.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (!translations->empty()) poses[i].translation = vector_at(*translations, i);
-    if (!scales->empty()) poses[i].scale = vector_at(*scales, i);
+    NodePose pose;
+    if (!translations->empty()) pose.translation = vector_at(*translations, i);
+    if (!scales->empty()) pose.scale = vector_at(*scales, i);
     if (!rotations->empty()) {
       const float* r = rotations->data() + i * 4;
-      poses[i].rotation = unit_rotation(glm::dquat(r[3], r[0], r[1], r[2]), place, warnings);
+      pose.rotation = unit_rotation(glm::dquat(r[3], r[0], r[1], r[2]), place, warnings);
     }
+    matrices.push_back(pose.parent_from_node());
   }
-  return poses;
+  return matrices;
 }
 
 }  // namespace
 
-std::vector<glm::dmat4> instance_matrices(const tinygltf::Node& node, const std::string& place,
-                                          Accessors& accessors, Warnings& warnings) {
-  const std::vector<glm::dmat4> once{glm::dmat4(1.0)};
+Checked<std::vector<glm::dmat4>> instance_matrices(const tinygltf::Node& node,
+                                                   const std::string& place, std::size_t most,
+                                                   Accessors& accessors, Warnings& warnings) {
+  std::vector<glm::dmat4> once{glm::dmat4(1.0)};
   const tinygltf::Value* ext = extension(node.extensions, "EXT_mesh_gpu_instancing");
   if (!ext || !ext->Has("attributes")) return once;
-  const auto poses = read_copies(ext->Get("attributes"), place, accessors, warnings);
-  if (!poses) {
-    warnings.add(fmt::format("{}: its instancing is left out: {}", place, poses.error()));
-    return once;
+  const tinygltf::Value& attributes = ext->Get("attributes");
+  for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"}) {
+    const Checked<std::uint64_t> count =
+        accessors.declared_count(whole(attributes, name).value_or(-1));
+    if (count && *count > most)
+      return fault(fmt::format("has more than {} objects, which is the limit", most));
   }
-  if (poses->empty()) return once;
-  std::vector<glm::dmat4> matrices;
-  matrices.reserve(poses->size());
-  for (const NodePose& pose : *poses) matrices.push_back(pose.parent_from_node());
-  return matrices;
+  Checked<std::vector<glm::dmat4>> copies = read_copies(attributes, place, accessors, warnings);
+  if (copies && !copies->empty()) return copies;
+  if (!copies)
+    warnings.add(fmt::format("{}: its instancing is left out: {}", place, copies.error()));
+  return once;
 }
 
 }  // namespace asos::gltf

@@ -107,7 +107,7 @@ std::string crossing_fault(const FlatOutlines& flat) {
 }  // namespace
 
 Checked<FlatOutlines> flatten_outlines(Outlines outlines) {
-  if (std::string why = count_fault(outlines); !why.empty()) return fault(std::move(why));
+  if (std::string why = count_fault(outlines); !why.empty()) return fault(why);
   FlatOutlines flat{std::move(outlines), {}, {}};
   const std::vector<glm::dvec3>& outer = flat.outlines[0];
   for (const glm::dvec3 p : outer) flat.middle += p / static_cast<double>(outer.size());
@@ -129,7 +129,7 @@ Checked<FlatOutlines> flatten_outlines(Outlines outlines) {
     if (!(std::abs(along) > least)) return fault("has an outline without area");
     if (i > 0 && along > 0.0) std::reverse(flat.outlines[i].begin(), flat.outlines[i].end());
   }
-  if (std::string why = crossing_fault(flat); !why.empty()) return fault(std::move(why));
+  if (std::string why = crossing_fault(flat); !why.empty()) return fault(why);
   return flat;
 }
 

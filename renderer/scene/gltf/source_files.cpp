@@ -5,8 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
+#include <unordered_set>
+#include <utility>
 
 namespace asos {
 
@@ -43,9 +44,10 @@ std::vector<std::string> source_files(const std::string& source) {
       nlohmann::json::parse(container->json.begin(), container->json.end(), nullptr, false);
   if (!document.is_object()) return files;
   const std::filesystem::path folder = std::filesystem::path(source).parent_path();
+  std::unordered_set<std::string> known{source};
   for (const std::string& file : named_files(document)) {
-    const std::string path = (folder / file).lexically_normal().string();
-    if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(path);
+    std::string path = (folder / file).lexically_normal().string();
+    if (known.insert(path).second) files.push_back(std::move(path));
   }
   return files;
 }

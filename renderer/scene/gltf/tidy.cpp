@@ -114,8 +114,10 @@ std::set<std::string> strings_of(const json& root, const char* name, Warnings& w
 
 class Tidier {
  public:
-  Tidier(Warnings& warnings, std::set<std::string> declared)
-      : warnings_(warnings), declared_(std::move(declared)) {}
+  Tidier(Warnings& warnings, std::set<std::string> declared, std::size_t json_bytes)
+      : warnings_(warnings),
+        declared_(std::move(declared)),
+        memory_left_(free_memory + memory_per_byte * json_bytes) {}
 
   Checked<void> visit(json& value, const std::string& place) {
     if (value.is_array()) {
@@ -124,6 +126,7 @@ class Tidier {
         if (auto r = visit(value[i], fmt::format("{}/{}", place, i)); !r) return r;
       }
     }
+    if (auto r = take_memory(value, place); !r) return r;
     if (!value.is_object()) return {};
     tidy_extras(value, place);
     tidy_extensions(value, place);
@@ -141,6 +144,20 @@ class Tidier {
   }
 
  private:
+  /// Counts what tinygltf and the importer will make of a list's or an object's own entries.
+  Checked<void> take_memory(const json& value, const std::string& place) {
+    std::uint64_t taken = value.is_object() ? bytes_of_object : 0;
+    if (place.starts_with("/materials/") && std::count(place.begin(), place.end(), '/') == 2)
+      taken = bytes_of_material;
+    if (place.ends_with("/joints")) taken = bytes_of_joint * value.size();
+    // Those of extensions become generic values.
+    if (place.find("/extensions/") != std::string::npos) taken += bytes_of_value * value.size();
+    if (taken > memory_left_)
+      return fault("its JSON has more entries than files of its size have use for");
+    memory_left_ -= taken;
+    return {};
+  }
+
   void tidy_extensions(json& object, const std::string& place) {
     const auto found = object.find("extensions");
     if (found == object.end()) return;
@@ -206,8 +223,14 @@ class Tidier {
     value = std::move(kept);
   }
 
+  // What is measured of lists of a million small entries, and what the densest of real files take.
+  static constexpr std::uint64_t bytes_of_object = 1000, bytes_of_material = 4500;
+  static constexpr std::uint64_t bytes_of_value = 200, bytes_of_joint = 150;
+  static constexpr std::uint64_t free_memory = std::uint64_t{200} << 20, memory_per_byte = 40;
+
   Warnings& warnings_;
   std::set<std::string> declared_;
+  std::uint64_t memory_left_;
 };
 
 void tidy_primitive(json& primitive, const std::string& place, Warnings& warnings) {
@@ -296,13 +319,13 @@ Checked<std::vector<std::string>> check_header(const json& root, Warnings& warni
   return optional;
 }
 
-Checked<void> tidy(json& root, Warnings& warnings) {
+Checked<void> tidy(json& root, std::size_t json_bytes, Warnings& warnings) {
   for (auto it = root.begin(); it != root.end(); ++it) {
     if (it.value().is_array() && it.value().empty()) {
       warnings.add(fmt::format("/{} is an empty list", it.key()));
     }
   }
-  Tidier tidier(warnings, strings_of(root, "extensionsUsed", warnings));
+  Tidier tidier(warnings, strings_of(root, "extensionsUsed", warnings), json_bytes);
   if (auto done = tidier.visit(root, ""); !done) return done;
   tidy_meshes(root, warnings);
   tidy_animations(root, warnings);

@@ -22,8 +22,9 @@ namespace asos::gltf {
 /// light's `casts_shadows`) and unknown extensions, whose values would be copied many times over,
 /// drops references that are not whole numbers and would wrap around, and moves each primitive's
 /// `indices` among its attributes, since tinygltf refuses indices without a buffer view, which
-/// Draco and sparse accessors have. Faults: offsets and lengths that are not whole numbers.
-/// Recursive: check the nesting depth first.
-[[nodiscard]] Checked<void> tidy(nlohmann::json& root, Warnings& warnings);
+/// Draco and sparse accessors have. Faults: offsets and lengths that are not
+/// whole numbers, and more entries than `json_bytes` of text can mean to have, of which tinygltf
+/// makes hundreds of times as much. Recursive: check the nesting depth first.
+[[nodiscard]] Checked<void> tidy(nlohmann::json& root, std::size_t json_bytes, Warnings& warnings);
 
 }  // namespace asos::gltf

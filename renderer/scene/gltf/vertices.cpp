@@ -158,10 +158,6 @@ void AttributeSource::read_influences(VertexData& data, const Selection& selecti
 
 void AttributeSource::morph(VertexData& data, const Selection& selection) {
   const auto& targets = request_.primitive.targets;
-  if (request_.weights.size() > targets.size()) {
-    warnings_.add(fmt::format("{}: {} weights for {} morph targets", request_.place,
-                              request_.weights.size(), targets.size()));
-  }
   const auto add = [&](const auto& target, const char* name, float weight, auto& values) {
     const auto found = target.find(name);
     if (found == target.end() || values.empty()) return;

@@ -4,16 +4,36 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <string_view>
 #include <utility>
 
 namespace asos::gltf {
 
 namespace {
 constexpr std::size_t most_warnings = 100;
+constexpr std::size_t longest_remark = 500;
+}  // namespace
+
+std::string shortened(const std::string& text) {
+  constexpr std::string_view gap = "...";
+  if (text.size() <= longest_remark) return text;
+  // No character is cut in two.
+  const auto goes_on = [&](std::size_t at) {
+    return (static_cast<std::uint8_t>(text[at]) & 0xc0) == 0x80;
+  };
+  std::size_t head = (longest_remark - gap.size()) / 2;
+  std::size_t tail = text.size() - head;
+  while (head > 0 && goes_on(head)) --head;
+  while (tail < text.size() && goes_on(tail)) ++tail;
+  return text.substr(0, head).append(gap).append(text, tail, std::string::npos);
 }
 
 void Warnings::add(const std::string& from_file) {
-  std::string text = printable(from_file);
+  // What is said of each of a million entries.
+  if (!from_file.empty() && from_file == last_) return;
+  last_ = from_file;
+  std::string text = printable(shortened(from_file));
   if (seen_.contains(text)) return;
   if (texts_.size() >= most_warnings) {
     ++dropped_;
@@ -24,7 +44,7 @@ void Warnings::add(const std::string& from_file) {
 }
 
 void Warnings::add_loss(const std::string& text) {
-  if (first_loss_.empty()) first_loss_ = text;
+  if (first_loss_.empty()) first_loss_ = shortened(text);
   add(text);
 }
 

@@ -13,8 +13,11 @@ namespace asos::gltf {
 template <typename T>
 using Checked = tl::expected<T, std::string>;
 
-inline tl::unexpected<std::string> fault(std::string reason) {
-  return tl::unexpected<std::string>(std::move(reason));
+/// A remark of at most 500 bytes: a longer one, whose names a file chose, loses its middle.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+inline tl::unexpected<std::string> fault(const std::string& reason) {
+  return tl::unexpected<std::string>(shortened(reason));
 }
 
 /// The faults that the importer repaired or ignored, each said once. A broken file can have a
@@ -35,6 +38,7 @@ class Warnings {
  private:
   std::vector<std::string> texts_;
   std::unordered_set<std::string> seen_;
+  std::string last_;
   std::string first_loss_;
   std::size_t dropped_ = 0;
 };

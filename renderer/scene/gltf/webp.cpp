@@ -30,13 +30,13 @@ bool is_webp(Bytes bytes) {
          std::memcmp(bytes.data() + 8, "WEBP", 4) == 0;
 }
 
-Checked<Image> decode_webp(Bytes bytes) {
+Checked<Image> decode_webp(Bytes bytes, std::uint64_t most_pixels) {
   WebPBitstreamFeatures features;
   const VP8StatusCode known = WebPGetFeatures(bytes.data(), bytes.size(), &features);
   if (known != VP8_STATUS_OK)
     return fault(std::string("it is no usable WebP picture: ") + reason_of(known));
   if (features.has_animation != 0) return fault("animated WebP pictures are not supported");
-  if (auto sound = check_size(features.width, features.height, bytes.size()); !sound)
+  if (auto sound = check_size(features.width, features.height, bytes.size(), most_pixels); !sound)
     return fault(sound.error());
 
   Image image;

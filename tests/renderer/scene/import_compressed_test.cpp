@@ -71,6 +71,35 @@ TEST(ImportCompressed, MeshoptThatClaimsTooMuchIsRefused) {
   EXPECT_NE(scene.error().reason.find("cannot hold"), std::string::npos) << scene.error().message();
 }
 
+// Each expands as far as its bytes may, and all of them are the same.
+TEST(ImportCompressed, MeshoptThatManyViewsShareIsCounted) {
+  constexpr std::size_t count = 3 * 5461;
+  const std::vector<glm::vec3> positions(count, glm::vec3(1));
+  std::vector<unsigned char> v(meshopt_encodeVertexBufferBound(count, sizeof(glm::vec3)));
+  v.resize(
+      meshopt_encodeVertexBuffer(v.data(), v.size(), positions.data(), count, sizeof(glm::vec3)));
+  GltfBuilder b;
+  const int packed = b.view(v.data(), v.size());
+  const nlohmann::json at = b.json["bufferViews"][static_cast<std::size_t>(packed)];
+  b.json["extensionsUsed"] = {"EXT_meshopt_compression"};
+  for (int i = 0; i < 400; ++i) {
+    nlohmann::json view{{"buffer", 0}, {"byteLength", count * sizeof(glm::vec3)}};
+    nlohmann::json& extension = view["extensions"]["EXT_meshopt_compression"] = at;
+    extension["mode"] = "ATTRIBUTES";
+    extension["byteStride"] = sizeof(glm::vec3);
+    extension["count"] = count;
+    b.json["bufferViews"].push_back(view);
+    b.primitive({{"POSITION", b.accessor(packed + 1 + i, 5126, "VEC3", count)}});
+  }
+  const Result<Scene> scene = load_in_time(b);
+  ASSERT_TRUE(scene) << scene.error().message();
+  EXPECT_GE(scene->meshes.size(), 2u);
+  EXPECT_LT(scene->meshes.size(), 200u);
+  ASSERT_FALSE(scene->notes.warnings.empty());
+  EXPECT_NE(scene->notes.warnings[0].find("more than the file can hold"), std::string::npos)
+      << scene->notes.warnings[0];
+}
+
 TEST(ImportCompressed, BrokenMeshoptIsNamed) {
   GltfBuilder b = meshopt_square();
   b.bin[0] = '\x11';
