@@ -2,6 +2,7 @@
 
 #include "renderer/pyray/hit_list.h"
 #include "ui/previewer.h"
+#include "ui/snapshot_view.h"
 
 #include <fmt/format.h>
 
@@ -182,18 +183,19 @@ void PixelInspector::update(const Previewer& previewer, std::optional<glm::ivec2
   if (report_ && report_->pixel != *picked) report_.reset();
   if (wanted == asked_ || !previewer.scene()->geometry->boundaries.known()) return;
   asked_ = wanted;
-  job_.ask({previewer.scene().shared(), previewer.viewpoint().camera().camera(), settings, *picked,
+  job_.ask({{previewer.scene().shared(), previewer.viewpoint().camera().camera(), settings},
+            *picked,
             boundaries});
 }
 
 PixelReport PixelInspector::work(const Request& request) {
-  const RenderScene& scene = *request.scene;
-  const View view(request.camera, request.settings.width, request.settings.height,
-                  radius_around_origin(scene.world().bounds));
+  const RenderScene& scene = *request.picture.scene;
+  const RenderSettings& settings = request.picture.settings;
+  const View view = view_of(request.picture);
   PixelReport report;
   report.pixel = request.pixel;
-  report.settings = as_published(request.settings);
-  report.trace = trace_pixel(scene, view, request.settings, request.pixel.x, request.pixel.y);
+  report.settings = as_published(settings);
+  report.trace = trace_pixel(scene, view, settings, request.pixel.x, request.pixel.y);
   for (const LevelTally& level : report.trace.levels)
     report.level_object.push_back(strongest_object(scene, level));
   report.seen = seen_grid(report.trace.cells);

@@ -2,12 +2,12 @@
 
 #include "renderer/asos/pixel_trace.h"
 #include "renderer/prepared/render_scene.h"
+#include "renderer/session/render_session.h"
 #include "ui/latest_job.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,9 +64,7 @@ class PixelInspector {
 
  private:
   struct Request {
-    std::shared_ptr<const RenderScene> scene;
-    Camera camera;
-    RenderSettings settings;
+    Snapshot picture;
     glm::ivec2 pixel{0};
     bool with_boundaries = false;
   };

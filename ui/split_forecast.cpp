@@ -2,6 +2,7 @@
 
 #include "renderer/comparison/method.h"
 #include "ui/previewer.h"
+#include "ui/snapshot_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +39,7 @@ PixelRect block_at(const RenderSettings& settings, int index) {
 
 Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
   const RenderSettings& settings = snapshot.settings;
-  const View view(snapshot.camera, settings.width, settings.height,
-                  radius_around_origin(snapshot.scene->world().bounds));
+  const View view = view_of(snapshot);
   const double start = own_processor_seconds();
   double pixels = 0.0, split = 0.0, squares = 0.0, taken = 0.0;
   int blocks = 0;

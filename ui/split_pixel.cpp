@@ -1,12 +1,14 @@
 #include "ui/split_pixel.h"
 
 #include "renderer/asos/pixel_trace.h"
+#include "renderer/film/film.h"
 #include "renderer/sampling/random.h"
 #include "ui/previewer.h"
+#include "ui/snapshot_view.h"
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+#include <utility>
 
 namespace asos {
 
@@ -29,43 +31,75 @@ int rank_of(const Film& film, std::size_t i) {
   return film.split_level[i] + 256 * sort;
 }
 
-// Some of those that bounds of objects split, from all over the picture.
-std::vector<glm::ivec2> candidates(const Film& film) {
-  std::vector<glm::ivec2> pixels;
-  for (int y = 0; y < film.height; ++y) {
-    for (int x = 0; x < film.width; ++x) {
-      const std::size_t i = film.index(x, y);
-      // What one edge cuts is of level 1.
-      if (film.split_level[i] > 1 &&
-          (bounded(film.cause[i]) || film.cause[i] == SplitCause::depth_limit))
-        pixels.emplace_back(x, y);
-    }
-  }
-  const auto key = [](glm::ivec2 p) { return pixel_random(p.x, p.y, 0); };
-  std::sort(pixels.begin(), pixels.end(),
-            [&](glm::ivec2 a, glm::ivec2 b) { return key(a) < key(b); });
-  pixels.resize(std::min(pixels.size(), most_traced));
-  if (const std::optional<glm::ivec2> first = most_split_pixel(film))
-    pixels.insert(pixels.begin(), *first);
-  return pixels;
-}
-
-// How much there is to see: cells that were split, and how far apart their colours are. 0 to 1.
-double interest(const PixelTrace& trace) {
-  constexpr std::ptrdiff_t many = 6;
-  const auto split =
-      std::count_if(trace.cells.begin(), trace.cells.end(),
-                    [](const TracedCell& cell) { return cell.fate == CellFate::split; });
-  float darkest = std::numeric_limits<float>::max(), brightest = 0.0f;
-  for (const TracedCell& cell : trace.cells) {
-    for (const TracedSample& sample : cell.samples) {
-      const float green = std::clamp(sample.radiance.g, 0.0f, 1.0f);
+// How far the bytes of a pixel's neighbours differ, 0 to 255.
+int contrast_around(const Film& film, glm::ivec2 pixel) {
+  int darkest = 255, brightest = 0;
+  for (int y = std::max(0, pixel.y - 1); y <= std::min(film.height - 1, pixel.y + 1); ++y) {
+    for (int x = std::max(0, pixel.x - 1); x <= std::min(film.width - 1, pixel.x + 1); ++x) {
+      const int green = display_bytes(film.radiance[film.index(x, y)], 0.0f).y;
       darkest = std::min(darkest, green);
       brightest = std::max(brightest, green);
     }
   }
-  const double contrast = std::min(1.0, 3.0 * std::max(0.0, 1.0 * brightest - darkest));
-  return static_cast<double>(std::min(split, many)) / many * (0.4 + 0.6 * contrast);
+  return brightest - darkest;
+}
+
+struct Candidate {
+  glm::ivec2 pixel;
+  int contrast;  // to its neighbours, in steps that one sees
+};
+
+// Some of those that may be split themselves, from all over the picture; first those that stand out
+// most. Many that an edge cuts, or only a shadow's, are no more than cut.
+std::vector<glm::ivec2> candidates(const Film& film) {
+  constexpr int contrast_step = 48;
+  std::vector<Candidate> found;
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const std::size_t i = film.index(x, y);
+      // What one edge cuts is of level 1; a mirror splits what it shows, not the pixel.
+      if (film.split_level[i] > 1 && film.cause[i] != SplitCause::reflection)
+        found.push_back({{x, y}, contrast_around(film, {x, y}) / contrast_step});
+    }
+  }
+  const auto key = [](const Candidate& c) {
+    return std::pair(-c.contrast, pixel_random(c.pixel.x, c.pixel.y, 0));
+  };
+  std::sort(found.begin(), found.end(),
+            [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });
+  found.resize(std::min(found.size(), most_traced));
+  std::vector<glm::ivec2> pixels;
+  for (const Candidate& candidate : found) pixels.push_back(candidate.pixel);
+  if (const std::optional<glm::ivec2> most = most_split_pixel(film)) pixels.push_back(*most);
+  return pixels;
+}
+
+// Each cell that is split, for whatever reason, is followed by its four children.
+std::size_t splits(const PixelTrace& trace) {
+  return trace.cells.size() / 4;
+}
+
+// How much there is to see: cells that were split, or else parts that edges cut off, and how far
+// apart their colours are. 0 to 1.
+double interest(const PixelTrace& trace) {
+  std::size_t samples = 0;
+  int darkest = 255, brightest = 0;
+  for (const TracedCell& cell : trace.cells) {
+    samples += cell.samples.size();
+    for (const TracedSample& sample : cell.samples) {
+      const int green = display_bytes(sample.radiance, 0.0f).y;
+      darkest = std::min(darkest, green);
+      brightest = std::max(brightest, green);
+    }
+  }
+  constexpr double clear = 100.0;  // bytes
+  const double contrast = std::clamp((brightest - darkest) / clear, 0.0, 1.0);
+  const auto share_of = [](std::size_t count, std::size_t many) {
+    return static_cast<double>(std::min(count, many)) / static_cast<double>(many);
+  };
+  constexpr double as_nothing = 0.02;  // beside what is split
+  if (splits(trace) == 0) return as_nothing * share_of(samples, 4) * contrast;
+  return share_of(splits(trace), 6) * (0.2 + 0.8 * contrast);
 }
 
 }  // namespace
@@ -92,34 +126,34 @@ std::optional<glm::ivec2> most_split_pixel(const Film& film) {
 SplitPixelSearch::SplitPixelSearch()
     : job_([this](const Request& request) { return work(request); }, {}, Overtaken::kept) {}
 
-std::optional<glm::ivec2> SplitPixelSearch::update(const Previewer& previewer, bool wanted) {
+SplitPixelSearch::Answer SplitPixelSearch::update(const Previewer& previewer, bool wanted) {
   if (std::optional<Found> found = job_.take_outcome()) found_ = *found;
   const PreviewRender& render = previewer.render();
   const std::uint64_t now = render.restarts();
   current_ = now;
-  if (!previewer.scene() || !render.progress().finished) return std::nullopt;
-  if (found_.restarts == now) return found_.pixel;
-  if (!wanted || asked_ == now || !previewer.scene()->geometry->boundaries.known())
-    return std::nullopt;
+  if (!previewer.scene() || !render.progress().finished) return {};
+  if (found_.restarts == now) return {found_.pixel, !found_.split};
+  if (!wanted || asked_ == now || !previewer.scene()->geometry->boundaries.known()) return {};
   asked_ = now;
-  job_.ask({previewer.scene().shared(), previewer.viewpoint().camera().camera(), render.settings(),
-            candidates(render.film()), now});
-  return std::nullopt;
+  job_.ask({render.snapshot(), candidates(render.film()), now});
+  return {};
 }
 
 SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) const {
-  const RenderSettings& settings = request.settings;
-  const View view(request.camera, settings.width, settings.height,
-                  radius_around_origin(request.scene->world().bounds));
-  Found found{std::nullopt, request.restarts};
+  const Snapshot& picture = request.picture;
+  const View view = view_of(picture);
+  Found found{std::nullopt, false, request.restarts};
   double most = 0.0;
   const auto start = std::chrono::steady_clock::now();
   for (const glm::ivec2 pixel : request.candidates) {
-    if (pixel.x >= settings.width || pixel.y >= settings.height) continue;
     constexpr double enough = 0.5;
-    const double seen = interest(trace_pixel(*request.scene, view, settings, pixel.x, pixel.y));
-    if (seen > most) found.pixel = pixel;
-    most = std::max(most, seen);
+    const PixelTrace trace = trace_pixel(*picture.scene, view, picture.settings, pixel.x, pixel.y);
+    const double seen = interest(trace);
+    if (seen > most) {
+      most = seen;
+      found.pixel = pixel;
+      found.split = splits(trace) > 0;
+    }
     if (most > enough || current_ != request.restarts ||
         std::chrono::steady_clock::now() - start > longest_search)
       break;

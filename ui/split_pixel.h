@@ -1,14 +1,13 @@
 #pragma once
 
 #include "renderer/film/film.h"
-#include "renderer/prepared/render_scene.h"
+#include "renderer/session/render_session.h"
 #include "ui/latest_job.h"
 
 #include <glm/glm.hpp>
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,8 +21,9 @@ class Previewer;
 
 /// Looks in the background for a pixel of the finished picture on which one sees what splitting is.
 /// Edges that cut a pixel cleanly split none, and few pixels are left: of many from all over the
-/// picture, that are traced, the one whose cells are split most often and differ most. All members
-/// are for one thread.
+/// picture that are traced, those first that stand out from their neighbours, the one whose cells
+/// are split most often and differ most; where none is split, one that edges cut. All members are
+/// for one thread.
 class SplitPixelSearch {
  public:
   SplitPixelSearch();
@@ -31,21 +31,23 @@ class SplitPixelSearch {
   SplitPixelSearch(const SplitPixelSearch&) = delete;
   SplitPixelSearch& operator=(const SplitPixelSearch&) = delete;
 
-  /// Call once a frame. The pixel of the picture as it is; none: not yet, or nothing is split.
-  /// `wanted`: whether to look for one.
-  std::optional<glm::ivec2> update(const Previewer& previewer, bool wanted);
+  struct Answer {
+    std::optional<glm::ivec2> pixel;
+    bool none_split = false;  ///< of all that were looked at: this one is cut, or there is none
+  };
+  /// Call once a frame: what is known of the picture as it is. `wanted`: whether to look.
+  Answer update(const Previewer& previewer, bool wanted);
   [[nodiscard]] bool busy() const { return job_.pending(); }
 
  private:
   struct Request {
-    std::shared_ptr<const RenderScene> scene;
-    Camera camera;
-    RenderSettings settings;
+    Snapshot picture;
     std::vector<glm::ivec2> candidates;
     std::uint64_t restarts = 0;
   };
   struct Found {
     std::optional<glm::ivec2> pixel;
+    bool split = false;
     std::uint64_t restarts = 0;
   };
   [[nodiscard]] Found work(const Request& request) const;

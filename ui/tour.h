@@ -26,6 +26,7 @@ struct Tour {
   double since_seconds = 0.0;
   std::optional<glm::ivec2> pixel;  ///< that the cards speak of
   std::optional<glm::ivec2> found;  ///< for that, in the finished picture; see SplitPixelSearch
+  bool none_split = false;          ///< nor any other: see SplitPixelSearch
 
   struct Before {
     bool show_split_map = false;

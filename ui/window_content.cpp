@@ -108,8 +108,10 @@ void WindowContent::draw(const FrameInput& in) {
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
-  state_.tour.found =
+  const auto looked =
       split_search_.update(previewer_, state_.tour.card && *state_.tour.card <= Tour::Card::split);
+  state_.tour.found = looked.pixel;
+  state_.tour.none_split = looked.none_split;
   // A study's times count: what only checks the picture waits for it.
   check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());

@@ -3,6 +3,7 @@
 #include "renderer/asos/pixel_trace.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/panels/pixel_place.h"
+#include "ui/snapshot_view.h"
 #include "ui/split_pixel.h"
 
 #include <gtest/gtest.h>
@@ -51,31 +52,71 @@ TEST(MostSplitPixel, IsTheDeepestNearestToTheMiddle) {
   EXPECT_FALSE(most_split_pixel(Film{}));
 }
 
-// Few of the pixels that an edge passes through are split, since most are cut cleanly: the one to
-// watch is such a one.
-TEST(TourOfTheOffice, WatchesAPixelThatIsSplit) {
-  UiRig rig(LoadFunction{}, {700, 300});
-  rig.set_blind(true);
-  rig.previewer().scene().open("builtin:office");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-  ASSERT_TRUE(rig.settle());
-  rig.content().state().tour_asked = true;
-  const UiState& state = rig.content().state();
-  ASSERT_TRUE(rig.frames_until([&] { return state.tour.found.has_value(); }));
-  rig.click("Next card");
-  rig.frame();
-  ASSERT_TRUE(state.picked);
-  EXPECT_EQ(state.picked, state.tour.found);
-  const RenderSettings& rendered = rig.previewer().render().settings();
-  const RenderScene& scene = *rig.previewer().scene().get();
-  const View view(rig.previewer().viewpoint().camera().camera(), rendered.width, rendered.height,
-                  radius_around_origin(scene.world().bounds));
-  const auto splits = [&](glm::ivec2 pixel) {
-    const PixelTrace trace = trace_pixel(scene, view, rendered, pixel.x, pixel.y);
-    return std::count_if(trace.cells.begin(), trace.cells.end(),
-                         [](const TracedCell& cell) { return cell.fate == CellFate::split; });
-  };
-  EXPECT_GT(splits(*state.picked), 0) << state.picked->x << ' ' << state.picked->y;
+// The pixel that the tour chooses in a scene's finished picture.
+class TourOf {
+ public:
+  TourOf(const std::string& scene, int max_level) : rig(LoadFunction{}, {700, 300}) {
+    rig.set_blind(true);
+    rig.previewer().edits().settings().asos.max_level = max_level;
+    rig.previewer().scene().open(scene);
+    opened_ =
+        rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }) && rig.settle();
+    rig.content().state().tour_asked = true;
+    rig.frame();
+  }
+  [[nodiscard]] bool found() {
+    return opened_ && rig.frames_until([&] { return state().tour.found.has_value(); }, 10.0);
+  }
+  const UiState& state() { return rig.content().state(); }
+  const Film& film() { return rig.previewer().render().film(); }
+
+  UiRig rig;
+
+ private:
+  bool opened_ = false;
+};
+
+// Of the pixels that an edge passes through few are split, since most are cut cleanly; some are for
+// their shading. Where there is none at all, the card says so of one that is cut.
+TEST(TourOfAScene, WatchesAPixelThatIsSplit) {
+  int split = 0;
+  for (const char* scene : {"builtin:office", "builtin:boxes"}) {
+    SCOPED_TRACE(scene);
+    TourOf tour(scene, 2);
+    ASSERT_TRUE(tour.found());
+    tour.rig.click("Next card");
+    tour.rig.frame();
+    ASSERT_TRUE(tour.state().picked);
+    EXPECT_EQ(tour.state().picked, tour.state().tour.found);
+    const glm::ivec2 pixel = *tour.state().picked;
+    const Snapshot picture = tour.rig.previewer().render().snapshot();
+    const PixelTrace trace =
+        trace_pixel(*picture.scene, view_of(picture), picture.settings, pixel.x, pixel.y);
+    EXPECT_EQ(trace.cells.size() > 4, !tour.state().tour.none_split);
+    const bool cut = std::any_of(trace.cells.begin(), trace.cells.end(),
+                                 [](const TracedCell& cell) { return cell.samples.size() > 1; });
+    EXPECT_TRUE(trace.cells.size() > 4 || cut) << pixel.x << ' ' << pixel.y;
+    split += trace.cells.size() > 4;
+  }
+  EXPECT_GT(split, 0);
+}
+
+// The first card shows the pixels around it: they are to differ as far as one sees at a glance.
+TEST(TourOfAScene, ShowsAPixelThatStandsOut) {
+  TourOf tour("builtin:boxes", 2);
+  ASSERT_TRUE(tour.found());
+  const glm::ivec2 pixel = *tour.state().tour.found;
+  int darkest = 255, brightest = 0;
+  for (int y = pixel.y - 1; y <= pixel.y + 1; ++y) {
+    for (int x = pixel.x - 1; x <= pixel.x + 1; ++x) {
+      const glm::ivec2 at = glm::clamp(glm::ivec2(x, y), glm::ivec2(0),
+                                       glm::ivec2(tour.film().width, tour.film().height) - 1);
+      const int green = display_bytes(tour.film().radiance[tour.film().index(at.x, at.y)], 0.0f).y;
+      darkest = std::min(darkest, green);
+      brightest = std::max(brightest, green);
+    }
+  }
+  EXPECT_GE(brightest - darkest, 60) << pixel.x << ' ' << pixel.y;
 }
 
 // Wherever the pixel is, what explains it lies in the window and not on it.
@@ -100,6 +141,18 @@ TEST(PixelPlace, LeavesThePixelVisible) {
         EXPECT_GE(place.most_height, 6.0f * em) << "there is room for some of it";
       }
     }
+  }
+}
+
+// In a narrow window it would else cover the picture, and the tour's card.
+TEST(PixelPlace, LeavesThePictureWhereThereIsRoomBelowIt) {
+  constexpr float em = 13.0f;
+  const glm::vec2 size(420, 760);
+  const WindowRect picture = WindowLayout::of(size, em, true).picture;
+  for (float x = 0.0f; x <= 1.0f; x += 0.05f) {
+    const glm::vec2 pixel = picture.lo + picture.size * glm::vec2(x, 0.5f);
+    EXPECT_GE(place_beside_pixel(pixel, picture, size, em).lo.y, picture.lo.y + picture.size.y)
+        << x;
   }
 }
 

@@ -26,6 +26,13 @@ PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture, glm::v
   const bool seen = pixel.x >= picture.lo.x && pixel.y >= picture.lo.y && pixel.x <= hi.x + gap &&
                     pixel.y <= hi.y + gap;
   const float left = pixel.x - clear - lo.x, right = hi.x - clear - pixel.x;
+  const float below = hi.y + gap + theme::status_height_em * em;
+  if (window.y - below - 2.0f * gap > least_height_em * em) {
+    place.side = PixelPlace::Side::below_picture;
+    place.lo.y = below + gap;
+    place.most_height = window.y - below - 2.0f * gap;
+    return place;
+  }
   if (!seen || left > width) return place;
   if (std::max(left, right) > least_width_em * em) {
     const bool at_left = right < width && left > right;
@@ -33,13 +40,6 @@ PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture, glm::v
     if (at_left) return place;
     place.side = PixelPlace::Side::right;
     place.lo.x = hi.x - place.width;
-    return place;
-  }
-  const float below = hi.y + gap + theme::status_height_em * em;
-  if (window.y - below - 2.0f * gap > least_height_em * em) {
-    place.side = PixelPlace::Side::below_picture;
-    place.lo.y = below + gap;
-    place.most_height = window.y - below - 2.0f * gap;
     return place;
   }
   const bool above = pixel.y - lo.y > hi.y - pixel.y;

@@ -21,8 +21,8 @@ struct PixelPlace {
   float most_height = 0.0f;
 };
 
-/// At the left of the picture, or else at its right; in a window too narrow for that over the panel
-/// that stands below the picture; or else above or below the pixel. `em`: the height of text.
+/// Over the panel where that stands below the picture; else at the left of the picture, or at its
+/// right; or else above or below the pixel. `em`: the height of text.
 [[nodiscard]] PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture,
                                             glm::vec2 window, float em);
 

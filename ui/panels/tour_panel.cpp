@@ -19,6 +19,9 @@ namespace asos {
 namespace {
 
 constexpr float card_width_em = 25.0f;
+constexpr const char* none_is_split =
+    "Edges cut this pixel cleanly: each part is weighed by its exact area. A pyray that one sample "
+    "cannot tell is split into four, and each part again; in this picture none was found.";
 
 struct CardWords {
   const char* title;
@@ -31,8 +34,8 @@ constexpr std::array<CardWords, Tour::cards> card_words{{
      "makes the pixel's colour. Below, some pixels of your picture, with an edge in the middle "
      "one."},
     {"Watch this pixel split",
-     "Where an edge passes through a pyray, it is split into four, and each part again, as far as "
-     "that is worth while. What an edge cuts cleanly is weighed by its exact area."},
+     "A pyray that one sample cannot tell is split into four, and each part again, as far as that "
+     "is worth while. What edges cut cleanly is weighed by its exact area."},
     {"Drag EPS",
      "EPS is how far a pixel may be off. Drag it to the left: more pixels are split, and deeper; "
      "to "
@@ -50,7 +53,7 @@ constexpr std::array<CardWords, Tour::cards> card_words{{
 void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
            const DisplayTransform& display) {
   constexpr int columns = 16, rows = 6;
-  const float side = std::floor(ImGui::GetContentRegionAvail().x / columns);
+  const float side = ImGui::GetContentRegionAvail().x / columns;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Dummy({side * columns, side * rows});
   controls.placed("Loupe", nullptr);
@@ -246,7 +249,8 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   theme::push_title();
   ImGui::TextUnformatted(words.title);
   theme::pop_title();
-  ImGui::TextWrapped("%s", words.text);
+  const bool none = state.tour.none_split && *state.tour.card == Tour::Card::split;
+  ImGui::TextWrapped("%s", none ? none_is_split : words.text);
   body(controls, previewer, state, equal_time, area.rect.size.y, now_seconds);
   const std::optional<int> next = buttons(controls, card);
   controls.placed_window("Card");

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "renderer/geometry/view.h"
+#include "renderer/session/render_session.h"
+
+namespace asos {
+
+/// The picture's view as its render sees it.
+[[nodiscard]] inline View view_of(const Snapshot& picture) {
+  return View(picture.camera, picture.settings.width, picture.settings.height,
+              radius_around_origin(picture.scene->world().bounds));
+}
+
+}  // namespace asos
