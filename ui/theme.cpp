@@ -135,6 +135,10 @@ std::uint32_t rgb(Look look, Colour colour) {
   return (look == Look::light ? light_palette : dark_palette)[static_cast<std::size_t>(colour)];
 }
 
+Look look() {
+  return applied;
+}
+
 std::uint32_t rgb(Colour colour) {
   return rgb(applied, colour);
 }

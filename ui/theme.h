@@ -37,14 +37,17 @@ inline constexpr Colour ground = Colour::ground, panel = Colour::panel, popup = 
                         accent = Colour::accent, accent_bright = Colour::accent_bright,
                         alarm = Colour::alarm, warning = Colour::warning;
 
-/// Plots are dark in both looks, as the split map is, whose palette they share. sRGB, 0xRRGGBB.
+/// Plots are dark in both looks, as the split map is, whose palette they share; drawings are not.
+/// sRGB, 0xRRGGBB.
 inline constexpr std::uint32_t plot_ground = 0x141414;
 inline constexpr std::uint32_t plot_line = 0x34373c;
 inline constexpr std::uint32_t plot_text = 0xd8dadd;
 
 /// sRGB, 0xRRGGBB.
 [[nodiscard]] std::uint32_t rgb(Look look, Colour colour);
-/// Of the look that was applied last.
+/// The one that was applied last.
+[[nodiscard]] Look look();
+/// Of that look.
 [[nodiscard]] std::uint32_t rgb(Colour colour);
 
 /// For Dear ImGui's packed colours.

@@ -125,7 +125,7 @@ TEST_F(ThemeTest, ThereAreTwoSizesOfText) {
 TEST_F(ThemeTest, WidgetsStandInARhythmOfFour) {
   EXPECT_FLOAT_EQ(row_height(), theme::row_pixels);
   const float first = rig.control("EPS").lo.y;
-  for (const char* name : {"MAX", "Leaf/Exact", "Jitter"}) {
+  for (const char* name : {"MAX", "Leaf/Exact", "Jitter", "Filter"}) {
     const float down = rig.control(name).lo.y - rig.control("EPS").lo.y;
     EXPECT_FLOAT_EQ(std::remainder(down, 4.0f), 0.0f) << name << " " << down << " below " << first;
   }
@@ -165,6 +165,30 @@ TEST_F(ThemeTest, LightAndDarkAreChosenAndRemembered) {
   rig.click("Theme/Dark");
   for (int i = 0; i < 2; ++i) rig.frame();
   EXPECT_EQ(corner(), bytes(theme::Look::dark));
+}
+
+// What opens in the light look is light: texts, and the drawing above them.
+TEST_F(ThemeTest, HelpIsDrawnInTheLookOfTheWindow) {
+  const auto dark_share = [&] {
+    const auto before = rig.pixels();
+    rig.click("Help/Antialiasing");
+    for (int i = 0; i < 3; ++i) rig.frame();
+    const auto after = rig.pixels();
+    double changed = 0.0, dark = 0.0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (after[i] == before[i]) continue;
+      ++changed;
+      dark += after[i].y < 96;
+    }
+    rig.key(Key::escape);
+    EXPECT_GT(changed, 5000.0);
+    return dark / changed;
+  };
+  rig.move_to({10.0f, 10.0f});
+  EXPECT_GT(dark_share(), 0.8);
+  rig.content().state().look.theme = theme::Look::light;
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_LT(dark_share(), 0.2);
 }
 
 }  // namespace

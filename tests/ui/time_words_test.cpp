@@ -67,8 +67,11 @@ TEST_F(TimeWordsTest, TheWindowShowsThem) {
   EXPECT_NE(stored[0].summary.find(" s of one processor, "), std::string::npos)
       << stored[0].summary;
   slide("EPS", 0.3f, 0.4f);
+  const glm::vec2 below = rig.control("Leaf/Exact").lo;
   ASSERT_TRUE(rig.frames_until([&] { return all.at("Forecast").words.ends_with(" s to wait"); }))
       << all.at("Forecast").words;
+  rig.frame();
+  EXPECT_EQ(rig.control("Leaf/Exact").lo, below) << "what is told moves nothing";
 }
 
 }  // namespace

@@ -72,12 +72,13 @@ bool is_held() {
 }
 
 void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast& forecast) {
-  std::string words = "drag EPS or MAX";
+  std::string words = "comes while EPS or MAX is dragged";
   if (const Forecast* told = forecast.of(previewer)) words = forecast_words(*told);
   controls.row(
       "Forecast", words,
       "The share of pixels that would be split, and how many seconds of the clock the render would "
-      "take on all its threads; told by blocks all over the picture, before it is rendered.");
+      "take on all its threads; told by blocks all over the picture, before it is rendered.",
+      {true, 2});
 }
 
 void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {

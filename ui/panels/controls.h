@@ -93,8 +93,17 @@ class Controls {
   bool list(const char* name, const char* tooltip, std::span<const std::string> items, int& chosen,
             std::optional<int> reset = std::nullopt);
 
+  /// Where a row's value stands: right of long labels, or in line with the widgets around; and of
+  /// how many lines it has the room at least, so that what changes moves nothing.
+  struct RowStyle {
+    bool beside_widgets = false;
+    int lines = 1;
+  };
   /// A row of text: a dim label and a value.
-  void row(const char* label, const std::string& value, const char* tooltip = nullptr);
+  void row(const char* label, const std::string& value, const char* tooltip = nullptr) {
+    row(label, value, tooltip, RowStyle{});
+  }
+  void row(const char* label, const std::string& value, const char* tooltip, const RowStyle& style);
   /// A headline that folds what follows; open at first. Its "?" says what the section is for.
   bool section(const char* name, bool open_at_first = true);
 

@@ -35,7 +35,7 @@ void refinement(const Sketch& s) {
       for (int x = 0; x < cells; ++x) {
         const glm::vec2 cell = lo + side * glm::vec2(x, y);
         const bool inside = glm::distance(cell + 0.5f * side, lo + 2.0f) < 1.6f;
-        s.filled(cell, cell + side, inside ? Ink::accent : Ink::dark);
+        s.filled(cell, cell + side, inside ? Ink::accent : Ink::faint);
       }
     }
   }
@@ -54,7 +54,7 @@ void animation(const Sketch& s) {
 void scenes(const Sketch& s) {
   for (int i = 0; i < 3; ++i) {
     const glm::vec2 lo(3.0f + 2.6f * static_cast<float>(i), 0.8f + 0.7f * static_cast<float>(i));
-    s.filled(lo, lo + glm::vec2(4.6f, 3.0f), Ink::dark);
+    s.filled(lo, lo + glm::vec2(4.6f, 3.0f), Ink::faint);
     s.box(lo, lo + glm::vec2(4.6f, 3.0f), i == 2 ? Ink::accent : Ink::dim);
   }
 }
@@ -67,8 +67,8 @@ void variants(const Sketch& s) {
 
 void warnings(const Sketch& s) {
   s.shape({{8.0f, 0.8f}, {10.8f, 5.2f}, {5.2f, 5.2f}}, Ink::warm, 0.8f);
-  s.filled({7.8f, 2.2f}, {8.2f, 3.8f}, Ink::dark);
-  s.disc({8.0f, 4.5f}, 0.25f, Ink::dark);
+  s.filled({7.8f, 2.2f}, {8.2f, 3.8f}, Ink::faint);
+  s.disc({8.0f, 4.5f}, 0.25f, Ink::faint);
 }
 
 void lights(const Sketch& s) {
@@ -86,7 +86,7 @@ void shadows(const Sketch& s) {
   s.disc({6.6f, 2.9f}, 0.8f, Ink::accent);
   s.line({1.0f, 5.2f}, {15.0f, 5.2f});
   s.filled({6.2f, 5.2f}, {8.4f, 5.5f}, Ink::dim);
-  s.filled({8.4f, 5.2f}, {11.6f, 5.5f}, Ink::dark);
+  s.filled({8.4f, 5.2f}, {11.6f, 5.5f}, Ink::faint);
 }
 
 void reflections(const Sketch& s) {
@@ -109,7 +109,7 @@ void sky(const Sketch& s) {
 void compare(const Sketch& s) {
   s.box({3.0f, 0.8f}, {13.0f, 5.2f}, Ink::dim);
   s.disc({8.0f, 3.0f}, 1.7f, Ink::accent);
-  s.filled({8.0f, 0.9f}, {12.9f, 5.1f}, Ink::dark, 0.75f);
+  s.filled({8.0f, 0.9f}, {12.9f, 5.1f}, Ink::faint, 0.75f);
   s.line({8.0f, 0.4f}, {8.0f, 5.6f});
   s.words({5.0f, 1.5f}, "now");
   s.words({11.0f, 1.5f}, "A");
@@ -127,7 +127,7 @@ void missed_splits(const Sketch& s) {
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 10; ++x) {
       const glm::vec2 lo(3.0f + static_cast<float>(x), 1.0f + static_cast<float>(y));
-      s.filled(lo, lo + 0.9f, x + y == 6 ? Ink::accent : Ink::dark);
+      s.filled(lo, lo + 0.9f, x + y == 6 ? Ink::accent : Ink::faint);
     }
   }
   s.filled({8.0f, 1.0f}, {8.9f, 1.9f}, Ink::warm);
@@ -187,10 +187,10 @@ void left_out(const Sketch& s) {
 }
 
 void window(const Sketch& s) {
-  s.filled({2.0f, 0.8f}, {7.6f, 5.2f}, Ink::dark);
+  s.filled({2.0f, 0.8f}, {7.6f, 5.2f}, Ink::faint);
   s.filled({8.4f, 0.8f}, {14.0f, 5.2f}, Ink::plain, 0.9f);
   s.words({4.8f, 3.0f}, "Aa", Ink::plain);
-  s.words({11.2f, 3.0f}, "Aa", Ink::dark);
+  s.words({11.2f, 3.0f}, "Aa", Ink::faint);
 }
 
 struct Help {

@@ -6,18 +6,24 @@
 
 namespace asos {
 
-void Controls::row(const char* label_text, const std::string& value, const char* tooltip) {
+void Controls::row(const char* label_text, const std::string& value, const char* tooltip,
+                   const RowStyle& how) {
   ImGui::BeginGroup();
+  const float top = ImGui::GetCursorPosY();
   ImGui::TextDisabled("%s", label_text);
-  ImGui::SameLine(ImGui::GetFontSize() * (label_width_em + 3.0f));
+  ImGui::SameLine(ImGui::GetFontSize() * (label_width_em + (how.beside_widgets ? 0.0f : 3.0f)));
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
   // Lines of text are 20 units high, so that what follows stays in the rhythm.
-  const ImGuiStyle& style = ImGui::GetStyle();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                      {style.ItemSpacing.x, ImGui::GetFontSize() / theme::text_pixels *
-                                                (theme::line_pixels - theme::text_pixels)});
+  const float unit = ImGui::GetFontSize() / theme::text_pixels;
+  const float between = unit * (theme::line_pixels - theme::text_pixels);
+  if (how.lines > 1) {
+    const float least = unit * theme::line_pixels * static_cast<float>(how.lines) - between;
+    ImGui::SetCursorPosY(top + least);
+    ImGui::Dummy({0.0f, 0.0f});
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, between});
   ImGui::EndGroup();
   ImGui::PopStyleVar();
   placed_words(label_text, value, tooltip);

@@ -25,24 +25,26 @@ Sketch::Sketch(float width) : unit_(width / units_across) {
   lo_ = {corner.x, corner.y};
   const glm::vec2 size = unit_ * glm::vec2(units_across, units_down);
   ImGui::Dummy(vec(size));
-  ImGui::GetWindowDrawList()->AddRectFilled(corner, vec(lo_ + size),
-                                            theme::packed(theme::plot_ground), 0.3f * unit_);
+  const bool dark = theme::look() == theme::Look::dark;
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      corner, vec(lo_ + size),
+      dark ? theme::packed(theme::plot_ground) : theme::packed(theme::field), 0.3f * unit_);
 }
 
 std::uint32_t Sketch::colour(Ink ink, float alpha) const {
   switch (ink) {
     case Ink::dim:
-      return theme::packed(theme::plot_text, 0.45f * alpha);
+      return theme::packed(theme::dim_text, alpha);
     case Ink::accent:
-      return theme::packed(theme::rgb(theme::Look::dark, theme::accent_bright), alpha);
+      return theme::packed(theme::accent_bright, alpha);
     case Ink::warm:
-      return theme::packed(theme::rgb(theme::Look::dark, theme::warning), alpha);
-    case Ink::dark:
-      return theme::packed(theme::plot_line, alpha);
+      return theme::packed(theme::warning, alpha);
+    case Ink::faint:
+      return theme::packed(theme::line, alpha);
     case Ink::plain:
       break;
   }
-  return theme::packed(theme::plot_text, alpha);
+  return theme::packed(theme::text, alpha);
 }
 
 void Sketch::line(glm::vec2 from, glm::vec2 to, Ink ink) const {

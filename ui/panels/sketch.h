@@ -7,13 +7,13 @@
 
 namespace asos {
 
-/// A small drawing in the current Dear ImGui window, 16 units wide and 6 high; y down.
+/// A small drawing in the current Dear ImGui window and look, 16 units wide and 6 high; y down.
 class Sketch {
  public:
   /// Takes the room of it, `width` window units wide.
   explicit Sketch(float width);
 
-  enum class Ink { plain, dim, accent, warm, dark };
+  enum class Ink { plain, dim, accent, warm, faint };
   void line(glm::vec2 from, glm::vec2 to, Ink ink = Ink::plain) const;
   void box(glm::vec2 lo, glm::vec2 hi, Ink ink = Ink::plain) const;
   void filled(glm::vec2 lo, glm::vec2 hi, Ink ink, float alpha = 1.0f) const;

@@ -156,7 +156,7 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
   ImGui::SetNextWindowPos({left, area.lo.y + area.size.y - 0.5f * em}, ImGuiCond_Always,
                           {0.0f, 1.0f});
   ImGui::SetNextWindowSize({width, 0.0f});
-  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::SetNextWindowBgAlpha(0.96f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::Begin("legend", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
