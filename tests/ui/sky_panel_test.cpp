@@ -145,5 +145,18 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
   EXPECT_EQ(names(), "key fill ");
 }
 
+// Large scenes take seconds to be put on another ground, in the background.
+TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
+  const auto words = [this] { return rig.content().controls().all().at("Progress").words; };
+  settings().ground = Ground::on;
+  rig.frame();
+  EXPECT_EQ(words(), "Putting the ground in place");
+  ASSERT_TRUE(rig.settle());
+  EXPECT_TRUE(rig.frames_until([&] { return words().starts_with("Finished"); })) << words();
+  settings().ground = Ground::off;
+  rig.frame();
+  EXPECT_EQ(words(), "Taking the ground away");
+}
+
 }  // namespace
 }  // namespace asos

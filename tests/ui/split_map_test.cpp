@@ -209,6 +209,17 @@ TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
     EXPECT_FALSE(controls.contains(name)) << name;
+  // What the causes' shares add up to stands above them; only some of these pixels are split.
+  ASSERT_TRUE(controls.contains("In the split map"));
+  const auto percent = [&](const char* name) { return std::stod(controls.at(name).words); };
+  const RenderStatistics statistics = rig.previewer().render().statistics();
+  const RenderSettings& settings = rig.previewer().render().settings();
+  double in_map = 0.0;
+  for (std::size_t i = 1; i < split_cause_count; ++i)
+    in_map += static_cast<double>(statistics.pixels_by_cause[i]);
+  EXPECT_NEAR(percent("In the split map"), 100.0 * in_map / (settings.width * settings.height),
+              0.006);
+  EXPECT_GE(percent("In the split map") + 0.02, percent("   outline") + percent("   shadow"));
 }
 
 }  // namespace

@@ -63,16 +63,19 @@ int on_key(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-void entry_columns(const FolderEntry& entry, float width) {
+// `chosen`: it stands on a bar, before which dim text would be lost.
+void entry_columns(const FolderEntry& entry, float width, bool chosen) {
   if (entry.is_folder) return;
   const float em = ImGui::GetFontSize();
   const std::string date = date_words(entry.written), size = size_words(entry.bytes);
   const float date_width = 9.0f * em, size_width = 5.0f * em;
   if (width < 24.0f * em) return;
   ImGui::SameLine(width - date_width - ImGui::CalcTextSize(size.c_str()).x - 0.05f * size_width);
-  ImGui::TextDisabled("%s", size.c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(chosen ? theme::text : theme::dim_text));
+  ImGui::TextUnformatted(size.c_str());
   ImGui::SameLine(width - date_width + em);
-  ImGui::TextDisabled("%s", date.c_str());
+  ImGui::TextUnformatted(date.c_str());
+  ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -200,7 +203,7 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
     controls.placed((entry.is_folder ? "Folder/" : "Entry/") + entry.name,
                     entry.is_folder ? "Look into this folder." : "Open this file.",
                     Controls::Use::edits);
-    entry_columns(entry, width);
+    entry_columns(entry, width, chosen);
   }
   if (!browser.listing.error.empty()) ImGui::TextDisabled("%s", browser.listing.error.c_str());
   if (browser.listing.error.empty() && browser.listing.entries.empty())

@@ -28,7 +28,7 @@ std::filesystem::path first_folder(const Previewer& previewer) {
 std::string recent_list(Controls& controls, const std::vector<std::string>& recent,
                         const std::string& filter) {
   std::string chosen;
-  ImGui::TextDisabled("Open before");
+  ImGui::TextDisabled("Opened before");
   if (recent.empty()) ImGui::TextDisabled("nothing yet");
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const std::string name = printable(std::filesystem::path(recent[i]).filename().string());

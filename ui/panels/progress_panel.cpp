@@ -1,4 +1,5 @@
 #include "renderer/comparison/method.h"
+#include "renderer/world/ground.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/time_words.h"
 #include "ui/theme.h"
@@ -20,9 +21,19 @@ bool looks_for_boundaries(const Previewer& previewer) {
          !previewer.scene()->geometry->boundaries.known();
 }
 
+/// Whether the ground is put under the scene, or taken away: large scenes take seconds.
+bool changes_ground(const Previewer& previewer) {
+  const World& world = previewer.scene()->world();
+  return previewer.edits().settings().ground != ground_of(world) && !world.bounds.empty() &&
+         !previewer.scene().error();
+}
+
 std::string status_words(const Previewer& previewer, const StatusLine& status) {
   if (!status.message.empty()) return status.message;
   if (!previewer.scene()) return previewer.scene().loading() ? "Loading" : "No scene";
+  if (changes_ground(previewer))
+    return previewer.edits().settings().ground == Ground::off ? "Taking the ground away"
+                                                              : "Putting the ground in place";
   return progress_words(previewer.render().progress(), previewer.refinement().rest(),
                         looks_for_boundaries(previewer));
 }

@@ -59,7 +59,15 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
   }
 }
 
+// A shadow's or a mirrored boundary has a cause, too, where it splits no pixel: of these there are
+// more than of split pixels.
 void cause_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
+  double in_map = 0.0;
+  for (std::size_t i = 1; i < split_cause_count; ++i)
+    in_map += static_cast<double>(statistics.pixels_by_cause[i]);
+  controls.row("In the split map", finished.share(in_map),
+               "Pixels that the split map shows by cause: those that are split, those that a "
+               "shadow's edge cuts, and those that mirror a boundary.");
   for (std::size_t i = 1; i < split_cause_count; ++i) {
     if (statistics.pixels_by_cause[i] == 0) continue;
     std::string name = split_cause_names[i];
