@@ -8,10 +8,12 @@ namespace asos {
 
 void Controls::row(const char* label_text, const std::string& value, const char* tooltip,
                    const RowStyle& how) {
+  const float left = ImGui::GetCursorPosX(), top = ImGui::GetCursorPosY();
   ImGui::BeginGroup();
-  const float top = ImGui::GetCursorPosY();
   ImGui::TextDisabled("%s", label_text);
-  ImGui::SameLine(ImGui::GetFontSize() * (label_width_em + (how.beside_widgets ? 0.0f : 3.0f)));
+  // In a group this counts from where it begins.
+  const float widgets = ImGui::GetFontSize() * label_width_em;
+  ImGui::SameLine(how.beside_widgets ? widgets - left : widgets + 3.0f * ImGui::GetFontSize());
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
