@@ -48,8 +48,8 @@ void add_curved_mirror_options(CLI::App& app, RenderSettings& settings) {
              "widens; CGF'98 sections 5.2.1 to 5.2.4)",
              curved_mirror_names, settings.mirror.curved);
   add_parsed_option(app, "--mirror-angle", "DEG",
-                    "Degrees that a pyray may be wide that a curved surface reflects, 0 to 180; "
-                    "wider ones are split",
+                    "Degrees that a pyray may be wide that a curved shape reflects, 0 to 180, and "
+                    "an eighth of that of meshes; wider ones are split",
                     number(0, 180), [&](double a) { settings.mirror.widest_angle_deg = a; })
       ->default_str(fmt::format("{}", settings.mirror.widest_angle_deg));
 }

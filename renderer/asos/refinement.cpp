@@ -1,6 +1,7 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/light_counts.h"
+#include "renderer/asos/mirror_strictness.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
@@ -283,7 +284,9 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   if (!surface.bent()) return 0.0;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
   const double widest = glm::radians(settings.widest_angle_deg);
-  const double mirrored = mirror ? reflected_angle(pyray, surface) / widest : 0.0;
+  const double strictness =
+      mirror_strictness(*eye_->scene, hit, point, -samples_->ray(sample).direction);
+  const double mirrored = mirror ? strictness * reflected_angle(pyray, surface) / widest : 0.0;
   if (!refracts) return mirrored;
   const auto boundary =
       VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample), viewer.passage);

@@ -91,7 +91,10 @@ struct MirrorSettings {
   /// How all that mirrors blurs, instead of what its material says.
   std::optional<Dfr> dfr;
   CurvedMirror curved = CurvedMirror::approximate;
-  double widest_angle_deg = 10.0;  ///< that a pyray reflected by a curved surface may span
+  /// That a pyray may span which a curved surface reflects; less where it mirrors more than a
+  /// quarter of light, and an eighth of it where it is a mesh, whose triangles do not tell how it
+  /// is bent.
+  double widest_angle_deg = 10.0;
 
   bool operator==(const MirrorSettings&) const = default;
 };

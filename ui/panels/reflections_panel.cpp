@@ -98,8 +98,8 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
   if (settings.mirror.curved != CurvedMirror::adaptive) return;
   float angle = static_cast<float>(settings.mirror.widest_angle_deg);
   if (controls.slider("Divergence",
-                      "The angle between reflected corner rays, 0 to 180 degrees, beyond which a "
-                      "pyray is split.",
+                      "The angle between corner rays that a shape reflects, 0 to 180 degrees, "
+                      "beyond which a pyray is split; of meshes an eighth of it.",
                       angle, {0.0f, 180.0f, static_cast<float>(usual.mirror.widest_angle_deg)},
                       [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
     settings.mirror.widest_angle_deg = static_cast<double>(angle);
