@@ -276,14 +276,19 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
         beyond, frames.size() == 1 ? "1 picture" : fmt::format("{} pictures", frames.size()));
 }
 
+// Reads the scene to know what else it is made of.
+Result<void> check_inputs(const RenderArguments& arguments) {
+  const AbandonableWork reading(nothing_written);
+  return check_inputs_stay(arguments);
+}
+
 // Each as if it were asked for alone, so that frames can be rendered anywhere and in any order.
 Result<void> render_all(RenderArguments arguments, const Streams& streams, ProgressBar& bar,
                         const InterruptGuard& interrupt) {
   if (arguments.picture.from_error) return tl::unexpected(*arguments.picture.from_error);
   if (auto fits = check_picture_fits(arguments.picture.settings); !fits) return fits;
   // Told before the scene is read, which may take long.
-  if (auto stay = check_inputs_stay(arguments_of(arguments, first_frame(arguments))); !stay)
-    return stay;
+  if (auto stay = check_inputs(arguments_of(arguments, first_frame(arguments))); !stay) return stay;
   if (const auto plan = plan_outputs(arguments_of(arguments, first_frame(arguments))); !plan)
     return tl::unexpected(plan.error());
   Result<Work> work = open(arguments, bar, interrupt);

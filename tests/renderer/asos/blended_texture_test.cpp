@@ -60,7 +60,8 @@ double error_of_asos(AlphaMode mode, float cutoff) {
   return rmse(asos, truth);
 }
 
-// Black that covers nothing darkens nothing. It was 0.09 while colours were averaged apart from alpha.
+// Black that covers nothing darkens nothing. It was 0.09 while colours were averaged apart from
+// alpha.
 TEST(BlendedTexture, LabelsAreAsBrightAsSamplesFindThem) {
   EXPECT_LT(error_of_asos(AlphaMode::blend, 0.5f), 0.001);
 }
