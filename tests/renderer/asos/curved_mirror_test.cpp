@@ -1,6 +1,8 @@
 #include "renderer/comparison/method.h"
 #include "renderer/pyray/budget.h"
+#include "renderer/scene/load.h"
 #include "tests/support/render_picture.h"
+#include "tests/support/shared_dir.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
 
@@ -17,6 +19,7 @@ using test::add_quad;
 using test::add_sphere;
 using test::look_at;
 using test::make_render_scene;
+using test::shared_dir;
 using test::unlit;
 
 constexpr int width = 40;
@@ -117,6 +120,25 @@ TEST(CurvedMirror, ConvergesWhenItIsRough) {
   EXPECT_LT(last, first);
   EXPECT_LT(last, std::max(0.5 * first, noise));
   EXPECT_LT(noise, 1e-3);
+}
+
+// The windscreen of a car that somebody made, whose frame is thinner than a pixel.
+TEST(CurvedMirror, OfAMeshIsNotTakenForThatOfOneTriangle) {
+  const auto shared = shared_dir();
+  if (!shared) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
+  const auto loaded = load_scene((*shared / "scenes/ToyCar/ToyCar.gltf").string());
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  const auto car = prepare(*loaded);
+  ASSERT_TRUE(car) << car.error().message();
+  const Camera camera = test::first_camera((*car)->world(), 240.0 / 135.0);
+  const auto windscreen = [&](RenderSettings settings) {
+    settings.width = 240, settings.height = 135;
+    settings.crop = {152, 80, 8, 8};
+    return test::render_picture(**car, camera, settings).film.radiance;
+  };
+  // Of all of the picture, which is black around it. It was 9.3e-4 while a pyray might spread by
+  // ten degrees.
+  EXPECT_LT(rmse(windscreen({}), windscreen(sobol(1024))), 3e-4);
 }
 
 // The normals of a mesh's corners lean to and fro by a little, from one to the next, four to a
