@@ -1,7 +1,6 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/light_counts.h"
-#include "renderer/asos/mirror_strictness.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
@@ -19,6 +18,10 @@
 
 namespace asos {
 namespace {
+
+/// By how much less a mesh may spread a pyray that it mirrors than an analytic shape: a triangle
+/// tells of its own bend only, and its neighbours are bent otherwise.
+constexpr double strictness_of_meshes = 8.0;
 
 /// The most that a surface makes of light, by its base colour.
 float brightest(const Material& material) {
@@ -284,8 +287,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   if (!surface.bent()) return 0.0;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
   const double widest = glm::radians(settings.widest_angle_deg);
-  const double strictness =
-      mirror_strictness(*eye_->scene, hit, point, -samples_->ray(sample).direction);
+  const double strictness = eye_->scene->world().is_face(hit.triangle) ? 1.0 : strictness_of_meshes;
   const double mirrored = mirror ? strictness * reflected_angle(pyray, surface) / widest : 0.0;
   if (!refracts) return mirrored;
   const auto boundary =

@@ -91,9 +91,8 @@ struct MirrorSettings {
   /// How all that mirrors blurs, instead of what its material says.
   std::optional<Dfr> dfr;
   CurvedMirror curved = CurvedMirror::approximate;
-  /// That a pyray may span which a curved surface reflects; less where it mirrors more than a
-  /// quarter of light, and an eighth of it where it is a mesh, whose triangles do not tell how it
-  /// is bent.
+  /// That a pyray may span which a curved shape reflects; an eighth of it where that is a mesh,
+  /// whose triangles do not tell how it is bent.
   double widest_angle_deg = 10.0;
 
   bool operator==(const MirrorSettings&) const = default;
