@@ -15,6 +15,7 @@ namespace {
 
 enum class Kind {
   object,
+  texture,
   list,
   objects,
   text,
@@ -41,10 +42,11 @@ constexpr std::string_view core = "";
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
+      {core, Kind::object, {"pbrMetallicRoughness", "perspective", "orthographic", "sparse"}},
       {core,
-       Kind::object,
-       {"pbrMetallicRoughness", "baseColorTexture", "metallicRoughnessTexture", "normalTexture",
-        "occlusionTexture", "emissiveTexture", "perspective", "orthographic", "sparse"}},
+       Kind::texture,
+       {"baseColorTexture", "metallicRoughnessTexture", "normalTexture", "occlusionTexture",
+        "emissiveTexture"}},
       {core,
        Kind::numbers,
        {"baseColorFactor", "emissiveFactor", "matrix", "rotation", "translation", "weights"}},
@@ -83,44 +85,44 @@ const std::vector<Rule>& rules() {
       {"/KHR_materials_variants/mappings", Kind::list, {"variants"}},
       {"/KHR_materials_ior", Kind::number, {"ior"}},
       {"/KHR_materials_transmission", Kind::number, {"transmissionFactor"}},
-      {"/KHR_materials_transmission", Kind::object, {"transmissionTexture"}},
+      {"/KHR_materials_transmission", Kind::texture, {"transmissionTexture"}},
       {"/KHR_materials_emissive_strength", Kind::number, {"emissiveStrength"}},
       {"/KHR_materials_dispersion", Kind::number, {"dispersion"}},
       {"/KHR_materials_volume", Kind::number, {"thicknessFactor", "attenuationDistance"}},
       {"/KHR_materials_volume", Kind::three_numbers, {"attenuationColor"}},
-      {"/KHR_materials_volume", Kind::object, {"thicknessTexture"}},
+      {"/KHR_materials_volume", Kind::texture, {"thicknessTexture"}},
       {"/KHR_materials_specular", Kind::number, {"specularFactor"}},
       {"/KHR_materials_specular", Kind::three_numbers, {"specularColorFactor"}},
-      {"/KHR_materials_specular", Kind::object, {"specularTexture", "specularColorTexture"}},
+      {"/KHR_materials_specular", Kind::texture, {"specularTexture", "specularColorTexture"}},
       {"/KHR_materials_clearcoat", Kind::number, {"clearcoatFactor", "clearcoatRoughnessFactor"}},
       {"/KHR_materials_clearcoat",
-       Kind::object,
+       Kind::texture,
        {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"}},
       {"/clearcoatNormalTexture", Kind::number, {"scale"}},
       {"/KHR_materials_sheen", Kind::three_numbers, {"sheenColorFactor"}},
       {"/KHR_materials_sheen", Kind::number, {"sheenRoughnessFactor"}},
-      {"/KHR_materials_sheen", Kind::object, {"sheenColorTexture", "sheenRoughnessTexture"}},
+      {"/KHR_materials_sheen", Kind::texture, {"sheenColorTexture", "sheenRoughnessTexture"}},
       {"/KHR_materials_iridescence",
        Kind::number,
        {"iridescenceFactor", "iridescenceIor", "iridescenceThicknessMinimum",
         "iridescenceThicknessMaximum"}},
       {"/KHR_materials_iridescence",
-       Kind::object,
+       Kind::texture,
        {"iridescenceTexture", "iridescenceThicknessTexture"}},
       {"/KHR_materials_anisotropy", Kind::number, {"anisotropyStrength", "anisotropyRotation"}},
-      {"/KHR_materials_anisotropy", Kind::object, {"anisotropyTexture"}},
+      {"/KHR_materials_anisotropy", Kind::texture, {"anisotropyTexture"}},
       {"/KHR_materials_diffuse_transmission", Kind::number, {"diffuseTransmissionFactor"}},
       {"/KHR_materials_diffuse_transmission",
        Kind::three_numbers,
        {"diffuseTransmissionColorFactor"}},
       {"/KHR_materials_diffuse_transmission",
-       Kind::object,
+       Kind::texture,
        {"diffuseTransmissionTexture", "diffuseTransmissionColorTexture"}},
       {"/KHR_materials_pbrSpecularGlossiness", Kind::four_numbers, {"diffuseFactor"}},
       {"/KHR_materials_pbrSpecularGlossiness", Kind::three_numbers, {"specularFactor"}},
       {"/KHR_materials_pbrSpecularGlossiness", Kind::number, {"glossinessFactor"}},
       {"/KHR_materials_pbrSpecularGlossiness",
-       Kind::object,
+       Kind::texture,
        {"diffuseTexture", "specularGlossinessTexture"}},
   };
   return all;
@@ -176,6 +178,9 @@ std::string_view unlike(Kind kind, const json& value) {
   switch (kind) {
     case Kind::object:
       return value.is_object() ? "" : "an object";
+    case Kind::texture:
+      if (!value.is_object()) return "an object";
+      return value.contains("index") ? "" : "a texture, which has an index";
     case Kind::list:
       return value.is_array() ? "" : "a list";
     case Kind::objects:

@@ -4,6 +4,7 @@
 #include "renderer/scene/gltf/kinds.h"
 #include "renderer/scene/gltf/tidy_animations.h"
 #include "renderer/scene/gltf/tidy_lights.h"
+#include "renderer/scene/gltf/tidy_values.h"
 
 #include <climits>
 #include <fmt/format.h>
@@ -276,6 +277,11 @@ void tidy_meshes(json& root, Warnings& warnings) {
   }
 }
 
+bool is_minor_version(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 }  // namespace
 
 bool supports_extension(std::string_view name) {
@@ -293,6 +299,9 @@ Checked<std::vector<std::string>> check_header(const json& root, Warnings& warni
     return fault(
         fmt::format("glTF version '{}' is not supported, only 2.0", version.substr(0, 20)));
   }
+  if (!is_minor_version(std::string_view(version).substr(2)))
+    warnings.add(
+        fmt::format("/asset/version is '{}', which is none; read as 2.0", version.substr(0, 20)));
   if (const auto least = asset->find("minVersion"); least != asset->end()) {
     if (!least->is_string() || least->get<std::string>() != "2.0") {
       return fault("needs a newer glTF version than 2.0 (asset.minVersion)");
@@ -327,6 +336,7 @@ Checked<void> tidy(json& root, std::size_t json_bytes, Warnings& warnings) {
   }
   Tidier tidier(warnings, strings_of(root, "extensionsUsed", warnings), json_bytes);
   if (auto done = tidier.visit(root, ""); !done) return done;
+  tidy_values(root, warnings);
   tidy_meshes(root, warnings);
   tidy_animations(root, warnings);
   tidy_area_lights(root);
