@@ -65,16 +65,47 @@ bool take(std::string_view& text, std::string_view word) {
   return true;
 }
 
+/// A finite number above 0, with blanks before it.
+std::optional<double> take_factor(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t+"), text.size()));
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value) || value <= 0.0) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+/// What a line says that pixels were multiplied by, which counts as often as it is said; 1 where it
+/// speaks of something else, nothing where its numbers are none (Radiance's filefmts.pdf).
+std::optional<glm::dvec3> factors_of(std::string_view line) {
+  const bool of_all = take(line, "EXPOSURE=");
+  if (!of_all && !take(line, "COLORCORR=")) return glm::dvec3(1.0);
+  glm::dvec3 factors(1.0);
+  for (int c = 0; c < (of_all ? 1 : 3); ++c) {
+    const std::optional<double> factor = take_factor(line);
+    if (!factor) return std::nullopt;
+    factors[c] = *factor;
+  }
+  if (line.find_first_not_of(" \t\r") != std::string_view::npos) return std::nullopt;
+  return of_all ? glm::dvec3(factors.x) : factors;
+}
+
 struct Header {
   std::int64_t width = 0;
   std::int64_t height = 0;
+  glm::vec3 scale{1.0f};
   Bytes pixels;
 };
 
 Checked<Header> read_header(Bytes file) {
   std::string_view rest(reinterpret_cast<const char*>(file.data()), file.size());
   std::optional<std::string_view> line = take_line(rest);
+  glm::dvec3 multiplied(1.0);
   for (; line && !line->empty(); line = take_line(rest)) {
+    const std::optional<glm::dvec3> factors = factors_of(*line);
+    if (!factors)
+      return fault(fmt::format("its line '{}' has no usable number", line->substr(0, 80)));
+    multiplied *= *factors;
     if (line->starts_with("FORMAT=") && *line != "FORMAT=32-bit_rle_rgbe")
       return fault(
           fmt::format("has the format '{}'; only 32-bit_rle_rgbe is read", line->substr(7)));
@@ -91,7 +122,11 @@ Checked<Header> read_header(Bytes file) {
   if (*width < 1 || *height < 1 || *width > longest_side || *height > longest_side)
     return fault(
         fmt::format("has {} x {} pixels; a side has 1 to {}", *width, *height, longest_side));
-  return Header{*width, *height, file.last(rest.size())};
+  const glm::vec3 scale(1.0 / multiplied);
+  for (int c = 0; c < 3; ++c)
+    if (!std::isnormal(scale[c]))
+      return fault("its EXPOSURE and COLORCORR multiply to what no number holds");
+  return Header{*width, *height, scale, file.last(rest.size())};
 }
 
 /// Unpacks rows one after the other. Every step takes bytes, so that it ends.
@@ -169,6 +204,7 @@ Checked<HdrImage> read(Bytes file, const SizeCheck& check) {
   HdrImage image;
   image.width = static_cast<int>(header->width);
   image.height = static_cast<int>(header->height);
+  image.scale = header->scale;
   const auto width = static_cast<std::size_t>(header->width);
   const std::size_t pixels = width * static_cast<std::size_t>(header->height);
   if (pixels > std::max(free_pixels, file.size()))

@@ -33,7 +33,7 @@ std::string size_fault(std::int64_t width, std::int64_t height) {
 
 Result<SkyPicture> read_hdr_sky(const std::string& path) {
   return read_hdr(path, size_fault).map([](HdrImage image) {
-    return SkyPicture{image.width, image.height, std::move(image.pixels)};
+    return SkyPicture{image.width, image.height, SkyTexels(std::move(image.pixels), image.scale)};
   });
 }
 

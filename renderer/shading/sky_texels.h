@@ -16,10 +16,12 @@ class SkyTexels {
  public:
   SkyTexels() = default;
   SkyTexels(std::vector<glm::vec3> radiance) : radiance_(std::move(radiance)) {}
-  SkyTexels(std::vector<Rgbe> packed) : packed_(std::move(packed)) {}
+  /// `scale` times the radiance of `packed`.
+  SkyTexels(std::vector<Rgbe> packed, glm::vec3 scale = glm::vec3(1.0f))
+      : packed_(std::move(packed)), scale_(scale) {}
 
   [[nodiscard]] glm::vec3 operator[](std::size_t i) const {
-    return packed_.empty() ? radiance_[i] : radiance_of(packed_[i]);
+    return packed_.empty() ? radiance_[i] : scale_ * radiance_of(packed_[i]);
   }
   [[nodiscard]] std::size_t size() const { return radiance_.size() + packed_.size(); }
   [[nodiscard]] std::size_t memory_bytes() const {
@@ -32,6 +34,7 @@ class SkyTexels {
  private:
   std::vector<glm::vec3> radiance_;
   std::vector<Rgbe> packed_;
+  glm::vec3 scale_{1.0f};
 };
 
 }  // namespace asos

@@ -110,6 +110,27 @@ TEST_F(HdrFile, SoManyPixelsInSoFewBytesAreRefused) {
       << "these are read from files of any size";
 }
 
+TEST_F(HdrFile, WhatPixelsWereMultipliedByIsUndone) {
+  const auto with = [](const std::string& lines) {
+    return "#?RADIANCE\n" + lines + "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x40\x20\x81";
+  };
+  const auto scale = [&](const std::string& lines) {
+    const auto image = read(with(lines));
+    return image ? image->scale : glm::vec3(0.0f);
+  };
+  EXPECT_EQ(scale(""), glm::vec3(1.0f));
+  // All of them count, and those of each channel beside those of all.
+  EXPECT_EQ(scale("EXPOSURE=4\nEXPOSURE= 5.0e-1\n"), glm::vec3(0.5f));
+  EXPECT_EQ(scale("COLORCORR= 2 4 0.5\nEXPOSURE=2\r\n"), glm::vec3(0.25f, 0.125f, 1.0f));
+  for (const char* line :
+       {"EXPOSURE=", "EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=inf", "EXPOSURE=1 2",
+        "EXPOSURE=1e999", "COLORCORR=1 1", "COLORCORR=1 0 1", "COLORCORR=1 1 1 1"}) {
+    EXPECT_NE(refusal(with(std::string(line) + "\n")).find(line), std::string::npos) << line;
+  }
+  EXPECT_NE(refusal(with("EXPOSURE=1e-30\nEXPOSURE=1e-30\n")).find("multiply to what no number"),
+            std::string::npos);
+}
+
 TEST_F(HdrFile, BrokenAnywhereItIsReadOrRefused) {
   const std::string good =
       head(10, 2) + packed(10, {"\x8a\x80", "\x8a\x40", "\x84\x08\x86\x09", "\x8a\x88"}) +

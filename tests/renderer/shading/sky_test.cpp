@@ -127,6 +127,22 @@ TEST(SkyMap, TexelsOfARadiancePictureAreItsRadiance) {
 }
 
 // Of large pictures, rows of means are made where they are looked at.
+TEST(Sky, ARadiancePicturesExposureIsUndone) {
+  const test::TemporaryFolder folder;
+  // Two pixels of radiance 1, 0.5 and 0.25, exposed four times, and red corrected twice.
+  const std::string pixel = "\x80\x40\x20\x81";
+  const auto sky = read_sky(folder.write("sky.hdr",
+                                         "#?RADIANCE\nEXPOSURE=4\nCOLORCORR=2 1 1\n"
+                                         "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" +
+                                             pixel + pixel),
+                            0.0);
+  ASSERT_TRUE(sky) << sky.error().message();
+  const glm::vec3 seen = (*sky)->radiance({0.0, 0.6, 0.8});
+  EXPECT_NEAR(seen.r, 1.0f / 8.0f, 1e-6f);
+  EXPECT_NEAR(seen.g, 0.5f / 4.0f, 1e-6f);
+  EXPECT_NEAR(seen.b, 0.25f / 4.0f, 1e-6f);
+}
+
 TEST(SkyMap, ALargePictureTakesLittleMoreThanItsFile) {
   constexpr int height = 2048;
   const SkyMap large(2 * height, height, waves(height));
