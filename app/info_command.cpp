@@ -8,8 +8,10 @@
 #include "renderer/scene/rig.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <memory>
 #include <ostream>
 #include <utility>
@@ -24,6 +26,7 @@ struct InfoArguments {
   NeedsChoice needs = NeedsChoice::scene;
   ClipChoice clip;
   bool json = false;
+  bool all = false;
 };
 
 /// What `info` tells of: the scene as it is at a moment, and all of what a render would do first,
@@ -59,7 +62,8 @@ int run_info(const InfoArguments& arguments, const Streams& streams) {
   if (arguments.json)
     streams.out << json_text(info);
   else
-    streams.out << scene_info_text(info);
+    streams.out << scene_info_text(
+        info, arguments.all ? std::numeric_limits<std::size_t>::max() : most_lines_a_list);
   return exit_ok;
 }
 
@@ -74,6 +78,10 @@ Command add_info_command(CLI::App& program) {
   add_clip_options(*parser, arguments->clip);
   add_needs_option(*parser, arguments->needs);
   parser->add_flag("--json", arguments->json, "Answer in JSON");
+  parser->add_flag(
+      "--all", arguments->all,
+      fmt::format("List all entries of long lists [the first {} of each; JSON has all]",
+                  most_lines_a_list));
   parser->footer(
       "Examples:\n  asos info model.glb\n  asos info builtin:office --json\n"
       "  asos info model.glb --needs all   # what it takes when nothing is left out");

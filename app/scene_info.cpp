@@ -99,50 +99,64 @@ std::string quoted(const Json& name) {
   return name.get<std::string>().empty() ? "" : "\"" + name.get<std::string>() + "\", ";
 }
 
+/// A line for each, as `line(index, entry)` says it, up to `most`, and one for how many more.
+template <typename Line>
+std::string lines_of(const Json& list, std::size_t most, Line line) {
+  const std::size_t told = std::min(list.size(), most);
+  std::string text;
+  for (std::size_t i = 0; i < told; ++i) text += line(i, list[i]);
+  if (told < list.size())
+    text += fmt::format("  ... and {} more, which --all lists\n", list.size() - told);
+  return text;
+}
+
 /// A line for how many there are and one for each; none where there are none.
 template <typename Line>
-std::string numbered_lines(const char* title, const Json& list, Line line) {
+std::string numbered_lines(const char* title, const Json& list, std::size_t most, Line line) {
   if (list.empty()) return "";
-  std::string text = fmt::format("{:<12}{}\n", fmt::format("{}:", title), list.size());
-  for (std::size_t i = 0; i < list.size(); ++i) text += fmt::format("  {}: {}\n", i, line(list[i]));
-  return text;
+  return fmt::format("{:<12}{}\n", fmt::format("{}:", title), list.size()) +
+         lines_of(list, most, [&](std::size_t i, const Json& entry) {
+           return fmt::format("  {}: {}\n", i, line(entry));
+         });
 }
 
 std::string counted(std::uint64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string contents_lines(const Json& info) {
+std::string contents_lines(const Json& info, std::size_t most) {
   const auto number = [](const Json& n) { return n.get<std::uint64_t>(); };
-  std::string text = numbered_lines("Animations", info["animations"], [&](const Json& a) {
+  std::string text = numbered_lines("Animations", info["animations"], most, [&](const Json& a) {
     const std::uint64_t channels = number(a["channels"]), read = number(a["channels_read"]);
     return fmt::format("{}{:.4g} s, {}{}", quoted(a["name"]), a["seconds"].get<double>(),
                        counted(channels, "channel"),
                        read < channels ? fmt::format(", of which {} are read", read) : "");
   });
-  text += numbered_lines("Skins", info["skins"], [&](const Json& skin) {
+  text += numbered_lines("Skins", info["skins"], most, [&](const Json& skin) {
     return quoted(skin["name"]) + counted(number(skin["joints"]), "joint");
   });
-  text += numbered_lines("Morphs", info["morphs"], [&](const Json& morph) {
+  text += numbered_lines("Morphs", info["morphs"], most, [&](const Json& morph) {
     return quoted(morph["mesh"]) + counted(number(morph["targets"]), "target");
   });
   const auto name = [](const Json& n) {
     return n.get<std::string>().empty() ? std::string("without a name")
                                         : "\"" + n.get<std::string>() + "\"";
   };
-  text += numbered_lines("Variants", info["variants"], name);
+  text += numbered_lines("Variants", info["variants"], most, name);
   const Json& scenes = info["scenes"];
-  for (std::size_t i = 0; scenes.size() > 1 && i < scenes.size(); ++i) {
-    if (i == 0) text += fmt::format("Scenes:     {}\n", scenes.size());
-    text += fmt::format("  {}: {}{}\n", i, name(scenes[i]),
-                        info["shown_scene"] == i ? ", the one described here" : "");
-  }
-  return text;
+  if (scenes.size() < 2) return text;
+  text += fmt::format("Scenes:     {}\n", scenes.size());
+  return text + lines_of(scenes, most, [&](std::size_t i, const Json& scene) {
+           return fmt::format("  {}: {}{}\n", i, name(scene),
+                              info["shown_scene"] == i ? ", the one described here" : "");
+         });
 }
 
-std::string list(const Json& names) {
+std::string list(const Json& names, std::size_t most) {
   std::string text;
-  for (const Json& name : names) text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    text += (text.empty() ? "" : ", ") + names[i].get<std::string>();
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
   return text;
 }
 
@@ -238,7 +252,7 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
   return info;
 }
 
-std::string scene_info_text(const Json& of_scene) {
+std::string scene_info_text(const Json& of_scene, std::size_t most) {
   const Json info = with_printable_texts(of_scene);
   const auto number = [&](const char* key) { return info[key].get<std::uint64_t>(); };
   std::string text = fmt::format("Scene:      {}\n", info["scene"].get<std::string>());
@@ -267,22 +281,27 @@ std::string scene_info_text(const Json& of_scene) {
   const Json& cameras = info["cameras"];
   if (cameras.empty()) text += "Cameras:    none, one that frames the scene is used\n";
   if (!cameras.empty()) text += fmt::format("Cameras:    {}\n", cameras.size());
-  for (std::size_t i = 0; i < cameras.size(); ++i) text += camera_line(i, cameras[i]);
-  text += contents_lines(info);
-  for (const Json& line : info["not_shown"])
-    text += fmt::format("Not shown:  {}\n", line.get<std::string>());
-  if (!info["unsupported_extensions"].empty())
-    text += fmt::format("Unsupported extensions: {}\n", list(info["unsupported_extensions"]));
-  for (const Json& extension : info["unsupported_extensions"])
-    if (const auto instead = seen_without(extension.get<std::string>()); !instead.empty())
-      text += fmt::format("  {}: {}\n", extension.get<std::string>(), instead);
+  text += lines_of(cameras, most, camera_line);
+  text += contents_lines(info, most);
+  const auto titled = [](const char* title) {
+    return [title](std::size_t, const Json& line) {
+      return fmt::format("{}{}\n", title, line.get<std::string>());
+    };
+  };
+  text += lines_of(info["not_shown"], most, titled("Not shown:  "));
+  const Json& unsupported = info["unsupported_extensions"];
+  if (!unsupported.empty())
+    text += fmt::format("Unsupported extensions: {}\n", list(unsupported, most));
+  text += lines_of(unsupported, most, [](std::size_t, const Json& extension) {
+    const std::string name = extension.get<std::string>();
+    const auto instead = seen_without(name);
+    return instead.empty() ? std::string() : fmt::format("  {}: {}\n", name, instead);
+  });
   text += fmt::format("Memory:     {:.1f} MB of geometry, textures and hierarchies\n",
                       info["memory_mb"].get<double>());
   if (!info["left_out"].empty()) text += "Left out, because it is not needed:\n";
   for (const Json& left_out : info["left_out"]) text += left_out_line(left_out);
-  for (const Json& warning : info["warnings"])
-    text += fmt::format("Warning: {}\n", warning.get<std::string>());
-  return text;
+  return text + lines_of(info["warnings"], most, titled("Warning: "));
 }
 
 }  // namespace asos

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
 
 namespace asos {
@@ -20,7 +21,11 @@ namespace asos {
 /// is something of that sort, `stages`, `memory`, `controls` and `rows`.
 [[nodiscard]] nlohmann::ordered_json left_out_json(const SceneNeeds& needs);
 
-/// A scene's information for a person: lines of text, without what is empty.
-[[nodiscard]] std::string scene_info_text(const nlohmann::ordered_json& info);
+inline constexpr std::size_t most_lines_a_list = 20;
+
+/// A scene's information for a person: lines of text, without what is empty; of each list the first
+/// `most` entries, and how many more there are.
+[[nodiscard]] std::string scene_info_text(const nlohmann::ordered_json& info,
+                                          std::size_t most = most_lines_a_list);
 
 }  // namespace asos

@@ -116,6 +116,38 @@ TEST(InfoCommand, CountsAnalyticShapes) {
   EXPECT_TRUE(contains(run_asos({"info", "builtin:boxes"}).out, "analytic shapes: no object"));
 }
 
+TEST(InfoCommand, LongListsEndWithHowManyMoreThereAre) {
+  Scene scene;
+  constexpr std::size_t count = 10'000;
+  scene.cameras.resize(count);
+  scene.contents.animations.resize(count);
+  scene.contents.skins.resize(count);
+  scene.contents.morphs.resize(count);
+  for (auto* names :
+       {&scene.contents.variants, &scene.contents.scenes, &scene.notes.unsupported_extensions,
+        &scene.notes.not_shown, &scene.notes.warnings})
+    names->assign(count, "ACME_gizmo");
+  const ordered_json info = info_of(scene);
+  const auto lines = [](const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  };
+  const std::string brief = scene_info_text(info);
+  EXPECT_LT(lines(brief), 9 * (most_lines_a_list + 2) + 60);
+  EXPECT_LT(brief.size(), 20'000u);
+  for (const char* title : {"Cameras:    10000\n", "Animations: 10000\n", "Skins:      10000\n",
+                            "Morphs:     10000\n", "Variants:   10000\n", "Scenes:     10000\n"})
+    EXPECT_TRUE(contains(brief, title));
+  EXPECT_TRUE(contains(brief, "  ... and 9980 more, which --all lists\n"));
+  EXPECT_TRUE(contains(brief, "ACME_gizmo and 9980 more\n"));
+  const std::string all = scene_info_text(info, count);
+  EXPECT_GT(lines(all), 8 * count);
+  EXPECT_FALSE(contains(all, " more"));
+  scene.cameras.resize(most_lines_a_list);
+  scene.contents = {};
+  scene.notes = {};
+  EXPECT_FALSE(contains(scene_info_text(info_of(scene)), "more, which"));
+}
+
 TEST(InfoCommand, PunctualLightsOfAFileAreCountedByTheTypesOfTheirExtension) {
   const auto dir = test::shared_dir();
   if (!dir) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
