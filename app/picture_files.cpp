@@ -3,6 +3,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/scene/source_files.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -40,6 +41,10 @@ fs::path folder_of(const std::string& scene) {
   return fs::weakly_canonical(fs::absolute(scene, error), error).parent_path();
 }
 
+std::array<const std::string*, 3> outputs_of(const RenderArguments& arguments) {
+  return {&arguments.output, &arguments.split_map, &arguments.stats_file};
+}
+
 bool is_within(const fs::path& file, const fs::path& folder) {
   const fs::path step = file.lexically_relative(folder);
   return !step.empty() && *step.begin() != "..";
@@ -58,16 +63,24 @@ bool is_picture_path(const std::string& path) {
 Result<void> check_inputs_stay(const RenderArguments& arguments) {
   const std::string& scene = arguments.picture.scene;
   const fs::path folder = folder_of(scene);
-  for (const std::string* output :
-       {&arguments.output, &arguments.split_map, &arguments.stats_file}) {
+  std::vector<std::string> inputs{scene, arguments.picture.sky.file};
+  // Its textures and buffers lie in its folder: elsewhere the scene need not be asked for them.
+  for (const std::string* output : outputs_of(arguments)) {
+    std::error_code error;
+    if (output->empty() || !fs::exists(*output, error) || same_file(*output, scene)) continue;
+    if (!is_within(fs::weakly_canonical(fs::absolute(*output, error), error), folder)) continue;
+    inputs = source_files(scene);
+    inputs.push_back(arguments.picture.sky.file);
+    break;
+  }
+  return check_inputs_stay(arguments, inputs);
+}
+
+Result<void> check_inputs_stay(const RenderArguments& arguments,
+                               const std::vector<std::string>& inputs) {
+  for (const std::string* output : outputs_of(arguments)) {
     std::error_code error;
     if (output->empty() || !fs::exists(*output, error)) continue;
-    std::vector<std::string> inputs{scene};
-    // Its textures and buffers lie in its folder: elsewhere the scene need not be asked for them.
-    const bool beside =
-        is_within(fs::weakly_canonical(fs::absolute(*output, error), error), folder);
-    if (beside && !same_file(*output, scene)) inputs = source_files(scene);
-    inputs.push_back(arguments.picture.sky.file);
     for (const std::string& input : inputs)
       if (!input.empty() && same_file(*output, input))
         return tl::unexpected(

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asos {
 
@@ -29,6 +30,10 @@ struct OutputPlan {
 
 /// An error where an output is the scene, one of its files or the sky's, which would be lost.
 [[nodiscard]] Result<void> check_inputs_stay(const RenderArguments& arguments);
+
+/// The same where it is known which files the picture is made of.
+[[nodiscard]] Result<void> check_inputs_stay(const RenderArguments& arguments,
+                                             const std::vector<std::string>& inputs);
 
 [[nodiscard]] Result<OutputPlan> plan_outputs(const RenderArguments& arguments);
 

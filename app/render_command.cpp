@@ -298,6 +298,12 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
       frames_of(arguments, work->scene.contents(), work->scene.time());
   if (frames.empty())
     return tl::unexpected(Error{arguments.picture.scene, "the animation ends before that frame"});
+  // Before the first of them takes its time.
+  for (const FrameRequest& frame : frames) {
+    const RenderArguments one = arguments_of(arguments, frame);
+    if (auto stay = check_inputs_stay(one, work->sources); !stay) return stay;
+    if (const auto plan = plan_outputs(one); !plan) return tl::unexpected(plan.error());
+  }
   PicturesDone done;
   done.count = static_cast<int>(frames.size());
   for (const FrameRequest& frame : frames) {

@@ -211,6 +211,31 @@ TEST_F(HostileInput, WhatAPictureIsMadeOfIsNotWrittenOver) {
   EXPECT_EQ(render({scene, "--sky", sky}).exit_code, 0) << "a picture may be made again";
 }
 
+TEST_F(HostileInput, NoFrameIsRenderedWhereALaterOneWouldWriteOverAnInput) {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["images"] = {{{"uri", "wood-2.png"}}};
+  b.json["textures"] = {{{"source", 0}}};
+  b.json["materials"] = {{{"emissiveTexture", {{"index", 0}}}}};
+  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  const std::string scene = put(b), texture = folder_.file("wood-2.png");
+  ASSERT_TRUE(write_png(texture, RgbImage{1, 1, {1, 2, 3}, {}}));
+  const std::string before = test::content_of(texture);
+  const auto turn = [&](const char* frames) {
+    return run_asos(
+        {"render", scene, "--size", "8x6", "-o", folder_.file("wood.png"), "--frames", frames});
+  };
+  const AsosRun run = turn("0-3/4");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.err, "wood-2.png: is what the picture is made of"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("wood-0.png")));
+  EXPECT_EQ(test::content_of(texture), before);
+  // One that cannot be written is told before the first, too.
+  std::filesystem::create_directory(folder_.file("wood-1.png"));
+  EXPECT_EQ(turn("0-1/4").exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("wood-0.png")));
+  EXPECT_EQ(turn("3/4").exit_code, 0);
+}
+
 TEST_F(HostileInput, PipesAndDevicesAreRefusedAtOnce) {
   for (const char* ending : {".gltf", ".glb", ".hdr", ".exr", ".png"}) {
     const std::string pipe = folder_.file(std::string("pipe") + ending);
