@@ -29,7 +29,7 @@ struct PictureArguments {
   SkyChoice sky;            ///< until with_sky makes it settings.sky
   bool sky_chosen = false;  ///< else the scene has its usual_sky
   float exposure_ev = 0.0f;
-  ToneCurve tone = ToneCurve::none;
+  ToneCurve tone = ToneCurve::neutral;
   NeedsChoice needs = NeedsChoice::scene;
 
   std::string from_file;                   ///< a picture whose settings these are; empty: none

@@ -10,7 +10,7 @@ struct DisplaySettings {
   static constexpr float exposure_limit_ev = 10.0f;
 
   float exposure_ev = 0.0f;  ///< stops
-  ToneCurve tone = ToneCurve::none;
+  ToneCurve tone = ToneCurve::neutral;
   bool show_split_map = false;  ///< over the picture: the split pixels in colours
   float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
   bool show_grid = false;       ///< and the axes, over the picture

@@ -9,8 +9,9 @@ namespace asos {
 
 /// How radiance becomes what a screen can show. `none` clips at white. `neutral` is Khronos PBR
 /// Neutral (2024): base colours come out as they are told, and what is brighter is compressed
-/// without a change of hue. `agx` is Sobotka's AgX, after Wrensch's fit: film-like, with colours
-/// that fade towards white.
+/// without a change of hue; a difference of radiance, which EPS is, shows as none that is larger by
+/// more than a hundredth, where the channels rise together. `agx` is Sobotka's AgX, after Wrensch's
+/// fit: film-like, with colours that fade towards white.
 enum class ToneCurve : std::uint8_t { none, neutral, agx };
 
 /// How a picture is shown: what its bytes follow from. An exposure alone is one, too.

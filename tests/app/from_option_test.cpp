@@ -126,7 +126,7 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   ASSERT_TRUE(finish());
   DisplaySettings display;
   display.exposure_ev = -0.4f;
-  ASSERT_TRUE(write_png(path("window.png"), previewer.render().film(), display.exposure_ev,
+  ASSERT_TRUE(write_png(path("window.png"), previewer.render().film(), display.transform(),
                         screenshot_text(previewer, display)));
   const AsosRun again = render({"--from", path("window.png")}, "again.png");
   ASSERT_EQ(again.exit_code, 0) << again.err;

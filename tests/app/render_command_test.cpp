@@ -181,7 +181,7 @@ TEST_F(RenderCommand, PicturesCarryTheirSettings) {
 }
 
 TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
-  render("a.png", {"--exposure", "1"});
+  render("a.png", {"--exposure", "1", "--tone", "none"});
   render("a.exr", {});
   const Result<RgbImage> png = read_png(path("a.png"));
   ASSERT_TRUE(png);

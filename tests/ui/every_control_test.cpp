@@ -168,6 +168,7 @@ class EveryControlTest : public PanelsTest {
     for (int i = 0; i < 2; ++i) rig.frame();
   }
 
+  /// The state is entered again later on, when what the caller's loop counts by is gone.
   void use_all(const std::string& where, const std::function<void()>& state) {
     enter(state);
     std::vector<std::string> names;
@@ -238,11 +239,12 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   for (const auto kind :
        {LightKind::point, LightKind::sphere, LightKind::spot, LightKind::directional,
         LightKind::linear, LightKind::rectangle, LightKind::disk, LightKind::polygon})
-    use_all("light of kind " + std::to_string(static_cast<int>(kind)), [&] { select_kind(kind); });
+    use_all("light of kind " + std::to_string(static_cast<int>(kind)),
+            [&, kind] { select_kind(kind); });
   for (const auto method :
        {Method::sobol, Method::sobol_adaptive, Method::stochastic, Method::asos_published})
     use_all("method " + std::to_string(static_cast<int>(method)),
-            [&] { settings().method = method; });
+            [&, method] { settings().method = method; });
   use_all("soft shadows, divided", [&] {
     select_kind(LightKind::sphere);
     settings().shadow.quality = ShadowQuality::extended_divided;
@@ -250,7 +252,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
   });
   for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})
-    use_all("split map", [&] {
+    use_all("split map", [&, colours] {
       s.display.show_split_map = true;
       s.display.split_colours = colours;
       // Before there is a picture nothing of it is split, nor to be explained.
@@ -272,7 +274,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   rig.click("section/Compare");
   for (const auto comparison :
        {Comparison::none, Comparison::wipe, Comparison::flip, Comparison::difference})
-    use_all("compare", [&] {
+    use_all("compare", [&, comparison] {
       s.frames.store(rig.previewer().render().film(), "one");
       s.frames.store(rig.previewer().render().film(), "two");
       s.frames.comparison = comparison;
@@ -296,13 +298,13 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.reflections.channel = DfrChannel::blue;
   });
   for (const DfrChannel channel : {DfrChannel::blue, DfrChannel::all})
-    use_all("one blur for all", [&] {
+    use_all("one blur for all", [&, channel] {
       s.reflections.channel = channel;
       settings().mirror.dfr.emplace();
       settings().mirror.dfr->rgb.fill({0.3, 0.7, 4.0});
     });
   for (const int pyray : {-1, 0})
-    use_all("mirrors", [&] {
+    use_all("mirrors", [&, pyray] {
       s.picked = glm::ivec2(rig.previewer().render().film().width,
                             rig.previewer().render().film().height) /
                  2;
@@ -326,7 +328,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     rig.previewer().refinement().limits().rmse = 0.01;
   });
   for (const bool paused : {false, true})
-    use_all("refinement", [&] {
+    use_all("refinement", [&, paused] {
       rig.previewer().refinement().set_paused(paused);
       s.check.check = !paused;
     });
@@ -361,7 +363,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().asos.rule = StoppingRule::published;
     settings().asos.detect = Detection::cone;
     settings().texture.filter = TextureFilter::point;
-    s.display.tone = ToneCurve::neutral;
+    s.display.tone = ToneCurve::none;
     settings().shadow.light_rule = LightRule::published;
     s.study.reduction = 1;
     s.frames.store(rig.previewer().render().film(), "one");

@@ -53,7 +53,9 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   pick(pixel);
   const Controls::Placed square = rig.control("Subdivision");
   const std::vector<glm::u8vec3> pixels = rig.pixels();
-  const glm::u8vec3 red(255, 0, 0), background = display_bytes(sky, 0.0f);
+  const DisplayTransform display = test::usual_display;
+  const glm::u8vec3 red = display_bytes({1, 0, 0}, display);
+  const glm::u8vec3 background = display_bytes(sky, display);
   int reds = 0, backgrounds = 0;
   for (int y = static_cast<int>(square.lo.y) + 2; y < static_cast<int>(square.hi.y) - 2; ++y) {
     for (int x = static_cast<int>(square.lo.x) + 2; x < static_cast<int>(square.hi.x) - 2; ++x) {

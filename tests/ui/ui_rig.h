@@ -2,6 +2,7 @@
 
 #include "renderer/film/film.h"
 #include "tests/ui/osmesa_context.h"
+#include "ui/display_settings.h"
 #include "ui/draw_schedule.h"
 #include "ui/previewer.h"
 #include "ui/window_content.h"
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace asos::test {
+
+/// How the window shows pictures unless it is told otherwise.
+inline const DisplayTransform usual_display = DisplaySettings{}.transform();
 
 /// The window's content in a context in memory, with a clock, a mouse and a keyboard that a test
 /// moves. Opens nothing by itself.

@@ -19,6 +19,7 @@ namespace {
 
 using test::two_triangles;
 using test::UiRig;
+using test::usual_display;
 
 Result<Scene> load(const std::string& source) {
   if (source == "red") return two_triangles({0.8f, 0.1f, 0.1f}, source);
@@ -64,8 +65,9 @@ class WindowContentTest : public testing::Test {
 
 TEST_F(WindowContentTest, ShowsTheFilmPixelForPixel) {
   open("red");
-  expect_area(
-      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+  expect_area([](const Film& film, std::size_t i) {
+    return display_bytes(film.radiance[i], usual_display);
+  });
 }
 
 TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
@@ -75,8 +77,9 @@ TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
   rig.content().state().display.exposure_ev = -1.5f;
   rig.frame();
   EXPECT_NE(rig.pixels(), before);
-  expect_area(
-      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], -1.5f); });
+  expect_area([](const Film& film, std::size_t i) {
+    return display_bytes(film.radiance[i], {-1.5f, usual_display.tone});
+  });
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
@@ -123,7 +126,7 @@ TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   expect_area([](const Film& shown, std::size_t i) {
     const auto width = static_cast<std::size_t>(shown.width);
     const float square = (i % width / 8 + i / width / 8) % 2 == 0 ? 0.4f : 0.25f;
-    return display_bytes(shown.radiance[i] + (1.0f - shown.coverage[i]) * square, 0.0f);
+    return display_bytes(shown.radiance[i] + (1.0f - shown.coverage[i]) * square, usual_display);
   });
 }
 
@@ -185,7 +188,7 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
         ASSERT_EQ(got, glm::vec3(split_colour(film.split_level[i], max_level))) << x << ' ' << y;
       } else {
         // Blending rounds its share and its result to bytes.
-        const glm::vec3 want = 0.75f * glm::vec3(display_bytes(film.radiance[i], 0.0f));
+        const glm::vec3 want = 0.75f * glm::vec3(display_bytes(film.radiance[i], usual_display));
         ASSERT_LE(glm::length(want - got), 2.0f) << x << ' ' << y;
       }
     }
@@ -211,7 +214,7 @@ TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
           view.picture_from_area({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
       const std::size_t i = film.index(static_cast<int>(at.x), static_cast<int>(at.y));
       ASSERT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
-                display_bytes(film.radiance[i], 0.0f))
+                display_bytes(film.radiance[i], usual_display))
           << x << ' ' << y;
     }
   }
@@ -225,8 +228,9 @@ TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
   rig.resize({640, 400});
   ASSERT_TRUE(rig.settle());
   EXPECT_EQ(rig.previewer().render().restarts(), 1u);
-  expect_area(
-      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+  expect_area([](const Film& film, std::size_t i) {
+    return display_bytes(film.radiance[i], usual_display);
+  });
 }
 
 TEST_F(WindowContentTest, TinyWindowsAreDrawn) {
@@ -240,8 +244,9 @@ TEST_F(WindowContentTest, TinyWindowsAreDrawn) {
   }
   rig.resize({700, 420});
   ASSERT_TRUE(rig.settle());
-  expect_area(
-      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+  expect_area([](const Film& film, std::size_t i) {
+    return display_bytes(film.radiance[i], usual_display);
+  });
 }
 
 TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
@@ -249,8 +254,9 @@ TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
   rig.resize({900, 500});
   ASSERT_TRUE(rig.settle());
   EXPECT_EQ(rig.previewer().render().restarts(), 2u);
-  expect_area(
-      [](const Film& film, std::size_t i) { return display_bytes(film.radiance[i], 0.0f); });
+  expect_area([](const Film& film, std::size_t i) {
+    return display_bytes(film.radiance[i], usual_display);
+  });
 }
 
 TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
@@ -333,7 +339,7 @@ TEST(WindowContentReplace, AnotherSceneWhileOneLoads) {
   EXPECT_EQ(rig.previewer().scene()->geometry->source, "fast");
   const PixelRect area = rig.content().picture_rect();
   const auto middle = static_cast<std::size_t>(area.height / 2 * 640 + area.width / 2);
-  EXPECT_EQ(rig.pixels()[middle], glm::u8vec3(0, 255, 0));
+  EXPECT_EQ(rig.pixels()[middle], display_bytes({0, 1, 0}, usual_display));
 }
 
 }  // namespace
