@@ -223,7 +223,8 @@ TEST_F(OutsideText, PropertiesOfTheWrongKindAreSaid) {
 GltfBuilder of_everything() {
   GltfBuilder b = GltfBuilder::square();
   nlohmann::json& j = b.json;
-  j["materials"] = {{{"normalTexture", {{"scale", 1}}}}};
+  j["materials"] = {{{"normalTexture", {{"index", 0}, {"scale", 1}}}}};
+  j["textures"] = nlohmann::json::array({nlohmann::json::object()});
   j["meshes"][0]["primitives"][0]["material"] = 0;
   j["samplers"] = nlohmann::json::array({nlohmann::json::object()});
   j["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}}};

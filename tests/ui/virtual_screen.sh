@@ -75,13 +75,12 @@ found_window() {
   [ -n "$window" ]
 }
 
-shot() { import -window root "$1"; }
+# Hardly compressed: they are many, and most are looked at once.
+shot() { import -window root -define png:compression-level=1 -define png:compression-filter=0 "$1"; }
 geometry() { eval "$(xdotool getwindowgeometry --shell "$window")"; }
 # How many pixels of an area (WxH+X+Y) differ between two pictures of the screen.
 differing() {
-  convert "$1" -crop "$3" +repage "$work/a.png"
-  convert "$2" -crop "$3" +repage "$work/b.png"
-  compare -metric AE "$work/a.png" "$work/b.png" null: 2>&1
+  compare -extract "$3" -metric AE "$1" "$2" null: 2>&1
 }
 # NEW BEFORE AREA: the area has changed since BEFORE by some hundred pixels, or is as it was then.
 changed() {
