@@ -1,6 +1,7 @@
 #include "renderer/samples/light_picks.h"
 
 #include <algorithm>
+#include <span>
 
 namespace asos {
 namespace {
@@ -18,6 +19,18 @@ void move_ray(ShadowRayBatch& rays, std::size_t i, std::size_t to, float weight)
   }
   rays.t_far[to] = rays.t_far[i];
   rays.point[to] = rays.point[i];
+}
+
+// Puts ray i behind those of `to`, and what it carries times `weight`.
+void copy_ray(const ShadowRayBatch& rays, std::size_t i, ShadowRayBatch& to, float weight) {
+  const std::size_t at = to.count++;
+  for (std::size_t k = 0; k < 3; ++k) {
+    to.origin[k][at] = rays.origin[k][i];
+    to.direction[k][at] = rays.direction[k][i];
+    to.carried[k][at] = weight * rays.carried[k][i];
+  }
+  to.t_far[at] = rays.t_far[i];
+  to.point[at] = rays.point[i];
 }
 
 }  // namespace
@@ -56,6 +69,28 @@ void LightPicks::pick(std::size_t points, const LightPlaceBatch::Fractions& at, 
       move_ray(rays, i, kept++, share_[p] / carried);
     }
     rays.count = kept;
+  }
+}
+
+void LightPicks::pick_one(std::size_t points, Range lights, const LightPlaceBatch::Fractions& at,
+                          float share, ShadowRayBatch& kept) {
+  const std::span of(rays_.data() + lights.first, lights.count);
+  share_.assign(points, 0.0f);
+  for (const ShadowRayBatch& rays : of)
+    for (std::size_t i = 0; i < rays.count; ++i) share_[rays.point[i]] += most_carried(rays, i);
+  // Walk along the rays until the point's own share of all is passed; then never again.
+  walked_.resize(points);
+  for (std::size_t p = 0; p < points; ++p)
+    walked_[p] = static_cast<float>(at[p] >> 8) * 0x1p-24f * share_[p];
+  kept.count = kept.rejected = 0;
+  for (const ShadowRayBatch& rays : of) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      const std::uint32_t p = rays.point[i];
+      const float carried = most_carried(rays, i);
+      if (walked_[p] < 0.0f) continue;
+      walked_[p] -= carried;
+      if (walked_[p] < 0.0f) copy_ray(rays, i, kept, share * share_[p] / carried);
+    }
   }
 }
 

@@ -27,6 +27,15 @@ class LightPicks {
   /// Keeps those that are picked. `points`: how many there are; `at`: each one's number, of 2^32.
   void pick(std::size_t points, const LightPlaceBatch::Fractions& at, float a_point = rays_a_point);
 
+  /// Some of the lights.
+  struct Range {
+    std::size_t first = 0, count = 0;
+  };
+  /// Of the rays of some, each point keeps one, the likelier the more it carries, and that carries
+  /// `share` of all of theirs together: those of all points go to `kept`.
+  void pick_one(std::size_t points, Range lights, const LightPlaceBatch::Fractions& at, float share,
+                ShadowRayBatch& kept);
+
  private:
   std::vector<ShadowRayBatch> rays_;
   std::size_t lights_ = 0;

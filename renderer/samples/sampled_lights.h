@@ -130,6 +130,8 @@ class SampledLights {
   void trace(std::vector<glm::dvec3>& sums);
 
  private:
+  /// Places on a light of which one sends a ray for all, and as many directions of the lobe.
+  static constexpr std::uint32_t candidates = 4;
   struct Pending {
     Ray ray;
     glm::vec3 carried{0.0f};
@@ -142,6 +144,11 @@ class SampledLights {
     return shadows_ && lights_[light].light->casts_shadows;
   }
   void shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays);
+  void find_wide_lights(const LitBatch& points);
+  void trace_candidates(const Gathered& batch, std::uint32_t light, std::vector<glm::dvec3>& sums,
+                        RenderStatistics& counts);
+  const LightPlaceBatch& part_of(const LightPlaceBatch& places, std::uint32_t part,
+                                 std::size_t count);
   void trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   void trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
              std::vector<glm::dvec3>& sums, RenderStatistics& counts);
@@ -160,7 +167,12 @@ class SampledLights {
   std::size_t points_ = 0;
   std::vector<Recycled<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;
-  LobeBatch lobes_;
+  LobeBatch lobe_;
+  // Of lights that several candidates look at.
+  std::vector<std::uint8_t> wide_;  // one a light
+  std::array<LobeBatch, candidates> candidate_lobes_;
+  LightPlaceBatch part_;
+  ShadowRayBatch picked_;
   LightPicks picks_;
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;

@@ -70,5 +70,43 @@ TEST_F(Picked, AlwaysHoldWhatIsBrighterThanARaysShare) {
   EXPECT_EQ(rays.carried[0][17], carried_by(0));
 }
 
+// Of lights 1 to 9 each point has one ray, for a quarter of what all nine carry; and each is picked
+// by as many points as it deserves.
+TEST(OnePicked, CarriesAllAndComesFromEachByItsShare) {
+  constexpr std::size_t first = 1, count = 9;
+  LightPicks picks;
+  picks.start(lights);
+  double all = 0.0;
+  for (std::size_t light = 0; light < lights; ++light) {
+    ShadowRayBatch& rays = picks.rays(light);
+    rays.count = point_count;
+    for (std::size_t i = 0; i < point_count; ++i) {
+      rays.point[i] = static_cast<std::uint32_t>(i);
+      for (auto& channel : rays.carried) channel[i] = carried_by(light);
+      rays.t_far[i] = static_cast<float>(light);
+    }
+    if (light >= first && light < first + count) all += static_cast<double>(carried_by(light));
+  }
+  const auto at = std::make_unique<LightPlaceBatch>();
+  for (std::size_t i = 0; i < point_count; ++i)
+    at->u[i] = static_cast<std::uint32_t>((i << 32) / point_count);
+  const auto kept = std::make_unique<ShadowRayBatch>();
+  picks.pick_one(point_count, {first, count}, at->u, 0.25f, *kept);
+
+  ASSERT_EQ(kept->count, point_count);
+  std::vector<int> from(lights, 0), of(point_count, 0);
+  for (std::size_t i = 0; i < kept->count; ++i) {
+    EXPECT_NEAR(static_cast<double>(kept->carried[2][i]), 0.25 * all, 1e-5);
+    ++from[static_cast<std::size_t>(kept->t_far[i])];
+    ++of[kept->point[i]];
+  }
+  EXPECT_EQ(*std::min_element(of.begin(), of.end()), 1);
+  for (std::size_t light = 0; light < lights; ++light) {
+    const bool asked = light >= first && light < first + count;
+    const double share = asked ? static_cast<double>(carried_by(light)) / all : 0.0;
+    EXPECT_NEAR(from[light], share * point_count, asked ? 1.0 : 0.0) << light;
+  }
+}
+
 }  // namespace
 }  // namespace asos::test::light_picks_test
