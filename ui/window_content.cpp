@@ -82,6 +82,7 @@ void WindowContent::draw(const FrameInput& in) {
   if (!input_.empty() || state_.screenshot_requested) settling_frames_ = frames_to_settle;
   settling_frames_ = std::max(0, settling_frames_ - 1);
   take_outcomes();
+  previewer_.show_by(state_.display.tone);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
@@ -105,6 +106,7 @@ void WindowContent::draw(const FrameInput& in) {
   // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
+  previewer_.show_by(state_.display.tone);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
