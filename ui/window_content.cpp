@@ -1,7 +1,6 @@
 #include "ui/window_content.h"
 
 #include "ui/gl/read_framebuffer.h"
-#include "ui/panels/grid_overlay.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/side_panel.h"
 #include "ui/panels/tour_panel.h"
@@ -177,7 +176,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   const PictureArea shown{picture, scale.y};
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
-  if (state_.display.show_grid) grid_overlay(previewer_, state_.view, shown);
+  if (state_.display.show_grid) grid_.draw(previewer_, state_.view, shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_.render().film(), shown);
   picture_area(controls_, previewer_, state_, shown);
