@@ -137,7 +137,8 @@ void WindowContent::begin_frame(const FrameInput& in) {
   const glm::vec2 window(in.window_size), framebuffer(in.framebuffer_size);
   const float raster = framebuffer.y / window.y;
   const float content = std::isfinite(in.content_scale) ? in.content_scale : 1.0f;
-  const float text = std::clamp(state_.look.scale * content / raster, 0.5f, 8.0f);
+  const float asked = std::clamp(state_.look.scale * content / raster, 0.5f, 8.0f);
+  const float text = fitting_text_scale(asked, window.x);
   if (const theme::Appearance wanted{state_.look.theme, text, raster}; applied_ != wanted) {
     applied_ = wanted;
     theme::apply(wanted);
