@@ -332,6 +332,13 @@ LoadOptions load_options_of(const PictureArguments& arguments) {
   return options;
 }
 
+RenderSettings judged_as_shown(const PictureArguments& arguments) {
+  const auto& from = arguments.from;
+  const bool as_it_was = from && from->settings.method == arguments.settings.method &&
+                         from->display.tone == arguments.tone;
+  return as_it_was ? arguments.settings : judged_by(arguments.settings, arguments.tone);
+}
+
 Result<RenderSettings> with_sky(const PictureArguments& arguments) {
   return make_sky(arguments.sky).map([&](std::shared_ptr<const Sky> sky) {
     RenderSettings settings = arguments.settings;

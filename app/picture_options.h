@@ -55,6 +55,10 @@ void add_look_options(CLI::App& app, PictureArguments& arguments);
 /// those of the saved picture whose settings are taken, if it is of the same file.
 [[nodiscard]] LoadOptions load_options_of(const PictureArguments& arguments);
 
+/// The settings, judging differences by the curve that the picture is shown by; those of a saved
+/// picture as it did, where nothing else is asked for, so that it comes out the same.
+[[nodiscard]] RenderSettings judged_as_shown(const PictureArguments& arguments);
+
 /// The settings with the sky that was asked for, which is read where it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);
 

@@ -157,6 +157,7 @@ struct Work {
 Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptGuard& interrupt) {
   const AbandonableWork loading(nothing_written);
   PictureArguments& wanted = arguments.picture;
+  wanted.settings = judged_as_shown(wanted);
   Result<RenderSettings> settings = with_sky(wanted);
   if (!settings) return tl::unexpected(settings.error());
   wanted.settings = *std::move(settings);

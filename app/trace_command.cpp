@@ -68,6 +68,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   auto prepared = scene->at(scene->time(), picture);
   if (!prepared) return tl::unexpected(prepared.error());
   RenderSettings settings = as_published(*with);
+  settings.judged_tone = judged_as_shown(wanted).judged_tone;
   if (!wanted.sky_chosen) settings.sky = usual_sky(**prepared);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const Result<Camera> camera = scene->camera(**prepared, wanted.camera, aspect);

@@ -5,7 +5,8 @@
 
 namespace asos {
 
-/// How a finished picture is shown. Nothing here restarts a render.
+/// How a finished picture is shown. Nothing here restarts a render but the tone curve, by which EPS
+/// judges what shows (judged_by).
 struct DisplaySettings {
   static constexpr float exposure_limit_ev = 10.0f;
 

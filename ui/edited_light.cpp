@@ -299,6 +299,16 @@ void move_light(Light& light, glm::dvec3 by) {
   }
 }
 
+void carry_around(Light& light, glm::dvec3 about, double by_rad) {
+  const double s = std::sin(by_rad), c = std::cos(by_rad);
+  const glm::dvec3 from = light.position - about;
+  const glm::dvec3 to(c * from.x + s * from.z, from.y, c * from.z - s * from.x);
+  move_light(light, to - from);
+  LightTurn turn = turn_of(light);
+  turn.azimuth_rad += by_rad;
+  turn_light(light, turn);
+}
+
 double polygon_radius(const Light& light) {
   double radius = 0.0;
   for (const auto& outline : light.outlines) {

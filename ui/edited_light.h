@@ -55,6 +55,9 @@ void turn_light(Light& light, const LightTurn& turn);
 /// Moves it with its outlines.
 void move_light(Light& light, glm::dvec3 by);
 
+/// Carries it about the vertical through a point, counter-clockwise as seen from above.
+void carry_around(Light& light, glm::dvec3 about, double by_rad);
+
 /// The distance of a polygon's farthest corner from its position, and the way to change it.
 [[nodiscard]] double polygon_radius(const Light& light);
 void set_polygon_radius(Light& light, double radius);

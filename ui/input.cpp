@@ -97,6 +97,10 @@ struct Apply {
 void InputQueue::feed(ImGuiIO& io) {
   FrameState state;
   while (!events_.empty() && std::visit(Apply{io, state}, events_.front())) events_.pop_front();
+  // Enter does what Space does, which Dear ImGui alone listens to: sliders let it type their value.
+  const bool enter =
+      io.KeysDown[static_cast<int>(Key::enter)] || io.KeysDown[static_cast<int>(Key::keypad_enter)];
+  if (enter && io.NavVisible && !io.WantTextInput) io.NavInputs[ImGuiNavInput_Activate] = 1.0f;
 }
 
 void InputQueue::map_keys(ImGuiIO& io) {

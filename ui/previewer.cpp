@@ -59,7 +59,8 @@ void Previewer::take_over(const OpenScene::Opened& opened) {
 PreviewRender::Subject Previewer::subject() const {
   if (!scene_ || !viewpoint_.sized()) return {};
   const OrbitCamera& camera = viewpoint_.camera();
-  return {scene_.shared(), camera.revision(), edits_.settings(), camera.camera()};
+  return {scene_.shared(), camera.revision(), judged_by(edits_.settings(), shown_tone_),
+          camera.camera()};
 }
 
 std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/tone.h"
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
 #include "ui/free_memory.h"
@@ -42,6 +43,10 @@ class Previewer {
   [[nodiscard]] PreviewRender& render() { return render_; }
   [[nodiscard]] const PreviewRender& render() const { return render_; }
 
+  /// The curve that the picture is shown by: methods that judge what shows render it anew.
+  void show_by(ToneCurve tone) { shown_tone_ = tone; }
+  [[nodiscard]] ToneCurve shown_tone() const { return shown_tone_; }
+
   /// Whether memory that scenes of before have left is still to go back to the system.
   [[nodiscard]] bool gives_memory_back() const {
     return holds_free_memory_ || free_memory_.pending();
@@ -70,6 +75,7 @@ class Previewer {
   Refinement refinement_;
   PreviewRender render_;
   FreeMemory free_memory_;
+  ToneCurve shown_tone_ = ToneCurve::none;
   bool holds_free_memory_ = false;  // loading has left some
 };
 

@@ -3,6 +3,7 @@
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/world/ground.h"
 
+#include <cmath>
 #include <utility>
 
 namespace asos {
@@ -57,6 +58,17 @@ void SceneEdits::put_sky(std::shared_ptr<const Sky> sky) {
   const bool relit = brings_lights(sky) || brings_lights(now_.settings.sky);
   now_.settings.sky = std::move(sky);
   if (relit) reset_lights();
+}
+
+void SceneEdits::turn_surroundings(double by_rad) {
+  if (const Sky* sky = now_.settings.sky.get(); sky && sky->is_picture()) {
+    const double turn = sky->choice().turn_deg + glm::degrees(by_rad);
+    now_.settings.sky = std::make_shared<const Sky>(sky->turned(std::remainder(turn, 360.0)));
+  }
+  if (!scene_ || !scene_->geometry->stage.lit_by_rig || now_.look.lights.empty()) return;
+  const Box bounds = bounds_without_ground(scene_->world());
+  for (EditedLight& edited : edit_lights())
+    carry_around(edited.light, SceneSize::of(bounds).middle, by_rad);
 }
 
 MaterialDfrs& SceneEdits::edit_dfrs() {

@@ -38,6 +38,9 @@ class SceneEdits {
   /// Another sky, null: the neutral one, which scenes keep that are opened from then on. The lights
   /// of a scene without its own follow where it or the one before brings any (lights_under).
   void set_sky(std::shared_ptr<const Sky> sky);
+  /// Turns what surrounds the scene about the vertical, counter-clockwise as seen from above: a sky
+  /// of a picture; and the lights of a scene without its own, with which it is lit.
+  void turn_surroundings(double by_rad);
   /// How the scene's materials blur what they mirror. Edits reach the scene as those of lights do.
   [[nodiscard]] const MaterialDfrs& dfrs() const { return now_.look.dfrs; }
   [[nodiscard]] MaterialDfrs& edit_dfrs();

@@ -41,6 +41,7 @@ struct UiState {
   bool show_boundaries = false;  ///< of the hit list, in the picture
   std::optional<int> shown_level;     ///< of the picked pixel's splitting; none: all of it
   std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
+  bool turns_surroundings = false;    ///< the right button's drag does, which Shift began
   Frames frames;
   bool show_panel = true;
   bool focus_panel = false;         ///< the keyboard moves to the panel, or back from it

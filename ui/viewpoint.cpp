@@ -86,6 +86,12 @@ void Viewpoint::take_over(const Camera& camera, int index) {
 
 void Viewpoint::look_from(Side side) {
   if (!scene_) return;
+  const bool framed = framing() != 0;
+  turn_to(side);
+  if (framed) frame_all();
+}
+
+void Viewpoint::turn_to(Side side) {
   constexpr double half_turn = std::numbers::pi, quarter = 0.5 * half_turn;
   switch (side) {
     case Side::front:

@@ -33,7 +33,8 @@ class Viewpoint {
   /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
   /// scene.
   void take_over(const Camera& camera, int index = -1);
-  /// Looks at the same point from one side of the scene, as far away as before.
+  /// Looks at the same point from one side of the scene, as far away as before; what filled the
+  /// picture fills it again.
   enum class Side { front, back, right, left, top, bottom };
   void look_from(Side side);
   /// Keeps the direction and moves so that the whole scene fills the picture; orbits the scene's
@@ -76,6 +77,7 @@ class Viewpoint {
     double since_seconds;
   };
   [[nodiscard]] double aspect_ratio() const;
+  void turn_to(Side side);
   /// Takes over a camera that frames the scene from where `camera` looks from.
   void frame(const Camera& camera);
   /// Frames again, in a picture of another shape: the same framing.

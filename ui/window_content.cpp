@@ -1,7 +1,6 @@
 #include "ui/window_content.h"
 
 #include "ui/gl/read_framebuffer.h"
-#include "ui/panels/grid_overlay.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/side_panel.h"
 #include "ui/panels/tour_panel.h"
@@ -82,6 +81,7 @@ void WindowContent::draw(const FrameInput& in) {
   if (!input_.empty() || state_.screenshot_requested) settling_frames_ = frames_to_settle;
   settling_frames_ = std::max(0, settling_frames_ - 1);
   take_outcomes();
+  previewer_.show_by(state_.display.tone);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
@@ -105,6 +105,7 @@ void WindowContent::draw(const FrameInput& in) {
   // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
+  previewer_.show_by(state_.display.tone);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
@@ -136,7 +137,8 @@ void WindowContent::begin_frame(const FrameInput& in) {
   const glm::vec2 window(in.window_size), framebuffer(in.framebuffer_size);
   const float raster = framebuffer.y / window.y;
   const float content = std::isfinite(in.content_scale) ? in.content_scale : 1.0f;
-  const float text = std::clamp(state_.look.scale * content / raster, 0.5f, 8.0f);
+  const float asked = std::clamp(state_.look.scale * content / raster, 0.5f, 8.0f);
+  const float text = fitting_text_scale(asked, window.x);
   if (const theme::Appearance wanted{state_.look.theme, text, raster}; applied_ != wanted) {
     applied_ = wanted;
     theme::apply(wanted);
@@ -175,7 +177,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   const PictureArea shown{picture, scale.y};
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
-  if (state_.display.show_grid) grid_overlay(previewer_, state_.view, shown);
+  if (state_.display.show_grid) grid_.draw(previewer_, state_.view, shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_.render().film(), shown);
   picture_area(controls_, previewer_, state_, shown);

@@ -7,6 +7,7 @@
 #include "ui/gl_display.h"
 #include "ui/input.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/grid_overlay.h"
 #include "ui/panels/overlays.h"
 #include "ui/picture_saver.h"
 #include "ui/previewer.h"
@@ -88,6 +89,7 @@ class WindowContent {
 
   Previewer& previewer_;
   GlDisplay display_;
+  GridOverlay grid_;
   ImGuiContext* context_;
   InputQueue input_;
   UiState state_;

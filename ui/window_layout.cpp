@@ -28,4 +28,11 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel) {
   return layout;
 }
 
+float fitting_text_scale(float asked, float window_width) {
+  // In steps, so that a window that is being resized does not make its fonts anew all the time.
+  constexpr float steps = 8.0f;
+  const float fits = window_width / (theme::panel_width_em * theme::text_pixels);
+  return std::min(asked, std::max(1.0f, std::floor(steps * fits) / steps));
+}
+
 }  // namespace asos

@@ -19,4 +19,8 @@ struct WindowLayout {
   [[nodiscard]] static WindowLayout of(glm::vec2 window, float em, bool show_panel);
 };
 
+/// The scale of text that a window of this width has room for: the one that was asked for, or less,
+/// in steps of an eighth, where the panel's texts would be cut; but no less than 1.
+[[nodiscard]] float fitting_text_scale(float asked, float window_width);
+
 }  // namespace asos

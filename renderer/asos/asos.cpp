@@ -146,7 +146,7 @@ BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   const FatPyray fat = fat_pyray(job.view, job.block, framed, settings);
 
   // Look along it as the camera does.
-  const Budget budget = Budget::of(settings.asos);
+  const Budget budget = Budget::of(settings);
   const Shader shader = shader_of(job.scene, settings, job.view, budget.negligible_bend());
   EyeContext eye{&job.scene, &settings, Viewer::camera(job.view, shader, settings.filter_width),
                  &fat.frame, framed};
@@ -165,7 +165,7 @@ BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   // Trace: find boundaries, split, shade the leaves.
   EyeCaster caster(eye, static_cast<std::size_t>(fat.side * fat.side));
   const std::span<const Trace> traces =
-      work.tracer.trace(job.scene.features(), fat, SubdivisionRules::of(settings.asos), caster,
+      work.tracer.trace(job.scene.features(), fat, SubdivisionRules::of(settings), caster,
                         eye.observed_root, watch ? &watch->observer.pixel : nullptr);
 
   // Publish the pixels.

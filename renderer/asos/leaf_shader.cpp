@@ -38,7 +38,8 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& r
       sky_(eye),
       shadows_(&shadows),
       sums_(sums),
-      blurred_(&blurred) {}
+      blurred_(&blurred),
+      variation_(eye.settings->judged_tone) {}
 
 void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
   for (const PyrayLeaf& leaf : leaves) {

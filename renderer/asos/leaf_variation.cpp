@@ -50,7 +50,7 @@ bool LeafVariation::uneven(std::span<const std::uint32_t> group, double toleranc
   if (group.size() <= of_plane) return false;
   // Find the middle.
   const auto shown = [&](std::uint32_t i) {
-    return glm::clamp(glm::dvec3(leaves_[i].shading), 0.0, 1.0);
+    return displayed_intensity(glm::dvec3(leaves_[i].shading), judged_tone_);
   };
   double weight = 0.0, weight2 = 0.0;
   glm::dvec2 middle(0.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/tone.h"
 #include "renderer/pyray/caster.h"
 
 #include <glm/glm.hpp>
@@ -26,6 +27,9 @@ struct ShadedLeaf {
 /// samples cannot stand for what they show, whatever was expected of the surface beforehand.
 class LeafVariation {
  public:
+  /// Judges what the leaves show by that curve.
+  explicit LeafVariation(ToneCurve judged_tone = ToneCurve::none) : judged_tone_(judged_tone) {}
+
   void add(const ShadedLeaf& leaf);
 
   /// The leaves of those surfaces, root by root, whose samples are expected to be off by more than
@@ -37,6 +41,7 @@ class LeafVariation {
  private:
   [[nodiscard]] bool uneven(std::span<const std::uint32_t> group, double tolerance) const;
 
+  ToneCurve judged_tone_;
   std::vector<ShadedLeaf> leaves_;
   std::vector<std::size_t> first_edge_;  // of each leaf's border
   std::vector<BorderEdge> borders_;

@@ -163,7 +163,7 @@ bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafConte
   pyray.bounds.beyond_first = 2.0 * sight.surface.clearance;
   pyray.outline = outline;
   pyray.seed = leaf.seed;
-  SubdivisionRules rules = SubdivisionRules::of(eye.settings->asos);
+  SubdivisionRules rules = SubdivisionRules::of(*eye.settings);
   rules.budget = eye.budget;
   TracedPyray own;
   const bool observed = eye.observed.observer != nullptr;

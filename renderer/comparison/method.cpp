@@ -54,6 +54,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = fat_side,
      .in_object_space = true,
      .needs_boundaries = true,
+     .judges_display = true,
      .takes_filter_width = true},
     {.value = Method::asos_published,
      .name = "asos-published",
@@ -103,6 +104,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
          "4^MAX times 4, until the standard error of the pixel and its neighbours is EPS at most.",
      .render = render_block_sobol_adaptive,
      .block_side = large_side,
+     .judges_display = true,
      .samples_by_eps = true,
      .takes_filter_width = true},
     {.value = Method::whitted,
@@ -112,7 +114,8 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Adaptive supersampling in image space: samples at the corners of pixels, and of "
               "their quarters where the corners differ.",
      .render = render_block_whitted,
-     .block_side = large_side},
+     .block_side = large_side,
+     .judges_display = true},
     {.value = Method::mitchell,
      .name = "mitchell",
      .hint = "two densities, by contrast",
@@ -120,6 +123,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Four samples in every pixel, and more where their contrast is high.",
      .render = render_block_mitchell,
      .block_side = usual_side,
+     .judges_display = true,
      .samples = SampleCount::any},
     {.value = Method::ray_bound,
      .name = "ray-bound",
@@ -213,6 +217,11 @@ BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods
 BlockResult render_block(const RenderScene& scene, const View& view, const RenderSettings& settings,
                          PixelRect block, const std::stop_token& stop) {
   return render_block({scene, view, settings, block, stop});
+}
+
+RenderSettings judged_by(RenderSettings settings, ToneCurve curve) {
+  settings.judged_tone = row_of(settings.method).judges_display ? curve : ToneCurve::none;
+  return settings;
 }
 
 int block_side(const RenderSettings& settings) {

@@ -34,6 +34,8 @@ struct MethodRow {
   bool in_object_space = false;
   /// It asks where boundaries are (RenderScene::features), and not only what rays meet.
   bool needs_boundaries = false;
+  /// It goes on where differences show, by RenderSettings::judged_tone.
+  bool judges_display = false;
   /// Without splitting pyrays it takes samples by MAX and EPS: more until EPS is met.
   bool samples_by_eps = false;
   bool takes_filter_width = false;
@@ -70,6 +72,11 @@ struct MethodRow {
 [[nodiscard]] BlockResult render_block(const RenderScene& scene, const View& view,
                                        const RenderSettings& settings, PixelRect block,
                                        const std::stop_token& stop = {});
+
+/// The settings for a picture that is going to be shown by that curve: where the method judges what
+/// shows it judges by the curve, and else the picture is the same by whichever it is shown. Studies
+/// do not use it: their errors are those of radiance, clipped at white.
+[[nodiscard]] RenderSettings judged_by(RenderSettings settings, ToneCurve curve);
 
 /// Side of the aligned blocks of pixels that are rendered as one piece of work.
 [[nodiscard]] int block_side(const RenderSettings& settings);

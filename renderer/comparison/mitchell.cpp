@@ -1,3 +1,4 @@
+#include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
@@ -23,6 +24,7 @@ class TwoLevels {
   explicit TwoLevels(const BlockJob& job)
       : block_(job.block),
         stop_(job.stop),
+        judged_(job.settings.judged_tone),
         scale_(job.settings.sampling.contrast_scale),
         base_(std::min(most_base_samples, job.settings.sampling.spp)),
         high_(job.settings.sampling.spp),
@@ -90,8 +92,11 @@ class TwoLevels {
     for (int index = 0; index < base_; ++index) {
       const SampleSums::Sum sample = sums_.sum(base_sum(pixel, index));
       if (sample.count == 0) continue;
-      lo = first ? sample.radiance : glm::min(lo, sample.radiance);
-      hi = first ? sample.radiance : glm::max(hi, sample.radiance);
+      const glm::dvec3 shown = judged_ == ToneCurve::none
+                                   ? sample.radiance
+                                   : displayed_intensity(sample.radiance, judged_);
+      lo = first ? shown : glm::min(lo, shown);
+      hi = first ? shown : glm::max(hi, shown);
       first = false;
     }
     for (int c = 0; c < 3; ++c) {
@@ -112,6 +117,7 @@ class TwoLevels {
 
   PixelRect block_;
   std::stop_token stop_;
+  ToneCurve judged_;
   double scale_;
   int base_;
   int high_;
@@ -125,7 +131,8 @@ class TwoLevels {
 
 /// Two-level sampling (Mitchell 1987): the first four of `settings.sampling.spp` Sobol points; and
 /// the rest, too, where (max - min) / (max + min) of those four reaches
-/// `settings.sampling.contrast_scale` times 0.4, 0.3 or 0.6 in linear red, green or blue. Each
+/// `settings.sampling.contrast_scale` times 0.4, 0.3 or 0.6 in linear red, green or blue, as they
+/// are (Mitchell's rule) or as a curve displays them, where `settings.judged_tone` is one. Each
 /// pixel decides by its own samples and not by its neighbours', all its samples weigh the same, and
 /// the filter is the pixel's box; Mitchell's cells hold eight or nine samples and his filter is
 /// wider. With up to four samples it is `sobol`.

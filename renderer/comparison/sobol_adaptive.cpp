@@ -1,3 +1,4 @@
+#include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
@@ -30,10 +31,6 @@ std::uint8_t level_of(int samples) {
   return static_cast<std::uint8_t>((doublings + 1) / 2);
 }
 
-glm::dvec3 displayed(glm::dvec3 radiance) {
-  return glm::clamp(radiance, 0.0, 1.0);
-}
-
 /// A pixel's samples by quarters, each of which is as well distributed as its size allows.
 struct Quarters {
   std::array<SampleSums::Sum, quarter_count> sums;
@@ -54,12 +51,12 @@ struct Quarters {
     return all.mean();
   }
   /// Of the mean as it is displayed, in the channel that is off most.
-  [[nodiscard]] double standard_error() const {
-    const glm::dvec3 shown = displayed(mean());
+  [[nodiscard]] double standard_error(ToneCurve judged) const {
+    const glm::dvec3 shown = displayed_intensity(mean(), judged);
     glm::dvec3 squares(0.0);
     for (const SampleSums::Sum& quarter : sums) {
       if (quarter.count == 0) continue;
-      const glm::dvec3 off = displayed(quarter.mean()) - shown;
+      const glm::dvec3 off = displayed_intensity(quarter.mean(), judged) - shown;
       squares += off * off;
     }
     return std::sqrt(std::max({squares.x, squares.y, squares.z}) /
@@ -73,6 +70,7 @@ class SamplesUntilEps {
       : block_(job.block),
         stop_(job.stop),
         eps_(job.settings.asos.eps),
+        judged_(job.settings.judged_tone),
         most_(most_samples(job.settings.asos.max_level)),
         width_(job.settings.filter_width),
         pixels_(static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(block_.height)),
@@ -107,7 +105,7 @@ class SamplesUntilEps {
   void keep_unsure() {
     std::vector<std::uint8_t> wanted(pixels_.size(), 0);
     for (const std::size_t pixel : active_) {
-      if (pixels_[pixel].standard_error() <= eps_) continue;
+      if (pixels_[pixel].standard_error(judged_) <= eps_) continue;
       const int x = static_cast<int>(pixel) % block_.width;
       const int y = static_cast<int>(pixel) / block_.width;
       for (int row = std::max(0, y - 1); row <= std::min(block_.height - 1, y + 1); ++row)
@@ -157,6 +155,7 @@ class SamplesUntilEps {
   PixelRect block_;
   std::stop_token stop_;
   double eps_;
+  ToneCurve judged_;
   int most_;
   double width_;
   std::vector<Quarters> pixels_;
@@ -170,7 +169,7 @@ class SamplesUntilEps {
 
 /// Sobol points, pixel by pixel until its standard error and its neighbours' in the block are EPS
 /// at most: the first 16, then twice as many each round, 4^MAX * 4 at most. The error is told by
-/// the four quarters of the samples, in radiance clipped to white, as the pixel is displayed.
+/// the four quarters of the samples, as the pixel is displayed by `settings.judged_tone`.
 /// Without the neighbours it takes 1.5 to 2.5 times as long to the same error (boxes and fence,
 /// RMSE 0.002), for what the first samples of a pixel miss is never found. All samples count, those
 /// that the decision was made by too, which biases a pixel by less than what it may be off (Kirk

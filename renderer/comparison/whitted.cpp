@@ -1,5 +1,5 @@
 #include "renderer/comparison/whitted_spheres.h"
-#include "renderer/film/film.h"
+#include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
@@ -90,7 +90,8 @@ class AdaptiveBlock {
   void trace() {
     sums_.trace();
     for (std::size_t i = shown_.size(); i < sums_.size(); ++i)
-      shown_.push_back(display_rgb(glm::vec3(sums_.sum(i).radiance), 0.0f));
+      shown_.push_back(
+          display_rgb(glm::vec3(sums_.sum(i).radiance), {0.0f, job_.settings.judged_tone}));
     stopped_ |= job_.stop.stop_requested();
   }
 
@@ -248,11 +249,11 @@ class AdaptiveBlock {
 
 /// Adaptive supersampling in image space (Whitted 1980; CGF'98 section 2.3). Samples lie at the
 /// pixels' corners; a square of which they differ by more than `settings.sampling.contrast` in
-/// display intensity, in any channel, is split into four, down to `settings.sampling.depth`. A
-/// pixel is the mean of its squares' corners, by area. A corner is shared by all squares around it,
-/// and looks at one point of each light, which its place and the seed tell. With
-/// `settings.sampling.spheres` squares are also split where a corner's ray goes through the
-/// EnlargedSpheres of an object that it misses.
+/// display intensity (by `settings.judged_tone`), in any channel, is split into four, down to
+/// `settings.sampling.depth`. A pixel is the mean of its squares' corners, by area. A corner is
+/// shared by all squares around it, and looks at one point of each light, which its place and the
+/// seed tell. With `settings.sampling.spheres` squares are also split where a corner's ray goes
+/// through the EnlargedSpheres of an object that it misses.
 BlockResult render_block_whitted(const BlockJob& job) {
   return AdaptiveBlock(job).run();
 }

@@ -54,8 +54,8 @@ struct Film {
   }
 };
 
-/// Display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. The stopping rules and
-/// the window use the same transform.
+/// Display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. By a tone curve, and
+/// what stopping rules judge: tone.h.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev);
 /// The same as bytes, rounded; fast enough for whole pictures. A value that is not a number shows
 /// as black.

@@ -72,6 +72,11 @@ glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display) {
   return exposed;
 }
 
+glm::dvec3 displayed_intensity(glm::dvec3 radiance, ToneCurve curve) {
+  if (curve == ToneCurve::none) return glm::clamp(radiance, 0.0, 1.0);
+  return glm::dvec3(tone_mapped(glm::vec3(radiance), {0.0f, curve}));
+}
+
 glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display) {
   return display_rgb(tone_mapped(radiance, display), 0.0f);
 }

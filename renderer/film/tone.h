@@ -9,9 +9,8 @@ namespace asos {
 
 /// How radiance becomes what a screen can show. `none` clips at white. `neutral` is Khronos PBR
 /// Neutral (2024): base colours come out as they are told, and what is brighter is compressed
-/// without a change of hue; a difference of radiance, which EPS is, shows as none that is larger by
-/// more than a hundredth, where the channels rise together. `agx` is Sobotka's AgX, after Wrensch's
-/// fit: film-like, with colours that fade towards white.
+/// without a change of hue. `agx` is Sobotka's AgX, after Wrensch's fit: film-like, with colours
+/// that fade towards white.
 enum class ToneCurve : std::uint8_t { none, neutral, agx };
 
 /// How a picture is shown: what its bytes follow from. An exposure alone is one, too.
@@ -37,6 +36,17 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
 /// channels rise together (agx: but for less than a tenth of an 8-bit step near white, which is the
 /// fit's). With `none` it is the exposed radiance as it is. What is no number shows as black.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display);
+
+/// The same without an exposure, and clipped at white whatever the curve: the intensity that EPS
+/// and contrasts are differences of.
+[[nodiscard]] glm::dvec3 displayed_intensity(glm::dvec3 radiance, ToneCurve curve);
+
+/// By how much a curve makes a difference of radiance larger at most, where it is small and the
+/// channels rise together: what is only known to be off by so much radiance may show as so much
+/// more. Neutral takes as much from each where the least channel alone rises: 2 there.
+[[nodiscard]] constexpr double steepness(ToneCurve curve) {
+  return curve == ToneCurve::agx ? 1.7 : 1.0;
+}
 
 /// As `display_rgb` and `display_bytes` (film.h), by any curve.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display);

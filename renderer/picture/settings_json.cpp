@@ -55,6 +55,7 @@ constexpr const char* environment_key = "environment";
 constexpr const char* line_width_key = "line_width";
 constexpr const char* background_key = "background";
 constexpr const char* ground_key = "ground";
+constexpr const char* judged_tone_key = "judged_tone";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -157,6 +158,8 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   if (settings.background != Background{})
     fields.other(background_key, background_json(settings.background));
   if (settings.ground != Ground::off) fields.named(ground_key, ground_names, settings.ground);
+  if (settings.judged_tone != ToneCurve::none)
+    fields.named(judged_tone_key, tone_names, settings.judged_tone);
   return fields.take();
 }
 
@@ -177,6 +180,8 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
     read_background(fields, read.settings.background);
   if (json.is_object() && json.contains(ground_key))
     fields.named(ground_key, ground_names, read.settings.ground);
+  if (json.is_object() && json.contains(judged_tone_key))
+    fields.named(judged_tone_key, tone_names, read.settings.judged_tone);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

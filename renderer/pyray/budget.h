@@ -13,25 +13,34 @@ namespace asos {
 /// How well a pyray has to be known, and what may be spent on it: the one place that says how MAX
 /// and EPS of a pixel become those of its parts and of the pyrays that these send on (CGF'98
 /// section 4.1; design sections 5 and 13). Weights are shares of the root's area, intensities are
-/// in display units, 0 to 1.
+/// in units of white.
 struct Budget {
   int max_level = 3;  ///< MAX, 0 to max_level_limit
   double eps = 0.0;   ///< EPS: allowed change of a root's value, 0 to 1
   /// How far one sample may be off the mean of the patch that it stands for; infinite if nothing is
   /// split for its shading.
   float tolerance = 0.0f;
+  /// By how much more a difference of radiance, which is what is found, may show (see steepness):
+  /// EPS and the tolerance are as much less.
+  double steep = 1.0;
 
-  [[nodiscard]] static Budget of(const AsosSettings& settings) {
-    const bool refines = settings.refine_shading;
-    return {settings.max_level, settings.eps,
-            refines ? tolerance_of(settings.max_level, settings.eps)
-                    : std::numeric_limits<float>::infinity()};
+  [[nodiscard]] static Budget of(const RenderSettings& settings) {
+    const AsosSettings& asos = settings.asos;
+    Budget budget;
+    budget.max_level = asos.max_level;
+    budget.steep = steepness(settings.judged_tone);
+    budget.eps = asos.eps / budget.steep;
+    budget.tolerance = asos.refine_shading
+                           ? tolerance_of(budget.max_level, budget.eps, budget.steep)
+                           : std::numeric_limits<float>::infinity();
+    return budget;
   }
 
   /// EPS, or a quarter of a finest cell where that is more, so that MAX alone refines shading as it
   /// refines outlines; but no less than an eighth of a step of an 8-bit picture, which nobody sees.
-  [[nodiscard]] static float tolerance_of(int max_level, double eps) {
-    return static_cast<float>(std::max({eps, std::ldexp(1.0, -2 * (max_level + 1)), invisible}));
+  [[nodiscard]] static float tolerance_of(int max_level, double eps, double steep = 1.0) {
+    const double finest = std::max(std::ldexp(1.0, -2 * (max_level + 1)), invisible);
+    return static_cast<float>(std::max(eps, finest / steep));
   }
 
   static constexpr double invisible = 1.0 / 2048.0;
@@ -103,7 +112,7 @@ struct Budget {
     Budget budget = *this;
     budget.max_level = std::clamp(max_level - levels, fewest, std::max(fewest, max_level));
     budget.eps = eps >= intensity ? 1.0 : eps / intensity;
-    if (refines()) budget.tolerance = tolerance_of(budget.max_level, budget.eps);
+    if (refines()) budget.tolerance = tolerance_of(budget.max_level, budget.eps, steep);
     return budget;
   }
 };

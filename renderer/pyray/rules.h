@@ -35,13 +35,13 @@ struct SubdivisionRules {
   std::size_t most_entries = std::numeric_limits<std::size_t>::max();
 
   /// As the settings ask for pixels to be subdivided.
-  [[nodiscard]] static SubdivisionRules of(const AsosSettings& settings) {
+  [[nodiscard]] static SubdivisionRules of(const RenderSettings& settings) {
     SubdivisionRules rules;
     rules.budget = Budget::of(settings);
-    rules.rule = settings.rule;
-    rules.detection = settings.detect;
-    rules.exact_leaves = settings.leaf == Leaf::exact;
-    rules.jitter = settings.jitter;
+    rules.rule = settings.asos.rule;
+    rules.detection = settings.asos.detect;
+    rules.exact_leaves = settings.asos.leaf == Leaf::exact;
+    rules.jitter = settings.asos.jitter;
     return rules;
   }
   /// Boundaries smaller than this are never resolved for their size, in a root of side 1.

@@ -36,6 +36,7 @@ RenderSettings as_published(RenderSettings settings) {
   settings.asos.rule = StoppingRule::published;
   settings.asos.detect = Detection::cone;
   settings.asos.refine_shading = false;
+  settings.judged_tone = ToneCurve::none;
   // "Our current implementation uses this method" (CGF'98 section 4.3.2).
   settings.shadow.quality = ShadowQuality::extended;
   settings.shadow.light_rule = LightRule::published;
@@ -76,6 +77,8 @@ Result<RenderSettings> validated(const RenderSettings& s) {
     return unexpected(Error{"fat", fmt::format("{} is not 2, 4, 8 or 16", s.asos.fat)});
   if (s.method < Method::asos || s.method > last_method)
     return unexpected(Error{"method", "is not one of the program's"});
+  if (s.judged_tone < ToneCurve::none || s.judged_tone > ToneCurve::agx)
+    return unexpected(Error{"tone", "is not one of the program's"});
   if (s.asos.leaf != Leaf::exact && s.asos.leaf != Leaf::point) {
     return unexpected(Error{"leaf", "is neither exact nor point"});
   }

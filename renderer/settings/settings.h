@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/tone.h"
 #include "renderer/geometry/pixel_rect.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
@@ -113,6 +114,9 @@ struct RenderSettings {
   double filter_width = 1.0;
   /// Of lines, and the diameter of points, in pixels, 0 (they are left out) to 16.
   double line_width = 1.0;
+  /// The curve that the picture is shown by, where differences are judged as they show (EPS, and
+  /// contrasts): see judged_by. Exposure is no part of it.
+  ToneCurve judged_tone = ToneCurve::none;
   AsosSettings asos;
   SamplingSettings sampling;
   TextureSettings texture;

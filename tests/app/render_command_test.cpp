@@ -198,9 +198,9 @@ TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
 
 // A curve is of the PNG alone, its file says so, and from it comes the same picture again.
 TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
-  render("plain.exr", {});
-  const Film radiance = film("plain.exr");
   for (const NamedTone& tone : tone_names) {
+    render("plain.exr", {"--tone", tone.name});
+    const Film radiance = film("plain.exr");
     render("a.png", {"--exposure", "1", "--tone", tone.name});
     const Result<RgbImage> png = read_png(path("a.png"));
     ASSERT_TRUE(png);
@@ -209,7 +209,13 @@ TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
                 glm::u8vec3(png->rgb[3 * i], png->rgb[3 * i + 1], png->rgb[3 * i + 2]))
           << tone.name << " " << i;
     }
-    EXPECT_EQ(read_description(path("a.png"))->display.tone, tone.value);
+    const auto said = read_description(path("a.png"));
+    EXPECT_EQ(said->display.tone, tone.value);
+    EXPECT_EQ(said->settings.judged_tone, tone.value) << "EPS is judged as it shows";
+    render("again.png", {"--from", path("a.png")});
+    EXPECT_EQ(description_text(*read_description(path("again.png"))), description_text(*said));
+    render("samples.png", {"--method", "sobol", "--spp", "4", "--tone", tone.name});
+    EXPECT_EQ(read_description(path("samples.png"))->settings.judged_tone, ToneCurve::none);
   }
 }
 

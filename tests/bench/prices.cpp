@@ -116,7 +116,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
                  Viewer::camera(view, shader, 1.0),
                  &frame,
                  {x, y, block_width, block_width}};
-  eye.budget = Budget::of(settings.asos);
+  eye.budget = Budget::of(settings);
   eye.counts = &counts;
   EyeSamples samples(eye);
   std::vector<glm::vec2> middles;

@@ -37,6 +37,25 @@ TEST_F(CameraPanelTest, LooksFromASideByKeyOrButton) {
   EXPECT_TRUE(restarted());
 }
 
+// Who looks at all of a long thing from its side wants to see all of it.
+TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
+  Viewpoint& viewpoint = rig.previewer().viewpoint();
+  const auto distance = [&] { return viewpoint.camera().distance(); };
+  viewpoint.choose_camera(-1);
+  rig.frame();
+  const double all = distance();
+  rig.key(Key::three);
+  const double from_the_side = distance();
+  EXPECT_LT(from_the_side, 0.9 * all) << "the triangles are seen edge on";
+  rig.key(Key::one);
+  EXPECT_GT(distance(), 1.1 * from_the_side);
+  // But who came closer stays there.
+  rig.wheel({200, 300}, 3.0f);
+  const double near = distance();
+  rig.key(Key::three);
+  EXPECT_NEAR(distance(), near, 1e-9 * near);
+}
+
 TEST_F(CameraPanelTest, TheLensIsChangedAndUndone) {
   const auto lens = [this] { return rig.previewer().viewpoint().camera().camera(); };
   const double fov = lens().fov_y_rad;

@@ -130,6 +130,30 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
   EXPECT_TRUE(rig.previewer().scene().hidden().empty());
 }
 
+// Of hundreds of objects the list shows a few: among them that which was clicked.
+TEST_F(OutlineTest, TheListShowsWhatWasClicked) {
+  rig.previewer().scene().open("grating");
+  ASSERT_TRUE(rig.frames_until([&] { return parts() > 200; }));
+  ASSERT_TRUE(rig.settle());
+  (void)rig.control("section/Scene");  // the list is laid out only where it is seen
+  rig.frame();
+  const auto& controls = rig.content().controls().all();
+  const auto pick = [&](float across) {
+    const Film& film = rig.previewer().render().film();
+    rig.content().state().picked =
+        glm::ivec2(glm::vec2(film.width, film.height) * glm::vec2(across, 0.6f));
+    for (int i = 0; i < 4; ++i) rig.frame();
+    const int selected = rig.content().state().outline.selected;
+    EXPECT_GE(selected, 0);
+    const Controls::Placed row = controls.at("Object/" + std::to_string(selected + 1));
+    const Controls::Placed above = controls.at("Find object");
+    EXPECT_GT(row.lo.y, above.hi.y);
+    EXPECT_LT(row.hi.y, above.hi.y + 400.0f);
+    return selected;
+  };
+  EXPECT_NE(pick(0.3f), pick(0.6f));
+}
+
 TEST_F(OutlineTest, TheLastObjectStays) {
   choose("Object/1");
   rig.click("Isolate");

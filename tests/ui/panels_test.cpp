@@ -227,6 +227,22 @@ TEST_F(PanelsTest, TheOpenDialogOpensWhatIsTyped) {
   EXPECT_FALSE(rig.content().state().show_open);
 }
 
+// Where the folder has nothing of that name, Enter opens the first of what is listed below.
+TEST_F(PanelsTest, TheOpenDialogOpensWhatItListsOfThatName) {
+  rig.content().state().recent = {"/gone/boxes-of-mine.glb"};
+  const auto opened = [&](const char* typed, const std::string& source) {
+    rig.chord(Key::ctrl, Key::o);
+    rig.frame();
+    rig.frame();
+    rig.type(typed);
+    rig.key(Key::enter);
+    return rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; });
+  };
+  EXPECT_TRUE(opened("offic", "builtin:office"));
+  EXPECT_TRUE(opened("boxes-", "/gone/boxes-of-mine.glb"));
+  EXPECT_TRUE(opened("nothing like it", "nothing like it"));
+}
+
 TEST_F(PanelsTest, TheOpenDialogIsUsedByKeyboard) {
   const test::TemporaryFolder folder;
   folder.write("first.glb", "");
@@ -304,6 +320,20 @@ TEST_F(PanelsTest, ThePanelIsUsedByKeyboard) {
   rig.frame();
   rig.frame();
   EXPECT_FALSE(rig.content().state().leaving.quit);
+}
+
+// The keyboard's frame stands on "Open..." at first; Enter presses what it stands on, and lets a
+// slider's value be typed.
+TEST_F(PanelsTest, EnterPressesWhatTheKeyboardStandsOn) {
+  rig.key(Key::f6);
+  rig.frame();
+  rig.frame();
+  rig.key(Key::right);
+  rig.key(Key::left);
+  ASSERT_TRUE(ImGui::GetIO().NavVisible);
+  rig.key(Key::enter);
+  rig.frame();
+  EXPECT_TRUE(rig.content().state().show_open);
 }
 
 TEST_F(PanelsTest, TheOpenDialogOffersTheBuiltInScenes) {

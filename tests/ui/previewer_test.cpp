@@ -1,93 +1,14 @@
 #include "ui/previewer.h"
 
 #include "renderer/picture/picture_description.h"
-#include "renderer/scene/load.h"
 #include "renderer/shading/sky.h"
 #include "renderer/world/ground.h"
-#include "tests/ui/test_scenes.h"
+#include "tests/ui/previewer_fixture.h"
 
-#include <gtest/gtest.h>
-
-#include <atomic>
-#include <chrono>
-#include <functional>
 #include <memory>
-#include <new>
-#include <stdexcept>
-#include <thread>
 
-namespace asos {
+namespace asos::test::previewer_test {
 namespace {
-
-using test::two_triangles;
-
-/// Knows "red", "green", "slow" (green, after `release`), "lines" (red, and one) and "many" (of
-/// triangles); all else is an error.
-class Loader {
- public:
-  LoadFunction function() {
-    return [this](const std::string& source) -> Result<Scene> {
-      ++calls;
-      if (source == "red") return two_triangles({1, 0, 0}, source);
-      if (source == "green") return two_triangles({0, 1, 0}, source);
-      if (source == "slow") {
-        while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        return two_triangles({0, 1, 0}, source);
-      }
-      if (source == "lines") {
-        Scene scene = two_triangles({1, 0, 0}, source);
-        Mesh line;
-        line.positions = {{-1, 0, 0.5f}, {1, 0.1f, 0.5f}};
-        line.segments = {{0, 1}};
-        scene.instances.push_back({"line", static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
-        scene.meshes.push_back(std::move(line));
-        return scene;
-      }
-      if (source == "many") {
-        Result<Scene> scene = load_scene("builtin:dense");
-        scene->source = source;
-        return scene;
-      }
-      if (source == "huge") throw std::bad_alloc();
-      if (source == "odd") throw std::runtime_error("an odd thing");
-      return unexpected(Error{source, "there is no such file"});
-    };
-  }
-  std::atomic<int> calls = 0;
-  std::atomic<bool> released = false;
-};
-
-RenderSettings small() {
-  RenderSettings settings;
-  settings.threads = 1;
-  settings.asos.max_level = 2;
-  return settings;
-}
-
-class PreviewerTest : public testing::Test {
- protected:
-  bool update_until(const std::function<bool()>& done) {
-    for (int i = 0; i < 20000 && !done(); ++i) {
-      previewer.update(now);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return done();
-  }
-  bool opened(const std::string& source) {
-    return update_until(
-        [&] { return previewer.scene() && previewer.scene()->geometry->source == source; });
-  }
-  bool finished() {
-    return update_until([&] {
-      return previewer.render().progress().finished && !previewer.seconds_to_update(now);
-    });
-  }
-
-  Loader loader;
-  std::atomic<int> wakes = 0;
-  Previewer previewer{{loader.function(), [this] { ++wakes; }}, small()};
-  double now = 0.0;
-};
 
 TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
   previewer.viewpoint().set_picture_size(48, 32, now);
@@ -373,87 +294,6 @@ TEST_F(PreviewerTest, ASizeWithoutAreaChangesNothing) {
   EXPECT_EQ(previewer.render().film().width, 48);
 }
 
-TEST_F(PreviewerTest, TheOpenSceneStaysWhenAnotherFails) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
-  previewer.scene().open("/no/such.glb");
-  ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
-  EXPECT_EQ(previewer.scene().error()->message(), "/no/such.glb: there is no such file");
-  EXPECT_EQ(previewer.scene()->geometry->source, "red");
-  EXPECT_FALSE(previewer.scene().loading().has_value());
-  ASSERT_TRUE(finished());
-
-  // The next scene takes the message away.
-  previewer.scene().open("green");
-  ASSERT_TRUE(opened("green"));
-  EXPECT_FALSE(previewer.scene().error().has_value());
-}
-
-TEST_F(PreviewerTest, ExceptionsOfTheLoaderAreErrors) {
-  previewer.scene().open("huge");
-  ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
-  EXPECT_EQ(previewer.scene().error()->reason, "not enough memory to load this scene");
-  previewer.scene().open("odd");
-  ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
-  EXPECT_EQ(previewer.scene().error()->message(), "odd: an odd thing");
-}
-
-TEST_F(PreviewerTest, ANewerSceneReplacesOneThatLoads) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("slow");
-  ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
-  previewer.scene().open("green");
-  previewer.scene().open("red");
-  ASSERT_TRUE(previewer.scene().loading().has_value());
-  EXPECT_EQ(previewer.scene().loading()->source, "red");
-  loader.released = true;
-  std::vector<std::string> seen;
-  ASSERT_TRUE(update_until([&] {
-    if (const RenderScene* scene = previewer.scene().get()) {
-      if (seen.empty() || seen.back() != scene->geometry->source)
-        seen.push_back(scene->geometry->source);
-    }
-    return !seen.empty() && seen.back() == "red";
-  }));
-  EXPECT_EQ(seen, std::vector<std::string>{"red"});
-  EXPECT_EQ(loader.calls, 2) << "what was replaced before it began need not be loaded";
-}
-
-TEST_F(PreviewerTest, ReplacingScenesWhileTheyRenderIsSafe) {
-  previewer.viewpoint().set_picture_size(160, 120, now);
-  for (int i = 0; i < 20; ++i) {
-    const std::string source = i % 2 == 0 ? "red" : "green";
-    previewer.scene().open(source);
-    ASSERT_TRUE(opened(source)) << "scene " << i;
-  }
-  ASSERT_TRUE(finished());
-  previewer.update(now);
-  EXPECT_EQ(previewer.render().film().radiance[previewer.render().film().index(80, 60)],
-            glm::vec3(0, 1, 0));
-}
-
-TEST_F(PreviewerTest, ReplacingASceneWhoseBoundariesAreLookedForIsSafe) {
-  previewer.viewpoint().set_picture_size(64, 48, 0.0);
-  std::weak_ptr<const Geometry> before;
-  for (const char* source : {"many", "green", "many"}) {
-    previewer.scene().open(source);
-    ASSERT_TRUE(opened(source));
-    // Its coarse picture is there, the rest is not waited for.
-    ASSERT_TRUE(update_until([&] { return !previewer.render().first_picture_pending(); }));
-    EXPECT_TRUE(before.expired()) << "the scene before " << source;
-    before = previewer.scene()->geometry;
-  }
-  // The previewer ends while it looks for the boundaries of the last one.
-}
-
-TEST_F(PreviewerTest, EndsWhileALoadIsWaiting) {
-  previewer.scene().open("slow");
-  ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
-  previewer.scene().open("red");
-  loader.released = true;
-}
-
 TEST_F(PreviewerTest, ThePivotMovesToThePointThatThePictureShows) {
   previewer.viewpoint().set_picture_size(90, 60, now);
   previewer.scene().open("red");
@@ -475,4 +315,4 @@ TEST_F(PreviewerTest, ThePivotMovesToThePointThatThePictureShows) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::test::previewer_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 namespace asos {
@@ -111,6 +112,50 @@ TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
   EXPECT_GT(sky()->choice().brightness, 1.1);
   EXPECT_TRUE(restarted());
   EXPECT_NEAR(static_cast<double>(corner().x / before), sky()->choice().brightness, 1e-3);
+}
+
+// A quarter of the picture's height is a quarter of half a turn, as in orbits.
+TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
+  const auto key_light = [this] { return rig.previewer().scene()->lights().front(); };
+  const auto middle = [this] {
+    const Box bounds = rig.previewer().scene()->world().bounds;
+    return 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
+  };
+  const auto drag = [this](float heights) {
+    rig.content().input().add(KeyChanged{Key::shift, true});
+    const float across = heights * rig.content().layout().picture.size.y;
+    rig.drag({20, 300}, {20 + across, 300}, MouseButton::right);
+    rig.content().input().add(KeyChanged{Key::shift, false});
+    rig.frame();
+  };
+  const glm::dmat4 view = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dvec3 before = key_light().position - middle();
+  drag(0.25f);
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, view);
+  const glm::dvec3 after = key_light().position - middle();
+  EXPECT_NEAR(after.y, before.y, 1e-6 * glm::length(before));
+  EXPECT_NEAR(glm::length(after), glm::length(before), 1e-6 * glm::length(before));
+  const auto azimuth = [](glm::dvec3 v) { return std::atan2(v.x, v.z); };
+  const double turned = std::remainder(azimuth(after) - azimuth(before), 2.0 * 3.14159265358979);
+  EXPECT_NEAR(turned, -0.25 * 3.14159265358979, 0.02);
+  // It shines at the scene still.
+  EXPECT_GT(glm::dot(key_light().direction, glm::normalize(-after)), 0.999);
+  for (int i = 0; i < 40; ++i) rig.frame();
+  rig.chord(Key::ctrl, Key::z);
+  EXPECT_TRUE(restarted());
+  EXPECT_NEAR(glm::distance(key_light().position - middle(), before), 0.0, 1e-6);
+
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sky.hdr");
+  write_sky(path);
+  rig.click("Sky/File");
+  rig.content().state().sky.path = path;
+  rig.frame();
+  rig.click("Load sky");
+  ASSERT_TRUE(rig.frames_until([&] { return sky() != nullptr && sky()->is_picture(); }));
+  drag(-0.25f);
+  EXPECT_NEAR(sky()->choice().turn_deg, 45.0, 1.0);
 }
 
 TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {

@@ -269,6 +269,21 @@ TEST_F(TourTest, AnIdleWindowSleepsBesideACard) {
   EXPECT_TRUE(rig.sleeps());
 }
 
+TEST_F(TourTest, TheWayOnStaysUnderThePointer) {
+  begin();
+  float first = 0.0f;
+  for (int card = 0; card < Tour::cards; ++card) {
+    for (int i = 0; i < 3; ++i) rig.frame();
+    const bool last = card + 1 == Tour::cards;
+    const Controls::Placed on = rig.control(last ? "Done" : "Next card");
+    // Relative to the card, which may stand in another corner.
+    const float left = on.lo.x - rig.control("Card").lo.x;
+    if (card == 0) first = left;
+    EXPECT_EQ(left, first) << card;
+    if (!last) next();
+  }
+}
+
 TEST_F(TourTest, FitsIntoAnyWindow) {
   begin();
   for (const glm::ivec2 size :
@@ -280,6 +295,31 @@ TEST_F(TourTest, FitsIntoAnyWindow) {
     EXPECT_LE(end.hi.x, static_cast<float>(size.x));
     EXPECT_LE(end.hi.y, static_cast<float>(size.y));
     EXPECT_GE(end.lo.x, 0.0f);
+  }
+}
+
+// On a screen of 200 % the window is half as wide as its pixels say.
+TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
+  for (const float scale : {1.0f, 2.0f}) {
+    UiRig rig(LoadFunction{}, {420, 760}, scale);
+    rig.set_blind(true);
+    rig.previewer().edits().settings().asos.max_level = 1;
+    rig.previewer().scene().open("builtin:boxes");
+    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+    ASSERT_TRUE(rig.settle());
+    rig.content().state().tour_asked = true;
+    for (int card = 0; card < Tour::cards; ++card) {
+      for (int i = 0; i < 4; ++i) rig.frame();
+      const Controls::Placed placed = rig.control("Card");
+      const WindowRect& picture = rig.content().layout().picture;
+      EXPECT_GE(placed.lo.x, picture.lo.x) << card << " at " << scale;
+      EXPECT_GE(placed.lo.y, picture.lo.y) << card << " at " << scale;
+      EXPECT_LE(placed.hi.x, picture.lo.x + picture.size.x) << card << " at " << scale;
+      EXPECT_LE(placed.hi.y, picture.lo.y + picture.size.y) << card << " at " << scale;
+      const Controls::Placed end = rig.control(card + 1 < Tour::cards ? "End tour" : "Done");
+      EXPECT_LE(end.hi.y, placed.hi.y) << card << " at " << scale << ": it is seen at once";
+      if (card + 1 < Tour::cards) rig.click("Next card");
+    }
   }
 }
 

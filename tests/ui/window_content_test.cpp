@@ -130,8 +130,10 @@ TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   });
 }
 
-// Each curve's own bytes, and back; with the exposure, which the curve comes after.
+// Each curve's own bytes, and back; with the exposure, which the curve comes after. The method
+// takes the same samples whatever they show as.
 TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
+  rig.previewer().edits().settings().method = Method::sobol;
   open("red");
   DisplaySettings& display = rig.content().state().display;
   const Film& film = rig.previewer().render().film();
@@ -149,6 +151,26 @@ TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
     }
   }
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+}
+
+// EPS is judged as the curve shows it: another curve is another picture, another exposure is not.
+TEST_F(WindowContentTest, AMethodThatJudgesWhatShowsRendersEachCurveAnew) {
+  open("red");
+  DisplaySettings& display = rig.content().state().display;
+  for (const Method method : {Method::asos, Method::sobol_adaptive}) {
+    rig.previewer().edits().settings().method = method;
+    ASSERT_TRUE(rig.settle());
+    for (const ToneCurve curve : {ToneCurve::agx, ToneCurve::none, ToneCurve::neutral}) {
+      const std::uint64_t restarts = rig.previewer().render().restarts();
+      display.tone = curve;
+      ASSERT_TRUE(rig.settle());
+      EXPECT_EQ(rig.previewer().render().restarts(), restarts + 1);
+      EXPECT_EQ(rig.previewer().render().settings().judged_tone, curve);
+      display.exposure_ev = 1.0f - display.exposure_ev;
+      ASSERT_TRUE(rig.settle());
+      EXPECT_EQ(rig.previewer().render().restarts(), restarts + 1);
+    }
+  }
 }
 
 TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {

@@ -35,5 +35,20 @@ TEST(WindowLayout, ThePanelIsNeverNarrowerThanItsTexts) {
   }
 }
 
+// Half as many units across as the screen has pixels: text twice as large would be cut.
+TEST(FittingTextScale, LeavesThePanelTheRoomThatItsTextsNeed) {
+  const float panel = theme::panel_width_em * theme::text_pixels;
+  for (float width = panel; width < 2000.0f; width += 7.0f) {
+    for (const float asked : {0.75f, 1.0f, 1.5f, 2.0f, 3.0f}) {
+      const float scale = fitting_text_scale(asked, width);
+      EXPECT_LE(scale, asked);
+      EXPECT_LE(scale * panel, width) << width << " at " << asked;
+      EXPECT_TRUE(scale == asked || (scale + 0.125f) * panel > width) << width << " at " << asked;
+    }
+  }
+  EXPECT_EQ(fitting_text_scale(2.0f, 1280.0f), 2.0f);
+  EXPECT_EQ(fitting_text_scale(2.0f, 100.0f), 1.0f);
+}
+
 }  // namespace
 }  // namespace asos

@@ -108,6 +108,12 @@ void own_pages(Pages& pages, const std::string& source) {
              }});
   pages.add({"double", "On a screen of 200 %", source, {1800, 1200}, 2.0f, {}});
   pages.add({"narrow", "420 pixels wide", source, {420, 760}, 1.0f, {}});
+  pages.add({"narrow-double",
+             "420 pixels wide on a screen of 200 %",
+             source,
+             {420, 760},
+             2.0f,
+             [](UiRig& rig) { card(rig, 0); }});
 }
 
 void more_pages(Pages& pages, const std::string& source) {
@@ -118,9 +124,22 @@ void more_pages(Pages& pages, const std::string& source) {
                {1283, 600},
                1.0f,
                [i](UiRig& rig) { card(rig, i); }});
-  pages.add({"narrow-tour", "A card in 420 pixels", source, {420, 760}, 1.0f, [](UiRig& rig) {
-               card(rig, 1);
-             }});
+  for (const float scale : {1.0f, 2.0f}) {
+    for (int i = 0; i < Tour::cards; ++i)
+      pages.add({fmt::format("narrow-tour-{}-{:.0f}", i + 1, scale),
+                 fmt::format("Card {} in 420 pixels, {:.0f} %", i + 1, 100.0f * scale),
+                 source,
+                 {420, 760},
+                 scale,
+                 [i](UiRig& rig) { card(rig, i); }});
+  }
+  pages.add({"large", "1920 x 1080", "builtin:boxes", {1920, 1080}, 1.0f, {}});
+  pages.add({"grid",
+             "Grid and axes behind what stands before them",
+             "builtin:boxes",
+             {1283, 600},
+             1.0f,
+             [](UiRig& rig) { rig.content().state().display.show_grid = true; }});
   for (const auto look : {theme::Look::dark, theme::Look::light}) {
     const std::string name = look == theme::Look::dark ? "dark" : "light";
     pages.add(

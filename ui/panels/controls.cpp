@@ -343,7 +343,9 @@ bool Controls::options(const char* name, std::span<const Option> options, int& c
   const int before = chosen;
   if (style.labelled) label(name, options[static_cast<std::size_t>(std::max(0, chosen))].tooltip);
   const std::size_t longest = longest_row(options);
+  const float left = ImGui::GetCursorPosX();
   for (std::size_t first = 0; first < options.size(); first += longest) {
+    if (first > 0) ImGui::SetCursorPosX(left);
     const auto row = options.subspan(first, std::min(longest, options.size() - first));
     option_row(name, row, static_cast<int>(first), chosen);
   }

@@ -23,6 +23,7 @@ constexpr std::array help_lines{
     HelpLine{"Wheel", "move closer, farther"},
     HelpLine{"Double click", "orbit about this point"},
     HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
+    HelpLine{"Shift + right drag", "turn lights and sky about the scene"},
     HelpLine{"Home, F", "frame the whole scene"},
     HelpLine{"1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
     HelpLine{"Click", "see how a pixel was split"},

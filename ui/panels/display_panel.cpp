@@ -21,7 +21,9 @@ constexpr std::array colour_options{
 };
 
 constexpr std::array tone_options{
-    Controls::Option{"None", "What is brighter than white is white."},
+    Controls::Option{"None",
+                     "What is brighter than white is white. EPS and contrasts are judged as the "
+                     "curve shows them, so that another one renders anew."},
     Controls::Option{"Neutral",
                      "Khronos PBR Neutral: base colours come out as they are told, and what is "
                      "brighter is compressed without a change of hue."},
@@ -44,11 +46,13 @@ void display_panel(Controls& controls, DisplaySettings& display) {
   int tone = static_cast<int>(display.tone);
   if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
     display.tone = static_cast<ToneCurve>(tone);
-  controls.checkbox("Grid",
-                    "A grid through the scene's lowest point, in steps of 1, 2 or 5 times a power "
-                    "of ten of the file's units, and the axes from its origin, X, Y and Z. Saved "
-                    "pictures are without it.",
-                    display.show_grid, usual.show_grid);
+  controls.checkbox(
+      "Grid",
+      "A grid through the scene's lowest point, in steps of 1, 2 or 5 times a power "
+      "of ten of the file's units, and the axes from its origin, X, Y and Z. Surfaces "
+      "in front hide the grid and let the axes shine through. Saved pictures are "
+      "without it.",
+      display.show_grid, usual.show_grid);
   controls.checkbox("Split map", "Show in colours which pixels were split. Key: M.",
                     display.show_split_map, usual.show_split_map);
   if (!display.show_split_map) return;

@@ -52,6 +52,7 @@ bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, Equal
   choice.restarts = render.restarts();
   Snapshot snapshot{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
                     render.settings(), false};
+  snapshot.settings.judged_tone = previewer.shown_tone();
   job.start([snapshot, method = choice.method, seconds = processor_seconds(render.film())](
                 const std::stop_token& stop, const auto& tell) {
     auto frame = render_in_time(snapshot, method, seconds, [&] { return stop.stop_requested(); });

@@ -24,9 +24,19 @@ void two_tone_line(const Projection& on, glm::dvec3 a, glm::dvec3 b) {
   on.line(draw, a, b, IM_COL32(255, 255, 255, 90), 1.0f);
 }
 
-/// Parallel to X and Z, at whole multiples of the step of the author's coordinates, around the
-/// middle of what is seen.
-void draw_grid(const Projection& on, const Box& bounds, glm::dvec3 origin, double radius) {
+std::uint32_t paled(std::uint32_t colour) {
+  constexpr std::uint32_t alpha = 70;
+  return (colour & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
+}
+
+double radius_of(const Box& bounds) {
+  return bounds.empty() ? 0.0 : 0.5 * glm::length(glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
+}
+
+/// Calls for each line: parallel to X and Z, at whole multiples of the step of the author's
+/// coordinates, around the middle of what is seen.
+template <typename Line>
+void each_grid_line(const Box& bounds, glm::dvec3 origin, double radius, Line&& line) {
   const double step = grid_step(radius);
   const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
   const double height = static_cast<double>(bounds.lo.y);
@@ -38,22 +48,19 @@ void draw_grid(const Projection& on, const Box& bounds, glm::dvec3 origin, doubl
   const double reach = lines * step;
   for (int i = -lines; i <= lines; ++i) {
     const double by = i * step;
-    two_tone_line(on, centre + glm::dvec3(by, 0, -reach), centre + glm::dvec3(by, 0, reach));
-    two_tone_line(on, centre + glm::dvec3(-reach, 0, by), centre + glm::dvec3(reach, 0, by));
+    line(centre + glm::dvec3(by, 0, -reach), centre + glm::dvec3(by, 0, reach));
+    line(centre + glm::dvec3(-reach, 0, by), centre + glm::dvec3(reach, 0, by));
   }
 }
 
-void draw_axes(const Projection& on, glm::dvec3 origin, double length) {
+void draw_axis(const Projection& on, const std::vector<LinePart>& parts, glm::dvec3 tip,
+               std::size_t axis) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 tip = -origin;
-    tip[axis] += length;
-    const std::uint32_t colour = axis_colours[static_cast<std::size_t>(axis)];
-    on.line(draw, -origin, tip, colour, 2.5f);
-    const glm::dvec3 h = on.homogeneous(tip);
-    if (on.visible(h))
-      draw.AddText(on.window(h), colour, axis_names[static_cast<std::size_t>(axis)]);
-  }
+  const std::uint32_t colour = axis_colours[axis];
+  for (const LinePart& part : parts)
+    on.line(draw, part.from, part.to, part.hidden ? paled(colour) : colour, 2.5f);
+  const glm::dvec3 h = on.homogeneous(tip);
+  if (on.visible(h)) draw.AddText(on.window(h), colour, axis_names[axis]);
 }
 
 }  // namespace
@@ -67,17 +74,46 @@ double grid_step(double radius) {
   return 10.0 * power;
 }
 
-void grid_overlay(const Previewer& previewer, const PictureView& view, const PictureArea& area) {
+void GridOverlay::find(const Previewer& previewer) {
+  const RenderScene& scene = *previewer.scene();
+  const glm::dvec3 origin = scene.world().origin;
+  const Box bounds = bounds_without_ground(scene.world());
+  const double radius = radius_of(bounds);
+  const View view = previewer.viewpoint().view();
+  const Culling faces = culling_of(previewer.render().settings());
+  grid_.clear();
+  for (std::vector<LinePart>& axis : axes_) axis.clear();
+  if (!(grid_step(radius) > 0.0)) return;
+  each_grid_line(bounds, origin, radius, [&](glm::dvec3 a, glm::dvec3 b) {
+    for (const LinePart& part : seen_parts(scene.rays(), view, faces, a, b))
+      if (!part.hidden) grid_.push_back(part);
+  });
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    glm::dvec3& tip = tips_[axis] = -origin;
+    tip[static_cast<int>(axis)] += radius;
+    axes_[axis] = seen_parts(scene.rays(), view, faces, -origin, tip);
+  }
+}
+
+void GridOverlay::draw(const Previewer& previewer, const PictureView& view,
+                       const PictureArea& area) {
   const Film& film = previewer.render().film();
   if (!previewer.scene() || film.width <= 0) return;
-  const World& world = previewer.scene()->world();
-  const Box bounds = bounds_without_ground(world);
-  if (bounds.empty()) return;
-  const double radius = 0.5 * glm::length(glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
-  if (!(grid_step(radius) > 0.0)) return;
+  const glm::ivec2 size(film.width, film.height);
+  const std::uint64_t revision = previewer.viewpoint().camera().revision();
+  const bool cull = previewer.render().settings().cull;
+  if (scene_.lock() != previewer.scene().shared() || camera_revision_ != revision ||
+      size_ != size || cull_ != cull) {
+    scene_ = previewer.scene().shared();
+    camera_revision_ = revision;
+    size_ = size;
+    cull_ = cull;
+    find(previewer);
+  }
   const Projection on(previewer.viewpoint(), film, view, area);
-  draw_grid(on, bounds, world.origin, radius);
-  draw_axes(on, world.origin, radius);
+  for (const LinePart& part : grid_) two_tone_line(on, part.from, part.to);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+    if (!axes_[axis].empty()) draw_axis(on, axes_[axis], tips_[axis], axis);
 }
 
 }  // namespace asos

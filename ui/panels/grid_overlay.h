@@ -1,6 +1,14 @@
 #pragma once
 
 #include "ui/panels/overlays.h"
+#include "ui/panels/seen_lines.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace asos {
 
@@ -8,8 +16,25 @@ namespace asos {
 /// are some ten squares across it; 0 where it has none.
 [[nodiscard]] double grid_step(double radius);
 
-/// A grid through the scene's lowest point and the author's three axes, over the picture; nothing
-/// hides it.
-void grid_overlay(const Previewer& previewer, const PictureView& view, const PictureArea& area);
+/// A grid through the scene's lowest point and the author's three axes, over the picture. Surfaces
+/// before them hide the grid, and let the axes shine through palely. Looks for these anew when
+/// scene or view have changed: some 4,000 rays.
+class GridOverlay {
+ public:
+  void draw(const Previewer& previewer, const PictureView& view, const PictureArea& area);
+
+ private:
+  void find(const Previewer& previewer);
+
+  // What the lines are of.
+  std::weak_ptr<const RenderScene> scene_;
+  std::uint64_t camera_revision_ = 0;
+  glm::ivec2 size_{0};
+  bool cull_ = true;
+
+  std::vector<LinePart> grid_;
+  std::array<std::vector<LinePart>, 3> axes_;
+  std::array<glm::dvec3, 3> tips_{};
+};
 
 }  // namespace asos

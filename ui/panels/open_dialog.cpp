@@ -71,6 +71,15 @@ std::string known_scenes(Controls& controls, const UiState& state, float height)
   return chosen;
 }
 
+// What Enter opens of what is listed below where the folder has nothing of that name: the first.
+std::string known_like(const UiState& state, const std::string& typed) {
+  for (const std::string& file : state.recent)
+    if (named_like(printable(std::filesystem::path(file).filename().string()), typed)) return file;
+  for (const BuiltinScene& scene : builtin_scenes())
+    if (named_like(scene.name, typed)) return "builtin:" + scene.name;
+  return typed;
+}
+
 }  // namespace
 
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
@@ -100,6 +109,7 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   if (controls.button("Open", "Open what is chosen, or the path that was typed. Key: Enter.",
                       6.0f * em))
     chosen = state.browser.take_entered();
+  if (!chosen.empty() && chosen == state.browser.typed) chosen = known_like(state, chosen);
   ImGui::SameLine();
   const bool cancelled = controls.button("Cancel", "Open nothing. Key: Esc.", 6.0f * em) ||
                          ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);

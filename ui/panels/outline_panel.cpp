@@ -28,6 +28,7 @@ void follow(const Previewer& previewer, OutlineChoice& choice, std::optional<glm
   const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
   const World& world = previewer.scene()->world();
   choice.selected = hit.valid() ? static_cast<int>(world.triangle_part[hit.triangle]) : -1;
+  choice.scroll_to_selected = choice.selected >= 0;
 }
 
 std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& choice) {
@@ -78,6 +79,17 @@ void material_row(Controls& controls, const Material& material, std::size_t inde
   ImGui::PopTextWrapPos();
 }
 
+// To the one of the objects, which are about to be listed, that is selected, if it is one of them.
+void scroll_to_selected(const std::vector<std::size_t>& objects, OutlineChoice& choice) {
+  const auto at = std::lower_bound(objects.begin(), objects.end(), choice.selected,
+                                   [](std::size_t i, int s) { return static_cast<int>(i) < s; });
+  if (at == objects.end() || static_cast<int>(*at) != choice.selected) return;
+  const auto row = static_cast<float>(at - objects.begin());
+  ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() +
+                           row * ImGui::GetTextLineHeightWithSpacing());
+  choice.scroll_to_selected = false;
+}
+
 // Each material, and below it the objects that have it.
 void tree(Controls& controls, const World& world, OutlineChoice& choice) {
   std::vector<std::vector<std::size_t>> objects(world.materials.size());
@@ -89,6 +101,7 @@ void tree(Controls& controls, const World& world, OutlineChoice& choice) {
     if (objects[m].empty()) continue;
     material_row(controls, world.materials[m], m, objects[m].size());
     ImGui::Indent();
+    if (choice.scroll_to_selected) scroll_to_selected(objects[m], choice);
     // Scenes hold many thousands: only what is seen is laid out.
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(objects[m].size()));

@@ -15,6 +15,7 @@ namespace asos {
 struct OutlineChoice {
   int selected = -1;                   ///< of World::parts; -1: none
   std::optional<glm::ivec2> followed;  ///< the clicked pixel whose object was selected
+  bool scroll_to_selected = false;     ///< the list does not show it yet
   std::string find;                    ///< letters that the names of listed objects hold
 };
 

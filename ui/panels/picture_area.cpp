@@ -44,12 +44,18 @@ void fly(OrbitCamera& camera) {
   camera.fly(by.x, by.y, by.z);
 }
 
-void drag(Previewer& previewer, PictureView& view, glm::vec2 delta, float area_height) {
+void drag(Previewer& previewer, UiState& state, glm::vec2 delta, float area_height) {
   const ImGuiIO& io = ImGui::GetIO();
+  PictureView& view = state.view;
   OrbitCamera& camera = previewer.viewpoint().camera();
   const bool left = io.MouseDown[0], right = io.MouseDown[1], middle = io.MouseDown[2];
-  if (right && view.zoom() > 1) view.pan(delta);
-  if (right && view.zoom() == 1) {
+  if (right && state.turns_surroundings) {
+    // As the horizon ahead follows the pointer.
+    previewer.edits().turn_surroundings(-orbit_rad_per_height * static_cast<double>(delta.x) /
+                                        static_cast<double>(area_height));
+  } else if (right && view.zoom() > 1) {
+    view.pan(delta);
+  } else if (right) {
     const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(area_height);
     camera.look_around(-look_rad_per_height * heights.x, -look_rad_per_height * heights.y);
   }
@@ -101,10 +107,12 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
   const ImGuiIO& io = ImGui::GetIO();
   const glm::vec2 pointer = (vec(io.MousePos) - area.lo) * framebuffer_scale;
   const glm::vec2 delta = vec(io.MouseDelta) * framebuffer_scale;
+  if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+    state.turns_surroundings = io.KeyShift && !flying();
   if (ImGui::IsItemActive() && delta != glm::vec2(0.0f)) {
-    drag(previewer, view, delta, area.size.y * framebuffer_scale);
+    drag(previewer, state, delta, area.size.y * framebuffer_scale);
   }
-  if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1)
+  if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1 && !state.turns_surroundings)
     fly(previewer.viewpoint().camera());
   if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
       io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)

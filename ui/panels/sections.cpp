@@ -1,5 +1,6 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/section_help.h"
+#include "ui/panels/whole_words.h"
 #include "ui/theme.h"
 
 #include <imgui.h>
@@ -14,8 +15,9 @@ void Controls::row(const char* label_text, const std::string& value, const char*
   // In a group this counts from where it begins.
   const float widgets = ImGui::GetFontSize() * label_width_em;
   ImGui::SameLine(how.beside_widgets ? widgets - left : widgets + 3.0f * ImGui::GetFontSize());
+  const auto width = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(value.c_str());
+  ImGui::TextUnformatted(in_whole_words(value, ImGui::GetContentRegionAvail().x, width).c_str());
   ImGui::PopTextWrapPos();
   // Lines of text are 20 units high, so that what follows stays in the rhythm.
   const float unit = ImGui::GetFontSize() / theme::text_pixels;

@@ -91,7 +91,8 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
   }
   std::string words;
   for (const CostTick& tick : ticks) {
-    if (*tick.text) words += (words.empty() ? "" : " ") + std::string(tick.text);
+    if (*tick.text && !words.empty()) words += ' ';
+    words += tick.text;
     const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
     draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
                   theme::packed(theme::dim_text));

@@ -52,7 +52,7 @@ constexpr std::array<CardWords, Tour::cards> card_words{{
 // Some pixels of the picture around one, large.
 void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
            const DisplayTransform& display) {
-  constexpr int columns = 16, rows = 6;
+  constexpr int columns = 16, rows = 5;
   const float side = ImGui::GetContentRegionAvail().x / columns;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Dummy({side * columns, side * rows});
@@ -160,25 +160,29 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
   }
 }
 
-// Back, on, and out. Returns the card to go to; none: this one.
+// On, back, and out. Returns the card to go to; none: this one. The way on stays where it is, so
+// that it can be clicked again and again.
 std::optional<int> buttons(Controls& controls, int card) {
   std::optional<int> next;
   const bool last = card + 1 == Tour::cards;
+  const char* end = "Put everything back. \"Tour\" in the panel begins it again. Key: Esc.";
   ImGui::Spacing();
+  if (last) {
+    if (controls.button("Done", end)) next = Tour::cards;
+  } else if (controls.button("Next card", "To the next card.")) {
+    next = card + 1;
+  }
+  ImGui::SameLine();
   if (card > 0) {
     if (controls.button("Card before", "To the card before.")) next = card - 1;
     ImGui::SameLine();
   }
   if (!last) {
-    if (controls.button("Next card", "To the next card.")) next = card + 1;
+    if (controls.button("End tour", end)) next = Tour::cards;
     ImGui::SameLine();
   }
-  if (controls.button(last ? "Done" : "End tour",
-                      "Put everything back. \"Tour\" in the panel begins it again. Key: Esc."))
-    next = Tour::cards;
   const std::string count = fmt::format("{} of {}", card + 1, Tour::cards);
   const float left = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
-  ImGui::SameLine();
   if (ImGui::GetCursorPosX() > left) return next;
   ImGui::SetCursorPosX(left);
   ImGui::AlignTextToFramePadding();
@@ -237,11 +241,12 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   const glm::vec2 at =
       glm::mix(area.rect.lo + 0.5f * em, area.rect.lo + area.rect.size - 0.5f * em, corner);
   ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {corner.x, corner.y});
-  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, area.rect.size.y - em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::Begin("tour", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   const int card = static_cast<int>(*state.tour.card);

@@ -63,6 +63,22 @@ TEST(LeafVariation, WhatIsBrighterThanWhiteIsWhite) {
   EXPECT_TRUE(variation.take_uneven(1e-3).empty());
 }
 
+// A curve that shows what is brighter than white by several steps.
+TEST(LeafVariation, JudgesAsTheCurveShows) {
+  constexpr std::array<float, 4> values{1.0f, 3.0f, 3.0f, 1.0f};
+  const double shown = displayed_intensity(glm::dvec3(3.0), ToneCurve::neutral).x -
+                       displayed_intensity(glm::dvec3(1.0), ToneCurve::neutral).x;
+  EXPECT_GT(shown, 0.1);
+  for (const double scale : {0.9, 1.1}) {
+    LeafVariation variation(ToneCurve::neutral);
+    add_quarters(variation, values);
+    EXPECT_EQ(variation.take_uneven(scale * 0.5 * shown).size(), scale < 1.0 ? 4u : 0u);
+  }
+  LeafVariation clipped;
+  add_quarters(clipped, values);
+  EXPECT_TRUE(clipped.take_uneven(1e-3).empty());
+}
+
 TEST(LeafVariation, KeepsRegionsAndNothingElse) {
   LeafVariation variation;
   const std::array<BorderEdge, 3> border = {BorderEdge{{0.3f, 0.5f}, {0.4f, 0.5f}},

@@ -45,6 +45,20 @@ RenderSettings small_settings(Method method, int spp) {
   return settings;
 }
 
+// The others take the same samples whatever these show as, so that a curve is display only.
+TEST(Methods, ThoseThatAdaptJudgeByTheCurveThatIsShown) {
+  for (const MethodRow& row : method_table()) {
+    const bool adapts = row.value == Method::asos || row.value == Method::sobol_adaptive ||
+                        row.value == Method::whitted || row.value == Method::mitchell;
+    EXPECT_EQ(row.judges_display, adapts) << row.name;
+    RenderSettings settings = small_settings(row.value, 4);
+    settings.judged_tone = ToneCurve::neutral;
+    EXPECT_EQ(judged_by(settings, ToneCurve::agx).judged_tone,
+              adapts ? ToneCurve::agx : ToneCurve::none)
+        << row.name;
+  }
+}
+
 /// A method of its own: nothing but its function and its row is needed.
 BlockResult render_block_checkered(const BlockJob& job) {
   BlockResult result;

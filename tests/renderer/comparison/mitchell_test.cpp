@@ -44,6 +44,18 @@ TEST(Mitchell, AnEdgeTakesTheHighDensityAndIsExactWhereTheNetIs) {
   for (int y = 0; y < 8; ++y) EXPECT_NEAR(red_at(r, 4, y), 0.3125f, 1e-6);
 }
 
+// 0.6 beside 1.2 has a contrast of a third; Neutral shows them as 0.56 and 0.9, AgX as 0.46 and
+// 0.63, which are less than 0.3 apart.
+TEST(Mitchell, ACurveLessensTheContrastThatCounts) {
+  const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(0.6f), glm::vec3(1.2f)));
+  RenderSettings settings = mitchell(16);
+  EXPECT_EQ(render_small(*scene, settings).statistics.split_pixels, 8u);
+  for (const ToneCurve curve : {ToneCurve::neutral, ToneCurve::agx}) {
+    settings.judged_tone = curve;
+    EXPECT_EQ(render_small(*scene, settings).statistics.split_pixels, 0u);
+  }
+}
+
 TEST(Mitchell, EachChannelHasItsThreshold) {
   const double thresholds[] = {0.4, 0.3, 0.6};
   for (int channel = 0; channel < 3; ++channel) {

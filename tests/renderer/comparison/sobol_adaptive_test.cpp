@@ -97,6 +97,21 @@ TEST(SobolAdaptive, WhatIsWhiteAsShownIsDone) {
   EXPECT_EQ(render_small(*dark, adaptive(1.0 / 256.0, 4)).statistics.split_pixels, 24u);
 }
 
+// Neutral shows what is brighter than white by several steps: an edge between two such goes on.
+TEST(SobolAdaptive, WhatTheCurveTellsApartGoesOn) {
+  const auto bright = make_render_scene(two_colours(3.3f, glm::vec3(1.2f), glm::vec3(4)));
+  RenderSettings settings = adaptive(1.0 / 4096.0, 4);
+  EXPECT_EQ(render_small(*bright, settings).statistics.split_pixels, 0u);
+  for (const ToneCurve curve : {ToneCurve::neutral, ToneCurve::agx}) {
+    settings.judged_tone = curve;
+    const BlockResult r = render_small(*bright, settings);
+    EXPECT_EQ(r.statistics.split_pixels, 24u);
+    const double expected = displayed_intensity(glm::dvec3(0.3 * 1.2 + 0.7 * 4.0), curve).x;
+    const auto found = static_cast<double>(red_at(r, 3, 3));
+    EXPECT_NEAR(displayed_intensity(glm::dvec3(found), curve).x, expected, 4.0 / 256.0);
+  }
+}
+
 /// A still life with penumbrae.
 struct SoftScene {
   std::shared_ptr<const RenderScene> scene;

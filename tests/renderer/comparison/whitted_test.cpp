@@ -56,6 +56,14 @@ TEST(Whitted, AVerticalEdgeIsFoundToHalfASquare) {
   }
 }
 
+TEST(Whitted, ContrastIsThatOfTheCurve) {
+  const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(1.1f), glm::vec3(4)));
+  RenderSettings settings = whitted(3);
+  EXPECT_EQ(render_small(*scene, settings).statistics.split_pixels, 0u) << "both are white";
+  settings.judged_tone = ToneCurve::agx;
+  EXPECT_EQ(render_small(*scene, settings).statistics.split_pixels, 8u);
+}
+
 TEST(Whitted, OnlyContrastAboveTheThresholdIsSplit) {
   // Display intensities 0.5 and 0.56, to the sRGB curve.
   const float low = 0.21404f, high = 0.27396f;

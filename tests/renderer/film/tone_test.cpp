@@ -52,34 +52,47 @@ TEST(Tone, RisesWithinTheScreensRange) {
   }
 }
 
-// EPS is a difference of radiance: what the curve makes of it must not be larger. Where the
-// channels rise together it is not, but for a hundredth that the fading of bright hues adds to the
-// least channel (1.006 was found); towards other hues the toe takes off what the least channel
-// gains.
-TEST(Tone, NeutralMakesHardlyAnyDifferenceLarger) {
-  const DisplayTransform neutral{0.0f, ToneCurve::neutral};
+TEST(Tone, WhatIsJudgedIsWhatIsShown) {
+  for (const glm::dvec3 radiance : {glm::dvec3(0.2, 0.5, 0.01), glm::dvec3(0.9, 3.0, 70.0)}) {
+    EXPECT_EQ(displayed_intensity(radiance, ToneCurve::none), glm::min(radiance, 1.0));
+    for (const ToneCurve curve : {ToneCurve::neutral, ToneCurve::agx})
+      EXPECT_EQ(glm::vec3(displayed_intensity(radiance, curve)),
+                tone_mapped(glm::vec3(radiance), {0.0f, curve}));
+  }
+}
+
+// ASOS knows by how much radiance a pixel may be off: what a curve makes of that is no more than
+// its steepness where the channels rise together (Neutral: but for two hundredths that the fading
+// of bright hues adds to the least channel). Towards other hues the toe of Neutral takes from all
+// channels what the least one gains: twice as much at most.
+TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   const auto largest = [](glm::vec3 v) { return std::max({v.x, v.y, v.z}); };
-  float rising = 0.0f, any = 0.0f;
-  for (int i = 0; i < 200000; ++i) {
-    glm::vec3 a, rise;
-    for (int k = 0; k < 3; ++k) {
-      a[k] = std::exp2(-10.0f + 14.0f * unit(random));
-      rise[k] = unit(random);
+  for (const NamedTone& tone : tone_names) {
+    if (tone.value == ToneCurve::none) continue;
+    float rising = 0.0f, any = 0.0f;
+    for (int i = 0; i < 200000; ++i) {
+      glm::vec3 a, rise;
+      for (int k = 0; k < 3; ++k) {
+        a[k] = std::exp2(-10.0f + 14.0f * unit(random));
+        rise[k] = unit(random);
+      }
+      rise /= largest(rise);
+      const float size = std::exp2(-7.0f + 7.0f * unit(random));  // 1/256 to much of the screen
+      const auto slope = [&](glm::vec3 b) {
+        const DisplayTransform display{0.0f, tone.value};
+        const glm::vec3 shown = tone_mapped(b, display) - tone_mapped(a, display);
+        return largest(glm::abs(shown)) / largest(glm::abs(b - a));
+      };
+      rising = std::max(rising, slope(a + size * rise));
+      any = std::max(any, slope(glm::max(a + size * (2.0f * rise - 1.0f), 0.0f)));
     }
-    rise /= largest(rise);
-    const float size = std::exp2(-7.0f + 7.0f * unit(random));  // 1/256 to much of the screen
-    const auto slope = [&](glm::vec3 b) {
-      const glm::vec3 shown = tone_mapped(b, neutral) - tone_mapped(a, neutral);
-      return largest(glm::abs(shown)) / largest(glm::abs(b - a));
-    };
-    rising = std::max(rising, slope(a + size * rise));
-    any = std::max(any, slope(glm::max(a + size * (2.0f * rise - 1.0f), 0.0f)));
+    const auto steep = static_cast<float>(steepness(tone.value));
+    EXPECT_LE(rising, 1.02f * steep) << tone.name;
+    EXPECT_GT(rising, 0.9f * steep) << tone.name << ": it is no more than it has to be";
+    EXPECT_LE(any, 2.0f * steep) << tone.name;
   }
-  EXPECT_LE(rising, 1.01f);
-  EXPECT_GT(rising, 0.9f) << "somewhere it is the identity";
-  EXPECT_LE(any, 2.0f);
 }
 
 TEST(Tone, ExposureIsStops) {

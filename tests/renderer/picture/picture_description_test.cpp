@@ -21,8 +21,8 @@ using nlohmann::ordered_json;
 RenderSettings odd_settings() {
   RenderSettings s;
   // A member that is added stops this line from compiling: write it, read it, and set it below.
-  const auto& [width, height, crop, method, filter_width, line_width, asos, sampling, texture,
-               shadow, mirror, sky, background, ground, cull, seed, threads] = s;
+  const auto& [width, height, crop, method, filter_width, line_width, judged_tone, asos, sampling,
+               texture, shadow, mirror, sky, background, ground, cull, seed, threads] = s;
   const auto& [kind, top, bottom, coverage] = background;
   const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
   const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
@@ -45,6 +45,7 @@ RenderSettings odd_settings() {
   s.asos.refine_shading = false;
   s.filter_width = 1.0 + 1.0 / 3.0;
   s.line_width = 2.5;
+  s.judged_tone = ToneCurve::agx;
   s.asos.jitter = true;
   s.sampling.spp = 25;
   s.sampling.contrast = 1.0 / 7.0;

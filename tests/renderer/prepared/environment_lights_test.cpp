@@ -1,5 +1,6 @@
 #include "renderer/prepared/environment_lights.h"
 
+#include "renderer/film/tone.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/scene/load.h"
 #include "renderer/shading/environments.h"
@@ -85,11 +86,20 @@ TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
         glm::dvec3(unshadowed_irradiance(prepare_light(light), receiver)) / std::numbers::pi;
   EXPECT_GT(radiance.x, 0.9);
   EXPECT_LT(radiance.x, 1.05) << "what is nearer to the light than the middle may be white";
+  // By the contrast of what is shown (WCAG 2), which is 3 for large text.
+  const auto contrast = [](double bright, double dark_one) {
+    const auto shown = [](double radiant) {
+      return displayed_intensity(glm::dvec3(radiant), ToneCurve::neutral).g + 0.05;
+    };
+    return shown(bright) / shown(dark_one);
+  };
+  constexpr double black = 0.03;
   for (int elevation_deg = -60; elevation_deg <= 20; elevation_deg += 5) {
     const double elevation = elevation_deg * std::numbers::pi / 180.0;
-    const float behind = sky.radiance({0.0, std::sin(elevation), -std::cos(elevation)}).g;
-    EXPECT_GT(behind, 0.18f) << elevation_deg;
-    EXPECT_LT(behind, 0.6f) << elevation_deg;
+    const auto behind =
+        static_cast<double>(sky.radiance({0.0, std::sin(elevation), -std::cos(elevation)}).g);
+    EXPECT_GT(contrast(radiance.x, behind), elevation_deg <= 0 ? 3.0 : 1.8) << elevation_deg;
+    EXPECT_GT(contrast(behind, black), 2.4) << elevation_deg;
   }
   // Mirrored in metal there is a horizon: a step within a few degrees.
   EXPECT_GT(sky.radiance({0.0f, 0.07f, -1.0f}).g, 1.25f * sky.radiance({0.0f, -0.07f, -1.0f}).g);
