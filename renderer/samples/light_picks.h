@@ -16,9 +16,9 @@ namespace asos {
 class LightPicks {
  public:
   /// In scenes with so many lights, each of them gets its ray.
-  static constexpr std::size_t few_lights = 16;
+  static constexpr std::size_t few_lights = 6;
   /// A point's shadow rays where there are more: so many on the average at most.
-  static constexpr float rays_a_point = 8.0f;
+  static constexpr float rays_a_point = 4.0f;
 
   /// Room for the rays that `lights` lights would get. Their memory is kept.
   void start(std::size_t lights);

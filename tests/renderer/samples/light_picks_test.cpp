@@ -34,7 +34,7 @@ class Picked : public testing::Test {
     const auto at = std::make_unique<LightPlaceBatch>();
     for (std::size_t i = 0; i < point_count; ++i)
       at->u[i] = static_cast<std::uint32_t>((i << 32) / point_count);
-    picks_.pick(point_count, at->u);
+    picks_.pick(point_count, at->u, 8.0f);
   }
 
   LightPicks picks_;
