@@ -20,12 +20,23 @@ class LightPicks {
   /// A point's shadow rays where there are more: so many on the average at most.
   static constexpr float rays_a_point = 8.0f;
 
+  /// The rays of so many lights are held at once (13 kB each); those of more are made twice: to be
+  /// weighed, and to be kept.
+  static constexpr std::size_t most_held = 1024;
+
   /// Room for the rays that `lights` lights would get. Their memory is kept.
   void start(std::size_t lights);
   /// The rays of a light, to be filled in.
   [[nodiscard]] ShadowRayBatch& rays(std::size_t light) { return rays_[light]; }
   /// Keeps those that are picked. `points`: how many there are; `at`: each one's number, of 2^32.
   void pick(std::size_t points, const LightPlaceBatch::Fractions& at, float a_point = rays_a_point);
+
+  /// The steps of `pick`: first each light's rays are weighed, in turn; then, from `walk` on, each
+  /// light's are kept or not, in the same turn.
+  void weigh_none(std::size_t points) { share_.assign(points, 0.0f); }
+  void weigh(const ShadowRayBatch& rays);
+  void walk(const LightPlaceBatch::Fractions& at, float a_point);
+  void keep_picked(ShadowRayBatch& rays);
 
  private:
   std::vector<ShadowRayBatch> rays_;

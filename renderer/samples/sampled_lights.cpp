@@ -140,8 +140,10 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
                           RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
-  picks_.start(many ? lights_.size() : 1);
+  const bool held = many && lights_.size() <= LightPicks::most_held;
+  picks_.start(held ? lights_.size() : 1);
   trace_lobes(batch, sums, counts);
+  if (many && !held) return trace_picked(batch, sums, counts);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     ShadowRayBatch& rays = picks_.rays(many ? light : 0);
     shade(batch, light, rays);
@@ -154,6 +156,30 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   picks_.pick(batch.points.count, batch.picks, rays_a_point_);
   for (std::uint32_t light = 0; light < lights_.size(); ++light)
     trace(batch, light, picks_.rays(light), sums, counts);
+}
+
+// The same where the rays of all lights are more than are held at once: to the same bits.
+void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums,
+                                 RenderStatistics& counts) {
+  ShadowRayBatch& rays = picks_.rays(0);
+  picks_.weigh_none(batch.points.count);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    shade(batch, light, rays);
+    counts.rejected_samples += rays.rejected;
+    if (sends_rays(light)) {
+      picks_.weigh(rays);
+    } else {
+      trace(batch, light, rays, sums, counts);
+    }
+  }
+  picks_.walk(batch.picks, rays_a_point_);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    if (!sends_rays(light)) continue;
+    shade(batch, light, rays);
+    picks_.keep_picked(rays);
+    trace(batch, light, rays, sums, counts);
+  }
+  rays.count = rays.rejected = 0;
 }
 
 // What the light carries by way of each point.
