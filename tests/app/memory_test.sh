@@ -44,7 +44,7 @@ accessor='"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count
     printf "]}"
   }'
 } >"$work/lights.gltf"
-check "$work/lights.gltf" render "$work/lights.gltf" --size 8x6 --max 1 --quiet --threads 4 \
+check "$work/lights.gltf" render "$work/lights.gltf" --size 16x12 --max 1 --quiet --threads 2 \
   -o "$work/picture.png"
 
 # Views, of which nothing is made.
