@@ -19,6 +19,7 @@
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/scene/remarks.h"
 #include "renderer/scene/source_files.h"
+#include "renderer/shading/sky_remark.h"
 #include "renderer/world/ground.h"
 
 #include <CLI/CLI.hpp>
@@ -179,6 +180,10 @@ RenderReport report_of(const RenderArguments& arguments, const RenderScene& read
   report.scene = wanted.scene;
   report.warnings = remarks(ready.geometry->notes);
   report.warning_count = remark_count(ready.geometry->notes);
+  if (std::string remark = sky_remark(wanted.sky.file); !remark.empty()) {
+    report.warnings.insert(report.warnings.begin(), std::move(remark));
+    ++report.warning_count;
+  }
   report.triangles = triangles_without_ground(ready.world());
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
   report.description =

@@ -1,5 +1,6 @@
 #include "app/render_report.h"
 
+#include "app/printed_json.h"
 #include "app/scene_info.h"
 #include "renderer/picture/picture_text.h"
 #include "renderer/picture/settings_json.h"
@@ -94,10 +95,7 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
 }
 
 std::string statistics_text(const RenderReport& report) {
-  // Scenes' paths are bytes to us and may be no UTF-8; dump() has to survive that.
-  return statistics_json(report).dump(2, ' ', false,
-                                      nlohmann::ordered_json::error_handler_t::replace) +
-         "\n";
+  return json_text(statistics_json(report));
 }
 
 ImageText picture_metadata(const RenderReport& report) {

@@ -48,7 +48,7 @@ struct RenderReport {
 /// The statistics as the --stats file has them.
 [[nodiscard]] nlohmann::ordered_json statistics_json(const RenderReport& report);
 
-/// The same as the text of a file, valid UTF-8 whatever the scene's path is made of.
+/// The same as the text of a file, in ASCII whatever the names are made of: see json_text.
 [[nodiscard]] std::string statistics_text(const RenderReport& report);
 
 /// The text chunks of a PNG and the attributes of an EXR: how the picture can be made again, and

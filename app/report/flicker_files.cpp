@@ -1,5 +1,6 @@
 #include "app/report/flicker_files.h"
 
+#include "app/printed_json.h"
 #include "app/report/job_record.h"
 #include "app/report/pictures.h"
 #include "app/report/report_data.h"
@@ -228,10 +229,7 @@ Result<void> write_flicker_report(const std::vector<FlickerStudy>& studies,
   const auto page = flicker_page(studies, figures);
   if (!page) return tl::unexpected(page.error());
   return write_text(folder, "flicker.csv", flicker_csv(studies))
-      .and_then([&] {
-        return write_text(folder, "flicker.json",
-                          json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
-      })
+      .and_then([&] { return write_text(folder, "flicker.json", json_text(json)); })
       .and_then([&] { return write_text(folder, "report.html", *page); });
 }
 

@@ -1,6 +1,7 @@
 #include "app/report/report_files.h"
 
 #include "app/output_file.h"
+#include "app/printed_json.h"
 #include "app/report/html_page.h"
 #include "app/report/job_record.h"
 #include "app/report/report_data.h"
@@ -81,9 +82,7 @@ Result<void> write_report(const StudyReport& report, const std::string& folder) 
   }
   const auto page = html_page(report, figures);
   if (!page) return tl::unexpected(page.error());
-  const std::string json =
-      report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-      "\n";
+  const std::string json = json_text(report_json(report));
   return write_text(folder, "points.csv", points_csv(report))
       .and_then([&] { return write_text(folder, "report.json", json); })
       .and_then([&] { return write_text(folder, "report.html", *page); });

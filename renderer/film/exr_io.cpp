@@ -3,6 +3,7 @@
 #include "renderer/film/image_text.h"
 #include "renderer/film/part_file.h"
 #include "renderer/film/picture_writer.h"
+#include "renderer/film/reduced_exr.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <exception>
@@ -203,24 +205,122 @@ Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {
   }
 }
 
-Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
-  const FileRules rules{most_exr_bytes, [](const FileHead& head) {
-                          return is_exr(head.bytes) ? "" : "is no EXR that can be read";
-                        }};
-  const auto file = read_file(path, rules);
-  if (!file) return unexpected(Error{path, file.error()});
-  if (const std::string fault = fault_of_exr_claims(*file); !fault.empty())
-    return unreadable(path, fault);
+namespace {
+
+/// A file that is open to be read.
+class ExrInput {
+ public:
+  /// Errors: it cannot be read, or is no EXR.
+  [[nodiscard]] static Result<FileBytes> bytes_of(const std::string& path) {
+    const FileRules rules{most_exr_bytes, [](const FileHead& head) {
+                            return is_exr(head.bytes) ? "" : "is no EXR that can be read";
+                          }};
+    auto file = read_file(path, rules);
+    if (!file) return unexpected(Error{path, file.error()});
+    if (const std::string fault = fault_of_exr_claims(*file); !fault.empty())
+      return unreadable(path, fault);
+    return *std::move(file);
+  }
+
+  /// Throws what OpenEXR does.
+  explicit ExrInput(const FileBytes& file) : bytes_(file), input_(bytes_, 0) {}
+
+  [[nodiscard]] const Imf::Header& header() const { return input_.header(); }
+  [[nodiscard]] Imath::V2i first() const { return header().dataWindow().min; }
+  [[nodiscard]] std::int64_t width() const {
+    const Imath::Box2i window = header().dataWindow();
+    return std::int64_t{window.max.x} - window.min.x + 1;
+  }
+  [[nodiscard]] std::int64_t height() const {
+    const Imath::Box2i window = header().dataWindow();
+    return std::int64_t{window.max.y} - window.min.y + 1;
+  }
+  [[nodiscard]] bool has_alpha() const { return header().channels().findChannel("A") != nullptr; }
+
+  /// Rows of the picture; `coverage` where it has an alpha. Throws.
+  void read(glm::vec3* radiance, float* coverage, std::int64_t y, std::int64_t rows) {
+    const Imath::V2i at(first().x, first().y + static_cast<int>(y));
+    Imf::FrameBuffer buffer = slices(radiance, at, width(), rows);
+    if (has_alpha()) buffer.insert("A", alpha_slice(coverage, at, width(), rows));
+    input_.setFrameBuffer(buffer);
+    input_.readPixels(at.y, at.y + static_cast<int>(rows) - 1);
+  }
+
+ private:
+  BytesStream bytes_;
+  Imf::InputFile input_;
+};
+
+ExrReduction reduction_of(const ExrInput& input, std::uint64_t bytes, const MostPixels& most) {
+  ExrReduction reduction{input.width(), input.height()};
+  while (most &&
+         most(bytes) < reduction.smaller(reduction.width) * reduction.smaller(reduction.height))
+    reduction.shrink *= 2;
+  return reduction;
+}
+
+/// The mean of what there is of a square of the strip of rows that holds it.
+template <typename Sum, typename Value>
+Sum mean_of(const std::vector<Value>& strip, std::int64_t width, std::int64_t rows,
+            std::int64_t left, int side) {
+  const std::int64_t columns = std::min<std::int64_t>(side, width - left);
+  Sum sum(0.0);
+  for (std::int64_t i = 0; i < rows * columns; ++i)
+    sum += Sum(strip[static_cast<std::size_t>(i / columns * width + left + i % columns)]);
+  return sum / static_cast<double>(rows * columns);
+}
+
+/// Fills the film, a strip of the file's rows at a time where it is smaller than the file. Throws.
+void read_film(ExrInput& input, const ExrReduction& reduction, Film& film) {
+  film = Film(static_cast<int>(reduction.smaller(reduction.width)),
+              static_cast<int>(reduction.smaller(reduction.height)));
+  if (input.has_alpha()) film.coverage.resize(film.radiance.size());
+  if (reduction.shrink == 1)
+    return input.read(film.radiance.data(), film.coverage.data(), 0, reduction.height);
+  const auto pixels = static_cast<std::size_t>(reduction.width * reduction.shrink);
+  std::vector<glm::vec3> radiance(pixels);
+  std::vector<float> coverage(input.has_alpha() ? pixels : 0);
+  for (int y = 0; y < film.height; ++y) {
+    const std::int64_t top = std::int64_t{y} * reduction.shrink;
+    const std::int64_t rows = std::min<std::int64_t>(reduction.shrink, reduction.height - top);
+    input.read(radiance.data(), coverage.data(), top, rows);
+    for (int x = 0; x < film.width; ++x) {
+      const std::int64_t left = std::int64_t{x} * reduction.shrink;
+      film.radiance[film.index(x, y)] =
+          glm::vec3(mean_of<glm::dvec3>(radiance, reduction.width, rows, left, reduction.shrink));
+      if (input.has_alpha())
+        film.coverage[film.index(x, y)] = static_cast<float>(
+            mean_of<double>(coverage, reduction.width, rows, left, reduction.shrink));
+    }
+  }
+}
+
+}  // namespace
+
+Result<ExrReduction> exr_reduction(const std::string& path, const MostPixels& most) {
+  const Result<FileBytes> file = ExrInput::bytes_of(path);
+  if (!file) return unexpected(file.error());
   try {
-    BytesStream bytes(*file);
-    Imf::InputFile input(bytes, 0);
-    const Imf::Header& header = input.header();
+    return reduction_of(ExrInput(*file), file->size(), most);
+  } catch (const std::exception& e) {
+    return unreadable(path, e);
+  }
+}
+
+Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
+  return read_reduced_exr(path, check, {});
+}
+
+Result<ExrImage> read_reduced_exr(const std::string& path, const SizeCheck& check,
+                                  const MostPixels& most) {
+  const Result<FileBytes> file = ExrInput::bytes_of(path);
+  if (!file) return unexpected(file.error());
+  try {
+    ExrInput input(*file);
     for (const char* channel : {"R", "G", "B"})
-      if (!header.channels().findChannel(channel))
+      if (!input.header().channels().findChannel(channel))
         return unexpected(Error{path, "has no R, G and B channels"});
-    const Imath::Box2i window = header.dataWindow();
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    const std::int64_t width = input.width(), height = input.height();
     if (width > max_pixels / height) return unexpected(Error{path, "the picture is too big"});
     if (check) {
       if (std::string unwanted = check(width, height); !unwanted.empty())
@@ -231,15 +331,8 @@ Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check) {
         most_pixels_per_byte * file->size())
       return unreadable(path, "it ends too early");
     ExrImage read;
-    read.film = Film(static_cast<int>(width), static_cast<int>(height));
-    Imf::FrameBuffer buffer = slices(read.film.radiance.data(), window.min, width, height);
-    if (header.channels().findChannel("A")) {
-      read.film.coverage.resize(read.film.radiance.size());
-      buffer.insert("A", alpha_slice(read.film.coverage.data(), window.min, width, height));
-    }
-    input.setFrameBuffer(buffer);
-    input.readPixels(window.min.y, window.max.y);
-    read.attributes = attributes_of(header);
+    read_film(input, reduction_of(input, file->size(), most), read.film);
+    read.attributes = attributes_of(input.header());
     return read;
   } catch (const std::exception& e) {
     return unreadable(path, e);

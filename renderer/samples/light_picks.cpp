@@ -41,35 +41,41 @@ void LightPicks::start(std::size_t lights) {
 }
 
 void LightPicks::pick(std::size_t points, const LightPlaceBatch::Fractions& at, float a_point) {
-  // Each point's light, all together.
-  share_.assign(points, 0.0f);
-  for (std::size_t light = 0; light < lights_; ++light) {
-    const ShadowRayBatch& rays = rays_[light];
-    for (std::size_t i = 0; i < rays.count; ++i) share_[rays.point[i]] += most_carried(rays, i);
-  }
-  walked_.resize(points);
-  for (std::size_t p = 0; p < points; ++p) {
+  weigh_none(points);
+  for (std::size_t light = 0; light < lights_; ++light) weigh(rays_[light]);
+  walk(at, a_point);
+  for (std::size_t light = 0; light < lights_; ++light) keep_picked(rays_[light]);
+}
+
+// Each point's light, all together.
+void LightPicks::weigh(const ShadowRayBatch& rays) {
+  for (std::size_t i = 0; i < rays.count; ++i) share_[rays.point[i]] += most_carried(rays, i);
+}
+
+void LightPicks::walk(const LightPlaceBatch::Fractions& at, float a_point) {
+  walked_.resize(share_.size());
+  for (std::size_t p = 0; p < share_.size(); ++p) {
     share_[p] /= a_point;
     walked_[p] = static_cast<float>(at[p] >> 8) * 0x1p-24f;
   }
-  // Walk along the lights, a share a step.
-  for (std::size_t light = 0; light < lights_; ++light) {
-    ShadowRayBatch& rays = rays_[light];
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      const std::uint32_t p = rays.point[i];
-      const float carried = most_carried(rays, i);
-      if (carried >= share_[p]) {
-        move_ray(rays, i, kept++, 1.0f);
-        continue;
-      }
-      walked_[p] += carried / share_[p];
-      if (walked_[p] < 1.0f) continue;
-      walked_[p] -= 1.0f;
-      move_ray(rays, i, kept++, share_[p] / carried);
+}
+
+// Goes along the lights, a share a step.
+void LightPicks::keep_picked(ShadowRayBatch& rays) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    const std::uint32_t p = rays.point[i];
+    const float carried = most_carried(rays, i);
+    if (carried >= share_[p]) {
+      move_ray(rays, i, kept++, 1.0f);
+      continue;
     }
-    rays.count = kept;
+    walked_[p] += carried / share_[p];
+    if (walked_[p] < 1.0f) continue;
+    walked_[p] -= 1.0f;
+    move_ray(rays, i, kept++, share_[p] / carried);
   }
+  rays.count = kept;
 }
 
 void LightPicks::pick_one(std::size_t points, Range lights, const LightPlaceBatch::Fractions& at,

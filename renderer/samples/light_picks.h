@@ -20,6 +20,10 @@ class LightPicks {
   /// A point's shadow rays where there are more: so many on the average at most.
   static constexpr float rays_a_point = 4.0f;
 
+  /// The rays of so many lights are held at once (13 kB each); those of more are made twice: to be
+  /// weighed, and to be kept.
+  static constexpr std::size_t most_held = 1024;
+
   /// Room for the rays that `lights` lights would get. Their memory is kept.
   void start(std::size_t lights);
   /// The rays of a light, to be filled in.
@@ -35,6 +39,13 @@ class LightPicks {
   /// `share` of all of theirs together: those of all points go to `kept`.
   void pick_one(std::size_t points, Range lights, const LightPlaceBatch::Fractions& at, float share,
                 ShadowRayBatch& kept);
+
+  /// The steps of `pick`: first each light's rays are weighed, in turn; then, from `walk` on, each
+  /// light's are kept or not, in the same turn.
+  void weigh_none(std::size_t points) { share_.assign(points, 0.0f); }
+  void weigh(const ShadowRayBatch& rays);
+  void walk(const LightPlaceBatch::Fractions& at, float a_point);
+  void keep_picked(ShadowRayBatch& rays);
 
  private:
   std::vector<ShadowRayBatch> rays_;

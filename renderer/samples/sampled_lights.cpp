@@ -184,9 +184,11 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
                           RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
+  const bool held = many && lights_.size() <= LightPicks::most_held;
   find_wide_lights(batch.points);
-  picks_.start(many ? lights_.size() : 2 * candidates);
+  picks_.start(held ? lights_.size() : many ? 1 : 2 * candidates);
   trace_lobes(batch, sums, counts);
+  if (many && !held) return trace_picked(batch, sums, counts);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (wide_[light] != 0) {
       trace_candidates(batch, light, sums, counts);
@@ -203,6 +205,30 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   picks_.pick(batch.points.count, batch.picks, rays_a_point_);
   for (std::uint32_t light = 0; light < lights_.size(); ++light)
     trace(batch, light, picks_.rays(light), sums, counts);
+}
+
+// The same where the rays of all lights are more than are held at once: to the same bits.
+void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums,
+                                 RenderStatistics& counts) {
+  ShadowRayBatch& rays = picks_.rays(0);
+  picks_.weigh_none(batch.points.count);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    shade(batch, light, rays);
+    counts.rejected_samples += rays.rejected;
+    if (sends_rays(light)) {
+      picks_.weigh(rays);
+    } else {
+      trace(batch, light, rays, sums, counts);
+    }
+  }
+  picks_.walk(batch.picks, rays_a_point_);
+  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    if (!sends_rays(light)) continue;
+    shade(batch, light, rays);
+    picks_.keep_picked(rays);
+    trace(batch, light, rays, sums, counts);
+  }
+  rays.count = rays.rejected = 0;
 }
 
 // What the light carries by way of each point.

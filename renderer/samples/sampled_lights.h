@@ -140,6 +140,7 @@ class SampledLights {
   };
 
   void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   [[nodiscard]] bool sends_rays(std::uint32_t light) const {
     return shadows_ && lights_[light].light->casts_shadows;
   }

@@ -1,6 +1,8 @@
+#include "renderer/files/printable.h"
 #include "renderer/film/hdr_io.h"
-#include "renderer/film/image_io.h"
+#include "renderer/film/reduced_exr.h"
 #include "renderer/shading/sky.h"
+#include "renderer/shading/sky_remark.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +15,9 @@ namespace asos {
 namespace {
 
 constexpr std::int64_t most_texels = std::int64_t{1} << 26;
+// Of an .exr, whose texels take 15 bytes, beside one for 5 bytes of the file; more are made fewer.
+constexpr std::int64_t free_exr_texels = std::int64_t{1} << 24;
+constexpr std::int64_t most_exr_texels = std::int64_t{1} << 27;
 // The sun has 2e9 nits. Squares of what is this bright, and brightened, are finite.
 constexpr float most_radiance = 1e15f;
 
@@ -22,23 +27,34 @@ struct SkyPicture {
   SkyTexels texels;
 };
 
-std::string size_fault(std::int64_t width, std::int64_t height) {
+std::string size_fault(std::int64_t width, std::int64_t height, std::int64_t most) {
   if (width != 2 * height)
     return fmt::format("has {} x {} pixels; a sky is twice as wide as it is high (equirectangular)",
                        width, height);
-  if (width > most_texels / height)
-    return fmt::format("has {} x {} pixels; a sky has at most {}", width, height, most_texels);
+  if (width > most / height)
+    return fmt::format("has {} x {} pixels; a sky has at most {}", width, height, most);
   return "";
 }
 
 Result<SkyPicture> read_hdr_sky(const std::string& path) {
-  return read_hdr(path, size_fault).map([](HdrImage image) {
+  const auto check = [](std::int64_t width, std::int64_t height) {
+    return size_fault(width, height, most_texels);
+  };
+  return read_hdr(path, check).map([](HdrImage image) {
     return SkyPicture{image.width, image.height, SkyTexels(std::move(image.pixels), image.scale)};
   });
 }
 
+std::int64_t most_exr_texels_of(std::uint64_t file_bytes) {
+  constexpr std::uint64_t bytes_a_texel = 5;
+  return free_exr_texels + static_cast<std::int64_t>(file_bytes / bytes_a_texel);
+}
+
 Result<SkyPicture> read_exr_sky(const std::string& path) {
-  return read_exr(path, size_fault).map([](ExrImage image) {
+  const auto check = [](std::int64_t width, std::int64_t height) {
+    return size_fault(width, height, most_exr_texels);
+  };
+  return read_reduced_exr(path, check, most_exr_texels_of).map([](ExrImage image) {
     return SkyPicture{image.film.width, image.film.height, std::move(image.film.radiance)};
   });
 }
@@ -75,6 +91,17 @@ Result<std::shared_ptr<const Sky>> read_sky(const std::string& path, double turn
   if (const auto sound = check_texels(path, *picture); !sound) return unexpected(sound.error());
   return std::make_shared<const Sky>(
       SkyMap(picture->width, picture->height, std::move(picture->texels)), turn_deg, path);
+}
+
+std::string sky_remark(const std::string& path) {
+  if (!path.ends_with(".exr")) return "";
+  const Result<ExrReduction> reduction = exr_reduction(path, most_exr_texels_of);
+  if (!reduction || reduction->shrink == 1) return "";
+  return fmt::format(
+      "{}: its {} x {} pixels are more than a file of its size has use for; the sky is shown with "
+      "{} x {}",
+      printable(path), reduction->width, reduction->height, reduction->smaller(reduction->width),
+      reduction->smaller(reduction->height));
 }
 
 }  // namespace asos

@@ -356,7 +356,8 @@ glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1, flo
   if (world.is_face(triangle)) return glm::vec4(1.0f);
   const glm::uvec3 v = world.triangles[triangle];
   const glm::vec4 c = world.colors[v.x];
-  return c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c);
+  // A hit at an edge may lie beyond it by a rounding error; light is not negative for that.
+  return glm::max(c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c), 0.0f);
 }
 
 NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch, glm::vec3 normal) {

@@ -98,6 +98,10 @@ TEST_F(OutsideText, NamesInAFileArePrintedEscaped) {
   const AsosRun run = render({file});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(harmless(run.out + run.err));
+  // In JSON nothing is lost by it.
+  const std::string stats = test::content_of(folder_.file("stats.json"));
+  EXPECT_TRUE(harmless(stats, false));
+  EXPECT_EQ(nlohmann::json::parse(stats)["camera"], evil());
 }
 
 TEST_F(OutsideText, NamesInErrorsArePrintedEscaped) {

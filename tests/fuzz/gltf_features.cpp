@@ -47,6 +47,9 @@ constexpr auto of_materials = std::to_array<Member>({
     {"KHR_materials_iridescence", "iridescenceThicknessMinimum", Kind::number},
     {"KHR_materials_iridescence", "iridescenceThicknessMaximum", Kind::number},
     {"KHR_materials_iridescence", "iridescenceThicknessTexture", Kind::texture},
+    {"KHR_materials_anisotropy", "anisotropyStrength", Kind::share},
+    {"KHR_materials_anisotropy", "anisotropyRotation", Kind::number},
+    {"KHR_materials_anisotropy", "anisotropyTexture", Kind::texture},
     {"KHR_materials_pbrSpecularGlossiness", "diffuseFactor", Kind::color},
     {"KHR_materials_pbrSpecularGlossiness", "diffuseTexture", Kind::texture},
     {"KHR_materials_pbrSpecularGlossiness", "specularFactor", Kind::color},
@@ -124,9 +127,38 @@ void extend_material(Json& document, Json& material, std::mt19937& random) {
   use(document, extension.c_str());
 }
 
+/// Cuts a material out by a texture's alpha, blends it, or blurs what it mirrors by the angle.
+void change_material(const Json& document, Json& material, std::mt19937& random) {
+  if (random() % 3 == 0) {
+    object_in(material, "extras")["asos_dfr"] = {{"min", share(random)},
+                                                 {"max", share(random)},
+                                                 {"exponent", number(random)},
+                                                 {"perturbation", share(random)}};
+    return;
+  }
+  material["alphaMode"] = random() % 2 == 0 ? "MASK" : "BLEND";
+  if (random() % 2 == 0) material["alphaCutoff"] = share(random);
+  object_in(material, "pbrMetallicRoughness")["baseColorTexture"] =
+      value_of(Kind::texture, document, random);
+}
+
+/// A target for a mesh to morph to, and its weight.
+void morph(const Json& document, Json& mesh, Json& primitive, std::mt19937& random) {
+  Json target = Json::object();
+  for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
+    if (random() % 2 == 0) target[name] = any_index(document, "accessors", random);
+  if (!primitive["targets"].is_array()) primitive["targets"] = Json::array();
+  primitive["targets"].push_back(std::move(target));
+  if (!mesh["weights"].is_array()) mesh["weights"] = Json::array();
+  mesh["weights"].push_back(number(random));
+}
+
 void extend_primitive(Json& document, Json& mesh, std::mt19937& random) {
+  // First, for a new member moves the others.
+  if (!mesh["weights"].is_array()) mesh["weights"] = Json::array();
   Json* primitive = any_object(mesh, "primitives", random);
   if (!primitive) return;
+  if (random() % 3 == 0) return morph(document, mesh, *primitive, random);
   if (random() % 2 == 0) {
     (*primitive)["mode"] = random() % 8;
     return;
@@ -139,7 +171,39 @@ void extend_primitive(Json& document, Json& mesh, std::mt19937& random) {
   use(document, variants);
 }
 
+/// Copies of a node's mesh; what the accessors hold is often not what places them.
+void copy_node(Json& document, Json& node, std::mt19937& random) {
+  constexpr const char* extension = "EXT_mesh_gpu_instancing";
+  Json& extended = object_in(object_in(node, "extensions"), extension);
+  for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"})
+    if (random() % 2 == 0)
+      object_in(extended, "attributes")[name] = any_index(document, "accessors", random);
+  use(document, extension);
+}
+
+/// What the file says that surrounds its scenes.
+void surround(Json& document, std::mt19937& random) {
+  constexpr const char* extension = "EXT_lights_image_based";
+  Json sides = Json::array(), coefficients = Json::array();
+  const std::size_t image = any_index(document, "images", random);
+  for (int i = 0; i < 6; ++i)
+    sides.push_back(random() % 8 == 0 ? any_index(document, "images", random) : image);
+  for (int i = 0; i < 9; ++i)
+    coefficients.push_back({number(random), number(random), number(random)});
+  Json light{{"specularImages", Json::array({sides})},
+             {"irradianceCoefficients", coefficients},
+             {"specularImageSize", 1},
+             {"intensity", number(random)}};
+  if (random() % 2 == 0)
+    light["rotation"] = {share(random), share(random), share(random), number(random)};
+  object_in(document["extensions"], extension)["lights"] = Json::array({std::move(light)});
+  if (Json* scene = any_object(document, "scenes", random))
+    object_in(object_in(*scene, "extensions"), extension)["light"] = 0;
+  use(document, extension);
+}
+
 void extend_node(Json& document, Json& node, std::mt19937& random) {
+  if (random() % 3 == 0) return copy_node(document, node, random);
   const bool hides = random() % 2 == 0;
   const char* extension = hides ? "KHR_node_visibility" : "MSFT_lod";
   Json& extended = object_in(object_in(node, "extensions"), extension);
@@ -189,8 +253,13 @@ void add_feature(Json& document, std::mt19937& random) {
   Json& used = document["extensionsUsed"];
   if (!used.is_array()) used = Json::array();
 
-  const auto choice = random() % 12;
-  if (choice < 7) {
+  const auto choice = random() % 14;
+  if (choice >= 13) {
+    surround(document, random);
+  } else if (choice >= 12) {
+    if (Json* material = any_object(document, "materials", random))
+      change_material(document, *material, random);
+  } else if (choice < 7) {
     if (Json* material = any_object(document, "materials", random))
       extend_material(document, *material, random);
   } else if (choice < 9) {

@@ -36,18 +36,30 @@ limit '.exr' '8 GiB' renderer/film/exr_io.cpp 'most_exr_bytes = std::uint64_t{8}
 limit 'saved pictures (`--from`)' '4 GiB' renderer/film/image_text.cpp \
   'largest_picture = std::uint64_t{4} << 30;'
 limit 'text in a picture' '16 MB' renderer/film/image_text.h 'most_image_text = std::size_t{16} << 20;'
-limit 'textures' '16384 pixels a side' $gltf/image_limits.h 'largest_side = 16384;'
-limit 'textures' '1100 for each byte' $gltf/image_limits.h 'most_pixels_per_byte = 1100;'
-limit 'textures' '2^29 of all' $gltf/images.cpp 'free_pixels = std::uint64_t{1} << 29'
-limit 'textures' '64 for each byte' $gltf/images.cpp 'pixels_per_byte = 64;'
+pictures=renderer/scene/pictures
+limit 'textures' '16384 pixels a side' $pictures/picture.h 'largest_picture_side = 16384;'
+limit 'textures' '1100 for each byte' $pictures/picture.cpp 'most_pixels_per_byte = 1100;'
+limit 'textures, all together' '2^24' $gltf/texture_budget.cpp 'free_texels = std::uint64_t{1} << 24;'
+limit 'textures, all together' '8 for each' $gltf/texture_budget.cpp 'texels_per_byte = 8;'
+held='what interlaced PNGs, progressive JPEGs and lossless WebPs hold until the end'
+limit "$held" '128 MiB' $pictures/picture.cpp 'free_held_bytes = std::uint64_t{128} << 20'
+limit "$held" '16 for each byte' $pictures/picture.cpp 'held_bytes_per_byte = 16;'
+limit "$held" '200 scans' $pictures/jpeg_picture.cpp 'most_scans = 200;'
 limit 'what the JSON lists' '200 MB' $gltf/tidy.cpp 'free_memory = std::uint64_t{200} << 20'
 limit 'what the JSON lists' '40 bytes' $gltf/tidy.cpp 'memory_per_byte = 40;'
 limit 'skies' '2^25' renderer/film/hdr_io.cpp 'free_pixels = std::size_t{1} << 25;'
 limit 'skies' '2^26 pixels' renderer/shading/sky_file.cpp 'most_texels = std::int64_t{1} << 26;'
+limit 'skies' 'of an .exr 2^27' renderer/shading/sky_file.cpp \
+  'most_exr_texels = std::int64_t{1} << 27;'
+kept='pixels of an .exr sky that are kept'
+limit "$kept" '2^24' renderer/shading/sky_file.cpp 'free_exr_texels = std::int64_t{1} << 24;'
+limit "$kept" 'one for 5 bytes' renderer/shading/sky_file.cpp 'bytes_a_texel = 5;'
 limit 'how bright skies are' '1e15' renderer/shading/sky_file.cpp 'most_radiance = 1e15f;'
 limit "pieces of cut-outs' outlines" '2 million' renderer/features/cut_outs.h \
   'lines = std::size_t{1} << 21;'
 limit 'triangles' '60 million' renderer/scene/load.h "max_triangles = 60'000'000;"
+limit 'triangles' '220 bytes' $gltf/memory_check.cpp 'bytes_a_triangle = 220'
+limit 'objects' '300 bytes' $gltf/memory_check.cpp 'bytes_an_object = 300;'
 limit 'objects' '4 million' $gltf/importer.cpp "most_instances = 4'000'000;"
 limit "a scene's extent" '1e15' renderer/geometry/coordinates.h 'largest_coordinate = 1e15;'
 limit 'how far off cameras and lights may stand' '1e15' renderer/geometry/coordinates.h \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# stb_image is compiled into one source file and private to it: libdraco exports an old copy, whose
-# functions the program would call instead of its own. Usage: symbols_test.sh ASOS
+# stb's writer is compiled into one source file and private to it, and nothing of its reader is asked for:
+# libdraco exports an old copy, whose functions the program would call. Usage: symbols_test.sh ASOS
 set -euo pipefail
 asos=$1
 count=$(nm -C "$asos" | grep -cE ' [a-zA-Z] stbi_' || true)

@@ -171,8 +171,10 @@ void add_remarks(const std::string& text, Warnings& warnings) {
   }
 }
 
-Checked<void> read_model(const json& root, Document& doc) {
+/// Takes the JSON, of which tinygltf makes another of the same size.
+Checked<void> read_model(json root, Document& doc) {
   const std::string text = root.dump();
+  root = nullptr;
   tinygltf::TinyGLTF reader;
   std::string error, warning;
   bool good = false;
@@ -208,7 +210,7 @@ Checked<Document> read_document(const std::filesystem::path& path) {
     return fault(done.error());
   if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
   if (auto done = take_images(*root, doc); !done) return fault(done.error());
-  if (auto done = read_model(*root, doc); !done) return fault(done.error());
+  if (auto done = read_model(std::move(*root), doc); !done) return fault(done.error());
   return doc;
 }
 

@@ -1,7 +1,9 @@
 #include "renderer/scene/gltf/image_based_light.h"
 
 #include "renderer/scene/gltf/images.h"
+#include "renderer/scene/gltf/texture_budget.h"
 #include "renderer/scene/gltf/values.h"
+#include "renderer/scene/pictures/picture.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
@@ -103,22 +105,32 @@ class SidesReader {
 
  private:
   Checked<Surroundings::Side> read_side(int index) {
-    Surroundings::Side side;
-    Checked<Image> image = with_image_bytes(doc_, accessors_, index, [&](Bytes bytes) {
-      side.divided = has_alpha(bytes);
-      return decode_image(bytes);
-    });
-    if (!image) return fault(fmt::format("its image {}: {}", index, image.error()));
-    if (image->width != image->height)
-      return fault(fmt::format("its image {} is {} x {} pixels and not square", index, image->width,
-                               image->height));
-    if (image->width > most_pixels_a_side)
+    const Checked<ImageBytes> bytes = image_bytes(doc_, accessors_, index);
+    if (!bytes) return fault(fmt::format("its image {}: {}", index, bytes.error()));
+    const PictureResult<PictureHead> head = picture_head(bytes->bytes);
+    if (!head) return fault(fmt::format("its image {}: {}", index, head.error()));
+    if (head->width != head->height)
+      return fault(fmt::format("its image {} is {} x {} pixels and not square", index, head->width,
+                               head->height));
+    if (head->width > most_pixels_a_side)
       return fault(fmt::format("its image {} is {} pixels wide; the limit is {}", index,
-                               image->width, most_pixels_a_side));
-    side.image = std::move(*image);
-    return side;
+                               head->width, most_pixels_a_side));
+    bytes_ += bytes->bytes.size();
+    texels_ += head->pixels();
+    if (texels_ > most_texels(bytes_))
+      return fault(
+          fmt::format("its images of {} pixels a side are more than a file of this size "
+                      "has use for",
+                      head->width));
+    PictureResult<Picture> picture = read_picture(bytes->bytes);
+    if (!picture) return fault(fmt::format("its image {}: {}", index, picture.error()));
+    if (!picture->remark.empty())
+      doc_.warnings.add(
+          fmt::format("image {} of the image-based light: {}", index, picture->remark));
+    return Surroundings::Side{std::move(picture->image), has_alpha(bytes->bytes)};
   }
 
+  std::uint64_t bytes_ = 0, texels_ = 0;  // of all sides so far
   Document& doc_;
   Accessors& accessors_;
 };

@@ -1,24 +1,14 @@
 #include "renderer/scene/gltf/images.h"
 
-#include "renderer/scene/gltf/image_limits.h"
+#include "renderer/scene/gltf/texture_budget.h"
 #include "renderer/scene/gltf/values.h"
-#include "renderer/scene/gltf/webp.h"
+#include "renderer/scene/pictures/picture.h"
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#define STBI_NO_LINEAR
-#define STBI_NO_HDR
-#include <climits>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <memory>
-#include <stb_image.h>
+#include <set>
 
 namespace asos::gltf {
 
@@ -35,44 +25,22 @@ Wrap wrap_of(int value, bool& known) {
   return Wrap::repeat;
 }
 
-/// Names a picture by its first bytes, to say what is not supported.
-const char* format_of(Bytes bytes) {
-  const auto begins = [&](std::size_t at, const char* magic) {
-    const std::size_t n = std::strlen(magic);
-    return bytes.size() >= at + n && std::memcmp(bytes.data() + at, magic, n) == 0;
-  };
-  if (begins(0, "\xabKTX")) return "KTX";
-  if (begins(0, "GIF8")) return "GIF";
-  if (begins(0, "BM")) return "BMP";
-  if (begins(0, "DDS ")) return "DDS";
-  if (begins(4, "ftypavif")) return "AVIF";
-  return nullptr;
-}
-
 }  // namespace
 
-Checked<Image> decode_image(Bytes bytes, std::uint64_t most_pixels) {
-  if (bytes.empty()) return fault("it is empty");
-  if (bytes.size() > INT_MAX) return fault("it is larger than 2 GiB");
-  if (is_webp(bytes)) return decode_webp(bytes, most_pixels);
-  const auto size = static_cast<int>(bytes.size());
-  int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {
-    const char* format = format_of(bytes);
-    if (format) return fault(fmt::format("{} pictures are not supported", format));
-    return fault(fmt::format("it is no usable PNG, JPEG or WebP ({})", stbi_failure_reason()));
+Checked<ImageBytes> image_bytes(Document& document, Accessors& accessors, int index) {
+  if (index < 0 || static_cast<std::size_t>(index) >= document.images.size())
+    return fault("it does not exist");
+  const ImageSource& source = document.images[static_cast<std::size_t>(index)];
+  if (source.buffer_view >= 0) {
+    const Checked<Bytes> bytes = accessors.view(source.buffer_view);
+    if (!bytes) return fault(bytes.error());
+    return ImageBytes{{}, *bytes};
   }
-  if (auto sound = check_size(width, height, bytes.size(), most_pixels); !sound)
-    return fault(sound.error());
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-      stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-  if (!decoded) return fault(fmt::format("it cannot be decoded ({})", stbi_failure_reason()));
-  Image image;
-  image.width = width;
-  image.height = height;
-  image.rgba.own().assign(decoded.get(), decoded.get() + pixels * 4);
-  return image;
+  Checked<FileBytes> read = read_uri(document.folder, source.uri);
+  if (!read) return fault(read.error());
+  ImageBytes bytes{std::move(*read), {}};
+  bytes.bytes = bytes.read;
+  return bytes;
 }
 
 Textures::Textures(Document& document, Accessors& accessors, Scene& scene)
@@ -143,18 +111,15 @@ int Textures::use_image(int index) {
   known = none;
   const Checked<int> image = add_image(index);
   if (image) return known = *image;
-  const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
-  const std::string name = source.name.empty() ? shown_uri(source.uri) : source.name;
   doc_.warnings.add(
-      fmt::format("image {} '{}': {}; its textures are left out", index, name, image.error()));
+      fmt::format("{}: {}; its textures are left out", name_of(index), image.error()));
   return none;
 }
 
-std::uint64_t Textures::pixels_left() const {
-  // Two gigabytes, and what pictures that are packed well take.
-  constexpr std::uint64_t free_pixels = std::uint64_t{1} << 29, pixels_per_byte = 64;
-  const std::uint64_t most = free_pixels + pixels_per_byte * (doc_.honest_bytes + outside_bytes_);
-  return most - std::min(most, pixels_);
+std::string Textures::name_of(int index) const {
+  const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
+  return fmt::format("image {} '{}'", index,
+                     source.name.empty() ? shown_uri(source.uri) : source.name);
 }
 
 /// Empty where the bytes are nobody else's.
@@ -167,21 +132,60 @@ Textures::ImagePlace Textures::place_of(const ImageSource& source) {
   return file ? ImagePlace{nullptr, 0, file->string()} : ImagePlace{};
 }
 
+/// Looks at the heads of all images, so that what is too much is taken off where it is least
+/// missed.
+void Textures::plan() {
+  // Of files in bytes as they are stored, which are read a second time beyond that.
+  constexpr std::size_t most_kept = std::size_t{1} << 28;
+  std::size_t kept = 0;
+  std::set<ImagePlace> seen;
+  std::vector<PictureClaim> claims(doc_.images.size());
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    const ImagePlace place = place_of(doc_.images[i]);
+    if (place != ImagePlace{} && !seen.insert(place).second) continue;
+    Checked<ImageBytes> bytes = image_bytes(doc_, accessors_, index);
+    if (!bytes) continue;  // told where it is used
+    const PictureResult<PictureHead> head = picture_head(bytes->bytes);
+    if (!head) continue;
+    claims[i] = {head->width, head->height, bytes->bytes.size()};
+    all_bytes_ += bytes->bytes.size();
+    if (bytes->read.empty() || kept + bytes->read.size() > most_kept) continue;
+    kept += bytes->read.size();
+    read_.emplace(index, std::move(*bytes));
+  }
+  shrinks_ = shrinks_of(claims);
+}
+
+Checked<ImageBytes> Textures::take_bytes(int index) {
+  auto known = read_.extract(index);
+  if (!known.empty()) return std::move(known.mapped());
+  return image_bytes(doc_, accessors_, index);
+}
+
 Checked<int> Textures::add_image(int index) {
+  if (shrinks_.empty()) plan();
   const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
   ImagePlace place = place_of(source);
   const bool shareable = place != ImagePlace{};
   if (const auto known = image_at_.find(place); shareable && known != image_at_.end())
     return known->second;
-  Checked<Image> image = with_image_bytes(doc_, accessors_, index, [&](Bytes bytes) {
-    if (source.buffer_view < 0) outside_bytes_ += bytes.size();
-    return decode_image(bytes, pixels_left());
-  });
-  if (!image) return fault(image.error());
-  pixels_ += image->rgba.size() / 4;
-  image->name = source.name;
+  const int shrink = shrinks_[static_cast<std::size_t>(index)];
+  const Checked<ImageBytes> bytes = take_bytes(index);
+  if (!bytes) return fault(bytes.error());
+  PictureResult<Picture> picture = read_picture(bytes->bytes, shrink);
+  if (!picture) return fault(picture.error());
+  Image& image = picture->image;
+  if (!picture->remark.empty())
+    doc_.warnings.add(fmt::format("{}: {}", name_of(index), picture->remark));
+  if (shrink > 1)
+    doc_.warnings.add(
+        fmt::format("{}: the textures are more than a file of this size has use for; it is shown "
+                    "with {} x {} pixels",
+                    name_of(index), image.width, image.height));
+  image.name = source.name;
   const auto made = static_cast<int>(scene_.images.size());
-  scene_.images.push_back(std::move(*image));
+  scene_.images.push_back(std::move(image));
   if (shareable) image_at_.emplace(std::move(place), made);
   return made;
 }
@@ -200,7 +204,9 @@ int Textures::roughness_of(int texture, float factor) {
                       rough.name, most_factors));
       return none;
     }
-    if (scene_.images[static_cast<std::size_t>(rough.image)].rgba.size() / 4 > pixels_left()) {
+    const std::uint64_t texels =
+        scene_.images[static_cast<std::size_t>(rough.image)].rgba.size() / 4;
+    if (copied_texels_ + texels > most_texels(all_bytes_) / 2) {
       doc_.warnings.add(fmt::format(
           "the roughness of texture '{}' would be more than a file of this size has use "
           "for; its factor alone is used",
@@ -208,7 +214,7 @@ int Textures::roughness_of(int texture, float factor) {
       return none;
     }
     Image image = scene_.images[static_cast<std::size_t>(rough.image)];
-    pixels_ += image.rgba.size() / 4;
+    copied_texels_ += texels;
     SharedBytes::Bytes& rgba = image.rgba.own();
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
       const float glossiness = factor * static_cast<float>(rgba[i + 3]);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/scene/gltf/accessors.h"
-#include "renderer/scene/gltf/image_limits.h"
 #include "renderer/scene/scene.h"
 
 #include <cstdint>
@@ -13,31 +12,18 @@
 
 namespace asos::gltf {
 
-/// Decodes a PNG, JPEG or WebP to 8-bit RGBA (16-bit PNGs lose their lower half). Faults: another
-/// format, broken data, and dimensions that the bytes cannot stand for or that are more than
-/// `most_pixels`, before they are allocated.
-[[nodiscard]] Checked<Image> decode_image(Bytes bytes,
-                                          std::uint64_t most_pixels = any_number_of_pixels);
-
-/// What `use` makes of the bytes of one of the document's images; a fault where there are none.
-template <typename Use>
-[[nodiscard]] Checked<Image> with_image_bytes(Document& document, Accessors& accessors, int index,
-                                              const Use& use) {
-  if (index < 0 || static_cast<std::size_t>(index) >= document.images.size())
-    return fault("it does not exist");
-  const ImageSource& source = document.images[static_cast<std::size_t>(index)];
-  if (source.buffer_view >= 0) {
-    const Checked<Bytes> bytes = accessors.view(source.buffer_view);
-    if (!bytes) return fault(bytes.error());
-    return use(*bytes);
-  }
-  const Checked<FileBytes> bytes = read_uri(document.folder, source.uri);
-  if (!bytes) return fault(bytes.error());
-  return use(Bytes(*bytes));
-}
+/// The bytes of one of the document's images; `read` is what holds them where they are not part of
+/// a buffer.
+struct ImageBytes {
+  FileBytes read;
+  Bytes bytes;
+};
+/// A fault where there are none.
+[[nodiscard]] Checked<ImageBytes> image_bytes(Document& document, Accessors& accessors, int index);
 
 /// Takes over a document's textures as materials ask for them, so that images that nothing shows
-/// are neither decoded nor kept.
+/// are neither decoded nor kept. Where all images of the file are more than it has use for, the
+/// largest are reduced as they are read, with a warning (texture_budget.h).
 class Textures {
  public:
   Textures(Document& document, Accessors& accessors, Scene& scene);
@@ -59,8 +45,10 @@ class Textures {
   [[nodiscard]] int image_of(const tinygltf::Texture& texture, int index);
   [[nodiscard]] int use_image(int image);
   [[nodiscard]] Checked<int> add_image(int image);
+  [[nodiscard]] Checked<ImageBytes> take_bytes(int image);
   [[nodiscard]] ImagePlace place_of(const ImageSource& source);
-  [[nodiscard]] std::uint64_t pixels_left() const;
+  void plan();
+  [[nodiscard]] std::string name_of(int image) const;
 
   Document& doc_;
   Accessors& accessors_;
@@ -68,8 +56,10 @@ class Textures {
   std::vector<int> texture_of_;  // by document texture: unknown, or the scene's
   std::vector<int> image_of_;
   std::map<ImagePlace, int> image_at_;  // the scene's, by where its bytes are
-  std::uint64_t pixels_ = 0;            // of all
-  std::uint64_t outside_bytes_ = 0;     // of those in files of their own
+  std::vector<int> shrinks_;            // by document image, when there is a plan
+  std::map<int, ImageBytes> read_;      // by document image: of files, read for the plan
+  std::uint64_t all_bytes_ = 0;         // of images as they are stored
+  std::uint64_t copied_texels_ = 0;     // of `roughness_of`
   std::map<int, std::vector<std::pair<float, int>>> roughness_of_;  // by image: factor, image
 };
 

@@ -3,6 +3,7 @@
 #include "renderer/scene/gltf/instancing.h"
 #include "renderer/scene/gltf/light_values.h"
 #include "renderer/scene/gltf/lights_cameras.h"
+#include "renderer/scene/gltf/memory_check.h"
 #include "renderer/scene/gltf/shapes.h"
 #include "renderer/scene/gltf/skin.h"
 #include "renderer/scene/tessellate.h"
@@ -15,8 +16,10 @@
 namespace asos::gltf {
 
 namespace {
+
 constexpr std::size_t most_instances = 4'000'000;
-}
+
+}  // namespace
 
 Checked<Scene> Importer::run(int scene, Scene base) {
   scene_ = std::move(base);
@@ -114,9 +117,12 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
     return fault(fmt::format("has more than {} triangles, lines and points, which is the limit",
                              options_.max_triangles));
   }
-  if (scene_.instances.size() + copies.size() > most_instances) {
+  const std::uint64_t objects = scene_.instances.size() + copies.size();
+  if (objects > most_instances) {
     return fault(fmt::format("has more than {} objects, which is the limit", most_instances));
   }
+  static const std::uint64_t present = memory_of_machine();
+  if (auto fits = check_memory(triangles_, objects, present); !fits) return fits;
   glm::dmat4 world_from_mesh = graph_.world_from_node(index);
   const bool skinned = skin && primitive.attributes.contains("JOINTS_0");
   if (skin && !skinned) doc_.warnings.add(place + " has a skin, but no joints");

@@ -66,7 +66,7 @@ Checked<std::vector<glm::dmat4>> instance_matrices(const tinygltf::Node& node,
                                                    Accessors& accessors, Warnings& warnings) {
   std::vector<glm::dmat4> once{glm::dmat4(1.0)};
   const tinygltf::Value* ext = extension(node.extensions, "EXT_mesh_gpu_instancing");
-  if (!ext || !ext->Has("attributes")) return once;
+  if (!ext) return once;
   const tinygltf::Value& attributes = ext->Get("attributes");
   for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"}) {
     const Checked<std::uint64_t> count =
@@ -76,8 +76,8 @@ Checked<std::vector<glm::dmat4>> instance_matrices(const tinygltf::Node& node,
   }
   Checked<std::vector<glm::dmat4>> copies = read_copies(attributes, place, accessors, warnings);
   if (copies && !copies->empty()) return copies;
-  if (!copies)
-    warnings.add(fmt::format("{}: its instancing is left out: {}", place, copies.error()));
+  warnings.add(fmt::format("{}: its instancing is left out: {}", place,
+                           copies ? "it places no copies" : copies.error()));
   return once;
 }
 

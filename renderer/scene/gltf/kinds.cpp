@@ -1,5 +1,7 @@
 #include "renderer/scene/gltf/kinds.h"
 
+#include "renderer/scene/gltf/known_extensions.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -140,21 +142,6 @@ const RulesByName& rules_by_name() {
   return all;
 }
 
-/// "/nodes/3/extensions" as "/nodes/extensions"; the document itself is "/".
-std::string without_numbers(std::string_view place) {
-  if (place.empty()) return "/";
-  std::string kept;
-  while (!place.empty()) {
-    const std::size_t end = std::min(place.find('/', 1), place.size());
-    const std::string_view step = place.substr(0, end);
-    const bool number = step.size() > 1 && std::all_of(step.begin() + 1, step.end(),
-                                                       [](char c) { return c >= '0' && c <= '9'; });
-    if (!number) kept += step;
-    place.remove_prefix(end);
-  }
-  return kept;
-}
-
 bool concerns(const Rule& rule, std::string_view place, const std::string& shape) {
   if (rule.within == core) {
     return place.find("/extensions") == std::string_view::npos &&
@@ -163,8 +150,9 @@ bool concerns(const Rule& rule, std::string_view place, const std::string& shape
   return shape.ends_with(rule.within);
 }
 
+/// `count`: how many; 0: any number, but for none at all.
 bool are_numbers(const json& value, std::size_t count) {
-  return value.is_array() && (count == 0 || value.size() == count) &&
+  return value.is_array() && !value.empty() && (count == 0 || value.size() == count) &&
          std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); });
 }
 
@@ -184,6 +172,7 @@ std::string_view unlike(Kind kind, const json& value) {
     case Kind::list:
       return value.is_array() ? "" : "a list";
     case Kind::objects:
+      if (value.empty()) return "a list with an entry";
       return are_objects(value) ? "" : "a list of objects";
     case Kind::text:
       return value.is_string() ? "" : "a text";

@@ -2,6 +2,8 @@
 
 #include "renderer/scene/gltf/document.h"
 #include "renderer/scene/gltf/kinds.h"
+#include "renderer/scene/gltf/known_extensions.h"
+#include "renderer/scene/gltf/known_properties.h"
 #include "renderer/scene/gltf/tidy_animations.h"
 #include "renderer/scene/gltf/tidy_lights.h"
 #include "renderer/scene/gltf/tidy_values.h"
@@ -19,37 +21,6 @@ namespace asos::gltf {
 using nlohmann::json;
 
 namespace {
-
-constexpr auto supported = std::to_array<std::string_view>({"KHR_lights_punctual",
-                                                            "EXT_lights_area",
-                                                            "EXT_lights_image_based",
-                                                            "KHR_lights_area",
-                                                            "KHR_materials_unlit",
-                                                            "KHR_materials_ior",
-                                                            "KHR_materials_emissive_strength",
-                                                            "KHR_materials_transmission",
-                                                            "KHR_texture_transform",
-                                                            "KHR_mesh_quantization",
-                                                            "KHR_draco_mesh_compression",
-                                                            "EXT_meshopt_compression",
-                                                            "KHR_meshopt_compression",
-                                                            "EXT_mesh_gpu_instancing",
-                                                            "KHR_node_visibility",
-                                                            "MSFT_lod",
-                                                            "KHR_materials_specular",
-                                                            "KHR_implicit_shapes",
-                                                            "ASOS_implicit_shape",
-                                                            "KHR_animation_pointer",
-                                                            "EXT_texture_webp",
-                                                            "KHR_materials_pbrSpecularGlossiness",
-                                                            "KHR_materials_clearcoat",
-                                                            "KHR_materials_sheen",
-                                                            "KHR_materials_variants",
-                                                            "KHR_materials_iridescence",
-                                                            "KHR_materials_anisotropy",
-                                                            "KHR_materials_volume",
-                                                            "KHR_materials_dispersion",
-                                                            "KHR_materials_diffuse_transmission"});
 
 // Properties whose values are indices, and those whose values are sizes.
 constexpr std::array<std::string_view, 17> reference_names = {
@@ -76,23 +47,6 @@ void make_whole(json& value) {
 
 bool is_index(const json& value) {
   return value.is_number_unsigned() && value.get<std::uint64_t>() <= INT_MAX;
-}
-
-/// Where an extension may stand, for those that are often put in the wrong place.
-bool is_misplaced(std::string_view extension, std::string_view place) {
-  const bool at_material =
-      place.starts_with("/materials/") && std::count(place.begin(), place.end(), '/') == 2;
-  const bool in_material = place.starts_with("/materials/") && !at_material;
-  if (extension.starts_with("KHR_materials_variants")) {
-    return !place.empty() && place.find("/primitives/") == std::string_view::npos;
-  }
-  if (extension.starts_with("KHR_materials_")) return !at_material;
-  if (extension == "KHR_texture_transform") return !in_material;
-  if (is_light_extension(extension)) {
-    return !place.empty() && !place.starts_with("/nodes/");
-  }
-  if (extension == "KHR_node_visibility") return !place.starts_with("/nodes/");
-  return false;
 }
 
 std::set<std::string> strings_of(const json& root, const char* name, Warnings& warnings) {
@@ -131,6 +85,7 @@ class Tidier {
     if (!value.is_object()) return {};
     tidy_extras(value, place);
     tidy_extensions(value, place);
+    check_properties(value, place);
     for (auto it = value.begin(); it != value.end();) {
       tidy_kind(it.key(), it.value(), place);
       if (auto r = tidy_number(it.key(), it.value(), place); !r) return r;
@@ -175,13 +130,25 @@ class Tidier {
       }
       if (!it.value().is_object()) {
         warnings_.add(fmt::format("{}/extensions/{} is not an object; ignored", place, name));
-      } else if (is_misplaced(name, place)) {
-        warnings_.add(fmt::format("{}/extensions/{} is out of place; ignored", place, name));
       } else if (supports_extension(name)) {
-        ++it;
-        continue;
+        if (belongs_at(name, place)) {
+          ++it;
+          continue;
+        }
+        warnings_.add(fmt::format("{}/extensions/{} is out of place; ignored", place, name));
       }
       it = found->erase(it);
+    }
+  }
+
+  /// A name that is misspelt is a property that is missed. Each is said once, however often it
+  /// stands.
+  void check_properties(const json& object, const std::string& place) {
+    const std::string shape = without_numbers(place);
+    for (const auto& [name, value] : object.items()) {
+      if (!is_known_property(name, shape))
+        warnings_.add(fmt::format("{} has '{}', which glTF does not know; ignored",
+                                  shape == "/" ? "the file" : shape, name));
     }
   }
 
@@ -283,10 +250,6 @@ bool is_minor_version(std::string_view text) {
 }
 
 }  // namespace
-
-bool supports_extension(std::string_view name) {
-  return is_one_of(name, supported);
-}
 
 Checked<std::vector<std::string>> check_header(const json& root, Warnings& warnings) {
   const auto asset = root.find("asset");

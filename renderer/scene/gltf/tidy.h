@@ -5,13 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace asos::gltf {
-
-/// True for the extensions that the importer honours.
-[[nodiscard]] bool supports_extension(std::string_view name);
 
 /// Faults: no asset version, a version other than 2, or an extension that the file requires and
 /// that is not supported, by name. Returns the optional extensions that are not honoured.

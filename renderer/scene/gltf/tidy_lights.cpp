@@ -38,10 +38,6 @@ bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool is_light_extension(std::string_view name) {
-  return is_one_of(name, light_extensions);
-}
-
 void tidy_extras(json& object, const std::string& place) {
   const auto extras = object.find("extras");
   if (extras == object.end()) return;

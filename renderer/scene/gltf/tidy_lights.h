@@ -11,9 +11,6 @@ namespace asos::gltf {
 /// Whether `names` holds `name`.
 [[nodiscard]] bool is_one_of(std::string_view name, std::span<const std::string_view> names);
 
-/// The extensions whose `lights` a file lists at its root and whose `light` a node refers to.
-[[nodiscard]] bool is_light_extension(std::string_view name);
-
 /// Takes out of an object's extras what is not read: of all that applications put there, only what
 /// concerns lights (LIGHTS.md) and the blur of reflections (MATERIALS.md) stays. `place`: the
 /// object's, as a JSON pointer.

@@ -1,6 +1,6 @@
 #include "renderer/film/image_io.h"
 #include "renderer/scene/gltf/document.h"
-#include "renderer/scene/gltf/images.h"
+#include "renderer/scene/gltf/memory_check.h"
 #include "renderer/scene/load.h"
 #include "renderer/scene/source_files.h"
 #include "tests/renderer/scene/gltf_builder.h"
@@ -118,15 +118,15 @@ TEST(ImportLimits, APictureThatManyImagesNameIsDecodedOnce) {
   EXPECT_EQ(scene->textures.size(), 5u);
 }
 
-TEST(ImportLimits, APictureBeyondWhatIsLeftIsNotDecoded) {
-  const test::TemporaryFolder folder;
-  ASSERT_TRUE(write_png(folder.file("a.png"), RgbImage{2, 2, std::vector<std::uint8_t>(12), {}}));
-  const std::string text = test::content_of(folder.file("a.png"));
-  const std::vector<std::uint8_t> png(text.begin(), text.end());
-  EXPECT_TRUE(gltf::decode_image(png, 4));
-  const auto refused = gltf::decode_image(png, 3);
+TEST(ImportLimits, WhatTheMachineHasNoMemoryForIsRefused) {
+  constexpr std::uint64_t gigabyte = 1'000'000'000;
+  EXPECT_TRUE(gltf::check_memory(2'000'000, 1'000'000, gigabyte));
+  const auto refused = gltf::check_memory(60'000'000, 10, 8 * gigabyte);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().find("the textures would be more"), std::string::npos);
+  EXPECT_NE(refused.error().find("60000000 triangles"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().find("this machine has 8.0 GB"), std::string::npos);
+  EXPECT_FALSE(gltf::check_memory(0, 4'000'000, gigabyte));
+  EXPECT_GT(gltf::memory_of_machine(), gigabyte / 2);
 }
 
 TEST(ImportLimits, EntriesThatSayNothingAreCountedAgainstTheFile) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// Makes an image of the rows of a larger one, from top to bottom: each texel is the mean of shrink
+/// by shrink pixels, channel by channel as they are stored, at the right and lower border of those
+/// that there are.
+class RowMeans {
+ public:
+  /// `shrink`: 1 to 4096, so that sums stay below 2^32.
+  RowMeans(int width, int height, int shrink);
+
+  /// The next row: 4 * width bytes.
+  void add(std::span<const std::uint8_t> rgba);
+  /// The image; of rows that never came, black without alpha.
+  [[nodiscard]] Image take();
+
+ private:
+  void put_row();
+
+  int width_, shrink_, row_ = 0;
+  int rows_summed_ = 0;
+  Image image_;
+  std::vector<std::uint32_t> sums_;  // of the texels of one row
+};
+
+}  // namespace asos
