@@ -3,7 +3,7 @@
 // that makes some scenes quicker may make others slower.
 //
 //   bench_every_scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
-//                     [--only asos|sobol] [--adaptive] [--fresh] [SCENE...]
+//                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [SCENE...]
 //
 // SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
 // scenes and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1
@@ -55,6 +55,7 @@ struct Settings {
   bool keep = false;
   bool fresh = false;
   bool adaptive = false;
+  bool sky_shadows = false;
   std::vector<std::string> scenes;
 };
 
@@ -116,8 +117,8 @@ std::string cache_path(const Settings& settings, const std::string& name) {
   std::string file = name;
   std::replace_if(
       file.begin(), file.end(), [](char c) { return c == '/' || c == ':'; }, '_');
-  return fmt::format("{}/{}-{}x{}-{}", settings.cache, file, settings.size.width,
-                     settings.size.height, settings.reference);
+  return fmt::format("{}/{}-{}x{}-{}{}", settings.cache, file, settings.size.width,
+                     settings.size.height, settings.reference, settings.sky_shadows ? "-sky" : "");
 }
 
 Result<Film> reference_of(const Settings& settings, const std::string& name, Snapshot snapshot) {
@@ -173,7 +174,8 @@ MeasuredLadder ladder_of_asos(RenderSettings settings, const std::vector<int>& l
 Result<Row> measure(const Settings& settings, const NamedScene& named) {
   const auto scene = open_scene(named.source);
   if (!scene) return unexpected(scene.error());
-  const Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  snapshot.settings.shadow.sky = settings.sky_shadows;
   const auto reference = reference_of(settings, named.name, snapshot);
   if (!reference) return unexpected(reference.error());
 
@@ -320,6 +322,7 @@ int main(int argc, char** argv) {
   options.choice("--only", settings.only, {"both", "asos", "sobol"});
   options.flag("--fresh", settings.fresh, "measure the ladder anew though it is in the cache");
   options.flag("--adaptive", settings.adaptive, "beside sobol-adaptive, too");
+  options.flag("--sky-shadows", settings.sky_shadows, "surfaces hide the sky from each other");
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
 
