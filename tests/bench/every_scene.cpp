@@ -59,11 +59,6 @@ struct Settings {
   std::vector<std::string> scenes;
 };
 
-struct NamedScene {
-  std::string name;
-  std::string source;
-};
-
 /// A scene's figures.
 struct Row {
   std::string name;
@@ -80,37 +75,6 @@ struct Ratio {
 
 constexpr int sobol_spp[] = {4, 16, 64, 256};
 constexpr const char* rival_names[] = {"sobol", "sobol-adaptive"};
-
-std::vector<NamedScene> all_scenes() {
-  std::vector<NamedScene> scenes;
-  for (const BuiltinScene& scene : builtin_scenes())
-    scenes.push_back({scene.name, "builtin:" + scene.name});
-  const char* shared = std::getenv("ASOS_SHARED");
-  if (!shared) return scenes;
-  const auto first_model = static_cast<std::ptrdiff_t>(scenes.size());
-  std::error_code unreadable;
-  for (const auto& file : std::filesystem::recursive_directory_iterator(
-           std::filesystem::path(shared) / "scenes", unreadable)) {
-    const std::string ending = file.path().extension().string();
-    if (ending != ".glb" && ending != ".gltf") continue;
-    scenes.push_back({file.path().parent_path().filename().string(), file.path().string()});
-  }
-  std::sort(scenes.begin() + first_model, scenes.end(),
-            [](const NamedScene& a, const NamedScene& b) { return a.name < b.name; });
-  return scenes;
-}
-
-std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen) {
-  const std::vector<NamedScene> all = all_scenes();
-  if (chosen.empty()) return all;
-  std::vector<NamedScene> scenes;
-  for (const std::string& text : chosen) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const NamedScene& scene) { return scene.name == text; });
-    scenes.push_back(found != all.end() ? *found : NamedScene{text, text});
-  }
-  return scenes;
-}
 
 /// What the cache has of a scene lies in files that begin like this.
 std::string cache_path(const Settings& settings, const std::string& name) {
