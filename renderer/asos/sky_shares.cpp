@@ -1,11 +1,13 @@
 #include "renderer/asos/sky_shares.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/sky.h"
 #include "renderer/shading/sky_light.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -13,9 +15,27 @@ namespace {
 // A whole pixel's at first; parts of one get their share of them, but a few.
 constexpr double first_rays = 8.0;
 constexpr std::uint32_t fewest_rays = 2;
-constexpr std::uint32_t most_rays = 1024;
-// What all of a block see is worth so many rays of a leaf's own.
+constexpr std::uint32_t most_rays = 8192;
+// What the pixels around it see is worth so many rays of a leaf's own, and what all of a block see
+// so many of theirs.
 constexpr double rays_of_neighbours = 8.0;
+constexpr double rays_of_block = 8.0;
+
+/// Sums over rays of their errors and the squares of these.
+struct ErrorSums {
+  double rays = 0.0, error = 0.0, error2 = 0.0;
+
+  ErrorSums& operator+=(const ErrorSums& other) {
+    rays += other.rays;
+    error += other.error;
+    error2 += other.error2;
+    return *this;
+  }
+  [[nodiscard]] double variance() const {
+    const double mean = error / rays;
+    return std::max(0.0, error2 / rays - mean * mean);
+  }
+};
 
 bool finite(glm::vec3 v) {
   return std::isfinite(v.x + v.y + v.z);
@@ -28,17 +48,8 @@ SkyShares::SkyShares(const EyeContext& eye)
       bounces_(eye.viewer.shader.settings().bounces),
       places_(eye.seed),
       lights_(eye.scene->rays(), places_),
-      bounced_(*eye.scene, eye.viewer.shader, places_) {}
-
-double SkyShares::Lit::seen() const {
-  return largest(sent) > 0.0 ? std::min(1.0, largest(arrived) / largest(sent)) : 1.0;
-}
-
-// Where most of the sky is seen, the rays tell what of it is hidden.
-glm::dvec3 SkyShares::Lit::mean() const {
-  const double all = rays;
-  if (!open || seen() < 0.5) return arrived / all;
-  return glm::max(glm::dvec3(*open) - (sent - arrived) / all, 0.0);
+      bounced_(*eye.scene, eye.viewer.shader, places_) {
+  packet_->count = 0;
 }
 
 std::uint32_t SkyShares::start(std::uint32_t root, SampleId sample, double weight) {
@@ -47,8 +58,30 @@ std::uint32_t SkyShares::start(std::uint32_t root, SampleId sample, double weigh
 }
 
 void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafContext& leaf) {
-  lit_.push_back({share, point.view.point, point.material, point.view.to_viewer, point.view.n_dot_v,
-                  point.sky, point.mirrors, point.share, leaf.seed, open_sky(point)});
+  SkyLit& lit = lit_.emplace_back();
+  lit.share = share;
+  lit.root = shares_[share].root;
+  lit.weight = shares_[share].weight;
+  lit.at = leaf.at;
+  lit.seed = leaf.seed;
+  lit.point = point.view.point;
+  lit.sheet = eye_->scene->features().sheet(lit.point.triangle);
+  lit.material = point.material;
+  lit.to_viewer = point.view.to_viewer;
+  lit.n_dot_v = point.view.n_dot_v;
+  lit.sky = point.sky;
+  lit.mirrors = point.mirrors;
+  lit.factor = point.share;
+  lit.open = open_sky(point);
+  ViewedMaterial shown = point.material;
+  if (point.mirrors) shown.specular = glm::vec3(0.0f);
+  if (bounces_) {
+    lit.unit = point.share * (shown.diffuse + shown.specular);
+  } else {
+    lit.unit = lit.open ? *lit.open
+                        : point.share * reflected_sky(point.sky, shown, lit.point.shading_normal,
+                                                      lit.to_viewer);
+  }
 }
 
 glm::vec3 SkyShares::at_once(const SkyLitPoint& point, const LeafContext& leaf) {
@@ -58,92 +91,116 @@ glm::vec3 SkyShares::at_once(const SkyLitPoint& point, const LeafContext& leaf) 
 
 // Sends the rays of a surface up to number `end`.
 void SkyShares::send(std::size_t index, std::uint32_t end) {
-  Lit& lit = lit_[index];
+  SkyLit& lit = lit_[index];
+  if (lit.rays >= end) return;
   const ViewedPoint view{lit.point, lit.to_viewer, lit.n_dot_v};
-  const SkyLitPoint point{lit.sky, view, lit.material, lit.mirrors, lit.factor};
-  const SobolPixel places(static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
-                          static_cast<std::uint32_t>(eye_->seed));
+  const SkySampler sampler(lit.lit_point(view));
+  // A leaf has one place, so that directions may take the sequence's first two dimensions.
+  const SobolPixel leaf(static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
+                        static_cast<std::uint32_t>(eye_->seed));
+  SobolPixelPlaces places;
   for (; lit.rays < end; ++lit.rays) {
-    const auto sample = sample_sky(point, places.lobe(lit.rays, lobe_of_sky));
+    const auto sample = sampler.at(places.at(leaf, lit.rays));
     if (!sample) continue;
     if (!finite(sample->carried)) {
       ++eye_->counts->rejected_samples;
       continue;
     }
     lit.sent += glm::dvec3(sample->carried);
-    if (!sample->above) continue;
+    if (!sample->above) {
+      lit.arrive(glm::dvec3(0.0), sample->carried);
+      continue;
+    }
     ++eye_->counts->sky_rays;
-    rays_.push_back(sky_ray(lit.point, *sample));
-    sent_.push_back({index, sample->carried, sample->weight, lit.rays});
+    const std::size_t i = packet_->count++;
+    packet_->rays[i] = sky_ray(lit.point, *sample);
+    packet_->sent[i] = {index, sample->carried, sample->weight, lit.rays};
+    if (packet_->count == Packet::size) trace();
   }
 }
 
 void SkyShares::trace() {
   if (bounces_) return trace_bounces();
-  passed_.resize(rays_.size());
-  eye_->scene->rays().transmittance(rays_, passed_);
-  for (std::size_t i = 0; i < sent_.size(); ++i)
-    lit_[sent_[i].lit].arrived += glm::dvec3(passed_[i]) * glm::dvec3(sent_[i].carried);
-  rays_.clear();
-  sent_.clear();
+  Packet& packet = *packet_;
+  const std::size_t count = std::exchange(packet.count, 0);
+  eye_->scene->rays().transmittance(std::span(packet.rays).first(count), packet.passed);
+  for (std::size_t i = 0; i < count; ++i)
+    lit_[packet.sent[i].lit].arrive(
+        glm::dvec3(packet.passed[i]) * glm::dvec3(packet.sent[i].carried), packet.sent[i].carried);
 }
 
 // What a ray brings takes the place of the sky's share; its sum is of its own, for their spread.
 void SkyShares::trace_bounces() {
+  const std::size_t count = std::exchange(packet_->count, 0);
   sky_rays_.clear();
-  for (std::size_t i = 0; i < sent_.size(); ++i) {
-    const std::uint64_t seed = lit_[sent_[i].lit].seed;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Sent& sent = packet_->sent[i];
+    const std::uint64_t seed = lit_[sent.lit].seed;
     const SampleIndex sample{static_cast<int>(seed >> 32), static_cast<int>(seed),
-                             static_cast<int>(sent_[i].number)};
-    sky_rays_.push_back({rays_[i], sent_[i].weight, sample, i});
+                             static_cast<int>(sent.number)};
+    sky_rays_.push_back({packet_->rays[i], sent.weight, sample, i});
   }
-  brought_.assign(sent_.size(), glm::dvec3(0.0));
+  brought_.assign(count, glm::dvec3(0.0));
   bounced_.follow(sky_rays_, lights_, brought_, *eye_->counts);
   lights_.trace(brought_, *eye_->counts);
-  for (std::size_t i = 0; i < sent_.size(); ++i) {
-    Lit& lit = lit_[sent_[i].lit];
-    lit.arrived += brought_[i];
-    glm::dvec3 off = brought_[i];
-    if (lit.open) off -= glm::dvec3(sent_[i].carried);
-    const double error = std::min(1.0, (off.x + off.y + off.z) / 3.0);
-    lit.error += error;
-    lit.error2 += error * error;
-  }
-  rays_.clear();
-  sent_.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    lit_[packet_->sent[i].lit].arrive(brought_[i], packet_->sent[i].carried);
 }
 
-// Of what one ray brings: as its own rays and its neighbours' tell it.
-double SkyShares::spread(const Lit& lit, const Neighbours& neighbours) const {
-  const double all = lit.rays + rays_of_neighbours;
-  if (bounces_) {
-    const double own = lit.error2 - lit.error * lit.error / lit.rays;
-    return std::sqrt(std::max(0.0, (own + rays_of_neighbours * neighbours.variance) / all));
-  }
-  const double seen = (lit.rays * lit.seen() + rays_of_neighbours * neighbours.seen) / all;
-  return std::min(1.0, largest(lit.sent) / lit.rays) *
-         std::sqrt(std::max(0.0, seen * (1.0 - seen)));
+// What a leaf's own rays and those of its neighbours tell. Its rays are so many that their mean
+// errs by no more than its weight allows.
+SkyCourses::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours) const {
+  if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return {};
+  const double variance =
+      (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
+  const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
+  const double error = eye_->budget.standard_error(lit.weight) / unit;
+  const double rays = SkyLit::rays_for(variance, error * error);
+  return {variance,
+          std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, double{most_rays})))};
 }
 
-// So many that their mean errs by no more than the leaf's weight allows. The error falls with the
-// power 3/4 of their number.
-std::uint32_t SkyShares::rays_of(const Lit& lit, const Neighbours& neighbours) const {
-  if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return 0;
-  const double error = eye_->budget.standard_error(shares_[lit.share].weight);
-  const double rays = std::pow(spread(lit, neighbours) / error, 4.0 / 3.0);
-  return std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, double{most_rays})));
+// The pixels around one see about as much as it does, and all of the block a little: as one ray
+// more would have it that is half hidden.
+void SkyShares::expect() {
+  const int side = std::max(1, static_cast<int>(std::lround(1.0f / eye_->root_side())));
+  const auto place = [&](const SkyLit& lit) {
+    return glm::clamp(glm::ivec2(lit.at * static_cast<float>(side)), 0, side - 1);
+  };
+  const auto index = [side](int x, int y) { return static_cast<std::size_t>(y * side + x); };
+  ErrorSums block{1.0, 0.5, 0.5};
+  std::vector<ErrorSums> pixels(index(0, side));
+  for (const SkyLit& lit : lit_) {
+    const glm::ivec2 at = place(lit);
+    const ErrorSums sums{static_cast<double>(lit.rays), lit.error, lit.error2};
+    block += sums;
+    pixels[index(at.x, at.y)] += sums;
+  }
+  expected_.clear();
+  for (const SkyLit& lit : lit_) {
+    const glm::ivec2 at = place(lit);
+    const double rays = rays_of_block / block.rays;
+    ErrorSums around{rays * block.rays, rays * block.error, rays * block.error2};
+    for (int y = std::max(0, at.y - 1); y <= std::min(side - 1, at.y + 1); ++y)
+      for (int x = std::max(0, at.x - 1); x <= std::min(side - 1, at.x + 1); ++x)
+        around += pixels[index(x, y)];
+    expected_.push_back(expected(lit, around.variance()));
+  }
 }
 
-// As one ray more would have it that is half hidden.
-SkyShares::Neighbours SkyShares::neighbours() const {
-  double rays = 1.0, seen = 0.5, squares = 0.0;
-  for (const Lit& lit : lit_) {
-    if (lit.rays == 0) continue;
-    rays += lit.rays;
-    seen += lit.rays * lit.seen();
-    squares += lit.error2 - lit.error * lit.error / lit.rays;
+void SkyShares::share_surfaces() {
+  const SkyCourses courses(lit_, expected_, eye_->budget.standard_error(1.0));
+  std::vector<SkyCourses::Cell> cells = courses.cells(), parts;
+  while (!cells.empty()) {
+    std::erase_if(cells, [&](SkyCourses::Cell& cell) { return !courses.choose_nodes(cell); });
+    for (const SkyCourses::Cell& cell : cells)
+      for (const std::uint32_t node : cell.nodes) send(node, cell.node_rays);
+    trace();
+    parts.clear();
+    for (const SkyCourses::Cell& cell : cells)
+      if (!courses.tell(cell)) courses.divide(cell, parts);
+    cells.swap(parts);
   }
-  return {seen / rays, squares / rays};
 }
 
 std::span<const SkyShares::Share> SkyShares::run() {
@@ -152,11 +209,12 @@ std::span<const SkyShares::Share> SkyShares::run() {
     if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));
   }
   trace();
-  const Neighbours all = neighbours();
+  expect();
+  if (!eye_->mask) share_surfaces();
   for (std::size_t i = 0; i < lit_.size(); ++i)
-    if (held(lit_[i])) send(i, rays_of(lit_[i], all));
+    if (held(lit_[i]) && !lit_[i].told) send(i, expected_[i].rays);
   trace();
-  for (const Lit& lit : lit_) {
+  for (const SkyLit& lit : lit_) {
     if (!held(lit)) continue;
     Share& share = shares_[lit.share];
     share.radiance += share.weight * lit.mean();

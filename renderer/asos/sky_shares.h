@@ -2,7 +2,10 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/sky_courses.h"
+#include "renderer/asos/sky_lit.h"
 #include "renderer/samples/bounced_light.h"
+#include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sobol_places.h"
 #include "renderer/sampling/sobol_points.h"
@@ -11,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,9 +24,10 @@
 namespace asos {
 
 /// What the leaves of a block get of the sky: by rays in directions that are well distributed over
-/// each leaf's hemisphere, first a few, then as many as its share of the sky makes worth while.
-/// Where all of the sky's light is known in closed form, rays find out what is hidden of it. With
-/// bounces, they bring what hides it instead (BouncedLight). The rays of all leaves share packets.
+/// each leaf's hemisphere, first a few, then as many as its share of the sky makes worth while,
+/// unless others of its surface tell what it gets (SkyCourses). Where all of the sky's light is
+/// known in closed form, rays find out what is hidden of it. With bounces, they bring what hides it
+/// instead (BouncedLight). The rays of all leaves share packets.
 class SkyShares {
  public:
   /// `eye` has to outlive this.
@@ -52,56 +57,36 @@ class SkyShares {
   std::span<const Share> run();
 
  private:
-  /// A surface, and what its rays have found so far.
-  struct Lit {
-    std::uint32_t share = 0;
-    SurfacePoint point;
-    ViewedMaterial material;
-    glm::vec3 to_viewer{0.0f};
-    float n_dot_v = 1.0f;
-    const Sky* sky = nullptr;
-    bool mirrors = false;
-    glm::vec3 factor{1.0f};
-    std::uint64_t seed = 0;           ///< its own
-    std::optional<glm::vec3> open{};  ///< all of the sky's light, if nothing hid it
-    std::uint32_t rays = 0;
-    glm::dvec3 arrived{0.0};  ///< of all rays
-    glm::dvec3 sent{0.0};     ///< if nothing were in the way
-    double error = 0.0;       ///< of one ray, whose sum is `mean`'s: their sum and that of squares
-    double error2 = 0.0;
-
-    /// The share of what its rays would carry that arrives; 1 where they carry nothing.
-    [[nodiscard]] double seen() const;
-    /// All that arrives.
-    [[nodiscard]] glm::dvec3 mean() const;
-  };
   struct Sent {
     std::size_t lit = 0;
     glm::vec3 carried{0.0f};
     glm::vec3 weight{0.0f};
     std::uint32_t number = 0;  // of the surface's rays
   };
-  [[nodiscard]] bool held(const Lit& lit) const { return shares_[lit.share].sample != no_sample; }
+  /// Rays on their way, a packet after the other: so few that they stay in the cache.
+  struct Packet {
+    static constexpr std::size_t size = 1024;
+    std::size_t count = 0;
+    std::array<Ray, size> rays;
+    std::array<Sent, size> sent;
+    std::array<glm::vec3, size> passed;
+  };
+  [[nodiscard]] bool held(const SkyLit& lit) const {
+    return shares_[lit.share].sample != no_sample;
+  }
   void send(std::size_t index, std::uint32_t end);
   void trace();
   void trace_bounces();
-  /// What a block's surfaces tell of each other.
-  struct Neighbours {
-    double seen = 0.5;       ///< share of the sky
-    double variance = 0.25;  ///< of what a ray brings, with bounces
-  };
-  [[nodiscard]] Neighbours neighbours() const;
-  [[nodiscard]] double spread(const Lit& lit, const Neighbours& neighbours) const;
-  [[nodiscard]] std::uint32_t rays_of(const Lit& lit, const Neighbours& neighbours) const;
+  void share_surfaces();
+  void expect();
+  [[nodiscard]] SkyCourses::Expected expected(const SkyLit& lit, double of_neighbours) const;
 
   const EyeContext* eye_;
   std::vector<Share> shares_;
   std::vector<Share> done_;
-  std::vector<Lit> lit_;
-  // Rays on their way.
-  std::vector<Ray> rays_;
-  std::vector<Sent> sent_;
-  std::vector<glm::vec3> passed_;
+  std::vector<SkyLit> lit_;
+  std::vector<SkyCourses::Expected> expected_;  // of each
+  Recycled<Packet> packet_ = Recycler<Packet>::make();
   // With bounces, what they bring.
   bool bounces_;
   SobolPlaces places_;

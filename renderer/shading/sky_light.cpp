@@ -116,62 +116,73 @@ float lobe_density(glm::vec3 v, glm::vec3 half, glm::vec2 alpha) {
 
 }  // namespace
 
-std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) {
-  const ViewedMaterial& material = point.material;
-  const bool picture = point.sky && point.sky->is_picture();
-  const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : material.specular;
+SkySampler::SkySampler(const SkyLitPoint& point)
+    : sky_(point.sky),
+      material_(point.material),
+      factor_(point.share),
+      geometric_normal_(point.view.point.geometric_normal),
+      alpha_(alpha_of(point.material)),
+      picture_(point.sky && point.sky->is_picture()),
+      sheen_(point.material.sheen > 0.0f) {
+  const Tangents tangents(point.view.point.shading_normal, material_.stretch);
+  right_ = tangents.right;
+  up_ = tangents.up;
+  normal_ = tangents.normal;
+  viewer_ = local(point.view.to_viewer);
+  viewer_.z = std::max(viewer_.z, grazing_cosine);
   // The share of each kind of direction.
-  const bool sheen = material.sheen > 0.0f;
-  const float by_diffuse = largest(sheen ? material.ambient : material.diffuse);
-  const float by_lobe = largest(specular);
-  const float by_picture = picture ? by_diffuse + by_lobe : 0.0f;
+  const float by_diffuse = largest(sheen_ ? material_.ambient : material_.diffuse);
+  const float by_lobe = point.mirrors ? 0.0f : largest(material_.specular);
+  const float by_picture = picture_ ? by_diffuse + by_lobe : 0.0f;
   const float sum = by_diffuse + by_lobe + by_picture;
-  if (!(sum > 0.0f)) return std::nullopt;
-  const std::array<float, 3> share{by_diffuse / sum, by_lobe / sum, by_picture / sum};
+  reflects_ = sum > 0.0f;
+  if (reflects_) share_ = {by_diffuse / sum, by_lobe / sum, by_picture / sum};
+}
 
-  const Tangents tangents(point.view.point.shading_normal, material.stretch);
-  glm::vec3 viewer = tangents.local(point.view.to_viewer);
-  viewer.z = std::max(viewer.z, grazing_cosine);
-  const glm::vec2 alpha = alpha_of(material);
-  // Choose one of them, and the direction.
+// Chooses one of the kinds, and a direction of it, in the surface's frame.
+glm::vec3 SkySampler::direction_of(glm::dvec2 place) const {
   auto first = static_cast<float>(place.x);
   const auto second = static_cast<float>(place.y);
-  glm::vec3 direction;
-  if (first < share[0]) {
-    direction = by_cosine({first / share[0], second});
-  } else if (!picture || first < share[0] + share[1]) {
-    first = std::min((first - share[0]) / share[1], 1.0f - 0x1p-24f);
-    const glm::vec3 half = visible_normal(viewer, alpha, {first, second});
-    direction = glm::reflect(-viewer, half);
-  } else {
-    const double rest =
-        (place.x - static_cast<double>(share[0] + share[1])) / static_cast<double>(share[2]);
-    const SkyDirection bright = point.sky->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
-    direction = tangents.local(glm::vec3(bright.direction));
+  if (first < share_[0]) return by_cosine({first / share_[0], second});
+  if (!picture_ || first < share_[0] + share_[1]) {
+    first = std::min((first - share_[0]) / share_[1], 1.0f - 0x1p-24f);
+    return glm::reflect(-viewer_, visible_normal(viewer_, alpha_, {first, second}));
   }
+  const double rest =
+      (place.x - static_cast<double>(share_[0] + share_[1])) / static_cast<double>(share_[2]);
+  const SkyDirection bright = sky_->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
+  return local(glm::vec3(bright.direction));
+}
+
+std::optional<SkySample> SkySampler::at(glm::dvec2 place) const {
+  if (!reflects_) return std::nullopt;
+  const glm::vec3 direction = direction_of(place);
   if (!(direction.z > 0.0f)) return std::nullopt;
   SkySample sample;
-  sample.direction = tangents.world(direction);
-  sample.above = glm::dot(sample.direction, point.view.point.geometric_normal) > 0.0f;
+  sample.direction = world(direction);
+  sample.above = glm::dot(sample.direction, geometric_normal_) > 0.0f;
 
   // Its light over the density of all of them.
-  float density = share[0] * direction.z * std::numbers::inv_pi_v<float>;
-  glm::vec3 reflected = diffuse_brdf(material, schlick_weight(viewer, direction));
-  if (share[1] > 0.0f || sheen) {
-    const glm::vec3 half = glm::normalize(direction + viewer);
-    const BrdfAngles angles{direction.z, viewer.z, half.z, glm::dot(viewer, half)};
-    if (!sheen) density += share[1] * lobe_density(viewer, half, alpha);
-    const float lobe = material.stretch.none() ? lobe_of(material, angles)
-                                               : stretched_lobe(alpha, half, direction, viewer);
-    reflected += specular_brdf(material, angles, lobe);
+  float density = share_[0] * direction.z * std::numbers::inv_pi_v<float>;
+  glm::vec3 reflected = diffuse_brdf(
+      material_, material_.falloff == 0.0f ? 0.0f : schlick_weight(viewer_, direction));
+  if (share_[1] > 0.0f || sheen_) {
+    const glm::vec3 half = glm::normalize(direction + viewer_);
+    const BrdfAngles angles{direction.z, viewer_.z, half.z, glm::dot(viewer_, half)};
+    if (!sheen_) density += share_[1] * lobe_density(viewer_, half, alpha_);
+    const float lobe = material_.stretch.none() ? lobe_of(material_, angles)
+                                                : stretched_lobe(alpha_, half, direction, viewer_);
+    reflected += specular_brdf(material_, angles, lobe);
   }
-  if (picture)
-    density += share[2] * static_cast<float>(point.sky->bright_density(sample.direction));
-  const glm::vec3 radiance =
-      point.sky ? point.sky->radiance(sample.direction) : background_radiance;
-  sample.weight = point.share * reflected * (direction.z / density);
+  if (picture_) density += share_[2] * static_cast<float>(sky_->bright_density(sample.direction));
+  const glm::vec3 radiance = sky_ ? sky_->radiance(sample.direction) : background_radiance;
+  sample.weight = factor_ * reflected * (direction.z / density);
   sample.carried = sample.weight * radiance;
   return sample;
+}
+
+std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) {
+  return SkySampler(point).at(place);
 }
 
 Ray sky_ray(const SurfacePoint& point, const SkySample& sample) {

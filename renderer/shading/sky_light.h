@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <optional>
 
 namespace asos {
@@ -20,10 +21,43 @@ struct SkySample {
   bool above = true;          ///< the surface itself does not lie there
 };
 
-/// One direction of a surface's whole reflection of the sky: its mean over `place` in the unit
-/// square is the integral of radiance, BRDF and cosine over the hemisphere. Directions come by the
-/// cosine, by the lobe (visible normals: Heitz 2018) and of pictures by their radiance, weighed by
-/// the balance heuristic (Veach and Guibas 1995). None: it carries nothing.
+/// Directions of a surface's whole reflection of the sky: the mean over places in the unit square
+/// is the integral of radiance, BRDF and cosine over the hemisphere. Directions come by the cosine,
+/// by the lobe (visible normals: Heitz 2018) and of pictures by their radiance, weighed by the
+/// balance heuristic (Veach and Guibas 1995). Keeps what does not depend on the place, for who asks
+/// often.
+class SkySampler {
+ public:
+  explicit SkySampler(const SkyLitPoint& point);
+
+  /// Whether the surface reflects anything of the sky.
+  [[nodiscard]] bool reflects() const { return reflects_; }
+  /// That of a place. None: it carries nothing.
+  [[nodiscard]] std::optional<SkySample> at(glm::dvec2 place) const;
+
+ private:
+  [[nodiscard]] glm::vec3 world(glm::vec3 v) const {
+    return v.x * right_ + v.y * up_ + v.z * normal_;
+  }
+  [[nodiscard]] glm::vec3 local(glm::vec3 v) const {
+    return {glm::dot(v, right_), glm::dot(v, up_), glm::dot(v, normal_)};
+  }
+  [[nodiscard]] glm::vec3 direction_of(glm::dvec2 place) const;
+
+  const Sky* sky_;
+  ViewedMaterial material_;
+  glm::vec3 factor_;
+  glm::vec3 geometric_normal_;
+  glm::vec3 right_, up_, normal_;  ///< of its own frame
+  glm::vec3 viewer_;               ///< in it
+  glm::vec2 alpha_;
+  bool reflects_ = false;
+  bool picture_ = false;
+  bool sheen_ = false;
+  std::array<float, 3> share_{};  ///< of directions by the cosine, the lobe, the picture
+};
+
+/// The sampler's direction of one place.
 [[nodiscard]] std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place);
 
 /// From the surface in the sample's direction.

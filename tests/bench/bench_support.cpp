@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -41,6 +43,41 @@ Snapshot snapshot_of(SharedScene scene, int width, int height) {
   snapshot.settings.height = height;
   snapshot.settings.threads = 2;
   return snapshot;
+}
+
+namespace {
+
+std::vector<NamedScene> all_scenes() {
+  std::vector<NamedScene> scenes;
+  for (const BuiltinScene& scene : builtin_scenes())
+    scenes.push_back({scene.name, "builtin:" + scene.name});
+  const char* shared = std::getenv("ASOS_SHARED");
+  if (!shared) return scenes;
+  const auto first_model = static_cast<std::ptrdiff_t>(scenes.size());
+  std::error_code unreadable;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(
+           std::filesystem::path(shared) / "scenes", unreadable)) {
+    const std::string ending = file.path().extension().string();
+    if (ending != ".glb" && ending != ".gltf") continue;
+    scenes.push_back({file.path().parent_path().filename().string(), file.path().string()});
+  }
+  std::sort(scenes.begin() + first_model, scenes.end(),
+            [](const NamedScene& a, const NamedScene& b) { return a.name < b.name; });
+  return scenes;
+}
+
+}  // namespace
+
+std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen) {
+  const std::vector<NamedScene> all = all_scenes();
+  if (chosen.empty()) return all;
+  std::vector<NamedScene> scenes;
+  for (const std::string& text : chosen) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const NamedScene& scene) { return scene.name == text; });
+    scenes.push_back(found != all.end() ? *found : NamedScene{text, text});
+  }
+  return scenes;
 }
 
 Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {

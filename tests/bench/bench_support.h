@@ -39,6 +39,14 @@ class Times {
   std::vector<double> cpu_;
 };
 
+struct NamedScene {
+  std::string name;
+  std::string source;
+};
+/// By names, or by what `asos render` opens; of none, all built-in scenes and all models in
+/// $ASOS_SHARED/scenes.
+[[nodiscard]] std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen);
+
 [[nodiscard]] Result<SharedScene> open_scene(const std::string& source);
 
 /// All of a picture from the scene's first camera, or from one that frames it; no coarse passes.

@@ -3,7 +3,7 @@
 // that makes some scenes quicker may make others slower.
 //
 //   bench_every_scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
-//                     [--only asos|sobol] [--adaptive] [--fresh] [SCENE...]
+//                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [SCENE...]
 //
 // SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
 // scenes and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1
@@ -55,12 +55,8 @@ struct Settings {
   bool keep = false;
   bool fresh = false;
   bool adaptive = false;
+  bool sky_shadows = false;
   std::vector<std::string> scenes;
-};
-
-struct NamedScene {
-  std::string name;
-  std::string source;
 };
 
 /// A scene's figures.
@@ -80,44 +76,13 @@ struct Ratio {
 constexpr int sobol_spp[] = {4, 16, 64, 256};
 constexpr const char* rival_names[] = {"sobol", "sobol-adaptive"};
 
-std::vector<NamedScene> all_scenes() {
-  std::vector<NamedScene> scenes;
-  for (const BuiltinScene& scene : builtin_scenes())
-    scenes.push_back({scene.name, "builtin:" + scene.name});
-  const char* shared = std::getenv("ASOS_SHARED");
-  if (!shared) return scenes;
-  const auto first_model = static_cast<std::ptrdiff_t>(scenes.size());
-  std::error_code unreadable;
-  for (const auto& file : std::filesystem::recursive_directory_iterator(
-           std::filesystem::path(shared) / "scenes", unreadable)) {
-    const std::string ending = file.path().extension().string();
-    if (ending != ".glb" && ending != ".gltf") continue;
-    scenes.push_back({file.path().parent_path().filename().string(), file.path().string()});
-  }
-  std::sort(scenes.begin() + first_model, scenes.end(),
-            [](const NamedScene& a, const NamedScene& b) { return a.name < b.name; });
-  return scenes;
-}
-
-std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen) {
-  const std::vector<NamedScene> all = all_scenes();
-  if (chosen.empty()) return all;
-  std::vector<NamedScene> scenes;
-  for (const std::string& text : chosen) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const NamedScene& scene) { return scene.name == text; });
-    scenes.push_back(found != all.end() ? *found : NamedScene{text, text});
-  }
-  return scenes;
-}
-
 /// What the cache has of a scene lies in files that begin like this.
 std::string cache_path(const Settings& settings, const std::string& name) {
   std::string file = name;
   std::replace_if(
       file.begin(), file.end(), [](char c) { return c == '/' || c == ':'; }, '_');
-  return fmt::format("{}/{}-{}x{}-{}", settings.cache, file, settings.size.width,
-                     settings.size.height, settings.reference);
+  return fmt::format("{}/{}-{}x{}-{}{}", settings.cache, file, settings.size.width,
+                     settings.size.height, settings.reference, settings.sky_shadows ? "-sky" : "");
 }
 
 Result<Film> reference_of(const Settings& settings, const std::string& name, Snapshot snapshot) {
@@ -173,7 +138,8 @@ MeasuredLadder ladder_of_asos(RenderSettings settings, const std::vector<int>& l
 Result<Row> measure(const Settings& settings, const NamedScene& named) {
   const auto scene = open_scene(named.source);
   if (!scene) return unexpected(scene.error());
-  const Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  snapshot.settings.shadow.sky = settings.sky_shadows;
   const auto reference = reference_of(settings, named.name, snapshot);
   if (!reference) return unexpected(reference.error());
 
@@ -320,6 +286,7 @@ int main(int argc, char** argv) {
   options.choice("--only", settings.only, {"both", "asos", "sobol"});
   options.flag("--fresh", settings.fresh, "measure the ladder anew though it is in the cache");
   options.flag("--adaptive", settings.adaptive, "beside sobol-adaptive, too");
+  options.flag("--sky-shadows", settings.sky_shadows, "surfaces hide the sky from each other");
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
 

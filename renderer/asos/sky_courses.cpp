@@ -1,0 +1,172 @@
+#include "renderer/asos/sky_courses.h"
+
+#include "renderer/asos/course.h"
+#include "renderer/geometry/bounds2.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace asos {
+namespace {
+
+// Fewer take rays of their own.
+constexpr std::size_t fewest_lits = 14;
+// Courses through nodes save so many times what they cost, at least.
+constexpr double least_gain = 1.3;
+constexpr int nodes_along = 3;
+// What nodes are off by, all are off by together, so that it has to be less than what a pixel may
+// be off by itself.
+constexpr double share_of_error = 0.5;
+// How far nodes may lie off their course: so far that one of twenty courses that noise alone bends
+// is given up.
+constexpr double most_misfit = 2.5;
+// How many standard errors a leaf's few rays, and all of them together, may lie off it.
+constexpr double most_off = 4.0, most_off_together = 3.0;
+
+double sum(glm::dvec3 v) {
+  return v.x + v.y + v.z;
+}
+
+Bounds2 box_of(std::span<const SkyLit> lits, const SkyCourses::Cell& cell) {
+  Bounds2 box{glm::vec2(1.0f), glm::vec2(0.0f)};
+  for (const std::uint32_t i : cell.lits) {
+    box.lo = glm::min(box.lo, lits[i].at);
+    box.hi = glm::max(box.hi, lits[i].at);
+  }
+  return box;
+}
+
+}  // namespace
+
+// One connected surface, bent by 25 degrees at most, whose places lie next to each other: no step
+// up or down lies between.
+bool SkyCourses::alike(const SkyLit& a, const SkyLit& b) const {
+  constexpr float least_cosine = 0.9f, steepest = 0.5f;
+  if (a.sheet != b.sheet || a.mirrors != b.mirrors) return false;
+  if (glm::dot(a.point.shading_normal, b.point.shading_normal) < least_cosine) return false;
+  const glm::vec3 between = b.point.position - a.point.position;
+  return std::abs(glm::dot(between, a.point.geometric_normal)) <= steepest * glm::length(between);
+}
+
+std::vector<SkyCourses::Cell> SkyCourses::cells() const {
+  constexpr std::size_t most_cells = 32;
+  std::vector<Cell> cells;
+  for (std::uint32_t i = 0; i < lits_.size(); ++i) {
+    const SkyLit& lit = lits_[i];
+    // What only shines shows a part of the sky of its own.
+    if (lit.rays == 0 || lit.material.diffuse == glm::vec3(0.0f)) continue;
+    if (!(std::min({lit.unit.x, lit.unit.y, lit.unit.z}) > 0.0f)) continue;
+    const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+      return alike(lits_[cell.lits.front()], lit);
+    });
+    if (found != cells.end()) {
+      found->lits.push_back(i);
+    } else if (cells.size() < most_cells) {
+      cells.push_back({{i}, {}, 0});
+    }
+  }
+  std::erase_if(cells, [](const Cell& cell) { return cell.lits.size() < fewest_lits; });
+  return cells;
+}
+
+// So many that a pixel's part of the surface is known as well as its weight deserves.
+std::uint32_t SkyCourses::rays_of_nodes(const Cell& cell) const {
+  double weight = 0.0, variance = 0.0, unit = 0.0;
+  std::uint32_t roots = 0, last = ~0u;
+  for (const std::uint32_t i : cell.lits) {
+    weight += lits_[i].weight;
+    variance += lits_[i].weight * expected_[i].variance;
+    unit = std::max(unit, std::min(1.0, static_cast<double>(largest(lits_[i].unit))));
+    if (lits_[i].root != last) ++roots;
+    last = lits_[i].root;
+  }
+  const double share = std::min(1.0, weight / roots);
+  const double error = share_of_error * standard_error_ / (unit * std::sqrt(share));
+  const double rays = SkyLit::rays_for(variance / weight, error * error);
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(rays), 1.0, 1e4));
+}
+
+bool SkyCourses::choose_nodes(Cell& cell) const {
+  cell.nodes.clear();
+  if (cell.lits.size() < fewest_lits) return false;
+  const Bounds2 box = box_of(lits_, cell);
+  for (int k = 0; k < nodes_along * nodes_along; ++k) {
+    const glm::vec2 share(static_cast<float>(k % nodes_along) / (nodes_along - 1),
+                          static_cast<float>(k / nodes_along) / (nodes_along - 1));
+    const glm::vec2 place = glm::mix(box.lo, box.hi, share);
+    const auto distance = [&](std::uint32_t i) {
+      const glm::vec2 off = lits_[i].at - place;
+      return glm::dot(off, off);
+    };
+    const std::uint32_t nearest =
+        *std::min_element(cell.lits.begin(), cell.lits.end(),
+                          [&](auto a, auto b) { return distance(a) < distance(b); });
+    if (std::find(cell.nodes.begin(), cell.nodes.end(), nearest) == cell.nodes.end())
+      cell.nodes.push_back(nearest);
+  }
+  if (cell.nodes.size() < Course::fewest) return false;
+  // Compare what all would take with what the nodes take.
+  cell.node_rays = rays_of_nodes(cell);
+  const auto missing = [&](std::uint32_t i, std::uint32_t wanted) {
+    return wanted > lits_[i].rays ? wanted - lits_[i].rays : 0u;
+  };
+  double alone = 0.0, shared = 0.0;
+  for (const std::uint32_t i : cell.lits) alone += missing(i, expected_[i].rays);
+  for (const std::uint32_t i : cell.nodes) shared += missing(i, cell.node_rays);
+  return alone > least_gain * shared;
+}
+
+// Of what a leaf's rays tell, and of a bend that nobody sees.
+double SkyCourses::variance(std::uint32_t lit) const {
+  const double unseen = 0.25 * standard_error_ / sum(glm::dvec3(lits_[lit].unit)) * 3.0;
+  return SkyLit::variance_of_mean(expected_[lit].variance, lits_[lit].rays) + unseen * unseen;
+}
+
+bool SkyCourses::tell(const Cell& cell) const {
+  std::array<KnownValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
+  for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
+    const SkyLit& node = lits_[cell.nodes[k]];
+    known[k] = {glm::dvec2(node.at), node.mean() / glm::dvec3(node.unit), variance(cell.nodes[k])};
+  }
+  const auto course = Course::through(std::span(known).first(cell.nodes.size()));
+  if (!course || course->misfit() > most_misfit) return false;
+  // Ask the others.
+  double off = 0.0, certainty = 0.0;
+  std::vector<std::uint32_t> agreeing;
+  for (const std::uint32_t i : cell.lits) {
+    const SkyLit& lit = lits_[i];
+    const double by = sum(lit.mean() / glm::dvec3(lit.unit) - course->at(glm::dvec2(lit.at))) / 3.0;
+    const double noise = variance(i);
+    off += by / noise;
+    certainty += 1.0 / noise;
+    if (by * by <= most_off * most_off * noise) agreeing.push_back(i);
+  }
+  constexpr double most_contradict = 0.1;
+  const auto count = static_cast<double>(cell.lits.size());
+  if (off * off > most_off_together * most_off_together * certainty ||
+      static_cast<double>(agreeing.size()) < (1.0 - most_contradict) * count)
+    return false;
+  for (const std::uint32_t i : agreeing) {
+    SkyLit& lit = lits_[i];
+    lit.told = glm::dvec3(lit.unit) * glm::max(course->at(glm::dvec2(lit.at)), 0.0);
+  }
+  return true;
+}
+
+void SkyCourses::divide(const Cell& cell, std::vector<Cell>& quarters) const {
+  const Bounds2 box = box_of(lits_, cell);
+  const glm::vec2 middle = glm::mix(box.lo, box.hi, 0.5f);
+  std::array<Cell, 4> parts;
+  for (const std::uint32_t i : cell.lits) {
+    const glm::vec2 at = lits_[i].at;
+    parts[(at.x > middle.x ? 1u : 0u) + (at.y > middle.y ? 2u : 0u)].lits.push_back(i);
+  }
+  for (Cell& part : parts)
+    if (part.lits.size() >= fewest_lits) quarters.push_back(std::move(part));
+}
+
+}  // namespace asos
