@@ -87,7 +87,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   ShadowWorkspace& work = *block.work;
   const SurfacePoint& point = query.lit.point;
   const Bounds2 box = bounds_of(query.leaf.region);
-  const Receiver middle = receiver_above(point);
+  const Receiver middle = receiver_above(point, query.lit.light);
   work.receivers.assign(end - first, std::nullopt);
   // A surface seen through another one has no patch.
   if (query.lit.layer > 0) {
@@ -122,7 +122,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   for (std::size_t k = 0; k < work.places.size(); ++k) {
     const SurfacePoint& seen = work.seen[k];
     if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet) continue;
-    work.receivers[work.place_of[k]] = receiver_above(seen);
+    work.receivers[work.place_of[k]] = receiver_above(seen, query.lit.light);
   }
 }
 
