@@ -96,6 +96,9 @@ TEST(MovedValues, WhatShowsLaterHasItsTexturesAndTangents) {
   aim(b, "/materials/0/extensions/KHR_materials_sheen/sheenColorFactor",
       b.vec3({{0, 0, 0}, {1, 1, 1}}));
   aim(b, "/materials/0/extensions/KHR_materials_anisotropy/anisotropyStrength", b.scalars({0, 1}));
+  // A texture of its own, which nothing shows at rest.
+  b.json["textures"].push_back({{"source", 0}});
+  b.json["materials"][0]["extensions"]["KHR_materials_sheen"]["sheenColorTexture"]["index"] = 1;
   // Tangents are those of the normal map's or the lobe's own texture coordinates.
   b.json["materials"][0]["extensions"]["KHR_materials_anisotropy"]["anisotropyTexture"] = {
       {"index", 0}};

@@ -198,8 +198,9 @@ TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
     EXPECT_LT(rms(texels, 6.28f), 0.012) << texels;
 }
 
-// Patches of about a texel, aslant to an edge that is aslant itself: the texels' own steps show in
-// them, as they do in a picture that shows a texel in each pixel.
+// Patches of less than a texel that lie aslant along an edge which is aslant itself: the texels'
+// own steps show in them, as they do where triangles end at such an edge in a picture that shows
+// about a texel in each pixel.
 TEST(TextureFilter, SmallPatchesSeeTexelsWhereTheyLie) {
   constexpr int size = 64;
   const Textured t(
@@ -209,11 +210,11 @@ TEST(TextureFilter, SmallPatchesSeeTexelsWhereTheyLie) {
   double squares = 0.0;
   constexpr int patches = 400;
   for (int i = 0; i < patches; ++i) {
-    const float angle = 0.2f + 1.1f * u(rng), texels = 0.3f + 1.2f * u(rng);
-    const glm::vec2 a = texels / size * glm::vec2(std::cos(angle), std::sin(angle));
+    const float texels = 0.3f + 0.3f * u(rng);
+    const glm::vec2 a = texels / size * glm::normalize(glm::vec2(1.0f + u(rng), 1.0f));
     const glm::vec2 b(-a.y, a.x);
     const float x = 20.0f + 20.0f * u(rng);
-    const glm::vec2 at = glm::vec2(x, (160.0f - 2.0f * x) / 3.0f + 2.0f * u(rng)) / float(size);
+    const glm::vec2 at = glm::vec2(x, (160.0f - 2.0f * x) / 3.0f + 1.0f * u(rng)) / float(size);
     double mean = 0.0;
     constexpr int n = 16;
     for (int k = 0; k < n * n; ++k) {
@@ -224,7 +225,7 @@ TEST(TextureFilter, SmallPatchesSeeTexelsWhereTheyLie) {
     const double off = static_cast<double>(t.look(TexelKind::color, at, a, b).r) - mean;
     squares += off * off / patches;
   }
-  EXPECT_LT(std::sqrt(squares), 0.02);
+  EXPECT_LT(std::sqrt(squares), 0.015);
 }
 
 TEST(TextureFilter, MeansCrossBordersAsTheSamplerWraps) {
