@@ -101,10 +101,14 @@ HWY_INLINE RayLanes ray_to(const LitBatch& points, const ReceiverLanes& receiver
                            const SampleLanes& sample, std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
   const auto clear = loaded(points.clear_height, i);
-  const auto below = hn::Lt(dot(receiver.geometric, sample.direction), zero);
-  const Vectors origin =
-      receiver.position + scaled(hn::IfThenElse(below, hn::Neg(clear), clear), receiver.geometric);
+  const auto along = dot(receiver.geometric, sample.direction);
+  const auto cosine = hn::Abs(along);
   const auto infinite = hn::Eq(sample.distance, hn::Inf(FloatTag()));
+  const auto way = hn::IfThenElseZero(infinite, hn::Div(clear, hn::Max(cosine, all_lanes(0.25f))));
+  const auto rest = hn::Sub(clear, hn::Mul(way, cosine));
+  const auto up = hn::IfThenElse(hn::Lt(along, zero), hn::Neg(rest), rest);
+  const Vectors origin =
+      receiver.position + (scaled(way, sample.direction) + scaled(up, receiver.geometric));
   const auto distance = hn::IfThenElse(infinite, all_lanes(1.0f), sample.distance);
   const Vectors& d = sample.direction;
   const auto size = hn::Add(hn::Add(hn::Add(hn::Abs(origin.x), hn::Mul(distance, hn::Abs(d.x))),

@@ -14,7 +14,7 @@ struct Lack {
   std::string_view instead;  ///< what is seen
 };
 
-constexpr std::array<Lack, 13> lacks{{
+constexpr std::array<Lack, 22> lacks{{
     {"KHR_materials_volume_scatter", "light does not spread inside of bodies"},
     {"KHR_texture_basisu", "textures that are only KTX2 are missing"},
     {"EXT_texture_avif", "textures that are only AVIF are missing"},
@@ -28,6 +28,15 @@ constexpr std::array<Lack, 13> lacks{{
     {"EXT_mesh_manifold", "it says nothing of how things look"},
     {"EXT_primitive_voxels", "voxels are missing"},
     {"MSFT_screencoverage", "the finest level of detail is drawn, however far away"},
+    {"KHR_node_hoverability", "nothing reacts to a person"},
+    {"KHR_node_selectability", "nothing reacts to a person"},
+    {"CESIUM_primitive_outline", "edges are not drawn as lines"},
+    {"EXT_mesh_primitive_edge_visibility", "edges are not drawn as lines"},
+    {"EXT_texture_astc", "textures that are only ASTC are missing"},
+    {"MPEG_texture_video", "videos stand still or are missing"},
+    {"ADOBE_materials_clearcoat_tint", "coats have no colour"},
+    {"ADOBE_materials_clearcoat_specular", "coats reflect as if of an index of 1.5"},
+    {"ADOBE_materials_thin_transparency", "clear walls are as the rest of the material says"},
 }};
 
 }  // namespace

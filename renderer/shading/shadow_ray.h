@@ -16,8 +16,14 @@ namespace asos {
 [[nodiscard]] inline Ray shadow_ray(const SurfacePoint& point, const LightSample& at) {
   Ray ray;
   ray.direction = glm::vec3(at.direction);
+  if (!std::isfinite(at.distance)) {
+    // Surfaces under suns are often large, and so is the height that clears them: beside its way
+    // the ray would meet shadows that lie beside.
+    ray.origin =
+        point.position + clear_way(clear_height(point), point.geometric_normal, ray.direction);
+    return ray;
+  }
   ray.origin = spawn_origin(point, ray.direction);
-  if (!std::isfinite(at.distance)) return ray;
   const auto distance = static_cast<float>(at.distance);
   const glm::vec3 size = glm::abs(ray.origin) + distance * glm::abs(ray.direction);
   const float relative = (size.x + size.y + size.z) / distance;

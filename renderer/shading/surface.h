@@ -9,7 +9,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace asos {
 
@@ -144,6 +146,19 @@ void map_normal(const World& world, const Hit& hit, const MipChains* mips, float
 
 /// How far above the surface a ray starts or ends without meeting it, along its normal.
 [[nodiscard]] float clear_height(const SurfacePoint& point);
+
+/// The way by which something leaves a surface with the unit normal `n` towards the unit direction
+/// `d`, until it is `height` above it or, for a `d` below it, under it: along `d`, so that what
+/// lies that way is not seen from beside; of one that grazes, at most four times the height, and
+/// the rest along the normal.
+template <typename Vector, typename Number>
+[[nodiscard]] Vector clear_way(Number height, const Vector& n, const Vector& d) {
+  constexpr Number least_cosine = Number(0.25);
+  const Number along = glm::dot(n, d), cosine = std::abs(along);
+  const Number way = height / std::max(cosine, least_cosine);
+  const Number rest = height - way * cosine;
+  return way * d + (along < Number(0) ? -rest : rest) * n;
+}
 
 /// Where a ray towards `direction` leaves a surface without meeting it again: the point moved along
 /// the geometric normal by its own error bound and that of the ray-triangle test, which grows with

@@ -139,6 +139,38 @@ glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlac
   return {use.uv_transform * glm::vec3(uv, 1.0f)};
 }
 
+// Up to so many texels a patch's edges are looked at by points.
+constexpr float longest_by_points = 2.0f;
+
+/// Whether a window over the texels would take a rotated tent for each: right for how wide what is
+/// seen comes out, but not for where texels lie, which shows in patches of few of them.
+bool by_points(const TexelPatch& patch) {
+  if (patch.longest() > longest_by_points) return false;
+  const auto aslant = [](glm::vec2 edge) {
+    return std::min(std::abs(edge.x), std::abs(edge.y)) > 0.05f * glm::length(edge);
+  };
+  return aslant(patch.right) || aslant(patch.down);
+}
+
+/// The mean over such a patch of the bilinear texture, by a grid of points half a texel apart.
+glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
+                         const Texture& texture) {
+  const glm::vec2 size(texels.width, texels.height);
+  const auto count = [](glm::vec2 edge) { return 1 + static_cast<int>(2.0f * glm::length(edge)); };
+  const int across = count(patch.right), along = count(patch.down);
+  glm::vec4 sum(0.0f);
+  for (int y = 0; y < along; ++y) {
+    for (int x = 0; x < across; ++x) {
+      const auto middle = [](int i, int n) {
+        return (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
+      };
+      const glm::vec2 off = middle(x, across) * patch.right + middle(y, along) * patch.down;
+      sum += bilinear(texels, uv + off / size, texture.wrap_u, texture.wrap_v);
+    }
+  }
+  return sum / static_cast<float>(across * along);
+}
+
 LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse& use,
                      const TexturePlace& place) {
   if (place.footprint.point() || use.texcoord < 0 || use.texcoord > 1 || chain.empty()) return {};
@@ -231,6 +263,8 @@ glm::vec4 filtered_texture(const World& world, const MipChains& mips, const Text
   if (found.level > 0)
     return mean_of(chain[found.level - 1], texels, uv, found.patch, shape, texture);
   const Texels finest(*image_of(world, use.texture), encoding);
+  const bool tents = shape == TexelShape::tent && texels.kind != TexelKind::cover;
+  if (tents && by_points(found.patch)) return mean_of_points(finest, uv, found.patch, texture);
   return mean_of(finest, texels, uv, found.patch, shape, texture);
 }
 

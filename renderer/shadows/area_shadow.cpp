@@ -54,8 +54,8 @@ Visibility divided_shadow(const ShadowContext& block, const ShadowQuery& query,
   const bool extended = block.rules.quality == ShadowQuality::extended_divided;
   const bool jittered = block.rules.quality == ShadowQuality::supersampling;
   const LeafRegion& region = query.leaf.region;
-  const Receiver middle = receiver_above(query.lit.point);
-  const glm::dvec3 lift = static_cast<double>(clear_height(query.lit.point)) * middle.geometric;
+  const Receiver middle = receiver_above(query.lit.point, query.lit.light);
+  const glm::dvec3 lift = middle.position - glm::dvec3(query.lit.point.position);
   const HalfSpace plane{middle.geometric, glm::dot(middle.geometric, middle.position - lift)};
   Visibility sum(0.0);
   int parts = 0;
@@ -90,7 +90,7 @@ Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
   // An extended pyray needs a patch that lies on the surface as a whole. A surface seen through
   // another one has none at all.
   const bool whole = query.leaf.region.border.empty();
-  const Receiver middle = receiver_above(query.lit.point);
+  const Receiver middle = receiver_above(query.lit.point, query.lit.light);
   if (query.lit.layer > 0) return point_area_shadow(block, query, middle, counts);
   switch (block.rules.quality) {
     case ShadowQuality::refined:

@@ -14,10 +14,10 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   const Illumination& lit = query.lit;
   const auto patch = patch_of(block, lit.point, query.leaf.region, part);
   if (!patch) return std::nullopt;
-  Receiver middle = receiver_above(lit.point);
+  Receiver middle = receiver_above(lit.point, lit.light);
   middle.position =
       0.25 * (patch->corners[0] + patch->corners[1] + patch->corners[2] + patch->corners[3]) +
-      patch->lift * middle.geometric;
+      (middle.position - glm::dvec3(lit.point.position));
   const auto window = LightWindow::of(lit.light, middle);
   if (!window) return std::nullopt;
   const auto extended = ExtendedPyray::of(*window, *patch, fit);
@@ -57,7 +57,8 @@ Visibility extended_shadow(const ShadowContext& block, const ShadowQuery& query,
                            RenderStatistics& counts) {
   const auto visibility = trace_extended(block, query, part, ExtendedPyray::Fit::inside, counts);
   return visibility ? *visibility
-                    : point_area_shadow(block, query, receiver_above(query.lit.point), counts);
+                    : point_area_shadow(block, query,
+                                        receiver_above(query.lit.point, query.lit.light), counts);
 }
 
 Visibility adaptive_extended_shadow(const ShadowContext& block, const ShadowQuery& query,

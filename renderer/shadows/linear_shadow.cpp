@@ -29,7 +29,7 @@ std::optional<Frame> strip_around(const PreparedLight& light, const Receiver& re
 Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
                          RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
-  const Receiver receiver = receiver_above(query.lit.point);
+  const Receiver receiver = receiver_above(query.lit.point, query.lit.light);
   const glm::dvec3 middle = light.position - receiver.position;
   const auto strip = strip_around(light, receiver);
   if (!strip) return ray_visibility(block, query, counts);

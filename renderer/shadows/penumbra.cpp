@@ -170,7 +170,7 @@ struct PatchPyray {
 
 std::optional<PatchPyray> pyray_around(const ShadowContext& block, const PenumbraQuery& query,
                                        double tolerance) {
-  const Receiver receiver = receiver_above(query.point);
+  const Receiver receiver = receiver_above(query.point, query.light);
   const bool line = query.light.shape == PreparedLight::Shape::segment;
   const auto looked_at = line
                              ? strip_around(query.light, receiver)

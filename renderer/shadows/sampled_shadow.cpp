@@ -16,8 +16,11 @@ namespace {
 // Rays of the first round, for each further one of which their number doubles, and at most.
 constexpr double first_rays_a_root = 16.0;
 constexpr std::uint32_t least_rays = 8;
-// Rays of a part that deserves few of them.
+// Rays of a part that deserves few of them, and how many times more than it deserves it takes:
+// where they start and what they are aimed at costs more than they do, so that they cost next to
+// nothing.
 constexpr std::uint32_t fewest_rays = 4;
+constexpr double rays_for_one = 4.0;
 constexpr double rays_a_finest_cell = 4.0;
 // Points drawn at most for each ray that is asked for: where parts and lights fill less of their
 // boxes, what was found stands.
@@ -84,7 +87,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   ShadowWorkspace& work = *block.work;
   const SurfacePoint& point = query.lit.point;
   const Bounds2 box = bounds_of(query.leaf.region);
-  const Receiver middle = receiver_above(point);
+  const Receiver middle = receiver_above(point, query.lit.light);
   work.receivers.assign(end - first, std::nullopt);
   // A surface seen through another one has no patch.
   if (query.lit.layer > 0) {
@@ -119,7 +122,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   for (std::size_t k = 0; k < work.places.size(); ++k) {
     const SurfacePoint& seen = work.seen[k];
     if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet) continue;
-    work.receivers[work.place_of[k]] = receiver_above(seen);
+    work.receivers[work.place_of[k]] = receiver_above(seen, query.lit.light);
   }
 }
 
@@ -137,7 +140,7 @@ Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& que
   const double intensity = query.intensity();
   const bool few = budget.rays_suffice(leaf.weight, intensity, Prices::light_window);
   const double first_rays =
-      few ? budget.rays(leaf.weight, intensity) : first_rays_a_root * leaf.weight;
+      few ? rays_for_one * budget.rays(leaf.weight, intensity) : first_rays_a_root * leaf.weight;
   const std::uint32_t first_round = std::bit_ceil(
       std::max(few ? fewest_rays : least_rays, static_cast<std::uint32_t>(first_rays)));
   // So few all count: to end once they agree would favour what most of them see.

@@ -23,9 +23,15 @@ double ShadowQuery::intensity() const {
   return std::min(1.0, static_cast<double>(largest(lit.reflected * lit.unshadowed)));
 }
 
-Receiver receiver_above(const SurfacePoint& point) {
+Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light) {
+  using Kind = PreparedLight::Shape;
   Receiver receiver = receiver_at(point);
-  receiver.position += static_cast<double>(clear_height(point)) * receiver.geometric;
+  const double height = static_cast<double>(clear_height(point));
+  const bool far = light.shape == Kind::distant || light.shape == Kind::sun;
+  // The middle of a sun that stands partly above the horizon may lie below it.
+  const bool risen = far && glm::dot(receiver.geometric, light.towards) > 0.0;
+  receiver.position +=
+      risen ? clear_way(height, receiver.geometric, light.towards) : height * receiver.geometric;
   return receiver;
 }
 

@@ -68,8 +68,9 @@ struct ShadowQuery {
   [[nodiscard]] double intensity() const;
 };
 
-/// Receivers of lights of some size: clear of the surface.
-[[nodiscard]] Receiver receiver_above(const SurfacePoint& point);
+/// The receiver of a light: clear of the surface, and of a light that is infinitely far on the way
+/// to its middle, so that shadows stay in their place.
+[[nodiscard]] Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light);
 
 /// Two numbers in [0, 1).
 [[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);

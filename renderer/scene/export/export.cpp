@@ -33,6 +33,9 @@ Result<void> export_gltf(const Scene& scene, const std::string& path) {
   if (Result<void> images = exporting::write_images(scene, path, document); !images) {
     return images;
   }
+  if (Result<void> written = exporting::write_surroundings(scene, path, document); !written) {
+    return written;
+  }
   exporting::write_materials(scene, document);
   exporting::write_meshes(scene, document);
   exporting::write_lights(scene, document);

@@ -71,6 +71,12 @@ struct TextureTransform {
 // Each writes one kind of thing; indices in the document are those in the scene.
 [[nodiscard]] Result<void> write_images(const Scene& scene, const std::string& path,
                                         GltfDocument& document);
+/// One more image, without its alpha where that is not asked for.
+[[nodiscard]] Result<int> write_image(const Image& image, bool alpha, const std::string& path,
+                                      GltfDocument& document);
+/// After the images.
+[[nodiscard]] Result<void> write_surroundings(const Scene& scene, const std::string& path,
+                                              GltfDocument& document);
 void write_materials(const Scene& scene, GltfDocument& document);
 void write_meshes(const Scene& scene, GltfDocument& document);
 void write_lights(const Scene& scene, GltfDocument& document);

@@ -33,17 +33,29 @@ void append_bytes(void* context, void* data, int size) {
 
 }  // namespace
 
+Result<int> write_image(const Image& image, bool alpha, const std::string& path,
+                        GltfDocument& document) {
+  const int channels = alpha ? 4 : 3;
+  std::vector<std::uint8_t> opaque;
+  if (!alpha) {
+    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+      if (i % 4 != 3) opaque.push_back(image.rgba.data()[i]);
+  }
+  const std::uint8_t* bytes = alpha ? image.rgba.data() : opaque.data();
+  std::vector<std::uint8_t> png;
+  if (stbi_write_png_to_func(append_bytes, &png, image.width, image.height, channels, bytes,
+                             channels * image.width) == 0) {
+    return unexpected(Error{path, fmt::format("image '{}' cannot be encoded as PNG", image.name)});
+  }
+  json out{{"bufferView", document.add_view(png, 0)}, {"mimeType", "image/png"}};
+  if (!image.name.empty()) out["name"] = image.name;
+  return document.add("images", std::move(out));
+}
+
 Result<void> write_images(const Scene& scene, const std::string& path, GltfDocument& document) {
-  for (std::size_t i = 0; i < scene.images.size(); ++i) {
-    const Image& image = scene.images[i];
-    std::vector<std::uint8_t> png;
-    if (stbi_write_png_to_func(append_bytes, &png, image.width, image.height, 4, image.rgba.data(),
-                               4 * image.width) == 0) {
-      return unexpected(Error{path, fmt::format("image {} cannot be encoded as PNG", i)});
-    }
-    json out{{"bufferView", document.add_view(png, 0)}, {"mimeType", "image/png"}};
-    if (!image.name.empty()) out["name"] = image.name;
-    document.add("images", std::move(out));
+  for (const Image& image : scene.images) {
+    if (const Result<int> written = write_image(image, true, path, document); !written)
+      return unexpected(written.error());
   }
   for (const Texture& texture : scene.textures) {
     const int filter = texture.filter == Filter::nearest ? 9728 : 9729;

@@ -1,5 +1,6 @@
 #include "renderer/scene/export/gltf_writer.h"
 #include "renderer/scene/gltf/light_fault.h"
+#include "renderer/scene/surroundings.h"
 
 #include <fmt/format.h>
 
@@ -161,6 +162,14 @@ std::string image_fault(const Image& image) {
   return {};
 }
 
+std::string surroundings_fault(const Surroundings& surroundings) {
+  for (const Surroundings::Side& side : surroundings.sides) {
+    if (const std::string why = image_fault(side.image); !why.empty()) return why;
+    if (side.image.width != side.image.height) return "is not square";
+  }
+  return {};
+}
+
 std::string camera_fault(const Camera& camera) {
   if (!finite(camera.world_from_camera)) return "is placed by a matrix that is not finite";
   if (camera.aspect_ratio && !within(*camera.aspect_ratio, 1e-9, 1e9)) {
@@ -213,7 +222,9 @@ std::string why_not_exportable(const Scene& scene) {
                                  first_fault("camera", scene.cameras, camera_fault)}) {
     if (!why.empty()) return why;
   }
-  return {};
+  if (!scene.surroundings) return {};
+  const std::string why = surroundings_fault(*scene.surroundings);
+  return why.empty() ? why : "a side of the surroundings " + why;
 }
 
 }  // namespace asos::exporting

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/gltf/keys.h"
+#include "renderer/scene/gltf/moved_values.h"
 #include "renderer/scene/gltf/nodes.h"
 
 #include <set>
@@ -9,12 +10,15 @@
 
 namespace asos::gltf {
 
-/// One number or vector of a node that an animation moves.
+/// One number or vector that an animation moves: of a node, or of what moved_values.h knows.
 struct Channel {
-  enum class Path { translation, rotation, scale, weights };
+  enum class Path { translation, rotation, scale, weights, one_weight, visible, value };
 
   std::size_t node = 0;
   Path path = Path::translation;
+  std::size_t weight = 0;               ///< one_weight: which of
+  std::vector<double> weights_at_rest;  ///< these
+  std::string pointer;                  ///< value: what it aims at
   Keys keys;
 };
 
@@ -32,6 +36,12 @@ struct Clip {
 
 /// Moves the nodes that `clip` moves to where it has them at `seconds`.
 void apply_clip(const Clip& clip, double seconds, std::vector<NodePose>& poses);
+
+/// What else it moves, as it is at `seconds`.
+[[nodiscard]] std::vector<MovedValue> moved_values(const Clip& clip, double seconds);
+
+/// The materials that any of the clips moves.
+[[nodiscard]] std::set<std::size_t> moving_materials(const std::vector<Clip>& clips);
 
 /// The nodes whose morph weights any of the clips moves.
 [[nodiscard]] std::set<std::size_t> morphing_nodes(const std::vector<Clip>& clips);

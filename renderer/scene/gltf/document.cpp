@@ -1,7 +1,9 @@
 #include "renderer/scene/gltf/document.h"
 
 #include "renderer/scene/gltf/container.h"
+#include "renderer/scene/gltf/moved_values.h"
 #include "renderer/scene/gltf/tidy.h"
+#include "renderer/scene/gltf/tidy_animations.h"
 
 #include <fmt/format.h>
 
@@ -208,6 +210,7 @@ Checked<Document> read_document(const std::filesystem::path& path) {
   doc.variants = variants_of(*root);
   if (auto done = tidy(*root, container->json.size(), doc.warnings); !done)
     return fault(done.error());
+  if (moves_values(*root)) doc.movable = std::make_shared<const json>(movable_parts(*root));
   if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
   if (auto done = take_images(*root, doc); !done) return fault(done.error());
   if (auto done = read_model(std::move(*root), doc); !done) return fault(done.error());

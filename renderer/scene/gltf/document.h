@@ -4,6 +4,8 @@
 #include "renderer/scene/gltf/tinygltf.h"
 #include "renderer/scene/gltf/warnings.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -41,6 +43,8 @@ struct Document {
   std::vector<Buffer> buffers;
   std::vector<std::string> unsupported_extensions;
   std::vector<std::string> variants;  ///< names by KHR_materials_variants
+  /// `movable_parts` where an animation moves materials, lights or cameras; null: none does.
+  std::shared_ptr<const nlohmann::json> movable;
   /// Bytes of the file and of all that it brought along: bounds what an import may allocate.
   std::uint64_t honest_bytes = 0;
   Warnings warnings;

@@ -41,8 +41,9 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     if (shown_scene_ >= 0)
       base_.name = doc_.model.scenes[static_cast<std::size_t>(shown_scene_)].name;
     base_.source = path_;
-    Textures textures(doc_, accessors_, base_);
-    import_materials(doc_, textures, base_);
+    textures_.emplace(doc_, accessors_, base_);
+    still_.moving_materials = moving_materials(clips_);
+    base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
     base_.surroundings = image_based_light(doc_, accessors_, shown_scene_);
     return {};
   }
@@ -52,6 +53,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   Checked<Scene> import(const std::optional<ClipTime>& time) {
     std::vector<NodePose> poses = rest_;
     if (time) apply_clip(clips_[static_cast<std::size_t>(time->animation)], time->seconds, poses);
+    if (auto moved = move_values(time); !moved) return fault(moved.error());
     const NodeGraph graph(doc_, std::move(poses));
     accessors_.forget_zeros();
     // Where the file is not kept, neither are its pictures.
@@ -98,6 +100,19 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   }
 
  private:
+  /// What moves beside nodes: the document has it as it is at that time, whatever it was before.
+  Checked<void> move_values(const std::optional<ClipTime>& time) {
+    if (!doc_.movable) return {};
+    std::vector<MovedValue> values;
+    if (time)
+      values = moved_values(clips_[static_cast<std::size_t>(time->animation)], time->seconds);
+    if (values.empty() && !values_moved_) return {};
+    values_moved_ = true;
+    if (auto set = set_values(*doc_.movable, values, doc_.model); !set) return set;
+    base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
+    return {};
+  }
+
   std::mutex mutex_;  // of `pose`
   std::string path_;
   Document doc_;
@@ -107,7 +122,9 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   std::vector<Clip> clips_;
   StillMeshes still_;
   int default_scene_ = -1, shown_scene_ = -1;
-  Scene base_;  // with what does not move: materials and their pictures
+  Scene base_;                        // with what is not posed: materials and their pictures
+  std::optional<Textures> textures_;  // of `base_`
+  bool values_moved_ = false;         // since the document was read
   Warnings said_at_load_;
 };
 

@@ -170,7 +170,9 @@ int Importer::load(int index, int p, const SkinPose* skin, const std::string& pl
   if (material >= 0) request.material = &scene_.materials[static_cast<std::size_t>(material)];
 
   const auto number = static_cast<std::size_t>(index);
-  const bool still = still_.wanted && !skin && !still_.morphing_nodes.contains(number);
+  const bool moves = still_.morphing_nodes.contains(number) ||
+                     still_.moving_materials.contains(static_cast<std::size_t>(material));
+  const bool still = still_.wanted && !skin && !moves;
   const auto made = still ? still_.meshes.find(key) : still_.meshes.end();
   std::optional<Mesh> loaded = made != still_.meshes.end()
                                    ? made->second

@@ -25,6 +25,8 @@ using MeshKey = std::tuple<int, int, std::vector<double>>;
 struct StillMeshes {
   bool wanted = false;
   std::set<std::size_t> morphing_nodes;  ///< whose weights an animation moves
+  /// Which may need tangents at one time and not at another.
+  std::set<std::size_t> moving_materials;
   std::map<MeshKey, std::optional<Mesh>> meshes;
 };
 

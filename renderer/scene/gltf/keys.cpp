@@ -121,9 +121,9 @@ Checked<KeyReader::Numbers> KeyReader::numbers(int accessor, int components) {
 }
 
 Checked<Keys> KeyReader::read(const tinygltf::AnimationSampler& sampler, int components,
-                              std::size_t groups) {
+                              std::size_t groups, bool rotation) {
   Keys keys;
-  keys.rotation = components == 4;
+  keys.rotation = rotation;
   keys.width = groups * static_cast<std::size_t>(components);
   if (sampler.interpolation == "STEP") {
     keys.interpolation = Interpolation::step;

@@ -40,11 +40,12 @@ class KeyReader {
  public:
   KeyReader(const Document& document, Accessors& accessors);
 
-  /// `components`: of one number of an output's elements, `groups` of which are a key's value.
+  /// `components`: of one of an output's elements, `groups` of which are a key's value; four of a
+  /// `rotation` are a quaternion.
   /// Faults: no such data, times that fall or are below 0, numbers that are not finite, not one
   /// value for each time, a rotation of no length, an unknown interpolation.
   [[nodiscard]] Checked<Keys> read(const tinygltf::AnimationSampler& sampler, int components,
-                                   std::size_t groups);
+                                   std::size_t groups, bool rotation);
 
  private:
   using Numbers = std::shared_ptr<const std::vector<float>>;

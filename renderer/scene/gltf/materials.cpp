@@ -15,8 +15,12 @@ namespace {
 class MaterialReader {
  public:
   MaterialReader(const tinygltf::Material& source, std::string place, Textures& textures,
-                 Warnings& warnings)
-      : source_(source), place_(std::move(place)), textures_(textures), warnings_(warnings) {}
+                 Warnings& warnings, bool moves)
+      : source_(source),
+        place_(std::move(place)),
+        textures_(textures),
+        warnings_(warnings),
+        moves_(moves) {}
 
   Material read() {
     Material m;
@@ -76,6 +80,9 @@ class MaterialReader {
   }
 
  private:
+  /// Whether something is to be read of which a factor says whether it shows.
+  [[nodiscard]] bool shows(bool now) const { return now || moves_; }
+
   /// `value` as a float, or `otherwise` where a float cannot hold it.
   float finite(double value, double otherwise, const char* what) {
     const auto single = static_cast<float>(value);
@@ -185,7 +192,7 @@ class MaterialReader {
 
   void use_sheen(Material& m) {
     const auto* e = extension(source_.extensions, "KHR_materials_sheen");
-    if (!e || !m.sheen.used()) return;
+    if (!e || !shows(m.sheen.used())) return;
     m.sheen.color_texture = use_in(*e, "sheenColorTexture", "sheen colour");
     m.sheen.roughness_texture = use_in(*e, "sheenRoughnessTexture", "sheen roughness");
   }
@@ -209,7 +216,7 @@ class MaterialReader {
 
   void use_film(Material& m) {
     const auto* e = extension(source_.extensions, "KHR_materials_iridescence");
-    if (!e || !m.film.used()) return;
+    if (!e || !shows(m.film.used())) return;
     m.film.texture = use_in(*e, "iridescenceTexture", "iridescence");
     m.film.thickness_texture = use_in(*e, "iridescenceThicknessTexture", "iridescence thickness");
   }
@@ -225,7 +232,7 @@ class MaterialReader {
 
   void use_anisotropy(Material& m) {
     const auto* e = extension(source_.extensions, "KHR_materials_anisotropy");
-    if (!e || !m.anisotropy.used()) return;
+    if (!e || !shows(m.anisotropy.used())) return;
     m.anisotropy.texture = use_in(*e, "anisotropyTexture", "anisotropy");
   }
 
@@ -261,7 +268,7 @@ class MaterialReader {
   void use_diffuse_transmission(Material& m) {
     const auto* e = extension(source_.extensions, "KHR_materials_diffuse_transmission");
     DiffuseTransmission& through = m.diffuse_transmission;
-    if (!e || !through.used()) return;
+    if (!e || !shows(through.used())) return;
     through.texture = use_in(*e, "diffuseTransmissionTexture", "diffuse transmission");
     through.color_texture =
         use_in(*e, "diffuseTransmissionColorTexture", "diffuse transmission colour");
@@ -280,13 +287,13 @@ class MaterialReader {
 
   void use_volume(Material& m) {
     const auto* e = extension(source_.extensions, "KHR_materials_volume");
-    if (!e || !(m.volume.thickness > 0.0f)) return;
+    if (!e || !shows(m.volume.thickness > 0.0f)) return;
     m.volume.thickness_texture = use_in(*e, "thicknessTexture", "thickness");
   }
 
   void use_coat(Material& m) {
     const auto* e = extension(source_.extensions, "KHR_materials_clearcoat");
-    if (!e || !(m.coat.factor > 0.0f)) return;
+    if (!e || !shows(m.coat.factor > 0.0f)) return;
     m.coat.texture = use_in(*e, "clearcoatTexture", "clearcoat");
     m.coat.roughness_texture = use_in(*e, "clearcoatRoughnessTexture", "clearcoat roughness");
     m.coat.normal_texture = use_in(*e, "clearcoatNormalTexture", "clearcoat normal");
@@ -380,17 +387,22 @@ class MaterialReader {
   std::string place_;
   Textures& textures_;
   Warnings& warnings_;
+  bool moves_;
 };
 
 }  // namespace
 
-void import_materials(Document& document, Textures& textures, Scene& scene) {
+std::vector<Material> import_materials(Document& document, Textures& textures,
+                                       const std::set<std::size_t>& moving) {
+  std::vector<Material> materials;
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
     const tinygltf::Material& source = document.model.materials[i];
     const std::string place = source.name.empty() ? fmt::format("material {}", i)
                                                   : fmt::format("material '{}'", source.name);
-    scene.materials.push_back(MaterialReader(source, place, textures, document.warnings).read());
+    MaterialReader reader(source, place, textures, document.warnings, moving.contains(i));
+    materials.push_back(reader.read());
   }
+  return materials;
 }
 
 }  // namespace asos::gltf

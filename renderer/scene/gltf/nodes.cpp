@@ -21,12 +21,6 @@ bool finite(const glm::dmat4& m) {
   return true;
 }
 
-bool visible(const tinygltf::Node& node) {
-  const tinygltf::Value* ext = extension(node.extensions, "KHR_node_visibility");
-  if (!ext || !ext->Has("visible") || !ext->Get("visible").IsBool()) return true;
-  return ext->Get("visible").Get<bool>();
-}
-
 }  // namespace
 
 glm::dmat4 NodePose::parent_from_node() const {
@@ -140,7 +134,7 @@ std::vector<int> NodeGraph::shown(int scene) const {
     if (node < 0 || node >= count || done[static_cast<std::size_t>(node)]) continue;
     const auto n = static_cast<std::size_t>(node);
     done[n] = true;
-    if (!visible(nodes[n])) continue;
+    if (!poses_[n].visible) continue;
     if (finite(world_[n])) {
       order.push_back(node);
     } else {

@@ -17,6 +17,7 @@ struct NodePose {
   glm::dvec3 scale{1.0};
   std::optional<glm::dmat4> matrix;  ///< in place of the three
   std::vector<double> weights;       ///< empty: the mesh's
+  bool visible = true;               ///< KHR_node_visibility: with all below it
 
   [[nodiscard]] glm::dmat4 parent_from_node() const;
 };

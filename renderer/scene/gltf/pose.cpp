@@ -1,4 +1,5 @@
 #include "renderer/scene/gltf/nodes.h"
+#include "renderer/scene/gltf/values.h"
 
 #include <fmt/format.h>
 
@@ -59,6 +60,8 @@ NodePose pose_at_rest(const tinygltf::Node& node, const std::string& place, Warn
     pose.scale = {node.scale[0], node.scale[1], node.scale[2]};
   }
   pose.weights = node.weights;
+  if (const auto* e = extension(node.extensions, "KHR_node_visibility"))
+    pose.visible = flag(*e, "visible").value_or(true);
   return pose;
 }
 

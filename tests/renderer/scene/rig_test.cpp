@@ -234,8 +234,8 @@ TEST(Rig, PointersMoveNodes) {
   EXPECT_EQ(scene.contents.animations.at(0).channels, 2u);
   EXPECT_EQ(scene.contents.animations.at(0).moving, 1u);
   const std::string wanted =
-      "animation 0, channel 1: it moves /materials/0/alphaCutoff, which is "
-      "not read; that stays as the file has it";
+      "animation 0, channel 1: it moves /materials/0/alphaCutoff, which "
+      "the file does not have; that stays as the file has it";
   EXPECT_EQ(std::ranges::count(remarks(scene.notes), wanted), 1);
 }
 

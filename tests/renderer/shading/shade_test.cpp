@@ -2,6 +2,7 @@
 
 #include "renderer/lights/studio_rig.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/shadow_ray.h"
 #include "tests/support/ray_transport.h"
 #include "tests/support/tiny_world.h"
 
@@ -320,6 +321,34 @@ TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
   EXPECT_GE(moved, p.error.y);
   EXPECT_LT(moved, 500.0f * 1e-5f);
   EXPECT_LT(spawn_origin(p, {0, -1, 0}).y, p.position.y);
+}
+
+// A shadow on a floor of a kilometre stays in its place: what a ray meets is what stands on the
+// line from the point, and not beside it by the floor's error bound.
+TEST(ShadowRay, ToASunBeginsOnItsOwnWay) {
+  World world;
+  add_quad(world, {1000, 0, -1000}, {2000, 0, 0}, {0, 0, 2000}, matte(glm::vec3(1)));
+  Hit hit;
+  hit.triangle = 0;
+  hit.b1 = 0.3f;
+  hit.b2 = 0.2f;
+  const SurfacePoint p = surface_point(world, SceneNeeds{}, hit, {0, 1, 0});
+  const float height = clear_height(p);
+  EXPECT_GT(height, 1e-3f);
+  for (const float side : {1.0f, -1.0f}) {
+    for (const float tangent : {0.0f, 0.5f, 2.0f, 3.5f, 20.0f, 1e6f}) {
+      const glm::vec3 d = glm::normalize(glm::vec3(tangent, side, 0.5f * tangent));
+      const glm::vec3 way = clear_way(height, glm::vec3(0, 1, 0), d);
+      EXPECT_NEAR(side * way.y, height, 1e-6f * height + 1e-7f) << tangent;
+      EXPECT_LE(glm::length(way), 5.0f * height) << tangent;
+      if (std::abs(d.y) < 0.25f) continue;
+      EXPECT_NEAR(glm::length(glm::cross(way, d)), 0.0f, 1e-5f * height) << tangent;
+      const Ray ray =
+          shadow_ray(p, {glm::dvec3(d), std::numeric_limits<double>::infinity(), glm::vec3(1)});
+      const glm::vec3 moved = ray.origin - p.position;
+      EXPECT_NEAR(glm::length(moved - way), 0.0f, 2e-4f) << tangent;
+    }
+  }
 }
 
 TEST(StudioRig, WhiteComesNearWhiteAndStaysBelow) {

@@ -198,6 +198,36 @@ TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
     EXPECT_LT(rms(texels, 6.28f), 0.012) << texels;
 }
 
+// Patches of less than a texel that lie aslant along an edge which is aslant itself: the texels'
+// own steps show in them, as they do where triangles end at such an edge in a picture that shows
+// about a texel in each pixel.
+TEST(TextureFilter, SmallPatchesSeeTexelsWhereTheyLie) {
+  constexpr int size = 64;
+  const Textured t(
+      make_image(size, size, [](int x, int y) { return grey(2 * x + 3 * y > 160 ? 1.0 : 0.0); }));
+  std::mt19937 rng(11);
+  std::uniform_real_distribution<float> u(0.0f, 1.0f);
+  double squares = 0.0;
+  constexpr int patches = 400;
+  for (int i = 0; i < patches; ++i) {
+    const float texels = 0.3f + 0.3f * u(rng);
+    const glm::vec2 a = texels / size * glm::normalize(glm::vec2(1.0f + u(rng), 1.0f));
+    const glm::vec2 b(-a.y, a.x);
+    const float x = 20.0f + 20.0f * u(rng);
+    const glm::vec2 at = glm::vec2(x, (160.0f - 2.0f * x) / 3.0f + 1.0f * u(rng)) / float(size);
+    double mean = 0.0;
+    constexpr int n = 16;
+    for (int k = 0; k < n * n; ++k) {
+      const glm::vec2 share = (glm::vec2(k % n, k / n) + 0.5f) / float(n) - 0.5f;
+      const glm::vec2 place = at + share.x * a + share.y * b;
+      mean += static_cast<double>(t.look(TexelKind::color, place, {}, {}).r) / (n * n);
+    }
+    const double off = static_cast<double>(t.look(TexelKind::color, at, a, b).r) - mean;
+    squares += off * off / patches;
+  }
+  EXPECT_LT(std::sqrt(squares), 0.015);
+}
+
 TEST(TextureFilter, MeansCrossBordersAsTheSamplerWraps) {
   // Left half black, right half white; a footprint of a quarter around the border at u = 0.
   const Image halves = make_image(64, 64, [](int x, int) { return grey(x >= 32); });
