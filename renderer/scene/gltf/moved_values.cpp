@@ -59,18 +59,18 @@ const std::vector<Movable>& movables() {
 }
 
 /// A pointer taken apart: "/materials/", 3, "/pbrMetallicRoughness", "roughnessFactor".
-struct Place {
+struct PointedAt {
   std::string_view root;
   std::size_t number = 0;
   std::string within;  ///< without "/extensions" before the names of extensions
   std::string_view name;
 };
 
-std::optional<Place> place_of(std::string_view pointer) {
+std::optional<PointedAt> place_of(std::string_view pointer) {
   for (const std::string_view root :
        {std::string_view("/materials/"), std::string_view("/cameras/"), lights_place}) {
     if (!pointer.starts_with(root)) continue;
-    Place place{root, 0, {}, {}};
+    PointedAt place{root, 0, {}, {}};
     const std::string_view rest = pointer.substr(root.size());
     const char* const end = rest.data() + rest.size();
     const auto [after, error] = std::from_chars(rest.data(), end, place.number);
@@ -90,7 +90,7 @@ std::optional<Place> place_of(std::string_view pointer) {
 }
 
 /// KHR_texture_transform is the same of all of a material's textures.
-std::optional<int> transform_numbers(const Place& place) {
+std::optional<int> transform_numbers(const PointedAt& place) {
   if (place.root != "/materials/" || !place.within.ends_with("Texture/KHR_texture_transform"))
     return std::nullopt;
   if (place.name == "offset" || place.name == "scale") return 2;
@@ -124,7 +124,7 @@ Json* object_of(Json& root, std::string_view pointer) {
 }  // namespace
 
 std::optional<int> movable_numbers(std::string_view pointer) {
-  const std::optional<Place> place = place_of(pointer);
+  const std::optional<PointedAt> place = place_of(pointer);
   if (!place) return std::nullopt;
   for (const Movable& movable : movables()) {
     if (movable.root != place->root || movable.within != place->within) continue;
@@ -139,7 +139,7 @@ bool has_object_of(const json& root, std::string_view pointer) {
 }
 
 std::optional<std::size_t> material_of(std::string_view pointer) {
-  const std::optional<Place> place = place_of(pointer);
+  const std::optional<PointedAt> place = place_of(pointer);
   if (!place || place->root != "/materials/") return std::nullopt;
   return place->number;
 }
