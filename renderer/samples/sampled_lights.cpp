@@ -1,13 +1,10 @@
 #include "renderer/samples/sampled_lights.h"
 
-#include "renderer/geometry/largest.h"
-#include "renderer/sampling/random.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace asos {
 namespace {
@@ -16,48 +13,11 @@ namespace {
 // use.
 constexpr int lobe_of_picks = 0x1000;
 static_assert(lobe_of_picks != lobe_of_sky);
-// Of the places on lights, the ones by which samples choose directions of the surface's own lobe.
-constexpr std::uint32_t place_in_lobe = 0x3000;
-
-constexpr float least_broad_alpha = least_broad_roughness * least_broad_roughness;
 
 bool any_glossy(const LitBatch& points) {
+  constexpr float broad = least_broad_roughness * least_broad_roughness;
   return std::any_of(points.alpha.begin(), points.alpha.begin() + points.count,
-                     [](float alpha) { return alpha < least_broad_alpha; });
-}
-
-// Whether most points are such that highlights outshine by far what they scatter.
-bool shine(const LitBatch& points) {
-  constexpr float by_far = 2.0f;
-  std::size_t shining = 0;
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const float alpha = points.alpha[i];
-    const float peak =
-        largest(points.f0.at(i)) / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
-    shining += alpha < least_broad_alpha && peak > by_far * largest(points.diffuse.at(i));
-  }
-  return 2 * shining > points.count;
-}
-
-// Whether the light is wider than the lobe of the batch's middle point.
-bool wider_than_lobe(const PreparedLight& light, const LitBatch& points) {
-  if (!light.extended() || light.rule != LightRule::physical) return false;
-  const std::size_t i = points.count / 2;
-  const glm::vec3 mirrored = glm::reflect(-points.to_viewer.at(i), points.normal.at(i));
-  const Highlight shown =
-      highlight_of(light, glm::dvec3(points.position.at(i)), glm::dvec3(mirrored));
-  return shown.half_angle_tangent > points.alpha[i];
-}
-
-// A number that is evenly distributed over samples and lights, of 2^32.
-std::uint32_t chance(const SampleIndex& sample, std::uint32_t light) {
-  const auto half = [](std::uint32_t high, std::uint32_t low) {
-    return static_cast<std::uint64_t>(high) << 32 | low;
-  };
-  const std::uint64_t pixel =
-      half(static_cast<std::uint32_t>(sample.x), static_cast<std::uint32_t>(sample.y));
-  const std::uint64_t which = half(light, static_cast<std::uint32_t>(sample.index));
-  return static_cast<std::uint32_t>(mix_bits(mix_bits(pixel) ^ which) >> 32);
+                     [](float alpha) { return alpha < broad; });
 }
 
 std::uint32_t binary_fraction(double at) {
@@ -134,9 +94,11 @@ void SampledLights::prepare(std::span<const PreparedLight> lights, bool shadows)
     const std::size_t i = lights_.size();
     lights_.emplace_back(light);
     const bool takes = (allowed_.empty() || allowed_[i] != 0) && taken(light, shadows_);
+    const bool shadowed = takes && shadows_ && light.casts_shadows;
     taken_.push_back(takes ? 1 : 0);
+    shadowed_.push_back(shadowed ? 1 : 0);
     all_taken_ &= takes;
-    lights_with_rays_ += takes && shadows_ && light.casts_shadows;
+    lights_with_rays_ += shadowed;
   }
 }
 
@@ -185,13 +147,17 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
   const bool held = many && lights_.size() <= LightPicks::most_held;
-  find_wide_lights(batch.points);
-  picks_.start(held ? lights_.size() : many ? 1 : 2 * candidates);
+  wide_.find(batch.points, lights_, many ? std::span<const std::uint8_t>() : shadowed_, *places_);
+  picks_.start(held ? lights_.size() : 1);
   trace_lobes(batch, sums, counts);
   if (many && !held) return trace_picked(batch, sums, counts);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
-    if (wide_[light] != 0) {
-      trace_candidates(batch, light, sums, counts);
+    if (wide_.holds(light)) {
+      for (const ShadowRayBatch& rays :
+           wide_.shade(batch.points, batch.samples, light, lights_[light], *places_)) {
+        counts.rejected_samples += rays.rejected;
+        trace(batch, light, rays, sums, counts);
+      }
       continue;
     }
     ShadowRayBatch& rays = picks_.rays(many ? light : 0);
@@ -249,58 +215,6 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
   }
 }
 
-// Which lights are looked at by several candidates: highlights of lights that are wider than the
-// lobe differ from place to place on them, and from direction to direction.
-void SampledLights::find_wide_lights(const LitBatch& points) {
-  wide_.assign(lights_.size(), 0);
-  if (picks_lights() || !shine(points)) return;
-  bool any = false;
-  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
-    if (taken_[light] == 0 || !sends_rays(light)) continue;
-    wide_[light] = wider_than_lobe(*lights_[light].light, points) ? 1 : 0;
-    any |= wide_[light] != 0;
-  }
-  if (!any) return;
-  places_->on_light(place_in_lobe, on_light_);
-  for (std::uint32_t k = 0; k < candidates; ++k) {
-    choose_lobes(points, part_of(on_light_, k, points.count), candidate_lobes_[k]);
-  }
-}
-
-// Several places on the light, and several directions of the lobe, evenly over both; one of them
-// sends its ray for all, the likelier the more it carries (resampling: Talbot, Cline and Egbert
-// 2005, "Importance resampling for global illumination").
-void SampledLights::trace_candidates(const Gathered& batch, std::uint32_t light,
-                                     std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
-  const LitBatch& points = batch.points;
-  places_->on_light(light, on_light_);
-  for (std::uint32_t k = 0; k < candidates; ++k) {
-    ShadowRayBatch& of_place = picks_.rays(k);
-    ShadowRayBatch& of_lobe = picks_.rays(candidates + k);
-    shade_batch(points, lights_[light], part_of(on_light_, k, points.count), of_place);
-    shade_lobe(points, lights_[light], candidate_lobes_[k], of_lobe);
-    counts.rejected_samples += of_place.rejected + of_lobe.rejected;
-  }
-  for (std::size_t i = 0; i < points.count; ++i) part_.u[i] = chance(batch.samples[i], light);
-  for (const std::size_t first : {std::size_t{0}, std::size_t{candidates}}) {
-    picks_.pick_one(points.count, {first, candidates}, part_.u, 1.0f / candidates, picked_);
-    trace(batch, light, picked_, sums, counts);
-  }
-}
-
-// Each place's in one of `candidates` equal parts of the unit square.
-const LightPlaceBatch& SampledLights::part_of(const LightPlaceBatch& places, std::uint32_t part,
-                                              std::size_t count) {
-  constexpr std::uint32_t side = 2;
-  static_assert(side * side == candidates);
-  const std::uint32_t u = part % side << 31, v = part / side << 31;
-  for (std::size_t i = 0; i < count; ++i) {
-    part_.u[i] = places.u[i] >> 1 | u;
-    part_.v[i] = places.v[i] >> 1 | v;
-  }
-  return part_;
-}
-
 // Of highlights, what a sample of each point's lobe meets: of all lights the same one, which meets
 // few of them.
 void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums,
@@ -311,7 +225,7 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
   choose_lobes(points, on_light_, lobe_);
   ShadowRayBatch& rays = picks_.rays(0);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
-    if (taken_[light] == 0 || wide_[light] != 0) continue;
+    if (taken_[light] == 0 || wide_.holds(light)) continue;
     shade_lobe(points, lights_[light], lobe_, rays);
     counts.rejected_samples += rays.rejected;
     trace(batch, light, rays, sums, counts);

@@ -3,7 +3,9 @@
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/samples/light_picks.h"
+#include "renderer/samples/light_places.h"
 #include "renderer/samples/recycled.h"
+#include "renderer/samples/wide_lights.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/sky_light.h"
 
@@ -18,36 +20,6 @@
 #include <vector>
 
 namespace asos {
-
-/// A sample by its place in a picture's sequence.
-struct SampleIndex {
-  int x = 0;  ///< of its pixel
-  int y = 0;
-  int index = 0;
-
-  [[nodiscard]] bool same_pixel(const SampleIndex& other) const {
-    return x == other.x && y == other.y;
-  }
-};
-
-/// Where on a light each sample of a pixel looks.
-class LightPlaces {
- public:
-  virtual ~LightPlaces() = default;
-  /// In the unit square, of the sample that is under way.
-  [[nodiscard]] virtual glm::dvec2 on_light(std::uint32_t light) const = 0;
-  /// Where in a blurred reflection's square it looks at the given bounce, from 0: independent of
-  /// where it looks on lights.
-  [[nodiscard]] virtual glm::dvec2 in_lobe(int bounce) const {
-    return on_light(0x4000u + static_cast<std::uint32_t>(bounce));
-  }
-
-  /// Goes to a batch of samples, at most LitBatch::size of them, which have to outlive what is
-  /// asked about them. The sample under way is another one then.
-  virtual void start_batch(std::span<const SampleIndex> samples) = 0;
-  /// Of each sample of the batch: `on_light` as 32-bit fractions.
-  virtual void on_light(std::uint32_t light, LightPlaceBatch& places) = 0;
-};
 
 /// The weight of a sample in one of the sums that its method keeps.
 struct SampleShare {
@@ -130,8 +102,6 @@ class SampledLights {
   void trace(std::vector<glm::dvec3>& sums);
 
  private:
-  /// Places on a light of which one sends a ray for all, and as many directions of the lobe.
-  static constexpr std::uint32_t candidates = 4;
   struct Pending {
     Ray ray;
     glm::vec3 carried{0.0f};
@@ -145,11 +115,6 @@ class SampledLights {
     return shadows_ && lights_[light].light->casts_shadows;
   }
   void shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays);
-  void find_wide_lights(const LitBatch& points);
-  void trace_candidates(const Gathered& batch, std::uint32_t light, std::vector<glm::dvec3>& sums,
-                        RenderStatistics& counts);
-  const LightPlaceBatch& part_of(const LightPlaceBatch& places, std::uint32_t part,
-                                 std::size_t count);
   void trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   void trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
              std::vector<glm::dvec3>& sums, RenderStatistics& counts);
@@ -162,6 +127,7 @@ class SampledLights {
   std::vector<LightConstants> lights_;     // of all points gathered
   float rays_a_point_ = LightPicks::rays_a_point;
   std::vector<std::uint8_t> taken_;
+  std::vector<std::uint8_t> shadowed_;  // of these, those that rays are sent to
   bool all_taken_ = true;
   bool shadows_ = true;  // the same of all points
   std::size_t lights_with_rays_ = 0;
@@ -169,11 +135,7 @@ class SampledLights {
   std::vector<Recycled<Gathered>> batches_;  // all full but the last of `points_`
   LightPlaceBatch on_light_;
   LobeBatch lobe_;
-  // Of lights that several candidates look at.
-  std::vector<std::uint8_t> wide_;  // one a light
-  std::array<LobeBatch, candidates> candidate_lobes_;
-  LightPlaceBatch part_;
-  ShadowRayBatch picked_;
+  WideLights wide_;
   LightPicks picks_;
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;

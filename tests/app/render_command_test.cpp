@@ -79,6 +79,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"texture_filter", {Type::string}},
       {"texture_resolution", {Type::number_unsigned}},
       {"sky", {Type::string}},
+      {"judged_tone", {Type::string}},
       {"refine_shading", {Type::boolean}},
       {"cull", {Type::boolean}},
       {"shadows", {Type::boolean}},

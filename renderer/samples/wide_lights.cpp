@@ -1,0 +1,101 @@
+#include "renderer/samples/wide_lights.h"
+
+#include "renderer/geometry/largest.h"
+#include "renderer/sampling/random.h"
+#include "renderer/shading/reflected_light.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+// Whether most points are such that highlights outshine by far what they scatter.
+bool most_shine(const LitBatch& points) {
+  constexpr float broad = least_broad_roughness * least_broad_roughness;
+  constexpr float by_far = 2.0f;
+  std::size_t shining = 0;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const float alpha = points.alpha[i];
+    const float peak =
+        largest(points.f0.at(i)) / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
+    shining += alpha < broad && peak > by_far * largest(points.diffuse.at(i));
+  }
+  return 2 * shining > points.count;
+}
+
+// Whether the light is wider than the lobe of the batch's middle point.
+bool wider_than_lobe(const PreparedLight& light, const LitBatch& points) {
+  if (!light.extended() || light.rule != LightRule::physical) return false;
+  const std::size_t i = points.count / 2;
+  const glm::vec3 mirrored = glm::reflect(-points.to_viewer.at(i), points.normal.at(i));
+  const Highlight shown =
+      highlight_of(light, glm::dvec3(points.position.at(i)), glm::dvec3(mirrored));
+  return shown.half_angle_tangent > points.alpha[i];
+}
+
+// A number that is evenly distributed over samples and lights, of 2^32.
+std::uint32_t chance(const SampleIndex& sample, std::uint32_t light) {
+  const auto half = [](std::uint32_t high, std::uint32_t low) {
+    return static_cast<std::uint64_t>(high) << 32 | low;
+  };
+  const std::uint64_t pixel =
+      half(static_cast<std::uint32_t>(sample.x), static_cast<std::uint32_t>(sample.y));
+  const std::uint64_t which = half(light, static_cast<std::uint32_t>(sample.index));
+  return static_cast<std::uint32_t>(mix_bits(mix_bits(pixel) ^ which) >> 32);
+}
+
+}  // namespace
+
+void WideLights::find(const LitBatch& points, std::span<const LightConstants> lights,
+                      std::span<const std::uint8_t> asked, LightPlaces& places) {
+  wide_.clear();
+  if (asked.empty() || !most_shine(points)) return;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    wide_.push_back(asked[i] != 0 && wider_than_lobe(*lights[i].light, points) ? 1 : 0);
+  if (std::none_of(wide_.begin(), wide_.end(), [](std::uint8_t wide) { return wide != 0; })) {
+    wide_.clear();
+    return;
+  }
+  if (!work_) work_ = Recycler<Work>::make();
+  places.on_light(place_in_lobe, work_->places);
+  for (std::uint32_t k = 0; k < candidates; ++k)
+    choose_lobes(points, part_of_places(k, points.count), work_->lobes[k]);
+}
+
+std::span<const ShadowRayBatch> WideLights::shade(const LitBatch& points,
+                                                  std::span<const SampleIndex> samples,
+                                                  std::uint32_t light,
+                                                  const LightConstants& constants,
+                                                  LightPlaces& places) {
+  LightPicks& picks = work_->picks;
+  picks.start(2 * candidates);
+  places.on_light(light, work_->places);
+  for (std::uint32_t k = 0; k < candidates; ++k) {
+    shade_batch(points, constants, part_of_places(k, points.count), picks.rays(k));
+    shade_lobe(points, constants, work_->lobes[k], picks.rays(candidates + k));
+  }
+  LightPlaceBatch::Fractions& numbers = work_->part.u;
+  for (std::size_t i = 0; i < points.count; ++i) numbers[i] = chance(samples[i], light);
+  for (std::size_t half = 0; half < 2; ++half) {
+    ShadowRayBatch& kept = work_->picked[half];
+    const LightPicks::Range of{half * candidates, candidates};
+    picks.pick_one(points.count, of, numbers, 1.0f / candidates, kept);
+    for (std::size_t k = 0; k < candidates; ++k) kept.rejected += picks.rays(of.first + k).rejected;
+  }
+  return work_->picked;
+}
+
+// The places, each in one of `candidates` equal parts of the unit square.
+const LightPlaceBatch& WideLights::part_of_places(std::uint32_t part, std::size_t count) {
+  constexpr std::uint32_t side = 2;
+  static_assert(side * side == candidates);
+  const std::uint32_t u = part % side << 31, v = part / side << 31;
+  for (std::size_t i = 0; i < count; ++i) {
+    work_->part.u[i] = work_->places.u[i] >> 1 | u;
+    work_->part.v[i] = work_->places.v[i] >> 1 | v;
+  }
+  return work_->part;
+}
+
+}  // namespace asos
