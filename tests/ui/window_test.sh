@@ -195,8 +195,8 @@ for _ in 1 2 3 4 5 6; do
   sleep 0.1
 done
 wait_until 'the panel does not rest' at_rest window_curve.png "$whole"
-xdotool mousemove $((X + WIDTH - 288)) $((Y + 679)) mousedown 1
-for y in 666 646 616 576; do
+xdotool mousemove $((X + WIDTH - 288)) $((Y + 699)) mousedown 1
+for y in 686 666 636 596; do
   xdotool mousemove $((X + WIDTH - 288)) $((Y + y))
   sleep 0.05
 done
