@@ -10,20 +10,10 @@ float most_carried(const ShadowRayBatch& rays, std::size_t i) {
   return std::max({rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]});
 }
 
-// Moves ray i to place `to`, before it or its own, and what it carries times `weight`.
-void move_ray(ShadowRayBatch& rays, std::size_t i, std::size_t to, float weight) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    rays.origin[k][to] = rays.origin[k][i];
-    rays.direction[k][to] = rays.direction[k][i];
-    rays.carried[k][to] = weight * rays.carried[k][i];
-  }
-  rays.t_far[to] = rays.t_far[i];
-  rays.point[to] = rays.point[i];
-}
-
-// Puts ray i behind those of `to`, and what it carries times `weight`.
-void copy_ray(const ShadowRayBatch& rays, std::size_t i, ShadowRayBatch& to, float weight) {
-  const std::size_t at = to.count++;
+// Puts ray i at place `at` of `to`, and what it carries times `weight`; within its own batch, that
+// is a place before it or its own.
+void put_ray(const ShadowRayBatch& rays, std::size_t i, ShadowRayBatch& to, std::size_t at,
+             float weight) {
   for (std::size_t k = 0; k < 3; ++k) {
     to.origin[k][at] = rays.origin[k][i];
     to.direction[k][at] = rays.direction[k][i];
@@ -67,13 +57,13 @@ void LightPicks::keep_picked(ShadowRayBatch& rays) {
     const std::uint32_t p = rays.point[i];
     const float carried = most_carried(rays, i);
     if (carried >= share_[p]) {
-      move_ray(rays, i, kept++, 1.0f);
+      put_ray(rays, i, rays, kept++, 1.0f);
       continue;
     }
     walked_[p] += carried / share_[p];
     if (walked_[p] < 1.0f) continue;
     walked_[p] -= 1.0f;
-    move_ray(rays, i, kept++, share_[p] / carried);
+    put_ray(rays, i, rays, kept++, share_[p] / carried);
   }
   rays.count = kept;
 }
@@ -95,7 +85,7 @@ void LightPicks::pick_one(std::size_t points, Range lights, const LightPlaceBatc
       const float carried = most_carried(rays, i);
       if (walked_[p] < 0.0f) continue;
       walked_[p] -= carried;
-      if (walked_[p] < 0.0f) copy_ray(rays, i, kept, share * share_[p] / carried);
+      if (walked_[p] < 0.0f) put_ray(rays, i, kept, kept.count++, share * share_[p] / carried);
     }
   }
 }
