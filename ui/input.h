@@ -56,6 +56,7 @@ enum class Key : int {
   q,
   r,
   s,
+  t,
   v,
   w,
   x,

@@ -20,9 +20,10 @@ void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);
   if (const std::optional<OpenScene::Opened> opened = scene_.take_opened()) take_over(*opened);
   edits_.relight();
-  playback_.update(!render_.out_of_date(subject()) && !render_.first_picture_pending(), now_seconds,
-                   wanted_strokes());
+  const bool covered = !render_.out_of_date(subject()) && !render_.first_picture_pending();
+  playback_.update(covered, now_seconds, wanted_strokes());
   viewpoint_.follow_chosen();
+  if (scene_) turntable_.update(viewpoint_.camera(), covered, now_seconds);
   if (const auto drawn = playback_.take_drawn_strokes())
     strokes_.adopt(scene_, drawn->picture, drawn->camera_revision);
   ground_.update(scene_, edits_.settings().ground, edits_.relighting());
@@ -74,7 +75,7 @@ std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   // A change that waits for the first picture goes on with the next tiles: look again at once.
   if (render_.out_of_date(subject()) || edits_.relighting()) return 0.0;
-  if (playback_.playing()) return Playback::frame_seconds;
+  if (playback_.playing() || turntable_.turning()) return Playback::frame_seconds;
   std::optional<double> due = viewpoint_.seconds_to_settle(now_seconds);
   if (const std::optional<double> drawing = strokes_.seconds_to_update(now_seconds))
     due = std::min(due.value_or(*drawing), *drawing);

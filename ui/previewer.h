@@ -11,6 +11,7 @@
 #include "ui/refinement.h"
 #include "ui/scene_edits.h"
 #include "ui/stroke_drawer.h"
+#include "ui/turntable.h"
 #include "ui/viewpoint.h"
 
 #include <functional>
@@ -38,6 +39,8 @@ class Previewer {
   [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] Viewpoint& viewpoint() { return viewpoint_; }
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
+  [[nodiscard]] Turntable& turntable() { return turntable_; }
+  [[nodiscard]] const Turntable& turntable() const { return turntable_; }
   [[nodiscard]] Refinement& refinement() { return refinement_; }
   [[nodiscard]] const Refinement& refinement() const { return refinement_; }
   [[nodiscard]] PreviewRender& render() { return render_; }
@@ -70,6 +73,7 @@ class Previewer {
   SceneEdits edits_;
   Playback playback_;
   Viewpoint viewpoint_;
+  Turntable turntable_;
   GroundLayer ground_;
   StrokeDrawer strokes_;
   Refinement refinement_;

@@ -92,6 +92,8 @@ class EveryControlTest : public PanelsTest {
         return numbers(p.edits().state().look.lights_revision);
       case Part::camera:
         return numbers(p.viewpoint().camera().revision());
+      case Part::turntable:
+        return numbers(p.turntable().turning(), p.turntable().seconds_a_turn);
       case Part::view:
         return s.browser.folder.string() + numbers(s.show_open, s.leaving.quit,
                                                    ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
@@ -164,6 +166,7 @@ class EveryControlTest : public PanelsTest {
       rig.previewer().edits().reset_dfrs();
     rig.previewer().refinement().set_paused(false);
     rig.previewer().refinement().limits() = {};
+    rig.previewer().turntable() = {};
     state();
     for (int i = 0; i < 2; ++i) rig.frame();
   }
@@ -270,6 +273,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     show_card(s, static_cast<int>(Tour::Card::map), 0.0);
     s.display.split_colours = SplitMapColours::cause;
   });
+  use_all("turning", [&] { rig.previewer().turntable().set_turning(true); });
   use_all("light and large", [&] { s.look = {theme::Look::light, 1.25f}; });
   rig.click("section/Compare");
   for (const auto comparison :

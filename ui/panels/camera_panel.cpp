@@ -68,6 +68,21 @@ void lens_controls(Controls& controls, OrbitCamera& camera) {
     camera.set_fov_y(glm::radians(static_cast<double>(fov_deg)));
 }
 
+void turntable_controls(Controls& controls, Turntable& turntable) {
+  bool turning = turntable.turning();
+  if (controls.checkbox("Turntable",
+                        "Circle what is looked at until the camera is moved otherwise. Each view "
+                        "is shown by the passes that there is time for. Key: T.",
+                        turning, false))
+    turntable.set_turning(turning);
+  if (!turning) return;
+  controls.number(
+      "Seconds a turn", "How long a whole turn takes. Ctrl+click to type a value.",
+      turntable.seconds_a_turn,
+      {{Turntable::fastest, Turntable::slowest, Turntable{}.seconds_a_turn}, 0.01, true},
+      [](double s) { return fmt::format("{:.3g} s", s); });
+}
+
 }  // namespace
 
 void camera_panel(Controls& controls, Previewer& previewer) {
@@ -90,6 +105,7 @@ void camera_panel(Controls& controls, Previewer& previewer) {
   }
   side_buttons(controls, viewpoint);
   lens_controls(controls, viewpoint.camera());
+  turntable_controls(controls, previewer.turntable());
 }
 
 }  // namespace asos

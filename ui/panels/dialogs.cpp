@@ -26,6 +26,7 @@ constexpr std::array help_lines{
     HelpLine{"Shift + right drag", "turn lights and sky about the scene"},
     HelpLine{"Home, F", "frame the whole scene"},
     HelpLine{"1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
+    HelpLine{"T", "turntable: circle the scene, or stop"},
     HelpLine{"Click", "see how a pixel was split"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + wheel, + and -", "zoom into the pixels"},
@@ -184,6 +185,8 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
   if (shortcut_pressed(Key::zero)) state.view.reset();
   if (previewer.scene()) camera_shortcuts(previewer.viewpoint());
+  Turntable& turntable = previewer.turntable();
+  if (previewer.scene() && shortcut_pressed(Key::t)) turntable.set_turning(!turntable.turning());
   const glm::vec2 middle = state.view.area_middle();
   if (shortcut_pressed(Key::plus)) state.view.zoom_at(middle, 1);
   if (shortcut_pressed(Key::minus)) state.view.zoom_at(middle, -1);
