@@ -69,6 +69,8 @@ std::string reached_text(const Reached& reached) {
         return "not all of it";
       case Reached::Pass::blocks:
         return "one sample for 8x8 pixels";
+      case Reached::Pass::quarters:
+        return "one sample for 4x4 pixels";
       case Reached::Pass::centres:
         return "one sample a pixel";
       case Reached::Pass::level:

@@ -99,14 +99,13 @@ void Playback::adopt_scene(bool again) {
   if (keeps) seek(time_->seconds);
 }
 
-void Playback::update(bool covered, double now_seconds,
-                      const std::optional<WantedStrokes>& strokes) {
+void Playback::update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes) {
   const double passed = updated_seconds_ ? now_seconds - *updated_seconds_ : 0.0;
   updated_seconds_ = now_seconds;
   if (!available()) return;
   take_pose();
   if (playing_) let_time_pass(std::max(0.0, passed));
-  if (posing() && !job_.pending() && (covered || !playing_)) ask(strokes);
+  if (posing() && !job_.pending() && (seen || !playing_)) ask(strokes);
 }
 
 void Playback::let_time_pass(double seconds) {

@@ -19,7 +19,7 @@ namespace asos {
 
 /// Plays the animations of the open scene: a clock, and the scene posed at its time in the
 /// background, on the stage of the one at rest. The next pose is asked for when the last one has
-/// come and its picture has covered the window once; what time passes meanwhile is left out. All
+/// come and its picture has been seen for a moment; what time passes meanwhile is left out. All
 /// members are for one thread.
 class Playback {
  public:
@@ -62,10 +62,10 @@ class Playback {
 
   /// The scene that has just been opened. `again`: it is the same file, whose time is kept.
   void adopt_scene(bool again);
-  /// Lets time pass, takes the pose that is finished and asks for the next one. `covered`: the
+  /// Lets time pass, takes the pose that is finished and asks for the next one. `seen`: the
   /// picture of the last one has been seen. Call once or more a frame.
   /// Poses come with their lines and points drawn for `strokes`; none: as they are at rest.
-  void update(bool covered, double now_seconds, const std::optional<WantedStrokes>& strokes);
+  void update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes);
   /// For what the lines and points of the pose that has just been taken were drawn, once.
   [[nodiscard]] std::optional<WantedStrokes> take_drawn_strokes() {
     return std::exchange(drawn_strokes_, std::nullopt);

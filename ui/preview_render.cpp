@@ -31,6 +31,11 @@ bool PreviewRender::first_picture_pending() const {
   return rendered_.scene && (progress.running || progress.paused) && !film_.covered();
 }
 
+bool PreviewRender::shown_for(double seconds, double now_seconds) const {
+  return !first_picture_pending() && (session_.reached().pass >= Reached::Pass::centres ||
+                                      now_seconds - restarted_seconds_ >= seconds);
+}
+
 bool PreviewRender::should_wait(const Subject& subject, double now_seconds) const {
   const bool same_picture = rendered_.scene == subject.scene &&
                             film().width == subject.settings.width &&

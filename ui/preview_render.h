@@ -42,6 +42,10 @@ class PreviewRender {
   /// should be shown without delay.
   [[nodiscard]] bool first_picture_pending() const;
 
+  /// Of a picture that another one follows by itself: whether it has covered the window and is
+  /// worth no more waiting, with a sample for each pixel or after so many seconds.
+  [[nodiscard]] bool shown_for(double seconds, double now_seconds) const;
+
   /// Ends the render as it is; `start_again` or a change begins anew.
   void stop();
   /// Goes on even if it was paused: who asks for a picture wants to see it.
@@ -53,6 +57,7 @@ class PreviewRender {
   /// See RefiningFilm.
   [[nodiscard]] std::optional<double> estimated_rmse() const { return film_.estimated_rmse(); }
   [[nodiscard]] Progress progress() const { return session_.progress(); }
+  [[nodiscard]] Reached reached() const { return session_.reached(); }
   [[nodiscard]] RenderStatistics statistics() const { return session_.statistics(); }
   /// How often a render was started.
   [[nodiscard]] std::uint64_t restarts() const { return restarts_; }

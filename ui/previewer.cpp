@@ -7,6 +7,13 @@
 
 namespace asos {
 
+namespace {
+
+// How long each view of what moves by itself may refine.
+constexpr double view_seconds = 1.0 / 24.0;
+
+}  // namespace
+
 Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
     : scene_(std::move(hooks.load), hooks.wake, hooks.forced),
       edits_(scene_, settings, hooks.wake),
@@ -20,10 +27,13 @@ void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);
   if (const std::optional<OpenScene::Opened> opened = scene_.take_opened()) take_over(*opened);
   edits_.relight();
-  const bool covered = !render_.out_of_date(subject()) && !render_.first_picture_pending();
-  playback_.update(covered, now_seconds, wanted_strokes());
+  // The next pose is made while the last one is still looked at.
+  const double posing_seconds = playback_.pose_seconds() + playback_.prepare_seconds();
+  playback_.update(has_shown(view_seconds - posing_seconds, now_seconds), now_seconds,
+                   wanted_strokes());
   viewpoint_.follow_chosen();
-  if (scene_) turntable_.update(viewpoint_.camera(), covered, now_seconds);
+  if (scene_)
+    turntable_.update(viewpoint_.camera(), has_shown(view_seconds, now_seconds), now_seconds);
   if (const auto drawn = playback_.take_drawn_strokes())
     strokes_.adopt(scene_, drawn->picture, drawn->camera_revision);
   ground_.update(scene_, edits_.settings().ground, edits_.relighting());
@@ -55,6 +65,10 @@ void Previewer::take_over(const OpenScene::Opened& opened) {
     scene_.report(std::move(error));
     edits_.settings().method = Method::asos;
   }
+}
+
+bool Previewer::has_shown(double seconds, double now_seconds) const {
+  return !render_.out_of_date(subject()) && render_.shown_for(seconds, now_seconds);
 }
 
 PreviewRender::Subject Previewer::subject() const {

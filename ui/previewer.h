@@ -66,6 +66,8 @@ class Previewer {
   void take_over(const OpenScene::Opened& opened);
   /// The subject to render: nothing before there are a scene and a size.
   [[nodiscard]] PreviewRender::Subject subject() const;
+  /// Whether the present view has been shown for so long, or at a sample for each pixel.
+  [[nodiscard]] bool has_shown(double seconds, double now_seconds) const;
   [[nodiscard]] std::optional<Playback::WantedStrokes> wanted_strokes() const;
 
   // Each refers to some of those before it.

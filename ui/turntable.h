@@ -2,14 +2,16 @@
 
 #include "ui/orbit_camera.h"
 
-#include <cstdint>
+#include <glm/glm.hpp>
+
 #include <optional>
 
 namespace asos {
 
 /// Circles what the camera looks at, counter-clockwise as seen from above, for as long as it is
-/// left alone: whoever moves the camera otherwise stops it. The next step is taken when the picture
-/// of the last one has covered the window once, as far on as time has gone. One thread.
+/// left alone: whoever turns the camera otherwise stops it; moving closer or aside does not. The
+/// next step is taken when the picture of the last one has been seen for a moment, as far on as
+/// time has gone. One thread.
 class Turntable {
  public:
   static constexpr double fastest = 1.0, slowest = 600.0;
@@ -18,14 +20,14 @@ class Turntable {
   void set_turning(bool turning);
   [[nodiscard]] bool turning() const { return turning_; }
 
-  /// Lets time pass. `covered`: the picture from where the camera is has been seen. Call once or
+  /// Lets time pass. `seen`: the picture from where the camera is has been. Call once or
   /// more a frame.
-  void update(OrbitCamera& camera, bool covered, double now_seconds);
+  void update(OrbitCamera& camera, bool seen, double now_seconds);
 
  private:
   bool turning_ = false;
-  std::optional<std::uint64_t> left_at_;  // the camera's revision after the last step
-  double stepped_seconds_ = 0.0;          // when that was
+  std::optional<glm::dvec3> left_at_;  // from where the camera looked after the last step
+  double stepped_seconds_ = 0.0;       // when that was
 };
 
 }  // namespace asos

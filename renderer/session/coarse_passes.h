@@ -10,8 +10,8 @@
 namespace asos {
 
 /// The pictures that a window shows before there are final pixels: first a sample in the middle of
-/// each block, then one in the centre of each pixel. Knows which groups are still to do; any number
-/// of threads.
+/// each block, then of each quarter of one, then one in the centre of each pixel. Knows which
+/// groups are still to do; any number of threads.
 class CoarsePasses {
  public:
   /// Renders into `tiles` until no group is left or `stop` is requested. No barrier stands between
@@ -19,10 +19,12 @@ class CoarsePasses {
   void work(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
 
  private:
-  void work_middles(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
+  void work_middles(const PlannedRender& render, Pass pass, TileCollector& tiles,
+                    const std::stop_token& stop);
   void work_centres(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
 
-  std::atomic<std::size_t> next_middles_{0};  // groups
+  std::atomic<std::size_t> next_blocks_{0};  // groups
+  std::atomic<std::size_t> next_quarters_{0};
   std::atomic<std::size_t> next_centres_{0};
 };
 

@@ -33,10 +33,11 @@ struct Progress {
 
 /// How far all pixels of a picture have come at least.
 struct Reached {
-  enum class Pass { nothing, blocks, centres, level, final_pixels };
-  Pass pass = Pass::nothing;  ///< blocks: a sample for each block; centres: one for each pixel
-  int level = 0;              ///< of Pass::level: the MAX of the pass
-  double final_share = 0.0;   ///< of the pixels
+  enum class Pass { nothing, blocks, quarters, centres, level, final_pixels };
+  /// A sample for each block, for each quarter of one, for each pixel.
+  Pass pass = Pass::nothing;
+  int level = 0;             ///< of Pass::level: the MAX of the pass
+  double final_share = 0.0;  ///< of the pixels
 };
 
 /// The workers that RenderSettings::threads asks for: where it is 0, one for each core. Beside a
@@ -46,10 +47,11 @@ struct Reached {
 [[nodiscard]] int worker_count_on(int cores, int threads, bool beside_window);
 
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
-/// sample for each 8x8 block, then one for each pixel; as soon as the scene's boundaries are known,
-/// passes at a low MAX where they are worth it (LevelPasses), then the method's own pixels. The
-/// result does not depend on the number of workers nor on the order of tiles. All members may be
-/// called from one controlling thread; the callback comes from workers and must not call back in.
+/// sample for each 8x8 block, for each 4x4 one, then for each pixel; as soon as the scene's
+/// boundaries are known, passes at a low MAX where they are worth it (LevelPasses), then the
+/// method's own pixels. The result does not depend on the number of workers nor on the order of
+/// tiles. All members may be called from one controlling thread; the callback comes from workers
+/// and must not call back in.
 ///
 /// With a crop, tiles are relative to the crop's top left corner, and a picture of the crop's size
 /// holds them all; their pixels equal that part of the whole picture's. A snapshot without a scene,

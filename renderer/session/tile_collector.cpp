@@ -129,8 +129,11 @@ Reached TileCollector::reached() const {
   switch (least) {
     case Pass::nothing:
       break;
-    case Pass::coarse:
+    case Pass::blocks:
       reached.pass = Reached::Pass::blocks;
+      break;
+    case Pass::quarters:
+      reached.pass = Reached::Pass::quarters;
       break;
     case Pass::centres:
       reached.pass = Reached::Pass::centres;

@@ -15,7 +15,8 @@ namespace asos {
 /// there is one for each MAX.
 enum class Pass : int {
   nothing,
-  coarse,
+  blocks,
+  quarters,
   centres,
   first_level,
   final_pixels = first_level + max_level_limit + 1

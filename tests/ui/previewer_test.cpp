@@ -24,6 +24,29 @@ TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
   EXPECT_GT(wakes, 0);
 }
 
+// Other threads go on while it is asked: what they had reached before and after are its bounds.
+TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
+  const PreviewRender& render = previewer.render();
+  previewer.viewpoint().set_picture_size(1200, 900, now);
+  previewer.edits().settings().method = Method::uniform;
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  bool waited = false;
+  for (const double start = now; !waited || !render.shown_for(1.0, start);) {
+    previewer.update(start);
+    const Reached::Pass before = render.reached().pass;
+    const bool long_enough = render.shown_for(1.0, start);
+    const Reached::Pass after = render.reached().pass;
+    const bool covered = !render.first_picture_pending();
+    ASSERT_TRUE(long_enough || before < Reached::Pass::centres || !covered);
+    ASSERT_TRUE(!long_enough || after >= Reached::Pass::centres);
+    ASSERT_TRUE(!covered || render.shown_for(1.0, start + 1.0));
+    waited |= covered && !long_enough;
+    if (render.progress().finished) break;
+  }
+  EXPECT_TRUE(waited) << "or nothing was told";
+}
+
 TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   previewer.viewpoint().set_picture_size(48, 32, now);
   previewer.scene().open("lines");

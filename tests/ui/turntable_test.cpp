@@ -45,15 +45,21 @@ TEST(Turntable, GoesAsFarOnAsTimeHasGone) {
   EXPECT_NEAR(camera.eye().x, 5.0, 1e-12);
 }
 
-TEST(Turntable, StopsWhereSomebodyMovesTheCamera) {
+TEST(Turntable, StopsWhereSomebodyTurnsTheCamera) {
   OrbitCamera camera = from_the_front();
   Turntable turntable;
   turntable.set_turning(true);
   turntable.update(camera, true, 0.0);
   camera.dolly(0.5);
+  camera.pan(0.1, 0.2);
   turntable.update(camera, true, 1.0);
+  EXPECT_TRUE(turntable.turning()) << "moving closer or aside goes beside it";
+  const double turned = azimuth_rad(camera);
+  EXPECT_GT(turned, 0.0);
+  camera.orbit(0.0, 0.1);
+  turntable.update(camera, true, 2.0);
   EXPECT_FALSE(turntable.turning());
-  EXPECT_EQ(azimuth_rad(camera), 0.0);
+  EXPECT_EQ(azimuth_rad(camera), turned);
 }
 
 TEST(Turntable, ItsTimesAreWithinTheirRange) {

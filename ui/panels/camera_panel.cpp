@@ -71,7 +71,7 @@ void lens_controls(Controls& controls, OrbitCamera& camera) {
 void turntable_controls(Controls& controls, Turntable& turntable) {
   bool turning = turntable.turning();
   if (controls.checkbox("Turntable",
-                        "Circle what is looked at until the camera is moved otherwise. Each view "
+                        "Circle what is looked at until the camera is turned otherwise. Each view "
                         "is shown by the passes that there is time for. Key: T.",
                         turning, false))
     turntable.set_turning(turning);

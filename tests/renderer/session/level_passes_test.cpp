@@ -107,7 +107,7 @@ TEST(LevelPasses, ShowTheWholePictureAtALowMax) {
     shown.put(tile);
     coarse_pixels += tile.radiance.size();
   }
-  EXPECT_EQ(coarse_pixels, 3u * width * height) << "blocks, centres and MAX 1";
+  EXPECT_EQ(coarse_pixels, 4u * width * height) << "blocks, their quarters, centres and MAX 1";
   EXPECT_EQ(shown.radiance, at_max_1.radiance);
   EXPECT_NE(at_max_1.radiance, at_max_5.radiance);
 }
@@ -131,9 +131,9 @@ TEST(LevelPasses, ShowTheSameWhateverTheThreads) {
     const auto found = many.find(key);
     different += found == many.end() || found->second != radiance;
   }
-  EXPECT_LE(different, 4 * 3) << "tiles that were overtaken, at the ends of passes";
+  EXPECT_LE(different, 4 * 4) << "tiles that were overtaken, at the ends of passes";
   constexpr int groups = ((width - 1) / group_size + 1) * ((height - 1) / group_size + 1);
-  EXPECT_EQ(one.size(), 4u * groups) << "blocks, centres, MAX 1 and the final pixels";
+  EXPECT_EQ(one.size(), 5u * groups) << "blocks, their quarters, centres, MAX 1 and the final pixels";
 }
 
 TEST(LevelPasses, AStoppedRenderKeepsWhatIsFinal) {

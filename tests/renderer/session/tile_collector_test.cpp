@@ -90,7 +90,7 @@ TEST(TileCollector, DropsPassesThatCameTooLate) {
     return collector.take_finished().size();
   };
   EXPECT_EQ(publish(Pass::centres), 1u);
-  EXPECT_EQ(publish(Pass::coarse), 0u);
+  EXPECT_EQ(publish(Pass::quarters), 0u);
   EXPECT_EQ(publish(Pass::centres), 0u);
   for (std::size_t i = 16; i < 32; ++i)
     EXPECT_FALSE(collector.finish_block(i, block_at(plan.blocks[i].rect)));
