@@ -185,11 +185,13 @@ void add_bounces(std::vector<Case>& cases) {
                    }});
   cases.push_back(
       {"facing mirrors, 64 bounces, a tenth lost at each", mirror_group, true, [deepest] {
-         return worst_pixel({worst_of_small, background / 256.0,
-                             "what has less than 1/256 of a pixel's light is not followed"},
-                            render(facing(0.9f, 64.0), deepest), [](int, int) {
-                              return unfollowed * std::pow(static_cast<double>(0.9f), 65.0);
-                            });
+         // 0.9^53 is the first below 1/256.
+         const double left = std::pow(static_cast<double>(0.9f), 53.0);
+         return worst_pixel({worst_of_small, unfollowed * left * 54.0 * 8.0 * rounding,
+                             "what has less than 1/256 of a pixel's light is not followed, but is "
+                             "the sky's mean; eight roundings a bounce"},
+                            render(facing(0.9f, 64.0), deepest),
+                            [left](int, int) { return unfollowed * left; });
        }});
   cases.push_back({"rays are spared where nothing is left", mirror_group, true, [deepest] {
                      return one_value({"mirrored rays a pixel", 1.0,
