@@ -2,6 +2,7 @@
 
 #include "renderer/result.h"
 #include "renderer/shading/sky.h"
+#include "renderer/shading/sky_remark.h"
 #include "ui/latest_job.h"
 
 #include <memory>
@@ -13,10 +14,17 @@ namespace asos {
 /// Reads pictures of skies on a thread of its own; a newer request replaces an older one.
 class SkyReader {
  public:
-  using Outcome = Result<std::shared_ptr<const Sky>>;
+  struct Outcome {
+    Result<std::shared_ptr<const Sky>> sky;
+    std::string remark;  ///< see sky_remark
+  };
 
   SkyReader()
-      : job_([](const std::string& path) { return read_sky(path); }, {}, Overtaken::dropped) {}
+      : job_(
+            [](const std::string& path) {
+              return Outcome{read_sky(path), sky_remark(path)};
+            },
+            {}, Overtaken::dropped) {}
 
   void read(std::string path) { job_.ask(std::move(path)); }
   /// The outcome of the newest request, once.

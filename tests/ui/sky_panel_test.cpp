@@ -1,3 +1,4 @@
+#include "renderer/film/image_io.h"
 #include "renderer/shading/sky.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
@@ -115,6 +116,30 @@ TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
 }
 
 // A quarter of the picture's height is a quarter of half a turn, as in orbits.
+TEST_F(SkyPanelTest, SaysThatAPictureIsShownWithFewerPixels) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sky.exr");
+  Film picture(6000, 3000);  // more than 2^24, of a file that has next to nothing
+  ASSERT_TRUE(write_exr(path, picture, {}));
+  rig.click("Sky/File");
+  rig.content().state().sky.path = path;
+  rig.frame();
+  rig.click("Load sky");
+  ASSERT_TRUE(rig.frames_until([&] { return sky() != nullptr; }));
+  rig.frame();
+  EXPECT_NE(rig.content().state().sky.remark.find("shown with 3000 x 1500"), std::string::npos)
+      << rig.content().state().sky.remark;
+  EXPECT_TRUE(rig.content().controls().all().contains("Sky remark"));
+  // Of the next one there is nothing to say.
+  write_sky(folder.file("small.hdr"));
+  rig.content().state().sky.path = folder.file("small.hdr");
+  rig.frame();
+  rig.click("Load sky");
+  ASSERT_TRUE(rig.frames_until([&] { return sky()->choice().file != path; }));
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Sky remark"));
+}
+
 TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
   const auto key_light = [this] { return rig.previewer().scene()->lights().front(); };
   const auto middle = [this] {

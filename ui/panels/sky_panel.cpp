@@ -115,6 +115,13 @@ void colour_controls(Controls& controls, RenderSettings& settings, SkyKind kind)
   if (changed) settings.sky = colours.sky();
 }
 
+void warn(Controls& controls, const char* name, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+  controls.placed(name, nullptr);
+}
+
 void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice,
                    SkyReader& reader) {
   ImGui::SetNextItemWidth(-1.0f);
@@ -132,13 +139,9 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
     if (shown && choice.reading->state && choice.reading == choice.read) return;
     reader.read(choice.path);
   }
-  if (!choice.error.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-    ImGui::TextWrapped("%s", choice.error.c_str());
-    ImGui::PopStyleColor();
-    controls.placed("Sky error", nullptr);
-  }
+  if (!choice.error.empty()) warn(controls, "Sky error", choice.error);
   if (!settings.sky || !settings.sky->is_picture()) return;
+  if (!choice.remark.empty()) warn(controls, "Sky remark", choice.remark);
   controls.row("Picture", settings.sky->choice().file, "The file that surrounds the scene.");
   float turn = static_cast<float>(settings.sky->choice().turn_deg);
   if (controls.slider(
@@ -158,12 +161,13 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
 void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
   auto outcome = reader.take_outcome();
   if (!outcome) return;
-  if (*outcome) {
-    edits.set_sky(std::move(**outcome));
+  if (outcome->sky) {
+    edits.set_sky(std::move(*outcome->sky));
+    choice.remark = std::move(outcome->remark);
     choice.file = false;
     choice.read = std::exchange(choice.reading, std::nullopt);
   } else {
-    choice.error = outcome->error().message();
+    choice.error = outcome->sky.error().message();
   }
 }
 

@@ -18,7 +18,8 @@ struct SkyEdit {
   /// The file that the sky was read from, as it was then: read again, it is no other sky.
   std::optional<FileStamp> read;
   std::optional<FileStamp> reading;
-  std::string error;  ///< why it could not be read
+  std::string error;   ///< why it could not be read
+  std::string remark;  ///< what of the picture is not shown
 };
 
 /// Call once a frame, whether the panel is shown or not: takes over what was read.
