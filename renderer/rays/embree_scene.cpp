@@ -30,6 +30,12 @@ bool all_filtered(const SceneNeeds& forced) {
   return forced.alpha_mask || forced.alpha_blend;
 }
 
+/// What Embree reports to have allocated, on any of its threads.
+bool count_bytes(void* counter, ssize_t bytes, bool) {
+  static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
 constexpr unsigned first_group_of_faces = 6;
 constexpr unsigned first_group_of_strokes = 12;
 
@@ -58,14 +64,7 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
                                                static_cast<int>(rtcGetDeviceError(nullptr)))));
   }
   rtcSetDeviceErrorFunction(device_, Errors::note, &errors_);
-  rtcSetDeviceMemoryMonitorFunction(
-      device_,
-      [](void* counter, ssize_t bytes, bool) {
-        static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes,
-                                                                    std::memory_order_relaxed);
-        return true;
-      },
-      &device_bytes_);
+  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &device_bytes_);
 
   choose_scale(world);
   sort_surfaces(world, open, lights);
