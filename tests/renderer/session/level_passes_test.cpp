@@ -133,7 +133,8 @@ TEST(LevelPasses, ShowTheSameWhateverTheThreads) {
   }
   EXPECT_LE(different, 4 * 4) << "tiles that were overtaken, at the ends of passes";
   constexpr int groups = ((width - 1) / group_size + 1) * ((height - 1) / group_size + 1);
-  EXPECT_EQ(one.size(), 5u * groups) << "blocks, their quarters, centres, MAX 1 and the final pixels";
+  EXPECT_EQ(one.size(), 5u * groups)
+      << "blocks, their quarters, centres, MAX 1 and the final pixels";
 }
 
 TEST(LevelPasses, AStoppedRenderKeepsWhatIsFinal) {
