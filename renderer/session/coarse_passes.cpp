@@ -28,6 +28,18 @@ class Middles {
         places_(1, false),
         lights_(render.snapshot.scene->rays(), places_) {}
 
+  /// Cuts blocks into squares of this side, those at the right and lower edge into what is left.
+  std::span<const PixelRect> cut(std::span<const WorkPlan::Block> blocks, int side) {
+    std::size_t count = 0;
+    for (const WorkPlan::Block& block : blocks) {
+      const PixelRect& r = block.rect;
+      for (int y = r.y; y < r.y + r.height; y += side)
+        for (int x = r.x; x < r.x + r.width; x += side)
+          squares_[count++] = intersection(r, {x, y, side, side});
+    }
+    return std::span(squares_).first(count);
+  }
+
   /// Radiance, square by square: 0 where it is not finite. Empty once `stop` is requested.
   std::span<const glm::vec3> see(std::span<const PixelRect> squares, int side,
                                  const std::stop_token& stop) {
@@ -65,6 +77,7 @@ class Middles {
   Shader shader_;
   GridPlaces places_;
   SampledLights lights_;
+  std::array<PixelRect, most_squares_in_group> squares_;
   std::array<Ray, most_squares_in_group> rays_;
   std::array<Hit, most_squares_in_group> hits_;
   std::vector<glm::dvec3> sums_;
@@ -81,18 +94,6 @@ FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered) 
   tile.cause.assign(pixels, SplitCause::none);
   if (!covered) tile.coverage.assign(pixels, 0.0f);
   return tile;
-}
-
-/// Cuts blocks into squares of this side, those at the right and lower edge into what is left.
-std::vector<PixelRect> cut(std::span<const WorkPlan::Block> blocks, int side) {
-  std::vector<PixelRect> squares;
-  for (const WorkPlan::Block& block : blocks) {
-    const PixelRect& r = block.rect;
-    for (int y = r.y; y < r.y + r.height; y += side)
-      for (int x = r.x; x < r.x + r.width; x += side)
-        squares.push_back(intersection(r, {x, y, side, side}));
-  }
-  return squares;
 }
 
 std::span<const WorkPlan::Block> blocks_of(const WorkPlan& plan, const BlockGroup& group) {
@@ -118,7 +119,7 @@ void CoarsePasses::work_middles(const PlannedRender& render, Pass pass, TileColl
     const std::size_t index = next++;
     if (index >= render.plan.groups.size()) return;
     const BlockGroup& group = render.plan.groups[index];
-    const std::vector<PixelRect> squares = cut(blocks_of(render.plan, group), side);
+    const std::span<const PixelRect> squares = middles.cut(blocks_of(render.plan, group), side);
     const auto radiance = middles.see(squares, side, stop);
     if (radiance.empty()) return;
     FinishedTile tile = tiles.blank_tile(group);

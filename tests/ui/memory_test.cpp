@@ -169,7 +169,7 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
   const Memory trimmed = memory();
   std::printf("resident %.1f MB, %.1f trimmed again; heap %.1f MB\n", before, trimmed.resident_mb,
               trimmed.heap_mb);
-  EXPECT_LE(before - trimmed.resident_mb, 8.0);
+  EXPECT_LE(before - trimmed.resident_mb, 4.0);
 }
 
 }  // namespace

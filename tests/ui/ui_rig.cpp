@@ -50,6 +50,8 @@ void UiRig::draw() {
   if (blind_) gl::glEnable(GL_RASTERIZER_DISCARD);
   content_->draw({size_, size_, content_scale_, now_seconds_});
   if (blind_) gl::glDisable(GL_RASTERIZER_DISCARD);
+  // As where a window shows its frame: without it the driver keeps what frames upload, for ever.
+  gl::glFinish();
 }
 
 bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds) {
@@ -217,6 +219,16 @@ void UiRig::click(const std::string& name) {
   }
   press(MouseButton::left);
   release(MouseButton::left);
+}
+
+void UiRig::unfold(const std::string& section) {
+  const std::string name = "section/" + section;
+  constexpr int tries = 5;  // a row that moved between aim and click is missed
+  for (int i = 0; i < tries && control(name).words != "open"; ++i) {
+    click(name);
+    frame();  // its rows come with the next
+  }
+  EXPECT_EQ(control(name).words, "open") << section;
 }
 
 std::vector<glm::u8vec3> UiRig::pixels() {

@@ -55,6 +55,8 @@ class UiRig {
   /// Fails the test where the control is not there; scrolls the panel to it.
   Controls::Placed control(const std::string& name);
   void click(const std::string& name);
+  /// Sees to it that a section of the panel is open.
+  void unfold(const std::string& section);
 
   /// Whether frames are laid out and uploaded but not filled in, which is most of what software
   /// OpenGL spends on them; what a picture of the window saves is wrong then.

@@ -40,7 +40,9 @@ bool Controls::section(const char* name, bool open_at_first) {
   ImGuiTreeNodeFlags flags = helps ? ImGuiTreeNodeFlags_AllowItemOverlap : ImGuiTreeNodeFlags_None;
   if (open_at_first) flags |= ImGuiTreeNodeFlags_DefaultOpen;
   const bool open = ImGui::CollapsingHeader(name, flags);
-  placed(std::string("section/") + name, nullptr);
+  const std::string placed_name = std::string("section/") + name;
+  placed(placed_name, nullptr);
+  placed_[placed_name].words = open ? "open" : "folded";
   if (helps) help_button(name);
   return open;
 }
