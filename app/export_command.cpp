@@ -2,7 +2,7 @@
 #include "app/exit_code.h"
 #include "app/output_file.h"
 #include "app/scene_argument.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/command.h"
 #include "app/exit_code.h"
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

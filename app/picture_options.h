@@ -3,9 +3,9 @@
 #include "app/camera_choice.h"
 #include "app/clip_choice.h"
 #include "app/values.h"
+#include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
-#include "renderer/scene/load.h"
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
 

@@ -1,6 +1,7 @@
 #include "app/scene_argument.h"
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
+#include "renderer/scene/builtin.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "renderer/gltf/load.h"
 #include "renderer/result.h"
-#include "renderer/scene/load.h"
 #include "renderer/scene/scene.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "ui/open_scene.h"
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "ui/hidden_objects.h"
 
 #include <algorithm>

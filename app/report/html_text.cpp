@@ -1,7 +1,7 @@
 #include "app/report/html_text.h"
 
+#include "renderer/files/base64.h"
 #include "renderer/files/read_file.h"
-#include "renderer/scene/export/base64.h"
 
 #include <fmt/format.h>
 

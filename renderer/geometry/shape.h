@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// An analytic shape in its own space, as KHR_implicit_shapes has them (scene/gltf/SHAPES.md): its
+/// An analytic shape in its own space, as KHR_implicit_shapes has them (gltf/SHAPES.md): its
 /// middle at the origin, round ones around +Y. A cylinder of two radii is a truncated cone, one of
 /// which a radius is 0 a cone. A disk lies in the plane y = 0 and faces +Y; the others are closed.
 struct Shape {

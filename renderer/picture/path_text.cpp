@@ -1,7 +1,7 @@
 #include "renderer/picture/path_text.h"
 
 #include "renderer/files/printable.h"
-#include "renderer/scene/gltf/files.h"
+#include "renderer/gltf/files.h"
 
 #include <fmt/format.h>
 

@@ -246,7 +246,7 @@ struct Instance {
   int shape = -1;            ///< index into Scene::shapes; -1: none
 };
 
-/// A light, already placed in the world. Its encoding in files: scene/gltf/LIGHTS.md. It has no
+/// A light, already placed in the world. Its encoding in files: gltf/LIGHTS.md. It has no
 /// surface of its own: what a viewer sees of a lamp is an instance with an emissive material.
 struct Light {
   enum class Type { point, spot, directional, linear, rectangle, disk, polygon };

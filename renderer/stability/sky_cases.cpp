@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -25,14 +26,18 @@ namespace {
 
 constexpr const char* sky_group = "sky";
 using SharedSky = std::shared_ptr<const Sky>;
+/// Of cases most are listed only: skies are made when one runs.
+using MakeSky = std::function<SharedSky()>;
 
 SharedSky picture_sky(int height, std::vector<glm::vec3> texels, double turn_deg = 0.0) {
   return std::make_shared<const Sky>(SkyMap(2 * height, height, std::move(texels)), turn_deg, "");
 }
 
-SharedSky even_picture(int height, float radiance) {
-  const auto side = static_cast<std::size_t>(height);
-  return picture_sky(height, std::vector<glm::vec3>(2 * side * side, glm::vec3(radiance)));
+MakeSky even_picture(int height, float radiance) {
+  return [=] {
+    const auto side = static_cast<std::size_t>(height);
+    return picture_sky(height, std::vector<glm::vec3>(2 * side * side, glm::vec3(radiance)));
+  };
 }
 
 /// A dark sky with one bright texel on the horizon, at -Z.
@@ -50,7 +55,7 @@ RenderSettings under_this(const SharedSky& sky) {
 }
 
 /// All of the picture has one radiance, relative to `scale`.
-Case even_sky(const std::string& name, const Scene& scene, const SharedSky& sky, double expected,
+Case even_sky(const std::string& name, const Scene& scene, const MakeSky& make_sky, double expected,
               double roundings, const char* reason) {
   return {name, sky_group, true, [=] {
             // Relative to what is expected, so that no scale hides an error.
@@ -59,7 +64,7 @@ Case even_sky(const std::string& name, const Scene& scene, const SharedSky& sky,
                 {expected > 0.0 ? "radiance of the worst of 8x8 pixels, relative"
                                 : "radiance of the worst of 8x8 pixels",
                  roundings * rounding, reason},
-                expected / unit, render(scene, under_this(sky)), [=](const Picture& p) {
+                expected / unit, render(scene, under_this(make_sky())), [=](const Picture& p) {
                   double worst = expected / unit;
                   for (const glm::vec3& c : p.film.radiance) {
                     const double got = static_cast<double>(c.x) / unit;
@@ -88,7 +93,7 @@ Scene wall_of(const Material& material) {
 void add_brightness(std::vector<Case>& cases) {
   const double share = static_cast<double>(sky_visibility);
   for (const float radiance : {0.0f, 1e-20f, 1e6f, 1e20f}) {
-    const auto sky = std::make_shared<const Sky>(glm::vec3(radiance));
+    const auto sky = [=] { return std::make_shared<const Sky>(glm::vec3(radiance)); };
     const double r = static_cast<double>(radiance);
     const auto named = [&](const char* what) {
       return fmt::format("a sky of {:g}, {}", radiance, what);

@@ -1,4 +1,4 @@
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 #include "renderer/stability/case.h"
 #include "renderer/stability/closed_forms.h"
 #include "renderer/stability/picture.h"
@@ -164,7 +164,7 @@ double only_pixel(const Picture& picture) {
 
 /// A built-in scene from so far that one pixel holds it all, against points.
 Result<Outcome> boxes() {
-  Result<Scene> scene = load_scene("builtin:boxes");
+  Result<Scene> scene = builtin_scene("boxes");
   if (!scene) return unexpected(scene.error());
   scene->cameras[0].world_from_camera[3] += 200.0 * scene->cameras[0].world_from_camera[2];
   RenderSettings settings = settings_of(1, 1, 8);

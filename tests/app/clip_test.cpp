@@ -4,7 +4,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/picture/picture_description.h"
 #include "tests/app/run_asos.h"
-#include "tests/renderer/scene/moving_file.h"
+#include "tests/renderer/gltf/moving_file.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
+#include "renderer/scene/builtin.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
 

@@ -84,6 +84,8 @@ each() {
       # gnuplot notices no single fault, only a disk that stays full.
       [[ $how == short || $call != */plots/*.[slp][von]g ]] || continue
       [[ -n $call ]] || continue
+      # No write came from there on, so that none was cut short.
+      [[ $how != short ]] || tail -n +"$n" calls | grep -q '^write ' || continue
       judge "call $n, $call, $how" "$@"
     done
   done

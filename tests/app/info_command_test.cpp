@@ -1,6 +1,6 @@
 #include "app/scene_info.h"
+#include "renderer/gltf/load.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/scene/load.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/shared_dir.h"
 

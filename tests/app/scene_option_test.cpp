@@ -1,7 +1,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/picture/picture_description.h"
 #include "tests/app/run_asos.h"
-#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/renderer/gltf/gltf_builder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,7 @@
 #include "tests/bench/bench_support.h"
 
+#include "renderer/scene/builtin.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

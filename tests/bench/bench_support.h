@@ -2,7 +2,7 @@
 
 #include "app/camera_choice.h"
 #include "renderer/asos/pixel_trace.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
 #include "renderer/study/curves.h"
 #include "renderer/study/measures.h"

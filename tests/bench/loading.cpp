@@ -6,7 +6,7 @@
 //   bench_loading [SCENE] [--size WxH] [--threads N]
 
 #include "app/large_blocks.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/options.h"

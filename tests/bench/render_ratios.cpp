@@ -8,7 +8,7 @@
 //
 // Without scenes: the built-in ones that the limits are set for.
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
 #include "tests/bench/bench_support.h"
 

@@ -1,7 +1,7 @@
 #include "renderer/comparison/method.h"
+#include "renderer/gltf/load.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
-#include "renderer/scene/load.h"
 #include "renderer/scene/rig.h"
 #include "renderer/session/film_render.h"
 #include "renderer/shading/environments.h"

@@ -24,7 +24,7 @@ limit() {
   grep -qF -- "$4" "$3" || fail "$3: no longer says '$4', which README.md tells of as '$1'"
 }
 
-gltf=renderer/scene/gltf
+gltf=renderer/gltf
 limit 'files' 'regular ones only' renderer/files/read_file.cpp '!S_ISREG'
 limit '.glb' '8 GiB' $gltf/container.cpp 'most_file_bytes = std::uint64_t{8} << 30;'
 limit '.gltf, and the JSON of a .glb' '1 GiB' $gltf/container.cpp \
@@ -36,7 +36,7 @@ limit '.exr' '8 GiB' renderer/film/exr_io.cpp 'most_exr_bytes = std::uint64_t{8}
 limit 'saved pictures (`--from`)' '4 GiB' renderer/film/image_text.cpp \
   'largest_picture = std::uint64_t{4} << 30;'
 limit 'text in a picture' '16 MB' renderer/film/image_text.h 'most_image_text = std::size_t{16} << 20;'
-pictures=renderer/scene/pictures
+pictures=renderer/gltf/pictures
 limit 'textures' '16384 pixels a side' $pictures/picture.h 'largest_picture_side = 16384;'
 limit 'textures' '1100 for each byte' $pictures/picture.cpp 'most_pixels_per_byte = 1100;'
 limit 'textures, all together' '2^24' $gltf/texture_budget.cpp 'free_texels = std::uint64_t{1} << 24;'
@@ -57,7 +57,7 @@ limit "$kept" 'one for 5 bytes' renderer/shading/sky_file.cpp 'bytes_a_texel = 5
 limit 'how bright skies are' '1e15' renderer/shading/sky_file.cpp 'most_radiance = 1e15f;'
 limit "pieces of cut-outs' outlines" '2 million' renderer/features/cut_outs.h \
   'lines = std::size_t{1} << 21;'
-limit 'triangles' '60 million' renderer/scene/load.h "max_triangles = 60'000'000;"
+limit 'triangles' '60 million' renderer/gltf/load.h "max_triangles = 60'000'000;"
 limit 'triangles' '220 bytes' $gltf/memory_check.cpp 'bytes_a_triangle = 220'
 limit 'objects' '300 bytes' $gltf/memory_check.cpp 'bytes_an_object = 300;'
 limit 'objects' '4 million' $gltf/importer.cpp "most_instances = 4'000'000;"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/scene/gltf/light_fault.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/light_fault.h"
+#include "renderer/gltf/load.h"
 #include "renderer/scene/scene_fault.h"
 #include "renderer/world/world.h"
 #include "tests/support/flat_world.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/renderer/gltf/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/ui_rig.h"
 

@@ -1,7 +1,7 @@
 #include "ui/edited_light.h"
 
+#include "renderer/gltf/light_fault.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/scene/gltf/light_fault.h"
 #include "tests/support/tiny_scene.h"
 #include "ui/new_lights.h"
 

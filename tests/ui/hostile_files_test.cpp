@@ -1,5 +1,5 @@
 #include "renderer/scene/remarks.h"
-#include "tests/renderer/scene/gltf_builder.h"
+#include "tests/renderer/gltf/gltf_builder.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/ui_rig.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "tests/ui/test_scenes.h"
 #include "ui/previewer.h"
 

@@ -1,5 +1,5 @@
+#include "renderer/gltf/load.h"
 #include "renderer/picture/picture_text.h"
-#include "renderer/scene/load.h"
 #include "tests/ui/choice_fixture.h"
 #include "tests/ui/test_scenes.h"
 

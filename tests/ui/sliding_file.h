@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/renderer/scene/moving_file.h"
+#include "tests/renderer/gltf/moving_file.h"
 
 namespace asos::test {
 

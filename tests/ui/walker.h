@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "tests/ui/walked_window.h"
 #include "ui/window_content.h"
 #include "ui/window_loop.h"

@@ -1,5 +1,5 @@
 #include "renderer/files/printable.h"
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 #include "ui/input.h"
 #include "ui/panels/named_like.h"
 #include "ui/panels/overlays.h"

@@ -1,5 +1,8 @@
+#include "renderer/scene/builtin.h"
+
 #include "renderer/scene/builtin/scenes.h"
-#include "renderer/scene/load.h"
+
+#include <algorithm>
 
 namespace asos {
 
@@ -48,6 +51,18 @@ const std::vector<BuiltinScene>& builtin_scenes() {
        builtin::make_walking_pole},
   };
   return scenes;
+}
+
+Result<Scene> builtin_scene(const std::string& name) {
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
+  const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const BuiltinScene& s) { return s.name == name; });
+  if (found == scenes.end()) {
+    std::string names;
+    for (const BuiltinScene& s : scenes) names += (names.empty() ? "" : ", ") + s.name;
+    return unexpected(Error{name, "there is no such built-in scene; there are " + names});
+  }
+  return found->make();
 }
 
 }  // namespace asos

@@ -1,6 +1,6 @@
 #include "renderer/scene/builtin/moving.h"
 
-#include "renderer/scene/gltf/contents.h"
+#include "renderer/scene/not_shown.h"
 #include "renderer/scene/rig.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ class MovingScene final : public Rig, public std::enable_shared_from_this<Moving
     for (const Motion& motion : motions_)
       scene.instances[motion.instance].world_from_mesh = motion.world_from_mesh(seconds);
     scene.time = time;
-    scene.notes.not_shown = gltf::not_shown(scene.contents, time);
+    scene.notes.not_shown = not_shown(scene.contents, time);
     scene.rig = shared_from_this();
     return scene;
   }

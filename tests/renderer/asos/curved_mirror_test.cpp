@@ -1,6 +1,6 @@
 #include "renderer/comparison/method.h"
+#include "renderer/gltf/load.h"
 #include "renderer/pyray/budget.h"
-#include "renderer/scene/load.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/tiny_scene.h"

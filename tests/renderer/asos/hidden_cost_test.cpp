@@ -1,4 +1,4 @@
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "tests/support/flat_mesh.h"
 #include "tests/support/render_picture.h"
 

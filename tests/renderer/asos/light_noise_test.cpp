@@ -1,4 +1,4 @@
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 

@@ -1,4 +1,5 @@
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
+#include "renderer/scene/builtin.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 

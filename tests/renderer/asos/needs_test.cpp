@@ -1,7 +1,7 @@
 #include "renderer/world/needs.h"
 
+#include "renderer/gltf/load.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/scene/load.h"
 #include "renderer/shading/sky.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/render_picture.h"

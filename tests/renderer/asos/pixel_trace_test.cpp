@@ -1,7 +1,8 @@
 #include "renderer/asos/pixel_trace.h"
 
 #include "renderer/comparison/method.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
+#include "renderer/scene/builtin.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>

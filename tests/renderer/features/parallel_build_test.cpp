@@ -1,6 +1,6 @@
 #include "renderer/features/box_pairs.h"
 #include "renderer/features/feature_set.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 
 #include <gtest/gtest.h>
 

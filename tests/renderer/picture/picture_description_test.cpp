@@ -1,7 +1,7 @@
 #include "renderer/picture/picture_description.h"
 
+#include "renderer/gltf/load.h"
 #include "renderer/picture/settings_json.h"
-#include "renderer/scene/load.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

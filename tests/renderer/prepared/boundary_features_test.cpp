@@ -1,8 +1,8 @@
 #include "renderer/prepared/boundary_features.h"
 
 #include "renderer/features/stoppable_loop.h"
+#include "renderer/gltf/load.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/scene/load.h"
 #include "tests/support/gate.h"
 #include "tests/support/tiny_world.h"
 

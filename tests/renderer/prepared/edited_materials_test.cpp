@@ -1,5 +1,5 @@
 #include "renderer/prepared/render_scene.h"
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "renderer/prepared/environment_lights.h"
 
 #include "renderer/film/tone.h"
+#include "renderer/gltf/load.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/scene/load.h"
 #include "renderer/shading/environments.h"
 
 #include <gtest/gtest.h>

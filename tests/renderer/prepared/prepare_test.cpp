@@ -1,6 +1,6 @@
+#include "renderer/gltf/load.h"
 #include "renderer/lights/studio_rig.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/scene/load.h"
 #include "renderer/shading/environment.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"

@@ -1,7 +1,7 @@
 #include "renderer/prepared/with_ground.h"
 
+#include "renderer/gltf/load.h"
 #include "renderer/prepared/with_strokes.h"
-#include "renderer/scene/load.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
 #include "tests/support/render_picture.h"

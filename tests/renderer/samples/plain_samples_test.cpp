@@ -1,7 +1,7 @@
 #include "renderer/samples/plain_samples.h"
 
+#include "renderer/gltf/load.h"
 #include "renderer/kernels/surface_kernel.h"
-#include "renderer/scene/load.h"
 #include "renderer/shading/sky.h"
 #include "tests/support/render_picture.h"
 

@@ -1,6 +1,6 @@
+#include "renderer/gltf/light_fault.h"
+#include "renderer/scene/builtin.h"
 #include "renderer/scene/builtin/stage.h"
-#include "renderer/scene/gltf/light_fault.h"
-#include "renderer/scene/load.h"
 
 #include <gtest/gtest.h>
 

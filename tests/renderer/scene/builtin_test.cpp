@@ -1,5 +1,6 @@
+#include "renderer/scene/builtin.h"
+
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/load.h"
 
 #include <gtest/gtest.h>
 

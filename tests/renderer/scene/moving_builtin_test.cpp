@@ -1,4 +1,4 @@
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "renderer/scene/rig.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 #include "renderer/session/render_session.h"
 #include "tests/support/render_picture.h"
 
@@ -43,7 +43,7 @@ bool flat_in_squares(const Film& film, int side) {
 
 TEST(CoarsePasses, EachHasAQuarterOfThePixelsForASample) {
   Snapshot snapshot;
-  snapshot.scene = *prepare(*load_scene("builtin:boxes"));
+  snapshot.scene = *prepare(*builtin_scene("boxes"));
   snapshot.camera = first_camera(snapshot.scene->world(), double{width} / height);
   snapshot.settings.width = width;
   snapshot.settings.height = height;

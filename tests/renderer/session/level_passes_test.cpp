@@ -1,4 +1,4 @@
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 #include "renderer/session/level_choice.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
@@ -18,7 +18,7 @@ namespace asos::test {
 namespace {
 
 Snapshot fence(int width, int height, int threads) {
-  static const auto scene = *prepare(*load_scene("builtin:fence"));
+  static const auto scene = *prepare(*builtin_scene("fence"));
   Snapshot snapshot;
   snapshot.scene = scene;
   snapshot.camera = first_camera(scene->world(), static_cast<double>(width) / height);

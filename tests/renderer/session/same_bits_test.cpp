@@ -1,5 +1,5 @@
 #include "renderer/comparison/method.h"
-#include "renderer/scene/load.h"
+#include "renderer/scene/builtin.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
 #include "tests/support/expect_same.h"
@@ -77,7 +77,7 @@ std::vector<Choice> choices() {
 class SameBits : public testing::Test {
  protected:
   void SetUp() override {
-    const auto loaded = load_scene("builtin:boxes");
+    const auto loaded = builtin_scene("boxes");
     ASSERT_TRUE(loaded) << loaded.error().message();
     const auto scene = prepare(*loaded);
     ASSERT_TRUE(scene) << scene.error().message();

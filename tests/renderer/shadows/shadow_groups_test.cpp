@@ -1,7 +1,7 @@
 #include "renderer/shadows/shadow_groups.h"
 
 #include "renderer/geometry/view.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "renderer/shading/footprint.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/shadow_fixture.h"

@@ -1,6 +1,6 @@
 #include "renderer/study/plan.h"
 
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "renderer/shading/sky.h"
 #include "renderer/study/paper_cases.h"
 #include "renderer/study/regions.h"

@@ -1,7 +1,7 @@
 #include "renderer/world/framing.h"
 
 #include "renderer/geometry/view.h"
-#include "renderer/scene/load.h"
+#include "renderer/gltf/load.h"
 #include "tests/support/shared_dir.h"
 
 #include <fmt/format.h>

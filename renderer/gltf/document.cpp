@@ -1,0 +1,220 @@
+#include "renderer/gltf/document.h"
+
+#include "renderer/gltf/container.h"
+#include "renderer/gltf/moved_values.h"
+#include "renderer/gltf/tidy.h"
+#include "renderer/gltf/tidy_animations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace asos::gltf {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::uint64_t largest_json = std::uint64_t{1} << 30;
+// tinygltf and its JSON library walk a document recursively.
+constexpr std::size_t deepest_nesting = 200;
+
+/// The reason in an exception's or tinygltf's text, on one line and of bounded length.
+std::string one_line(std::string text) {
+  if (text.starts_with("[json.exception.")) text.erase(0, text.find("] ") + 2);
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  if (text.size() > 300) text = text.substr(0, 297) + "...";
+  return text;
+}
+
+Checked<json> parse(Bytes text, Warnings& warnings) {
+  if (text.size() > largest_json) return fault("the JSON is larger than 1 GiB");
+  if (nesting_depth(text) > deepest_nesting) {
+    return fault(fmt::format("the JSON is nested more than {} levels deep", deepest_nesting));
+  }
+  if (text.size() >= 3 && text[0] == 0xef && text[1] == 0xbb && text[2] == 0xbf) {
+    warnings.add("the JSON begins with a byte order mark, which glTF does not allow");
+  }
+  try {
+    json root = json::parse(text.begin(), text.end());
+    if (!root.is_object()) return fault("the JSON is not an object");
+    return root;
+  } catch (const json::exception& e) {
+    return fault("the JSON is broken: " + one_line(e.what()));
+  }
+}
+
+std::string text_of(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// The names that KHR_materials_variants gives to the file's variants.
+std::vector<std::string> variants_of(const json& root) {
+  std::vector<std::string> names;
+  const auto list = root.find("extensions");
+  if (list == root.end() || !list->is_object()) return names;
+  const auto extension = list->find("KHR_materials_variants");
+  if (extension == list->end() || !extension->is_object()) return names;
+  const auto variants = extension->find("variants");
+  if (variants == extension->end() || !variants->is_array()) return names;
+  for (const json& variant : *variants)
+    names.push_back(variant.is_object() ? text_of(variant, "name") : std::string());
+  return names;
+}
+
+Buffer missing(std::string reason) {
+  return Buffer{{}, {}, std::move(reason)};
+}
+
+Buffer holding(FileBytes bytes) {
+  Buffer buffer{std::make_shared<const FileBytes>(std::move(bytes)), {}, {}};
+  buffer.bytes = *buffer.held;
+  return buffer;
+}
+
+/// Files by their place, each read once however often it is named.
+using FilesRead = std::map<std::filesystem::path, Buffer>;
+
+Buffer read_named(const std::filesystem::path& folder, const std::string& uri, FilesRead& files) {
+  const bool embedded = uri.starts_with("data:");
+  const Checked<std::filesystem::path> file = file_of_uri(folder, uri);
+  const auto known = file ? files.find(*file) : files.end();
+  if (known != files.end()) return known->second;
+  Checked<FileBytes> bytes = read_uri(folder, uri);
+  Buffer buffer = bytes ? holding(std::move(*bytes)) : missing(bytes.error());
+  if (file && !embedded) files.emplace(*file, buffer);
+  return buffer;
+}
+
+/// Reads one buffer; `bin` is the GLB's binary chunk where this is its buffer.
+Buffer read_buffer(const json& declared, const std::filesystem::path& folder, const Bytes* bin,
+                   FilesRead& files) {
+  if (!declared.is_object()) return missing("is not an object");
+  if (declared.contains("uri")) {
+    if (!declared["uri"].is_string()) return missing("has a uri that is not a text");
+    return read_named(folder, declared["uri"].get_ref<const std::string&>(), files);
+  }
+  return bin ? holding(FileBytes(bin->begin(), bin->end())) : missing("has no data");
+}
+
+/// Takes the buffers out of the JSON and reads them.
+Checked<void> take_buffers(json& root, const Container& container, Document& doc) {
+  const auto found = root.find("buffers");
+  if (found == root.end()) return {};
+  if (!found->is_array()) return fault("/buffers is not a list");
+  FilesRead files;
+  std::set<const FileBytes*> counted;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const json& declared = (*found)[i];
+    const bool is_bin = i == 0 && container.has_bin;
+    Buffer buffer = read_buffer(declared, doc.folder, is_bin ? &container.bin : nullptr, files);
+    if (!buffer.missing_because.empty()) {
+      // A buffer without a uri may be a placeholder for decompressed data
+      // (EXT_meshopt_compression).
+      const std::string text = fmt::format("buffer {}: {}", i, buffer.missing_because);
+      const bool placeholder = declared.is_object() && !declared.contains("uri");
+      placeholder ? doc.warnings.add(text) : doc.warnings.add_loss(text);
+    } else if (!declared.contains("byteLength") || declared["byteLength"] == 0) {
+      doc.warnings.add(fmt::format("buffer {} declares no length", i));
+    } else if (const auto length = declared["byteLength"].get<std::uint64_t>();
+               length > buffer.bytes.size()) {
+      doc.warnings.add(fmt::format("buffer {} declares {} bytes, but has only {}", i, length,
+                                   buffer.bytes.size()));
+    } else {
+      buffer.bytes = buffer.bytes.first(static_cast<std::size_t>(length));
+    }
+    // A file that is named again brings nothing more along.
+    if (buffer.held && counted.insert(buffer.held.get()).second)
+      doc.honest_bytes += buffer.held->size();
+    doc.buffers.push_back(std::move(buffer));
+  }
+  root.erase(found);
+  return {};
+}
+
+/// Takes the images out of the JSON, so that tinygltf neither reads nor decodes them.
+Checked<void> take_images(json& root, Document& doc) {
+  const auto found = root.find("images");
+  if (found == root.end()) return {};
+  if (!found->is_array()) return fault("/images is not a list");
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const json& declared = (*found)[i];
+    ImageSource image;
+    if (declared.is_object()) {
+      image.name = text_of(declared, "name");
+      image.uri = text_of(declared, "uri");
+      if (declared.contains("bufferView")) image.buffer_view = declared["bufferView"].get<int>();
+      if (image.buffer_view >= 0 && !declared.contains("mimeType")) {
+        doc.warnings.add(fmt::format("image {} has no mimeType", i));
+      }
+    }
+    if (image.uri.empty() && image.buffer_view < 0) {
+      doc.warnings.add(fmt::format("image {} has neither a uri nor a buffer view", i));
+    }
+    doc.images.push_back(std::move(image));
+  }
+  root.erase(found);
+  return {};
+}
+
+/// tinygltf's remarks, a line each, but for those about properties that glTF lets a file omit.
+void add_remarks(const std::string& text, Warnings& warnings) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool allowed = line.find("'inverseBindMatrices' property is missing") == 0 ||
+                         line.find("'node' property is missing") == 0 ||
+                         line.find("`node` field is missing") == 0;
+    if (!line.empty() && !allowed) warnings.add(one_line(line));
+  }
+}
+
+/// Takes the JSON, of which tinygltf makes another of the same size.
+Checked<void> read_model(json root, Document& doc) {
+  const std::string text = root.dump();
+  root = nullptr;
+  tinygltf::TinyGLTF reader;
+  std::string error, warning;
+  bool good = false;
+  try {
+    good = reader.LoadASCIIFromString(&doc.model, &error, &warning, text.data(),
+                                      static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE);
+  } catch (const std::exception& e) {
+    return fault(one_line(e.what()));
+  }
+  if (!good) return fault(one_line(error.empty() ? "the JSON is not valid glTF" : error));
+  add_remarks(error + warning, doc.warnings);
+  return {};
+}
+
+}  // namespace
+
+Checked<Document> read_document(const std::filesystem::path& path) {
+  Document doc;
+  doc.folder = path.parent_path();
+  Checked<FileBytes> file = read_file(path, scene_file_rules());
+  if (!file) return fault(file.error());
+  doc.honest_bytes = file->size();
+  const Checked<Container> container = open_container(*file, doc.warnings);
+  if (!container) return fault(container.error());
+  Checked<json> root = parse(container->json, doc.warnings);
+  if (!root) return fault(root.error());
+
+  Checked<std::vector<std::string>> optional = check_header(*root, doc.warnings);
+  if (!optional) return fault(optional.error());
+  doc.unsupported_extensions = std::move(*optional);
+  doc.variants = variants_of(*root);
+  if (auto done = tidy(*root, container->json.size(), doc.warnings); !done)
+    return fault(done.error());
+  if (moves_values(*root)) doc.movable = std::make_shared<const json>(movable_parts(*root));
+  if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
+  if (auto done = take_images(*root, doc); !done) return fault(done.error());
+  if (auto done = read_model(std::move(*root), doc); !done) return fault(done.error());
+  return doc;
+}
+
+}  // namespace asos::gltf

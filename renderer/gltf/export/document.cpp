@@ -1,0 +1,87 @@
+#include "renderer/files/base64.h"
+#include "renderer/gltf/export/gltf_writer.h"
+
+#include <array>
+#include <limits>
+
+namespace asos::exporting {
+
+using nlohmann::json;
+
+namespace {
+
+/// Names may hold bytes that are not UTF-8; they must not keep a scene from being saved.
+std::string dump(const json& root) {
+  return root.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void append_u32(std::string& out, std::uint64_t value) {
+  for (int shift = 0; shift < 32; shift += 8) {
+    out += static_cast<char>(static_cast<unsigned char>((value >> shift) & 0xffu));
+  }
+}
+
+}  // namespace
+
+GltfDocument::GltfDocument() {
+  root["asset"] = {{"version", "2.0"}, {"generator", "ASOS"}};
+  root["scene"] = 0;
+  root["scenes"] = json::array({json::object()});
+}
+
+int GltfDocument::add_view(std::span<const std::uint8_t> bytes, int target) {
+  binary_.resize((binary_.size() + 3) / 4 * 4, 0);
+  json view{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}};
+  if (target != 0) view["target"] = target;
+  binary_.insert(binary_.end(), bytes.begin(), bytes.end());
+  return add("bufferViews", std::move(view));
+}
+
+int GltfDocument::add(const char* list, json value) {
+  root[list].push_back(std::move(value));
+  return static_cast<int>(root[list].size()) - 1;
+}
+
+void GltfDocument::add_root_node(json node) {
+  root["scenes"][0]["nodes"].push_back(add("nodes", std::move(node)));
+}
+
+void GltfDocument::finish() {
+  binary_.resize((binary_.size() + 3) / 4 * 4, 0);
+  for (const std::string& name : extensions_) root["extensionsUsed"].push_back(name);
+  if (!binary_.empty()) root["buffers"] = json::array({{{"byteLength", binary_.size()}}});
+}
+
+Result<std::string> GltfDocument::as_glb(const std::string& path) {
+  finish();
+  std::string text = dump(root);
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::uint64_t binary_chunk = binary_.empty() ? 0 : 8 + binary_.size();
+  const std::uint64_t total = 12 + 8 + text.size() + binary_chunk;
+  if (total > std::numeric_limits<std::uint32_t>::max()) {
+    return unexpected(Error{path, "the scene is too large for a .glb file, which ends at 4 GiB"});
+  }
+  std::string out = "glTF";
+  out.reserve(total);
+  append_u32(out, 2);
+  append_u32(out, total);
+  append_u32(out, text.size());
+  out += "JSON";
+  out += text;
+  if (!binary_.empty()) {
+    append_u32(out, binary_.size());
+    out.append("BIN\0", 4);
+    out.append(binary_.begin(), binary_.end());
+  }
+  return out;
+}
+
+std::string GltfDocument::as_gltf() {
+  finish();
+  if (!binary_.empty()) {
+    root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(binary_);
+  }
+  return dump(root);
+}
+
+}  // namespace asos::exporting

@@ -1,0 +1,49 @@
+#include "renderer/gltf/export/gltf_writer.h"
+#include "renderer/gltf/load.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace asos {
+
+namespace {
+
+bool ends_with(const std::string& path, const std::string& ending) {
+  if (path.size() < ending.size()) return false;
+  return std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char e, char p) {
+    return e == static_cast<char>(std::tolower(static_cast<unsigned char>(p)));
+  });
+}
+
+}  // namespace
+
+Result<void> export_gltf(const Scene& scene, const std::string& path) {
+  // Refuse before anything is written.
+  const bool binary = ends_with(path, ".glb");
+  if (!binary && !ends_with(path, ".gltf")) {
+    return unexpected(Error{path, "a scene is written as .glb or .gltf"});
+  }
+  if (const std::string why = exporting::why_not_exportable(scene); !why.empty()) {
+    return unexpected(Error{path, why});
+  }
+
+  // Collect the document, then write it in one go.
+  exporting::GltfDocument document;
+  if (!scene.name.empty()) document.root["scenes"][0]["name"] = scene.name;
+  if (Result<void> images = exporting::write_images(scene, path, document); !images) {
+    return images;
+  }
+  if (Result<void> written = exporting::write_surroundings(scene, path, document); !written) {
+    return written;
+  }
+  exporting::write_materials(scene, document);
+  exporting::write_meshes(scene, document);
+  exporting::write_lights(scene, document);
+  exporting::write_cameras(scene, document);
+  if (!binary) return exporting::write_atomically(path, document.as_gltf());
+  const Result<std::string> bytes = document.as_glb(path);
+  if (!bytes) return unexpected(bytes.error());
+  return exporting::write_atomically(path, *bytes);
+}
+
+}  // namespace asos

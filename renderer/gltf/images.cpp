@@ -1,0 +1,232 @@
+#include "renderer/gltf/images.h"
+
+#include "renderer/gltf/pictures/picture.h"
+#include "renderer/gltf/texture_budget.h"
+#include "renderer/gltf/values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace asos::gltf {
+
+namespace {
+
+constexpr int unknown = -2;
+constexpr int none = -1;
+constexpr const char* basisu_advice =
+    ". KHR_texture_basisu's KTX2 textures are not supported: convert them to PNG or WebP";
+Wrap wrap_of(int value, bool& known) {
+  if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp_to_edge;
+  if (value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::mirrored_repeat;
+  if (value != TINYGLTF_TEXTURE_WRAP_REPEAT) known = false;
+  return Wrap::repeat;
+}
+
+}  // namespace
+
+Checked<ImageBytes> image_bytes(Document& document, Accessors& accessors, int index) {
+  if (index < 0 || static_cast<std::size_t>(index) >= document.images.size())
+    return fault("it does not exist");
+  const ImageSource& source = document.images[static_cast<std::size_t>(index)];
+  if (source.buffer_view >= 0) {
+    const Checked<Bytes> bytes = accessors.view(source.buffer_view);
+    if (!bytes) return fault(bytes.error());
+    return ImageBytes{{}, *bytes};
+  }
+  Checked<FileBytes> read = read_uri(document.folder, source.uri);
+  if (!read) return fault(read.error());
+  ImageBytes bytes{std::move(*read), {}};
+  bytes.bytes = bytes.read;
+  return bytes;
+}
+
+Textures::Textures(Document& document, Accessors& accessors, Scene& scene)
+    : doc_(document),
+      accessors_(accessors),
+      scene_(scene),
+      texture_of_(document.model.textures.size(), unknown),
+      image_of_(document.images.size(), unknown) {}
+
+int Textures::use(int texture) {
+  if (texture < 0) return none;
+  if (static_cast<std::size_t>(texture) >= texture_of_.size()) {
+    doc_.warnings.add(fmt::format("texture {} does not exist; left out", texture));
+    return none;
+  }
+  int& known = texture_of_[static_cast<std::size_t>(texture)];
+  if (known == unknown) known = load(texture);
+  return known;
+}
+
+int Textures::load(int index) {
+  const tinygltf::Texture& source = doc_.model.textures[static_cast<std::size_t>(index)];
+  Texture texture;
+  texture.name = source.name;
+  texture.image = image_of(source, index);
+  if (texture.image < 0) return none;
+  if (source.sampler >= 0 &&
+      static_cast<std::size_t>(source.sampler) >= doc_.model.samplers.size()) {
+    doc_.warnings.add(
+        fmt::format("texture {} has sampler {}, which does not exist", index, source.sampler));
+  } else if (source.sampler >= 0) {
+    const auto& sampler = doc_.model.samplers[static_cast<std::size_t>(source.sampler)];
+    bool known = true;
+    texture.wrap_u = wrap_of(sampler.wrapS, known);
+    texture.wrap_v = wrap_of(sampler.wrapT, known);
+    if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) texture.filter = Filter::nearest;
+    if (!known) doc_.warnings.add(fmt::format("sampler {} wraps unknown", source.sampler));
+  }
+  scene_.textures.push_back(std::move(texture));
+  return static_cast<int>(scene_.textures.size()) - 1;
+}
+
+int Textures::image_of(const tinygltf::Texture& source, int index) {
+  // EXT_texture_webp's image comes first; `source` is for programs that do not know it.
+  if (const auto* e = extension(source.extensions, "EXT_texture_webp")) {
+    if (const auto webp = whole(*e, "source"); webp && *webp >= 0) {
+      const int image = use_image(*webp);
+      if (image >= 0 || source.source < 0) return image;
+      doc_.warnings.add(fmt::format("texture {} falls back to its PNG or JPEG image", index));
+    }
+  }
+  if (source.source >= 0) return use_image(source.source);
+  const bool basisu =
+      std::find(doc_.unsupported_extensions.begin(), doc_.unsupported_extensions.end(),
+                "KHR_texture_basisu") != doc_.unsupported_extensions.end();
+  doc_.warnings.add(fmt::format("texture {} has no PNG, JPEG or WebP image; left out{}", index,
+                                basisu ? basisu_advice : ""));
+  return none;
+}
+
+int Textures::use_image(int index) {
+  if (static_cast<std::size_t>(index) >= image_of_.size()) {
+    doc_.warnings.add(fmt::format("image {} does not exist; its textures are left out", index));
+    return none;
+  }
+  int& known = image_of_[static_cast<std::size_t>(index)];
+  if (known != unknown) return known;
+  known = none;
+  const Checked<int> image = add_image(index);
+  if (image) return known = *image;
+  doc_.warnings.add(
+      fmt::format("{}: {}; its textures are left out", name_of(index), image.error()));
+  return none;
+}
+
+std::string Textures::name_of(int index) const {
+  const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
+  return fmt::format("image {} '{}'", index,
+                     source.name.empty() ? shown_uri(source.uri) : source.name);
+}
+
+/// Empty where the bytes are nobody else's.
+Textures::ImagePlace Textures::place_of(const ImageSource& source) {
+  if (source.buffer_view >= 0) {
+    const Checked<Bytes> bytes = accessors_.view(source.buffer_view);
+    return bytes ? ImagePlace{bytes->data(), bytes->size(), {}} : ImagePlace{};
+  }
+  const auto file = file_of_uri(doc_.folder, source.uri);
+  return file ? ImagePlace{nullptr, 0, file->string()} : ImagePlace{};
+}
+
+/// Looks at the heads of all images, so that what is too much is taken off where it is least
+/// missed.
+void Textures::plan() {
+  // Of files in bytes as they are stored, which are read a second time beyond that.
+  constexpr std::size_t most_kept = std::size_t{1} << 28;
+  std::size_t kept = 0;
+  std::set<ImagePlace> seen;
+  std::vector<PictureClaim> claims(doc_.images.size());
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    const ImagePlace place = place_of(doc_.images[i]);
+    if (place != ImagePlace{} && !seen.insert(place).second) continue;
+    Checked<ImageBytes> bytes = image_bytes(doc_, accessors_, index);
+    if (!bytes) continue;  // told where it is used
+    const PictureResult<PictureHead> head = picture_head(bytes->bytes);
+    if (!head) continue;
+    claims[i] = {head->width, head->height, bytes->bytes.size()};
+    all_bytes_ += bytes->bytes.size();
+    if (bytes->read.empty() || kept + bytes->read.size() > most_kept) continue;
+    kept += bytes->read.size();
+    read_.emplace(index, std::move(*bytes));
+  }
+  shrinks_ = shrinks_of(claims);
+}
+
+Checked<ImageBytes> Textures::take_bytes(int index) {
+  auto known = read_.extract(index);
+  if (!known.empty()) return std::move(known.mapped());
+  return image_bytes(doc_, accessors_, index);
+}
+
+Checked<int> Textures::add_image(int index) {
+  if (shrinks_.empty()) plan();
+  const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
+  ImagePlace place = place_of(source);
+  const bool shareable = place != ImagePlace{};
+  if (const auto known = image_at_.find(place); shareable && known != image_at_.end())
+    return known->second;
+  const int shrink = shrinks_[static_cast<std::size_t>(index)];
+  const Checked<ImageBytes> bytes = take_bytes(index);
+  if (!bytes) return fault(bytes.error());
+  PictureResult<Picture> picture = read_picture(bytes->bytes, shrink);
+  if (!picture) return fault(picture.error());
+  Image& image = picture->image;
+  if (!picture->remark.empty())
+    doc_.warnings.add(fmt::format("{}: {}", name_of(index), picture->remark));
+  if (shrink > 1)
+    doc_.warnings.add(
+        fmt::format("{}: the textures are more than a file of this size has use for; it is shown "
+                    "with {} x {} pixels",
+                    name_of(index), image.width, image.height));
+  image.name = source.name;
+  const auto made = static_cast<int>(scene_.images.size());
+  scene_.images.push_back(std::move(image));
+  if (shareable) image_at_.emplace(std::move(place), made);
+  return made;
+}
+
+int Textures::roughness_of(int texture, float factor) {
+  constexpr std::size_t most_factors = 4;
+  Texture rough = scene_.textures[static_cast<std::size_t>(texture)];
+  auto& made = roughness_of_[rough.image];
+  auto found = std::find_if(made.begin(), made.end(),
+                            [factor](const auto& known) { return known.first == factor; });
+  if (found == made.end()) {
+    if (made.size() == most_factors) {
+      doc_.warnings.add(
+          fmt::format("texture '{}' is used with more than {} factors of glossiness; the rest go "
+                      "by the factor alone",
+                      rough.name, most_factors));
+      return none;
+    }
+    const std::uint64_t texels =
+        scene_.images[static_cast<std::size_t>(rough.image)].rgba.size() / 4;
+    if (copied_texels_ + texels > most_texels(all_bytes_) / 2) {
+      doc_.warnings.add(fmt::format(
+          "the roughness of texture '{}' would be more than a file of this size has use "
+          "for; its factor alone is used",
+          rough.name));
+      return none;
+    }
+    Image image = scene_.images[static_cast<std::size_t>(rough.image)];
+    copied_texels_ += texels;
+    SharedBytes::Bytes& rgba = image.rgba.own();
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+      const float glossiness = factor * static_cast<float>(rgba[i + 3]);
+      rgba[i + 1] = static_cast<std::uint8_t>(std::lround(255.0f - glossiness));
+      rgba[i] = rgba[i + 2] = rgba[i + 3] = 255;
+    }
+    found = made.insert(made.end(), {factor, static_cast<int>(scene_.images.size())});
+    scene_.images.push_back(std::move(image));
+  }
+  rough.image = found->second;
+  scene_.textures.push_back(std::move(rough));
+  return static_cast<int>(scene_.textures.size()) - 1;
+}
+
+}  // namespace asos::gltf

@@ -1,0 +1,164 @@
+#include "renderer/gltf/clips.h"
+#include "renderer/gltf/contents.h"
+#include "renderer/gltf/image_based_light.h"
+#include "renderer/gltf/importer.h"
+#include "renderer/gltf/load.h"
+#include "renderer/gltf/materials.h"
+#include "renderer/gltf/scene_choice.h"
+#include "renderer/gltf/variants.h"
+#include "renderer/scene/not_shown.h"
+#include "renderer/scene/rig.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace asos {
+
+namespace gltf {
+namespace {
+
+/// A file, and what an import learns of it once, whatever the time.
+class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile> {
+ public:
+  OpenFile(std::string path, Document document, const LoadOptions& options)
+      : path_(std::move(path)), doc_(std::move(document)), options_(options), accessors_(doc_) {}
+
+  /// All but meshes, cameras and lights.
+  Checked<void> open() {
+    rest_ = poses_at_rest(doc_);
+    clips_ = read_clips(doc_, accessors_);
+    still_.morphing_nodes = morphing_nodes(clips_);
+    still_.wanted = keeps_rig();
+    shown_scene_ = default_scene_ = default_scene(doc_);
+    if (!options_.scene.empty()) {
+      const Checked<int> chosen = find_scene(doc_, options_.scene);
+      if (!chosen) return fault(chosen.error());
+      shown_scene_ = *chosen;
+    }
+    if (shown_scene_ >= 0)
+      base_.name = doc_.model.scenes[static_cast<std::size_t>(shown_scene_)].name;
+    base_.source = path_;
+    textures_.emplace(doc_, accessors_, base_);
+    still_.moving_materials = moving_materials(clips_);
+    base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
+    base_.surroundings = image_based_light(doc_, accessors_, shown_scene_);
+    return {};
+  }
+
+  [[nodiscard]] bool keeps_rig() const { return options_.keep_rig && !clips_.empty(); }
+
+  Checked<Scene> import(const std::optional<ClipTime>& time) {
+    std::vector<NodePose> poses = rest_;
+    if (time) apply_clip(clips_[static_cast<std::size_t>(time->animation)], time->seconds, poses);
+    if (auto moved = move_values(time); !moved) return fault(moved.error());
+    const NodeGraph graph(doc_, std::move(poses));
+    accessors_.forget_zeros();
+    // Where the file is not kept, neither are its pictures.
+    Importer importer(doc_, accessors_, graph, still_, options_);
+    Checked<Scene> scene =
+        importer.run(shown_scene_, keeps_rig() ? base_ : std::exchange(base_, Scene{}));
+    if (!scene) return scene;
+    scene->time = time;
+    scene->contents = contents_of(doc_, clips_, graph.shown(shown_scene_), shown_scene_);
+    scene->contents.default_scene = default_scene_;
+    Warnings said = doc_.warnings;
+    scene->notes.warnings_dropped = said.dropped();
+    scene->notes.warnings = said.take();
+    if (std::optional<std::string> remark = cameras_remark(scene->contents))
+      scene->notes.warnings.push_back(std::move(*remark));
+    scene->notes.unsupported_extensions = doc_.unsupported_extensions;
+    scene->contents.variant = options_.variant;
+    scene->notes.not_shown = not_shown(scene->contents, time);
+    return scene;
+  }
+
+  /// What is said of the file from now on is said of single poses.
+  void end_of_loading() { said_at_load_ = doc_.warnings; }
+
+  Result<Scene> pose(const std::optional<ClipTime>& time) override {
+    const std::scoped_lock lock(mutex_);
+    if (time && (time->animation < 0 || static_cast<std::size_t>(time->animation) >= clips_.size()))
+      return unexpected(Error{path_, fmt::format("has {} animations, so there is no animation {}",
+                                                 clips_.size(), time->animation)});
+    if (time && !(time->seconds >= 0.0 && std::isfinite(time->seconds)))
+      return unexpected(
+          Error{path_, fmt::format("cannot be shown at a time of {} s", time->seconds)});
+    try {
+      doc_.warnings = said_at_load_;
+      Checked<Scene> scene = import(time);
+      if (!scene) return unexpected(Error{path_, scene.error()});
+      scene->rig = shared_from_this();
+      return std::move(*scene);
+    } catch (const std::bad_alloc&) {
+      return unexpected(Error{path_, "there is not enough memory for it"});
+    } catch (const std::exception& e) {
+      return unexpected(Error{path_, fmt::format("cannot be posed ({})", e.what())});
+    }
+  }
+
+ private:
+  /// What moves beside nodes: the document has it as it is at that time, whatever it was before.
+  Checked<void> move_values(const std::optional<ClipTime>& time) {
+    if (!doc_.movable) return {};
+    std::vector<MovedValue> values;
+    if (time)
+      values = moved_values(clips_[static_cast<std::size_t>(time->animation)], time->seconds);
+    if (values.empty() && !values_moved_) return {};
+    values_moved_ = true;
+    if (auto set = set_values(*doc_.movable, values, doc_.model); !set) return set;
+    base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
+    return {};
+  }
+
+  std::mutex mutex_;  // of `pose`
+  std::string path_;
+  Document doc_;
+  LoadOptions options_;
+  Accessors accessors_;
+  std::vector<NodePose> rest_;
+  std::vector<Clip> clips_;
+  StillMeshes still_;
+  int default_scene_ = -1, shown_scene_ = -1;
+  Scene base_;                        // with what is not posed: materials and their pictures
+  std::optional<Textures> textures_;  // of `base_`
+  bool values_moved_ = false;         // since the document was read
+  Warnings said_at_load_;
+};
+
+Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& options) {
+  Checked<Document> document = read_document(path);
+  if (!document) return fault(document.error());
+  if (!options.variant.empty()) {
+    if (auto chosen = choose_variant(*document, options.variant); !chosen)
+      return fault(chosen.error());
+  }
+  const auto file = std::make_shared<OpenFile>(path, std::move(*document), options);
+  if (auto opened = file->open(); !opened) return fault(opened.error());
+  Checked<Scene> scene = file->import(std::nullopt);
+  if (!scene || !file->keeps_rig()) return scene;
+  file->end_of_loading();
+  scene->rig = file;
+  return scene;
+}
+
+}  // namespace
+}  // namespace gltf
+
+Result<Scene> import_gltf(const std::string& path, const LoadOptions& options) {
+  // The libraries underneath report lack of memory and some broken data by exceptions.
+  try {
+    gltf::Checked<Scene> scene = gltf::import_at_rest(path, options);
+    if (!scene) return unexpected(Error{path, scene.error()});
+    return std::move(*scene);
+  } catch (const std::bad_alloc&) {
+    return unexpected(Error{path, "there is not enough memory for it"});
+  } catch (const std::exception& e) {
+    return unexpected(Error{path, fmt::format("cannot be read ({})", e.what())});
+  }
+}
+
+}  // namespace asos

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "renderer/gltf/accessors.h"
+#include "renderer/gltf/load.h"
+#include "renderer/gltf/nodes.h"
+#include "renderer/gltf/primitive.h"
+#include "renderer/gltf/skin.h"
+#include "renderer/scene/scene.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace asos::gltf {
+
+/// A document's mesh and primitive, and the weights that it is morphed by.
+using MeshKey = std::tuple<int, int, std::vector<double>>;
+
+/// Meshes that are as they are at any time, for the next import of the same document; nullopt: left
+/// out.
+struct StillMeshes {
+  bool wanted = false;
+  std::set<std::size_t> morphing_nodes;  ///< whose weights an animation moves
+  /// Which may need tangents at one time and not at another.
+  std::set<std::size_t> moving_materials;
+  std::map<MeshKey, std::optional<Mesh>> meshes;
+};
+
+/// Turns a document into a scene, node by node, for one moment. What is broken is left out, with a
+/// warning to the document.
+class Importer {
+ public:
+  Importer(Document& document, Accessors& accessors, const NodeGraph& graph, StillMeshes& still,
+           const LoadOptions& options)
+      : doc_(document), accessors_(accessors), graph_(graph), still_(still), options_(options) {}
+
+  /// Adds the document's scene `scene`, or all nodes for -1, to `base`, which has the materials.
+  /// Faults: it is too large, or nothing of it can be drawn because of what is broken.
+  [[nodiscard]] Checked<Scene> run(int scene, Scene base);
+
+ private:
+  [[nodiscard]] Checked<void> add_mesh(int index, const tinygltf::Node& node);
+  [[nodiscard]] Checked<void> add_shape(int index, const tinygltf::Node& node, const Shape& shape);
+  [[nodiscard]] Checked<void> add_primitive(int index, int p, const SkinPose* skin,
+                                            const std::vector<glm::dmat4>& copies);
+  [[nodiscard]] bool is_drawn(int mode, const std::string& place);
+  [[nodiscard]] int load(int index, int p, const SkinPose* skin, const std::string& place,
+                         glm::dmat4& world_from_mesh);
+  [[nodiscard]] std::optional<Mesh> load_mesh(PrimitiveRequest request, const std::string& name,
+                                              glm::dmat4& world_from_mesh);
+  [[nodiscard]] int material_of(const tinygltf::Primitive& primitive, const std::string& place);
+  void check_unshown();
+  [[nodiscard]] Checked<void> check_drawn();
+
+  Document& doc_;
+  Accessors& accessors_;
+  const NodeGraph& graph_;
+  StillMeshes& still_;
+  const LoadOptions& options_;
+  Scene scene_;
+  std::map<MeshKey, int> meshes_;  // the scene's
+  std::set<std::size_t> shown_;    // the document's meshes
+  std::map<int, Checked<SkinPose>> skins_;
+  std::uint64_t triangles_ = 0;
+};
+
+}  // namespace asos::gltf

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "renderer/gltf/document.h"
+#include "renderer/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+namespace asos::gltf {
+
+/// Adds the camera that a node refers to; what is not a valid camera is left out with a warning.
+/// The node's scale is taken out: glTF cameras are not scaled.
+void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
+                Scene& scene);
+
+/// Adds the node's lights: the one of KHR_lights_punctual, which may have a size in extras, and the
+/// area, linear or polygon light. An invalid light is left out with a warning. LIGHTS.md has the
+/// encodings.
+void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
+               Scene& scene);
+
+}  // namespace asos::gltf

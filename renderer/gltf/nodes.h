@@ -1,0 +1,62 @@
+#pragma once
+
+#include "renderer/gltf/accessors.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace asos::gltf {
+
+/// A node's own transformation and morph weights at the time that is shown.
+struct NodePose {
+  glm::dvec3 translation{0.0};
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+  glm::dvec3 scale{1.0};
+  std::optional<glm::dmat4> matrix;  ///< in place of the three
+  std::vector<double> weights;       ///< empty: the mesh's
+  bool visible = true;               ///< KHR_node_visibility: with all below it
+
+  [[nodiscard]] glm::dmat4 parent_from_node() const;
+};
+
+/// The pose of every node where the file itself puts it.
+[[nodiscard]] std::vector<NodePose> poses_at_rest(Document& document);
+
+/// Rotates and scales as the numbers say, or repairs them with a warning.
+[[nodiscard]] glm::dquat unit_rotation(glm::dquat q, const std::string& place, Warnings& warnings);
+
+/// A file's node hierarchy, made a forest: references to nodes that do not exist, second parents
+/// and cycles are cut with a warning. Nothing here recurses.
+class NodeGraph {
+ public:
+  NodeGraph(Document& document, std::vector<NodePose> poses);
+
+  [[nodiscard]] const glm::dmat4& world_from_node(int node) const {
+    return world_[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] const NodePose& pose(int node) const {
+    return poses_[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] std::size_t size() const { return poses_.size(); }
+
+  /// The nodes that the scene shows, parents first, each once. Leaves out invisible subtrees
+  /// (KHR_node_visibility), coarser levels of detail (MSFT_lod) and nodes whose place is not
+  /// finite. `scene` -1: all.
+  [[nodiscard]] std::vector<int> shown(int scene) const;
+
+ private:
+  void link();
+  void cut_cycles();
+  void place();
+
+  Document& doc_;
+  std::vector<NodePose> poses_;
+  std::vector<int> parent_;
+  std::vector<std::vector<int>> children_;
+  std::vector<glm::dmat4> world_;
+};
+
+}  // namespace asos::gltf

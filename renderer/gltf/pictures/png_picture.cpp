@@ -1,0 +1,94 @@
+#include "renderer/film/png_input.h"
+#include "renderer/gltf/pictures/formats.h"
+#include "renderer/gltf/pictures/row_means.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace asos {
+namespace {
+
+tl::unexpected<std::string> broken(const PngInput& input) {
+  return tl::unexpected(fmt::format("it is no usable PNG ({})", input.message()));
+}
+
+void read_info(png_structp png, png_infop info) {
+  // Sizes are judged by what they are told of.
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  // Text, profiles and the like take memory and time, and nothing is made of them here.
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  // Pictures with wrong sums are seen all the same, as in other programs.
+  png_set_crc_action(png, PNG_CRC_QUIET_USE, PNG_CRC_QUIET_USE);
+  png_set_option(png, PNG_IGNORE_ADLER32, PNG_OPTION_ON);
+  png_read_info(png, info);
+}
+
+/// Whatever the file has becomes 8-bit RGBA.
+void ask_for_rgba(png_structp png, png_infop info) {
+  png_set_expand(png);
+  png_set_strip_16(png);
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+}
+
+}  // namespace
+
+// Of the first chunk alone, so that what claims too much is judged whatever follows.
+PictureResult<PictureHead> png_head(PictureBytes bytes) {
+  constexpr std::size_t width_at = 16, height_at = 20, interlaced_at = 28, end = 33;
+  if (bytes.size() < end || std::memcmp(bytes.data() + 12, "IHDR", 4) != 0)
+    return tl::unexpected<std::string>("it is no usable PNG (its head is cut off)");
+  const auto side = [&](std::size_t at) {
+    std::uint32_t pixels = 0;
+    for (std::size_t i = at; i < at + 4; ++i) pixels = pixels << 8 | bytes[i];
+    return static_cast<int>(std::min<std::uint32_t>(pixels, PNG_UINT_31_MAX));
+  };
+  PictureHead head{side(width_at), side(height_at), 0};
+  if (bytes[interlaced_at] != PNG_INTERLACE_NONE) head.held_bytes = 4 * head.pixels();
+  return head;
+}
+
+PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& head, int shrink) {
+  PngInput input(bytes);
+  const std::size_t row = 4 * static_cast<std::size_t>(head.width);
+  std::size_t made = 0;
+  png_uint_32 width = 0;
+  const bool begun = input.guarded([&](png_structp png, png_infop info) {
+    read_info(png, info);
+    ask_for_rgba(png, info);
+    made = png_get_rowbytes(png, info);
+    width = png_get_image_width(png, info);
+  });
+  if (!begun) return broken(input);
+  if (width != static_cast<png_uint_32>(head.width) || made != row)
+    return tl::unexpected<std::string>("its pixels are of no known kind");
+  // Of an interlaced picture all rows are held until the last has come.
+  const std::size_t rows_held = head.held_bytes > 0 ? static_cast<std::size_t>(head.height) : 1;
+  std::vector<std::uint8_t> pixels(row * rows_held);
+  if (rows_held > 1) {
+    std::vector<png_bytep> rows;
+    for (std::size_t at = 0; at < pixels.size(); at += row) rows.push_back(&pixels[at]);
+    const bool read =
+        input.guarded([&](png_structp png, png_infop) { png_read_image(png, rows.data()); });
+    if (!read) return broken(input);
+  }
+  RowMeans means(head.width, head.height, shrink);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(head.height); ++y) {
+    const std::span<std::uint8_t> at(pixels.data() + (rows_held > 1 ? y * row : 0), row);
+    const bool read = rows_held > 1 || input.guarded([&](png_structp png, png_infop) {
+      png_read_row(png, at.data(), nullptr);
+    });
+    if (!read) return broken(input);
+    means.add(at);
+  }
+  return Picture{means.take(), {}};
+}
+
+}  // namespace asos

@@ -1,0 +1,221 @@
+#include "renderer/gltf/primitive.h"
+
+#include "renderer/gltf/skin.h"
+#include "renderer/gltf/surface.h"
+#include "renderer/gltf/triangles.h"
+#include "renderer/gltf/values.h"
+#include "renderer/gltf/vertices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace asos::gltf {
+
+namespace {
+
+constexpr std::size_t most_vertices = 0xfffffffeu;
+
+const tinygltf::Value* draco_extension(const tinygltf::Primitive& primitive) {
+  return extension(primitive.extensions, "KHR_draco_mesh_compression");
+}
+
+std::optional<int> attribute(const tinygltf::Primitive& primitive, const char* name) {
+  const auto found = primitive.attributes.find(name);
+  if (found == primitive.attributes.end()) return std::nullopt;
+  return found->second;
+}
+
+/// Decodes the primitive's Draco stream, if it has one. A file may carry the plain data too; then
+/// a stream that does not decode costs a warning only.
+Checked<std::optional<DracoPrimitive>> decode_draco(const PrimitiveRequest& request,
+                                                    Accessors& accessors, Warnings& warnings) {
+  const tinygltf::Value* ext = draco_extension(request.primitive);
+  if (!ext) return std::optional<DracoPrimitive>();
+  const Checked<std::uint64_t> elements = element_count(request.primitive, accessors);
+  if (!elements) return fault(elements.error());
+  // Without indices the faces of a strip are declared by nothing; one a vertex is the most.
+  Checked<DracoPrimitive> decoded =
+      DracoPrimitive::decode(*ext, accessors, drawn_count(request.primitive.mode, *elements) * 3);
+  if (decoded) return std::optional<DracoPrimitive>(std::move(*decoded));
+  const std::optional<int> positions = attribute(request.primitive, "POSITION");
+  if (!positions || !accessors.has_data(*positions)) return fault(decoded.error());
+  warnings.add(
+      fmt::format("{}: {}; its uncompressed data is used", request.place, decoded.error()));
+  return std::optional<DracoPrimitive>();
+}
+
+/// What a mode is made of, in words.
+const char* pieces_of(int mode) {
+  if (mode == TINYGLTF_MODE_POINTS) return "points";
+  return is_stroke(mode) ? "line segments" : "triangles";
+}
+
+/// Segments and points as `triangles_of` hands them over.
+Checked<std::vector<glm::uvec3>> read_triangles(const PrimitiveRequest& request,
+                                                const std::optional<DracoPrimitive>& draco,
+                                                Accessors& accessors, std::size_t vertices,
+                                                Warnings& warnings) {
+  if (draco) return triangles_of(TINYGLTF_MODE_TRIANGLES, draco->indices());
+  std::vector<std::uint32_t> indices;
+  if (const auto accessor = attribute(request.primitive, Document::indices_attribute)) {
+    Checked<std::vector<std::uint32_t>> read = accessors.integers(*accessor, 1);
+    if (!read) return fault("its indices: " + read.error());
+    indices = std::move(*read);
+    const std::uint32_t reserved = accessors.largest_integer(*accessor);
+    if (std::find(indices.begin(), indices.end(), reserved) != indices.end()) {
+      warnings.add(
+          fmt::format("{}: it uses index {}, which glTF reserves", request.place, reserved));
+    }
+  } else {
+    indices.resize(vertices);
+    std::iota(indices.begin(), indices.end(), 0u);
+  }
+  if (request.primitive.mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0) {
+    warnings.add(fmt::format("{}: {} vertices are left over from its last triangle", request.place,
+                             indices.size() % 3));
+  }
+  if (request.primitive.mode == TINYGLTF_MODE_LINE && indices.size() % 2 != 0)
+    warnings.add(fmt::format("{}: a vertex is left over from its last line", request.place));
+  return triangles_of(request.primitive.mode, indices);
+}
+
+/// A mesh of lines or points, which have no more than positions and colours.
+Mesh stroke_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& strokes) {
+  Mesh mesh;
+  mesh.positions = std::move(data.positions);
+  mesh.colors = std::move(data.colors);
+  for (const glm::uvec3 s : strokes) {
+    if (mode == TINYGLTF_MODE_POINTS)
+      mesh.points.push_back(s.x);
+    else
+      mesh.segments.emplace_back(s.x, s.y);
+  }
+  return mesh;
+}
+
+/// The vertices that triangles use, where that is well below all of them: files often share one
+/// large buffer among thousands of primitives.
+Selection select_used(std::vector<glm::uvec3>& triangles, std::size_t vertices) {
+  if (triangles.size() >= vertices / 6) return std::nullopt;
+  std::vector<std::uint32_t> used;
+  used.reserve(triangles.size() * 3);
+  for (const glm::uvec3 t : triangles) used.insert(used.end(), {t.x, t.y, t.z});
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const auto place_of = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  };
+  for (glm::uvec3& t : triangles) t = {place_of(t.x), place_of(t.y), place_of(t.z)};
+  return used;
+}
+
+void check_texcoords(const PrimitiveRequest& request, const VertexData& data, Warnings& warnings) {
+  if (!request.material) return;
+  for (const TextureUse* use : texture_uses(*request.material)) {
+    // Without coordinates a normal map has no directions either; tangents say so.
+    if (use == &request.material->normal_texture || use == &request.material->coat.normal_texture ||
+        use == &request.material->anisotropy.texture)
+      continue;
+    if (!use->used() || !data.texcoords[use->texcoord].empty()) continue;
+    warnings.add(fmt::format("{}: its textures need TEXCOORD_{}, which is missing", request.place,
+                             use->texcoord));
+  }
+}
+
+}  // namespace
+
+Checked<std::uint64_t> element_count(const tinygltf::Primitive& primitive, Accessors& accessors) {
+  std::optional<int> accessor = attribute(primitive, Document::indices_attribute);
+  if (!accessor) accessor = attribute(primitive, "POSITION");
+  if (!accessor) return fault("it has no positions");
+  // A Draco stream stands in for the accessor's data, so only the declared number counts.
+  if (draco_extension(primitive)) return accessors.declared_count(*accessor);
+  return accessors.count(*accessor);
+}
+
+std::string declared_faults(const tinygltf::Primitive& primitive, Accessors& accessors) {
+  if (draco_extension(primitive)) return {};
+  if (const auto elements = element_count(primitive, accessors); !elements) {
+    return elements.error();
+  }
+  std::map<std::size_t, std::string> lengths;
+  const auto add = [&](const std::string& name, int accessor) -> std::string {
+    if (name == Document::indices_attribute) return {};
+    const Checked<std::size_t> count = accessors.count(accessor);
+    if (count) lengths.emplace(*count, name);
+    return count ? std::string() : fmt::format("{}: {}", name, count.error());
+  };
+  for (const auto& [name, accessor] : primitive.attributes) {
+    if (std::string text = add(name, accessor); !text.empty()) return text;
+  }
+  for (const auto& target : primitive.targets) {
+    for (const auto& [name, accessor] : target) {
+      if (std::string text = add("morphed " + name, accessor); !text.empty()) return text;
+    }
+  }
+  if (lengths.size() > 1) return "its attributes differ in length";
+  return {};
+}
+
+Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& accessors,
+                                   Warnings& warnings) {
+  if (is_stroke(request.primitive.mode) && draco_extension(request.primitive))
+    return fault("it is compressed by Draco, which knows triangles only");
+  const auto draco = decode_draco(request, accessors, warnings);
+  if (!draco) return fault(draco.error());
+  AttributeSource source(request, *draco ? &**draco : nullptr, accessors, warnings);
+  const Checked<std::size_t> vertices = source.vertex_count();
+  if (!vertices) return fault(vertices.error());
+  if (*vertices > most_vertices) return fault("it has more vertices than 32 bits count");
+
+  // Triangles first: they say which vertices are wanted.
+  auto triangles = read_triangles(request, *draco, accessors, *vertices, warnings);
+  if (!triangles) return fault(triangles.error());
+  const std::size_t declared = triangles->size();
+  std::erase_if(*triangles, [&](glm::uvec3 t) {
+    return t.x >= *vertices || t.y >= *vertices || t.z >= *vertices;
+  });
+  if (triangles->size() < declared) {
+    warnings.add_loss(fmt::format("{}: {} of {} {} use vertices that do not exist; dropped",
+                                  request.place, declared - triangles->size(), declared,
+                                  pieces_of(request.primitive.mode)));
+  }
+  const Selection used = select_used(*triangles, *vertices);
+  Checked<VertexData> data = source.read(used);
+  if (!data) return fault(data.error());
+
+  LoadedMesh loaded;
+  if (request.skin) loaded.offset = apply_skin(*data, *triangles, request, warnings);
+  if (const std::size_t dropped = drop_infinite(*data, *triangles); dropped > 0) {
+    warnings.add_loss(
+        fmt::format("{}: {} of {} {} have positions that are not finite; "
+                    "dropped",
+                    request.place, dropped, declared, pieces_of(request.primitive.mode)));
+  }
+  if (is_stroke(request.primitive.mode)) {
+    loaded.mesh = stroke_mesh(request.primitive.mode, std::move(*data), *triangles);
+    return loaded;
+  }
+  complete_normals(*data, *triangles, request.place, warnings);
+  check_texcoords(request, *data, warnings);
+  if (request.material && needs_tangents(*request.material)) {
+    complete_tangents(*data, *triangles, *request.material, request.place, warnings);
+  } else {
+    data->tangents.clear();
+  }
+  Mesh& mesh = loaded.mesh;
+  mesh.positions = std::move(data->positions);
+  mesh.normals = std::move(data->normals);
+  mesh.tangents = std::move(data->tangents);
+  mesh.texcoords[0] = std::move(data->texcoords[0]);
+  mesh.texcoords[1] = std::move(data->texcoords[1]);
+  mesh.colors = std::move(data->colors);
+  mesh.triangles = std::move(*triangles);
+  return loaded;
+}
+
+}  // namespace asos::gltf
