@@ -298,6 +298,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
   begin_fixed("panel", rect);
   if (std::exchange(state_.focus_panel, false)) focus_panel();
   side_panel(controls_, previewer_, state_, {forecast_, sky_reader_, equal_time_, check_, study_});
+  scroll_anchor_.hold(controls_);
   ImGui::End();
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
 }
@@ -374,7 +375,7 @@ void WindowContent::say(std::string message) {
 
 std::optional<double> WindowContent::seconds_to_redraw() const {
   if (settling_frames_ > 0 || !input_.empty() || activity() != shown_activity_ ||
-      controls_.tooltip_changed())
+      controls_.tooltip_changed() || scroll_anchor_.moved())
     return 0.0;
   std::optional<double> due = previewer_.seconds_to_update(time_seconds_);
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };

@@ -9,6 +9,7 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/grid_overlay.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/scroll_anchor.h"
 #include "ui/picture_saver.h"
 #include "ui/previewer.h"
 #include "ui/split_check.h"
@@ -94,6 +95,7 @@ class WindowContent {
   InputQueue input_;
   UiState state_;
   Controls controls_;
+  ScrollAnchor scroll_anchor_;
   ViewStudy study_;
   EditHistory history_;
   PixelInspector inspector_;

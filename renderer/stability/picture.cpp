@@ -3,11 +3,32 @@
 #include "renderer/comparison/method.h"
 #include "renderer/session/render_session.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace asos::stability {
 namespace {
+
+// Of tests alone.
+thread_local std::optional<Disturbance> next_disturbance;
+
+/// The camera from which everything is seen moved.
+Camera moved(Camera camera, glm::dvec2 pixels, int height) {
+  glm::dmat4& world = camera.world_from_camera;
+  if (camera.type == Camera::Type::orthographic) {
+    const double unit = camera.height / height;
+    world = glm::translate(world, {-pixels.x * unit, pixels.y * unit, 0.0});
+    return camera;
+  }
+  const double angle = 2.0 * std::tan(0.5 * camera.fov_y_rad) / height;
+  world = glm::rotate(world, pixels.x * angle, {0, 1, 0});
+  world = glm::rotate(world, pixels.y * angle, {1, 0, 0});
+  return camera;
+}
 
 Outcome outcome_of(const Measure& measure, const Picture& picture) {
   Outcome outcome;
@@ -23,6 +44,13 @@ Outcome outcome_of(const Measure& measure, const Picture& picture) {
 
 double Picture::at(int x, int y) const {
   return static_cast<double>(film.radiance[film.index(x, y)].x);
+}
+
+Disturbed::Disturbed(const Disturbance& disturbance) {
+  next_disturbance = disturbance;
+}
+Disturbed::~Disturbed() {
+  next_disturbance.reset();
 }
 
 RenderSettings settings_of(int width, int height, int max_level) {
@@ -41,8 +69,11 @@ Result<Picture> render(const Scene& scene, const RenderSettings& settings) {
   if (!prepared) return unexpected(prepared.error());
   if (const auto fits = check_method(**prepared, settings); !fits) return unexpected(fits.error());
   if ((*prepared)->world().cameras.empty()) return unexpected(Error{scene.name, "has no camera"});
-  RenderResult rendered =
-      render_to_end({*prepared, (*prepared)->world().cameras.front(), settings, false});
+  const Disturbance wrong = std::exchange(next_disturbance, std::nullopt).value_or(Disturbance{});
+  const Camera camera = moved((*prepared)->world().cameras.front(), wrong.pixels, settings.height);
+  RenderResult rendered = render_to_end({*prepared, camera, settings, false});
+  // Light is additive: what all lights are brighter by the picture is.
+  for (glm::vec3& c : rendered.film.radiance) c *= static_cast<float>(wrong.light);
   Picture picture{std::move(rendered.film), std::move(rendered.statistics), 0};
   for (const glm::vec3& c : picture.film.radiance) {
     if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) ++picture.bad_pixels;

@@ -7,6 +7,8 @@
 #include "renderer/settings/settings.h"
 #include "renderer/stability/case.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -28,6 +30,21 @@ struct Picture {
 
 /// ASOS with EPS 0, so that MAX alone decides, and one worker.
 [[nodiscard]] RenderSettings settings_of(int width, int height, int max_level = 3);
+
+/// What is wrong on purpose with the next picture that a thread renders, of which tests see whether
+/// a case notices: all lights this much brighter, or everything moved by so many pixels.
+struct Disturbance {
+  double light = 1.0;
+  glm::dvec2 pixels{0.0};  ///< x to the right, y down
+};
+/// For the first picture that is rendered on this thread in the lifetime of this.
+class Disturbed {
+ public:
+  explicit Disturbed(const Disturbance& disturbance);
+  Disturbed(const Disturbed&) = delete;
+  Disturbed& operator=(const Disturbed&) = delete;
+  ~Disturbed();
+};
 
 /// Renders the scene by its first camera, which it must have. Refused settings are an error.
 [[nodiscard]] Result<Picture> render(const Scene& scene, const RenderSettings& settings);

@@ -144,7 +144,9 @@ std::optional<double> Controls::seconds_to_tooltip() const {
 
 void Controls::placed(const std::string& name, const char* tooltip, Use use) {
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  placed_[name] = {{lo.x, lo.y}, {hi.x, hi.y}, tooltip != nullptr, use == Use::edits, {}};
+  const ImVec2 window = ImGui::GetWindowPos();
+  placed_[name] = {{lo.x, lo.y},      {hi.x, hi.y},         tooltip != nullptr,
+                   use == Use::edits, {window.x, window.y}, {}};
   explain(name, tooltip);
 }
 
@@ -156,7 +158,7 @@ void Controls::placed_words(const std::string& name, const std::string& words,
 
 void Controls::placed_window(const std::string& name) {
   const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  placed_[name] = {{lo.x, lo.y}, {lo.x + size.x, lo.y + size.y}, false, false, {}};
+  placed_[name] = {{lo.x, lo.y}, {lo.x + size.x, lo.y + size.y}, false, false, {lo.x, lo.y}, {}};
 }
 
 void Controls::explain(const std::string& name, const char* tooltip) {

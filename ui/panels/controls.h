@@ -27,7 +27,8 @@ class Controls {
     glm::vec2 lo, hi;  ///< window coordinates, y down
     bool has_tooltip = false;
     bool edits = false;
-    std::string words;  ///< the value of a row; of a section "open" or "folded"
+    glm::vec2 window{0.0f};  ///< where the ImGui window begins that it is in
+    std::string words;       ///< the value of a row; of a section "open" or "folded"
     [[nodiscard]] glm::vec2 centre() const { return 0.5f * (lo + hi); }
   };
 
