@@ -32,6 +32,7 @@ void Previewer::update(double now_seconds) {
   playback_.update(has_shown(view_seconds - posing_seconds, now_seconds), now_seconds,
                    wanted_strokes());
   viewpoint_.follow_chosen();
+  if (scene_ && turntable_.begins()) viewpoint_.make_room_to_turn();
   if (scene_)
     turntable_.update(viewpoint_.camera(), has_shown(view_seconds, now_seconds), now_seconds);
   if (const auto drawn = playback_.take_drawn_strokes())

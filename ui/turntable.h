@@ -19,6 +19,8 @@ class Turntable {
 
   void set_turning(bool turning);
   [[nodiscard]] bool turning() const { return turning_; }
+  /// Whether it has been switched on and no time has passed since.
+  [[nodiscard]] bool begins() const { return turning_ && !left_at_; }
 
   /// Lets time pass. `seen`: the picture from where the camera is has been. Call once or
   /// more a frame.

@@ -115,6 +115,15 @@ void Viewpoint::frame_all() {
   frame(camera_.camera());
 }
 
+void Viewpoint::make_room_to_turn() {
+  if (!scene_ || framing() == 0) return;
+  const Camera camera = camera_.camera();
+  const double room = room_to_turn(scene_->world(), camera, camera_.pivot(), aspect_ratio());
+  const bool perspective = camera.type == Camera::Type::perspective;
+  const double factor = room / (perspective ? camera_.distance() : camera.height);
+  if (factor > 1.0) camera_.dolly(factor);
+}
+
 void Viewpoint::frame(const Camera& camera) {
   const FramedView framed = frame_world(scene_->world(), camera, aspect_ratio());
   camera_.set(framed.camera, framed.subject_distance,

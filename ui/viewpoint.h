@@ -41,6 +41,10 @@ class Viewpoint {
   /// middle from then on. Until the camera is moved, the scene fills pictures of other shapes, too.
   void frame_all();
 
+  /// Steps back where everything is framed, until it stays in the picture while the camera turns
+  /// about the vertical through the pivot.
+  void make_room_to_turn();
+
   /// Asks for a picture of this size. The first one counts at once, later ones when the size has
   /// been still for a moment. Sizes without area (a minimised window) are ignored.
   void set_picture_size(int width, int height, double now_seconds);

@@ -27,6 +27,11 @@ struct Extent {
   }
 };
 
+glm::dvec3 corner_of(const Box& box, int corner) {
+  return {(corner & 1) ? box.hi.x : box.lo.x, (corner & 2) ? box.hi.y : box.lo.y,
+          (corner & 4) ? box.hi.z : box.lo.z};
+}
+
 /// How far points reach in a camera's axes: right, up, and back to the eye; and the planes through
 /// them that lie as the sides of a picture whose half sides are `tangent` do.
 class Reach {
@@ -50,9 +55,7 @@ class Reach {
     lower_plane_ = std::max(lower_plane_, -y + tangent_.y * z);
   }
   void add_corners(const Box& box) {
-    for (int corner = 0; corner < 8; ++corner)
-      add({(corner & 1) ? box.hi.x : box.lo.x, (corner & 2) ? box.hi.y : box.lo.y,
-           (corner & 4) ? box.hi.z : box.lo.z});
+    for (int corner = 0; corner < 8; ++corner) add(corner_of(box, corner));
   }
   [[nodiscard]] bool any() const { return x_.lo <= x_.hi; }
 
@@ -81,8 +84,49 @@ class Reach {
   double left_plane_ = right_plane_, upper_plane_ = right_plane_, lower_plane_ = right_plane_;
 };
 
+/// The room that points take which turn about a vertical: each moves on a circle.
+class TurningReach {
+ public:
+  TurningReach(const Camera& camera, glm::dvec3 pivot, glm::dvec2 tangent)
+      : pivot_(pivot), tangent_(tangent) {
+    const glm::dvec3 back(camera.world_from_camera[2]);
+    sine_ = std::clamp(back.y, -1.0, 1.0);
+    cosine_ = std::sqrt(1.0 - sine_ * sine_);
+  }
+
+  void add(glm::dvec3 point) {
+    const glm::dvec3 d = point - pivot_;
+    const double radius = std::hypot(d.x, d.z);
+    // At the angle a from the eye the point is at (radius sin a, d.y cosine - radius cos a sine) in
+    // the picture's plane, and d.y sine + radius cos a cosine before it.
+    const double aside = radius * std::sqrt(cosine_ * cosine_ + 1.0 / (tangent_.x * tangent_.x));
+    distance_ = std::max(distance_, d.y * sine_ + aside);
+    for (const double side : {-1.0, 1.0}) {
+      const double tilt = side / tangent_.y;
+      distance_ = std::max(
+          distance_, d.y * (sine_ + tilt * cosine_) + radius * std::abs(cosine_ - tilt * sine_));
+    }
+    half_width_ = std::max(half_width_, radius);
+    half_height_ = std::max(half_height_, std::abs(d.y) * cosine_ + radius * std::abs(sine_));
+  }
+  void add_corners(const Box& box) {
+    for (int corner = 0; corner < 8; ++corner) add(corner_of(box, corner));
+  }
+  [[nodiscard]] double distance() const { return distance_; }
+  [[nodiscard]] double height(double aspect_ratio) const {
+    return 2.0 * std::max(half_height_, half_width_ / aspect_ratio);
+  }
+
+ private:
+  glm::dvec3 pivot_;
+  glm::dvec2 tangent_;
+  double sine_ = 0.0, cosine_ = 1.0;  // of the eye's elevation
+  double distance_ = 0.0, half_width_ = 0.0, half_height_ = 0.0;
+};
+
 // What is seen decides, not the bounds, whose corners are empty in most scenes.
-void add_surfaces(const World& world, Reach& reach) {
+template <typename Points>
+void add_surfaces(const World& world, Points& reach) {
   // Lines and points come last, and the ground before them.
   const std::size_t grounds = world.materials.size() - materials_without_ground(world);
   const std::size_t triangles = triangles_without_ground(world) - world.strokes.triangle_count;
@@ -100,6 +144,10 @@ void add_surfaces(const World& world, Reach& reach) {
     if ((part.face_count > 0 || !each_triangle) && !part.bounds.empty())
       reach.add_corners(part.bounds);
   }
+}
+
+double plain_aspect(double aspect_ratio) {
+  return std::isfinite(aspect_ratio) && aspect_ratio > 0.0 ? aspect_ratio : 1.0;
 }
 
 }  // namespace
@@ -120,8 +168,18 @@ void frame_also(World& world, const World& other) {
   world.bounds.grow(other.bounds);
 }
 
+double room_to_turn(const World& world, const Camera& camera, glm::dvec3 pivot,
+                    double aspect_ratio) {
+  const double aspect = plain_aspect(aspect_ratio);
+  const double tan_y = framed_share * std::tan(0.5 * camera.fov_y_rad);
+  TurningReach reach(camera, pivot, {tan_y * aspect, tan_y});
+  add_surfaces(world, reach);
+  return camera.type == Camera::Type::perspective ? reach.distance()
+                                                  : reach.height(aspect) / framed_share;
+}
+
 FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio) {
-  const double aspect = std::isfinite(aspect_ratio) && aspect_ratio > 0.0 ? aspect_ratio : 1.0;
+  const double aspect = plain_aspect(aspect_ratio);
   Box bounds = world.strokes.drawn() ? world.strokes.others : world.bounds;
   if (ground_of(world) != Ground::off) bounds = bounds_without_ground(world);
   bounds.grow(world.strokes.bounds);

@@ -19,6 +19,12 @@ struct FramedView {
 /// framed as if it were a unit cube; an aspect ratio that is none counts as 1.
 [[nodiscard]] FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio);
 
+/// How far from `pivot` a perspective camera that looks at it has to be, or how high the picture of
+/// an orthographic one, for all of `world` to stay within `framed_share` of the picture while the
+/// camera turns about the vertical (+Y) through `pivot`: exactly, whatever the angle.
+[[nodiscard]] double room_to_turn(const World& world, const Camera& camera, glm::dvec3 pivot,
+                                  double aspect_ratio);
+
 /// Adds the surfaces of `other`, which has the same origin, to those that framing `world` looks at:
 /// the scene at several times is framed as one. `world` is good for nothing else then.
 void frame_also(World& world, const World& other);

@@ -111,5 +111,24 @@ TEST_F(TurntableInTheWindow, IsUndoneAsAWhole) {
   EXPECT_NEAR(azimuth_rad(camera), start, 1e-12);
 }
 
+// A wide scene that is seen from its end fills the picture, and is in it from its side, too.
+TEST_F(TurntableInTheWindow, MakesRoomWhereEverythingIsFramed) {
+  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  rig.previewer().viewpoint().camera().orbit(pi / 2.0, 0.0);
+  rig.previewer().viewpoint().frame_all();
+  const double framed = camera.distance();
+  rig.key(Key::t);
+  rig.frame();
+  EXPECT_GT(camera.distance(), 1.2 * framed);
+  rig.key(Key::t);
+  // Where somebody has moved closer, the distance is theirs.
+  rig.previewer().viewpoint().frame_all();
+  rig.previewer().viewpoint().camera().dolly(0.5);
+  const double near = camera.distance();
+  rig.key(Key::t);
+  rig.frame();
+  EXPECT_EQ(camera.distance(), near);
+}
+
 }  // namespace
 }  // namespace asos

@@ -5,12 +5,14 @@
 #include "tests/support/shared_dir.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <string>
 
 namespace asos {
@@ -115,6 +117,44 @@ TEST(Framing, ScalesWithTheScene) {
     EXPECT_LT(framed.subject_distance, 10.0 * size);
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_EQ(framed.camera.world_from_camera[axis], camera.world_from_camera[axis]);
+  }
+}
+
+// All the way round the scene stays within the share that is framed, and comes up to it.
+TEST(Framing, ATurnHasTheRoomThatItNeeds) {
+  for (const char* source : {"builtin:boxes", "builtin:wheel"}) {
+    const World world = world_of(source);
+    for (const glm::ivec2 size : sizes) {
+      for (const auto type : {Camera::Type::perspective, Camera::Type::orthographic}) {
+        const double aspect = static_cast<double>(size.x) / size.y;
+        Camera camera = default_camera(world, 1.0);
+        camera.type = type;
+        const FramedView framed = frame_world(world, camera, aspect);
+        camera = framed.camera;
+        const glm::dvec3 back(camera.world_from_camera[2]), eye(camera.world_from_camera[3]);
+        const glm::dvec3 pivot = eye - framed.subject_distance * back;
+        const double room = room_to_turn(world, camera, pivot, aspect);
+        double distance = 10.0 * framed.subject_distance;
+        if (type == Camera::Type::perspective)
+          distance = room;
+        else
+          camera.height = room;
+        camera.world_from_camera[3] = glm::dvec4(pivot + distance * back, 1.0);
+        double border = 1.0;
+        constexpr int angles = 360;
+        for (int i = 0; i < angles; ++i) {
+          const auto turned = glm::rotate(glm::dmat4(1.0), 2.0 * std::numbers::pi * i / angles,
+                                          glm::dvec3(0, 1, 0));
+          Camera here = camera;
+          here.world_from_camera = glm::translate(glm::dmat4(1.0), pivot) * turned *
+                                   glm::translate(glm::dmat4(1.0), -pivot) *
+                                   camera.world_from_camera;
+          const Shown shown(world, here, size);
+          border = std::min({border, shown.lo.x, shown.lo.y, 1.0 - shown.hi.x, 1.0 - shown.hi.y});
+        }
+        EXPECT_NEAR(border, 0.5 * (1.0 - framed_share), 4e-4) << source << ' ' << size.x;
+      }
+    }
   }
 }
 
