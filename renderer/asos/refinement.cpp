@@ -66,7 +66,7 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   const bool shared = extended_lights_ && even_around(sample, region);
   const auto sampled = [&](double price) {
     return !shared && eye_->budget.samples_suffice(share, price,
-                                                   static_cast<double>(found.highlights.radiance));
+                                                   static_cast<double>(found.highlights.contrast));
   };
   const bool shading = wide > 1.0 || found.all() > tolerance;
   const double leaf = leaf_price(sample);
@@ -228,7 +228,7 @@ ShadingError Refinement::gloss_error(SampleId sample, double share, const Patch&
     if (!highlights || !has_highlights(gloss.roughness)) return;
     const HighlightError found = highlights_error(glossy);
     all.highlights.error += found.error;
-    all.highlights.radiance += found.radiance;
+    all.highlights.contrast += found.contrast;
   };
   add({largest(seen.f0), seen.roughness});
   glossy.stretch = {};
@@ -247,7 +247,7 @@ HighlightError Refinement::highlights_error(const GlossyPatch& glossy) const {
     const HighlightError one = highlight_error(lights[i], glossy);
     if (one.error > negligible && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
     all.error += one.error;
-    all.radiance += one.radiance;
+    all.contrast += one.contrast;
   }
   return all;
 }

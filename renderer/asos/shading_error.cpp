@@ -21,7 +21,7 @@ double ShadingError::price_of_splitting(const Budget& budget, double wide, doubl
 bool ShadingError::better_sampled(const Budget& budget) const {
   constexpr float of_few_samples = 0.044f;
   const float usual = static_cast<float>(Budget::usual_contrast);
-  const float noise = of_few_samples * (usual + highlights.radiance);
+  const float noise = of_few_samples * (usual + highlights.contrast);
   return error > budget.tolerance || highlights.error > std::max(noise, budget.tolerance);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace asos {
 namespace {
@@ -23,6 +24,14 @@ glm::vec3 viewer_from(const GlossyPatch& glossy, glm::vec3 offset) {
   return std::isfinite(glossy.viewer_distance)
              ? glm::normalize(glossy.to_viewer - offset / glossy.viewer_distance)
              : glossy.to_viewer;
+}
+
+// No ray of the lobe meets a line: samples are places along it, of which those count that lie in
+// the lobe, brighter by as much as they are few.
+float spread_of_samples(const PreparedLight& line, const GlossyPatch& glossy, float alpha) {
+  const auto length = 2.0f * static_cast<float>(glm::length(line.half_u));
+  const float in_lobe = 4.0f * alpha * light_distance(line, glossy.point.position);
+  return std::sqrt(std::max(1.0f, length / in_lobe));
 }
 
 }  // namespace
@@ -93,14 +102,22 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const bool line = light.shape == PreparedLight::Shape::segment;
   const float filled = line ? 1.0f : std::min(1.0f, 0.5f * nearest.half_angle_tangent / alpha);
   const float radiance = most * filled * filled;
+  const float contrast = radiance * (line ? spread_of_samples(light, glossy, alpha) : 1.0f);
   const float of_middle =
       std::min(glossy.white, radiance) * std::min(1.0f, spread2 / (6.0f * width2));
   const float highlight = alpha + (line ? 0.0f : 0.5f * nearest.half_angle_tangent);
-  if (spread2 > PatchBend::most_bent * highlight * highlight) return {of_middle, radiance};
-  // Of two points along each edge (h^4 / 270 of the fourth derivative, beside the middle's h^2 / 6
-  // of the second, h half of an edge), where a GGX lobe has 72 / width^4 for the one, 4 / width^2
-  // for the other; and twice that, for patches bend along both edges.
-  return {of_middle * std::min(1.0f, 0.2f * spread2 / width2), radiance};
+  const std::optional<PatchBend::Parts> parts =
+      PatchBend::parts_for(spread, std::hypot(highlight, least_away));
+  if (!parts) return {of_middle, contrast};
+  const glm::vec3 right = spread.right / static_cast<float>(parts->right);
+  const glm::vec3 down = spread.down / static_cast<float>(parts->down);
+  const float part2 =
+      parts->right * parts->down == 1 ? spread2 : glm::dot(right, right) + glm::dot(down, down);
+  // Of two points along each edge of a part (h^4 / 270 of the fourth derivative, beside the
+  // middle's h^2 / 6 of the second, h half of an edge), where a GGX lobe has 72 / width^4 for the
+  // one, 4 / width^2 for the other; and twice that, for patches bend along both edges.
+  const float of_part = std::min(glossy.white, radiance) * std::min(1.0f, part2 / (6.0f * width2));
+  return {of_part * std::min(1.0f, 0.2f * part2 / width2), contrast};
 }
 
 }  // namespace asos

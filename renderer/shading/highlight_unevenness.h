@@ -36,7 +36,7 @@ struct GlossyPatch {
 /// What a patch shows of a light in its highlight.
 struct HighlightError {
   float error = 0.0f;     ///< of its mean display intensity (0 to 1), beside that at its middle
-  float radiance = 0.0f;  ///< about the most that is shown of it, 1 is white
+  float contrast = 0.0f;  ///< by how much samples of it differ, about; 1 is white
 };
 
 /// A bound for what ReflectedLights makes of the patch's highlight of a light with a size, by the

@@ -19,8 +19,20 @@ PatchBend PatchBend::at(const World& world, const Hit& hit, const ViewedPoint& v
   return bend;
 }
 
-float PatchBend::error_of_middle(const ViewedPoint& view, const ViewedMaterial& material,
-                                 const PreparedLight& light, const Highlight& highlight) const {
+std::optional<PatchBend::Parts> PatchBend::parts_for(const NormalSpread& spread, float shown) {
+  if (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down) <=
+      most_bent * shown * shown)
+    return Parts{};
+  const float widest = std::sqrt(0.5f * most_bent) * shown;
+  const float right = std::ceil(glm::length(spread.right) / widest);
+  const float down = std::ceil(glm::length(spread.down) / widest);
+  if (!(std::max(right, down) <= static_cast<float>(most_parts))) return std::nullopt;
+  return Parts{std::max(1, static_cast<int>(right)), std::max(1, static_cast<int>(down))};
+}
+
+PatchBend::OfMiddle PatchBend::of_middle(const ViewedPoint& view, const ViewedMaterial& material,
+                                         const PreparedLight& light,
+                                         const Highlight& highlight) const {
   const bool distant = light.shape == PreparedLight::Shape::sun;
   const float distance =
       distant ? std::numeric_limits<float>::infinity()
@@ -32,15 +44,18 @@ float PatchBend::error_of_middle(const ViewedPoint& view, const ViewedMaterial& 
   const float alpha = rough * rough;
   const bool line = light.shape == PreparedLight::Shape::segment;
   const float shown = alpha + (line ? 0.0f : 0.5f * highlight.half_angle_tangent);
-  if (spread2 > most_bent * shown * shown) return std::numeric_limits<float>::infinity();
   // What rises or sets across the patch is bent by its horizon.
   const float turn2 = glm::dot(turn.right, turn.right) + glm::dot(turn.down, turn.down);
   const float height = glm::dot(view.point.shading_normal, highlight.direction);
-  if (height < std::sqrt(turn2)) return 1.0f;
+  const bool sets = height < std::sqrt(turn2);
   const glm::vec3 half = glm::normalize(highlight.direction + view.to_viewer);
   const float away = away_from_peak(view.point.shading_normal, half, material.stretch, rough);
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
-  return std::min(1.0f, spread2 / (6.0f * (alpha * alpha + nearest * nearest)));
+  // In its tails a lobe changes over as much as it is away from its peak.
+  OfMiddle of{1.0f, parts_for(spread, std::hypot(shown, nearest))};
+  if (!of.parts || sets) return of;
+  of.error = std::min(1.0f, spread2 / (6.0f * (alpha * alpha + nearest * nearest)));
+  return of;
 }
 
 // A surface that is round lies below the tangent plane by half of place * normal, so that the
@@ -62,28 +77,24 @@ PatchBend::Step PatchBend::step(const ViewedPoint& view, float u, float v) const
   return step;
 }
 
-std::array<PatchBend::Point, 4> PatchBend::points(const ViewedPoint& view,
-                                                  const ViewedMaterial& material) const {
-  constexpr float node = 0.28867513f;  // 1 / sqrt(12) of an edge from its middle
-  constexpr std::array<glm::vec2, 4> nodes{
-      {{-node, -node}, {node, -node}, {-node, node}, {node, node}}};
-  const auto at = [&](glm::vec2 uv) {
-    const Step from_middle = step(view, uv.x, uv.y);
-    Point point{view.point, view.to_viewer, material};
-    SurfacePoint& surface = point.surface;
-    surface.position += from_middle.place;
-    surface.shading_normal = glm::normalize(surface.shading_normal + from_middle.normal);
-    if (rounded) surface.geometric_normal = surface.shading_normal;
-    if (std::isfinite(view.distance))
-      point.to_viewer = glm::normalize(view.to_viewer - from_middle.place / view.distance);
-    if (!material.stretch.none()) {
-      const float angle = glm::dot(uv, stretch_turn);
-      glm::vec3& along = point.material.stretch.along;
-      along = std::cos(angle) * along + std::sin(angle) * glm::cross(surface.shading_normal, along);
-    }
-    return point;
-  };
-  return {at(nodes[0]), at(nodes[1]), at(nodes[2]), at(nodes[3])};
+PatchBend::Point PatchBend::point(const ViewedPoint& view, const ViewedMaterial& material,
+                                  glm::vec2 uv) const {
+  const Step from_middle = step(view, uv.x, uv.y);
+  Point point{view.point, view.to_viewer, material};
+  SurfacePoint& surface = point.surface;
+  surface.position += from_middle.place;
+  surface.shading_normal = glm::normalize(surface.shading_normal + from_middle.normal);
+  // It is a point: what the patch turns by lies between it and the others.
+  surface.spread.right = surface.spread.down = glm::vec3(0.0f);
+  if (rounded) surface.geometric_normal = surface.shading_normal;
+  if (std::isfinite(view.distance))
+    point.to_viewer = glm::normalize(view.to_viewer - from_middle.place / view.distance);
+  if (!material.stretch.none()) {
+    const float angle = glm::dot(uv, stretch_turn);
+    glm::vec3& along = point.material.stretch.along;
+    along = std::cos(angle) * along + std::sin(angle) * glm::cross(surface.shading_normal, along);
+  }
+  return point;
 }
 
 }  // namespace asos

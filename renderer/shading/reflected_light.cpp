@@ -29,8 +29,11 @@ PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::v
 /// the patch is seen by parts of it where it is uneven, and has not the tails that widening would
 /// give it.
 PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
-                           const Highlight& highlight, float light_distance, bool line) {
+                           const Highlight& highlight, const PreparedLight& light,
+                           Widening widening) {
   constexpr float widest = 0.5f;  // the patch's share of the highlight that needs no widening
+  const bool line = light.shape == PreparedLight::Shape::segment;
+  const float light_distance = distance_of(light, view.point.position);
   const LobeSight sight{view.to_viewer, view.distance, highlight.direction, light_distance};
   NormalSpread spread = spread_about_half(view.point.spread, view.patch, sight);
   const float alpha =
@@ -38,8 +41,9 @@ PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
   // A line is as narrow as the lobe across itself.
   const float light_width = line ? 0.0f : 0.5f * highlight.half_angle_tangent;
   const float shown = widest * (alpha + light_width);
-  if (std::max(glm::dot(spread.right, spread.right), glm::dot(spread.down, spread.down)) <
-      shown * shown)
+  if (widening == Widening::by_bumps ||
+      std::max(glm::dot(spread.right, spread.right), glm::dot(spread.down, spread.down)) <
+          shown * shown)
     spread.right = spread.down = glm::vec3(0.0f);
   return {spread, seen.roughness, view.point.shading_normal};
 }
@@ -123,7 +127,7 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   const Highlight highlight = highlight_of(light, receiver_.position, mirrored_);
   Share share;
   if (light.extended() && light.rule == LightRule::physical) {
-    share = of_extended(light, highlight, irradiance);
+    share = of_extended(light, highlight, irradiance, Widening::by_patch);
   } else if (shows(point_.mirrored, light)) {
     // Reflections show the lights that have an area: those are their highlights.
     share.reflected = diffuse_towards(point_.material, point_.view, highlight.direction);
@@ -132,35 +136,38 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   }
   share.reflected *= point_.share;
   if (!bend_ || !light.extended() || light.rule != LightRule::physical) return share;
-  const float error = bend_->error_of_middle(point_.view, point_.material, light, highlight);
-  if (!std::isfinite(error)) return share;
+  const auto [error, parts] = bend_->of_middle(point_.view, point_.material, light, highlight);
+  if (!parts) return share;
   share.of_patch = point_.view.point.spread.variance == 0.0f;
   if (error * largest(share.reflected * irradiance) > bend_->negligible) {
-    const glm::vec3 found = mean(light);
+    const glm::vec3 found = mean(light, *parts);
     for (int c = 0; c < 3; ++c) {
       if (irradiance[c] > 0.0f) share.reflected[c] = found[c] / irradiance[c];
     }
+  } else if (error > 0.0f) {
+    // The middle is as good; a lobe that is widened by the patch has tails that it has not.
+    share.reflected =
+        point_.share * of_extended(light, highlight, irradiance, Widening::by_bumps).reflected;
   }
   return share;
 }
 
-glm::vec3 ReflectedLights::mean(const PreparedLight& light) const {
+glm::vec3 ReflectedLights::mean(const PreparedLight& light, const PatchBend::Parts& parts) const {
   glm::vec3 sum(0.0f);
-  const auto points = bend_->points(point_.view, point_.material);
-  for (const PatchBend::Point& at : points) {
+  bend_->for_each_point(point_.view, point_.material, parts, [&](const PatchBend::Point& at) {
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(at.surface));
-    if (irradiance == glm::vec3(0.0f)) continue;
+    if (irradiance == glm::vec3(0.0f)) return;
     const ViewedPoint view = viewed_point(at.surface, at.to_viewer);
     const LitPoint lit{point_.lights,   view,         at.material,
                        point_.mirrored, point_.share, point_.shadows};
     sum += irradiance * ReflectedLights(lit).of(light, irradiance).reflected;
-  }
-  return sum / static_cast<float>(points.size());
+  });
+  return sum / static_cast<float>(4 * parts.right * parts.down);
 }
 
 ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
                                                     const Highlight& highlight,
-                                                    glm::vec3 irradiance) {
+                                                    glm::vec3 irradiance, Widening widening) {
   const ViewedMaterial& seen = point_.material;
   const bool mirrored = shows(point_.mirrored, light);
   if (mirrored && (seen.falloff == 0.0f || seen.diffuse == glm::vec3(0.0f)))
@@ -173,9 +180,7 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
   const double per_irradiance =
       static_cast<double>(light.power[strongest]) / static_cast<double>(irradiance[strongest]);
   if (!(per_irradiance > 0.0)) return {};
-  const PatchLobe lobe =
-      lobe_of_extended(seen, point_.view, highlight, distance_of(light, point_.view.point.position),
-                       light.shape == PreparedLight::Shape::segment);
+  const PatchLobe lobe = lobe_of_extended(seen, point_.view, highlight, light, widening);
   const bool wider = lobe.wider() && !(seen.sheen > 0.0f);
   const ReflectedIntegral all = quadrature(wider ? lobe.round_roughness() : seen.roughness)(light);
   const double schlick = std::clamp(all.scattered * per_irradiance, 0.0, 1.0);

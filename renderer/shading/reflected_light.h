@@ -37,6 +37,10 @@ namespace asos {
   return least && mirrored >= *least;
 }
 
+/// What makes a point's lobe wider than its roughness does: how its patch bends, too, or bumps
+/// that are narrower than it alone.
+enum class Widening { by_patch, by_bumps };
+
 /// What one point makes of its lights, with nothing in the way; or, where that may differ by more
 /// than the bend's `negligible`, the mean over its patch, of lights with a size, by the physical
 /// rule.
@@ -57,9 +61,9 @@ class ReflectedLights {
 
  private:
   [[nodiscard]] Share of_extended(const PreparedLight& light, const Highlight& highlight,
-                                  glm::vec3 irradiance);
+                                  glm::vec3 irradiance, Widening widening);
   [[nodiscard]] LightQuadrature& quadrature(float roughness);
-  [[nodiscard]] glm::vec3 mean(const PreparedLight& light) const;
+  [[nodiscard]] glm::vec3 mean(const PreparedLight& light, const PatchBend::Parts& parts) const;
 
   const LitPoint& point_;
   Receiver receiver_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace asos::test::patch_bend_test {
 namespace {
@@ -18,6 +20,15 @@ glm::dvec3 met(glm::dvec3 on_plane) {
   const double b = glm::dot(on_plane, to_viewer);
   const double c = glm::dot(on_plane, on_plane) - radius * radius;
   return on_plane + (-b + std::sqrt(b * b - c)) * to_viewer;
+}
+
+std::vector<PatchBend::Point> points_of(const PatchBend& bend, const ViewedPoint& view,
+                                        const ViewedMaterial& material,
+                                        PatchBend::Parts parts = {}) {
+  std::vector<PatchBend::Point> points;
+  bend.for_each_point(view, material, parts,
+                      [&](const PatchBend::Point& at) { points.push_back(at); });
+  return points;
 }
 
 struct Found {
@@ -36,7 +47,7 @@ Found errors(double size, glm::dvec3 normal) {
   PatchBend bend{{glm::vec3(right / radius), glm::vec3(down / radius)}};
   bend.rounded = true;
   Found found;
-  const auto points = bend.points(view, {});
+  const std::vector<PatchBend::Point> points = points_of(bend, view, {});
   const double node = 0.5 / std::sqrt(3.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double u = i % 2 == 0 ? -node : node, v = i < 2 ? -node : node;
@@ -78,6 +89,7 @@ TEST(PatchBend, IsToldByTheLobe) {
   const FlatPatch flat;
   PreparedLight sun;
   sun.shape = PreparedLight::Shape::sun;
+  std::optional<PatchBend::Parts> parts;
   const auto error = [&](float turn, float roughness, float half_angle_tangent,
                          glm::vec3 direction = {0, 0, 1}) {
     PatchBend bend;
@@ -85,14 +97,24 @@ TEST(PatchBend, IsToldByTheLobe) {
     ViewedMaterial material{};
     material.roughness = roughness;
     const Highlight highlight{direction, half_angle_tangent};
-    return bend.error_of_middle(flat.view, material, sun, highlight);
+    const PatchBend::OfMiddle found = bend.of_middle(flat.view, material, sun, highlight);
+    parts = found.parts;
+    return found.error;
   };
   EXPECT_EQ(error(0.0f, 0.3f, 0.1f), 0.0f);
   // turn^2 / (6 alpha^2), as the nearest of its normals has the half vector.
   EXPECT_FLOAT_EQ(error(0.02f, 0.3f, 0.1f), 0.02f * 0.02f / (6.0f * 0.09f * 0.09f));
   EXPECT_GT(error(0.02f, 0.2f, 0.1f), 4.0f * error(0.02f, 0.3f, 0.1f));
-  EXPECT_TRUE(std::isinf(error(0.3f, 0.3f, 0.1f)));
-  EXPECT_TRUE(std::isfinite(error(0.3f, 0.3f, 0.4f))) << "the light is as wide";
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(parts->right * parts->down, 1);
+  EXPECT_EQ(error(0.3f, 0.3f, 0.1f), 1.0f);
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(parts->right, 2);
+  EXPECT_EQ(parts->down, 1) << "it turns along one edge only";
+  (void)error(0.3f, 0.3f, 0.4f);
+  EXPECT_EQ(parts->right, 1) << "the light is as wide";
+  (void)error(0.9f, 0.3f, 0.1f);
+  EXPECT_FALSE(parts);
   const glm::vec3 low = glm::normalize(glm::vec3(1.0f, 0.0f, 0.01f));
   EXPECT_EQ(error(0.02f, 1.0f, 0.1f, low), 1.0f) << "it sets within the patch";
   EXPECT_LT(error(0.005f, 1.0f, 0.1f, low), 1e-4f);
@@ -105,13 +127,30 @@ TEST(PatchBend, TurnsTheStretch) {
   bend.stretch_turn = {0.6f, 0.0f};
   ViewedMaterial material{};
   material.stretch.along = {0.5f, 0, 0};
-  const auto points = bend.points(flat.view, material);
+  const std::vector<PatchBend::Point> points = points_of(bend, flat.view, material);
   const float angle = 0.6f * 0.5f / std::sqrt(3.0f);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::vec3 along = points[i].material.stretch.along;
     EXPECT_NEAR(along.x, 0.5f * std::cos(angle), 1e-6f);
     EXPECT_NEAR(along.y, (i % 2 == 0 ? -0.5f : 0.5f) * std::sin(angle), 1e-6f);
   }
+}
+
+// Of three parts by two, each has its own two points along each edge, and all their mean.
+TEST(PatchBend, DividesWhatIsWide) {
+  const FlatPatch flat;
+  const auto points = points_of(PatchBend{}, flat.view, {}, {3, 2});
+  ASSERT_EQ(points.size(), 24u);
+  double mean = 0.0, square = 0.0, fourth = 0.0;
+  for (const PatchBend::Point& at : points) {
+    const double x = 10.0 * static_cast<double>(at.surface.position.x);  // -1/2 to 1/2
+    mean += x / 24.0;
+    square += x * x / 24.0;
+    fourth += x * x * x * x / 24.0;
+  }
+  EXPECT_NEAR(mean, 0.0, 1e-6);
+  EXPECT_NEAR(square, 1.0 / 12.0, 1e-6) << "exact to the third degree";
+  EXPECT_NEAR(fourth, 1.0 / 80.0 - 1.0 / (180.0 * 81.0), 1e-6) << "that of a third of the width";
 }
 
 }  // namespace
