@@ -167,7 +167,14 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
   const glm::dvec3 foot = to_middle - glm::dot(to_middle, along) * along;
   const double height = glm::length(foot);
   if (!(height > 0.0)) return;
-  const double begin = std::atan2(s0, height), end = std::atan2(s0 + 2.0 * half, height);
+  double begin = std::atan2(s0, height), end = std::atan2(s0 + 2.0 * half, height);
+  // Only the part above both horizons, where the integrand is smooth.
+  for (const glm::dvec3& up : {receiver_.normal, receiver_.geometric}) {
+    const double at_foot = glm::dot(foot, up) / height, rising = glm::dot(along, up);
+    const double horizon = std::atan2(-at_foot, std::abs(rising));
+    if (rising >= 0.0) begin = std::max(begin, horizon);
+    if (rising <= 0.0) end = std::min(end, -horizon);
+  }
   const auto direction = [&](double angle) {
     return std::cos(angle) * (foot / height) + std::sin(angle) * along;
   };

@@ -139,7 +139,10 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   const auto [error, parts] = bend_->of_middle(point_.view, point_.material, light, highlight);
   if (!parts) return share;
   share.of_patch = point_.view.point.spread.variance == 0.0f;
-  if (error * largest(share.reflected * irradiance) > bend_->negligible) {
+  // No verdict asks for broad lobes to be split, so that nothing but their mean makes them better.
+  const bool broad = point_.material.roughness >= least_broad_roughness;
+  const float negligible = (broad ? 0.1f : 1.0f) * bend_->negligible;
+  if (error * largest(share.reflected * irradiance) > negligible) {
     const glm::vec3 found = mean(light, *parts);
     for (int c = 0; c < 3; ++c) {
       if (irradiance[c] > 0.0f) share.reflected[c] = found[c] / irradiance[c];

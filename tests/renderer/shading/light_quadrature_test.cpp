@@ -128,6 +128,37 @@ TEST(LightQuadrature, AgreesLessWellAtGrazingAngles) {
   }
 }
 
+// A line is summed up from where it rises over the horizon: that of the shading normal, or the
+// surface's own.
+TEST(LightQuadrature, ALineThatSetsEndsAtTheHorizon) {
+  const glm::dvec3 up(0, 0, 1);
+  for (const double tilt : {0.3, 1.0, -0.7}) {
+    Light light;
+    light.type = Light::Type::linear;
+    light.color = glm::vec3(1.0f);
+    light.intensity = 1.0f;
+    light.position = {0.8, 0.3, 0.12};
+    light.half_u = 0.6 * glm::dvec3(std::cos(tilt) * 0.8, std::cos(tilt) * 0.6, std::sin(tilt));
+    ASSERT_LT(light.position.z - std::abs(light.half_u.z), 0.0);
+    const PreparedLight line = prepare_light(light);
+    for (const double roughness : {0.3, 0.6, 1.0}) {
+      const glm::dvec3 v = direction(1.0, 2.5);
+      const double expected =
+          reflected_radiance(line, {glm::dvec3(1.0), 1.0, roughness}, {glm::dvec3(0.0), up, v}, 8.0)
+              .x;
+      const double power = static_cast<double>(line.power.x);
+      const glm::dvec3 beside = glm::normalize(up + glm::dvec3(-0.1, 0.05, 0.0));
+      const ReflectedIntegral found =
+          LightQuadrature({glm::dvec3(0.0), up, up}, v, roughness)(line);
+      EXPECT_NEAR(power * found.lobe, expected, 3e-4 * expected) << tilt << ' ' << roughness;
+      const ReflectedIntegral cut =
+          LightQuadrature({glm::dvec3(0.0), up, beside}, v, roughness)(line);
+      EXPECT_LT(cut.lobe, found.lobe) << tilt << ' ' << roughness;
+      EXPECT_GT(cut.lobe, 0.5 * found.lobe) << tilt << ' ' << roughness;
+    }
+  }
+}
+
 TEST(LightQuadrature, WithinABallLightComesFromEverywhere) {
   RandomSpace random(5);
   for (const double roughness : {0.2, 0.5, 1.0}) {
