@@ -163,9 +163,10 @@ std::string place_text(const Json& p) {
 // Values that are not finite are null in the file.
 std::string colour_text(const Json& c) {
   std::string text;
-  for (const Json& value : c)
-    text += (text.empty() ? "" : " ") +
-            (value.is_number() ? fmt::format("{:6.4f}", value.get<double>()) : "     -");
+  for (const Json& value : c) {
+    if (!text.empty()) text += ' ';
+    text += value.is_number() ? fmt::format("{:6.4f}", value.get<double>()) : "     -";
+  }
   return text;
 }
 

@@ -8,7 +8,7 @@ namespace asos {
 namespace {
 
 // A plane's triangles that share a corner are met there, all of them.
-constexpr int most_passed = 16;
+constexpr int most_at_corner = 16;
 
 bool lies_in(const MirrorPlane& plane, const World& world, std::uint32_t triangle) {
   const glm::uvec3 v = world.triangles[triangle];
@@ -32,7 +32,7 @@ bool met_mirror(const MirrorPlane& plane, const World& world, const Ray& ray, co
 void pass_mirror(const MirrorPlane& plane, const World& world, const RayScene& scene, Culling faces,
                  std::span<Ray> rays, std::span<Hit> hits) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    for (int k = 0; k < most_passed && met_mirror(plane, world, rays[i], hits[i]); ++k) {
+    for (int k = 0; k < most_at_corner && met_mirror(plane, world, rays[i], hits[i]); ++k) {
       rays[i].t_near = std::nextafter(hits[i].t, std::numeric_limits<float>::infinity());
       hits[i] = scene.closest(rays[i], faces);
     }

@@ -64,15 +64,15 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& place) 
   return files;
 }
 
-int replay(const std::vector<std::string>& words) {
+int replay(const std::vector<std::string>& arguments) {
   unsigned mutations = 0;
   std::vector<std::filesystem::path> files;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "--mutations" && i + 1 < words.size()) {
-      mutations = static_cast<unsigned>(std::strtoul(words[++i].c_str(), nullptr, 10));
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--mutations" && i + 1 < arguments.size()) {
+      mutations = static_cast<unsigned>(std::strtoul(arguments[++i].c_str(), nullptr, 10));
       continue;
     }
-    const auto found = files_of(words[i]);
+    const auto found = files_of(arguments[i]);
     files.insert(files.end(), found.begin(), found.end());
   }
   for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM})
