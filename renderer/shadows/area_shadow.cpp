@@ -87,11 +87,17 @@ Visibility divided_shadow(const ShadowContext& block, const ShadowQuery& query,
 
 Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
                        RenderStatistics& counts) {
-  // An extended pyray needs a patch that lies on the surface as a whole. A surface seen through
-  // another one has none at all.
+  // An extended pyray needs a patch that lies on the surface as a whole.
   const bool whole = query.leaf.region.border.empty();
   const Receiver middle = receiver_above(query.lit.point, query.lit.light);
-  if (query.lit.layer > 0) return point_area_shadow(block, query, middle, counts);
+  if (query.lit.layer > 0) {
+    // No verdict looks behind a surface, so that nothing tells that one pyray does.
+    const bool by_rays =
+        block.rules.quality == ShadowQuality::refined && has_patch(block, query.lit);
+    const auto window = by_rays ? LightWindow::of(query.lit.light, middle) : std::nullopt;
+    return window ? sampled_area_shadow(block, query, *window, middle, counts)
+                  : point_area_shadow(block, query, middle, counts);
+  }
   switch (block.rules.quality) {
     case ShadowQuality::refined:
       if (block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(),

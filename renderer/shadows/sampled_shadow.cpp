@@ -89,8 +89,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   const Bounds2 box = bounds_of(query.leaf.region);
   const Receiver middle = receiver_above(point, query.lit.light);
   work.receivers.assign(end - first, std::nullopt);
-  // A surface seen through another one has no patch.
-  if (query.lit.layer > 0) {
+  if (!has_patch(block, query.lit)) {
     for (auto& receiver : work.receivers) receiver = middle;
     return;
   }

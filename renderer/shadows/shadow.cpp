@@ -30,8 +30,9 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
     return ray_visibility(block, query, counts);
 
   // Ask what is known of the way to the light.
-  const auto patch =
-      lit.layer == 0 ? patch_of(block, lit.point, leaf.region, leaf.region.square) : std::nullopt;
+  const auto patch = has_patch(block, lit)
+                         ? patch_of(block, lit.point, leaf.region, leaf.region.square)
+                         : std::nullopt;
   Box around;
   if (patch) {
     around = box_of(*patch);

@@ -63,6 +63,12 @@ std::size_t most_entries_for_samples(int levels) {
   return std::max(least, (std::size_t{1} << 2 * levels) / 2);
 }
 
+bool has_patch(const ShadowContext& block, const Illumination& lit) {
+  if (lit.layer == 0) return true;
+  return lit.point.triangle != Hit::none &&
+         block.scene->features.deviation(lit.point.triangle) <= 0.0f;
+}
+
 std::optional<ShadowPatch> patch_of(const ShadowContext& block, const SurfacePoint& point,
                                     const LeafRegion& region, const Square& s) {
   ShadowPatch patch;

@@ -85,6 +85,10 @@ struct ShadowQuery {
 /// The largest hit list before samples cost less than the search.
 [[nodiscard]] std::size_t most_entries_for_samples(int levels);
 
+/// Whether all that a leaf shows of a lit point's surface is known: that of the nearest surface,
+/// and of a flat one that is seen straight through others.
+[[nodiscard]] bool has_patch(const ShadowContext& block, const Illumination& lit);
+
 /// The patch on the point's plane that a square of the viewer's frame shows, with the border of the
 /// leaf in units of that square. Nothing where the plane does not cross the frame's rays. The
 /// border lives in the workspace until the next call.

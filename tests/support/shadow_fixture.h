@@ -65,7 +65,8 @@ class ShadowFixture {
   }
 
   /// The visibility from a leaf of the pyray through `eye`; the leaf shows `point`.
-  /// `layer`: 0: the leaf's square lies on the point's plane; 1: the point is all there is.
+  /// `layer`: 0: the leaf's square lies on the point's plane; 1: the point is all
+  /// there is, since it is no triangle's.
   [[nodiscard]] double visibility(const SurfacePoint& point, const Frame& eye,
                                   const LeafContext& leaf, int layer = 0) {
     const ShadowScene scene{world_, features_, rays_};
