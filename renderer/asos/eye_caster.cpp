@@ -5,6 +5,12 @@
 namespace asos {
 namespace {
 
+bool some_cast_shadows(const EyeContext& eye) {
+  const auto lights = eye.viewer.shader.lights();
+  return eye.settings->shadow.cast &&
+         std::any_of(lights.begin(), lights.end(), [](const auto& l) { return l.casts_shadows; });
+}
+
 ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchView& view,
                          ShadowGroups& groups) {
   const RenderSettings& settings = *eye.settings;
@@ -25,6 +31,8 @@ ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchV
 
 EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
     : eye_(eye),
+      casts_shadows_(some_cast_shadows(eye)),
+      shades_parts_(casts_shadows_),
       samples_(eye_),
       shadow_scene_{eye.scene->world(), eye.scene->features(), eye.scene->rays()},
       groups_(shadow_scene_),
@@ -35,17 +43,16 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       leaf_shader_(eye_, samples_, refinement_, weak_lights_, shadows_, sums_, blurred_) {}
 
 void EyeCaster::middles_known(int side) {
-  const auto lights = eye_.viewer.shader.lights();
-  groups_.reset(lights.size());
-  const bool cast_shadows =
-      eye_.settings->shadow.cast &&
-      std::any_of(lights.begin(), lights.end(), [](const auto& l) { return l.casts_shadows; });
-  if (cast_shadows) {
+  groups_.reset(eye_.viewer.shader.lights().size());
+  if (casts_shadows_) {
+    bool unlit = false, lit = false;
     for (SampleId i = 0; i < static_cast<SampleId>(side * side); ++i) {
       if (!samples_.hit(i).valid()) continue;
+      (eye_.scene->world().material_of(samples_.hit(i).triangle).unlit ? unlit : lit) = true;
       const SurfacePoint point = samples_.point(i);
       groups_.add(samples_.hit(i), point.position, point.geometric_normal, samples_.patch(i, 1.0));
     }
+    shades_parts_ = lit || !unlit;
   }
   refinement_.learn_normals(side);
   weak_lights_.find(side);

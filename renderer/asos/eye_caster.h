@@ -8,6 +8,7 @@
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/pyray/prices.h"
 
 #include <glm/glm.hpp>
 
@@ -40,6 +41,10 @@ class EyeCaster final : public Caster {
                                   const LeafRegion& region) override {
     return refinement_.judge(sample, share, region);
   }
+  [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
+    return shades_parts_ &&
+           eye_.budget.samples_suffice_for_parts(weight, Prices::part * static_cast<double>(parts));
+  }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;
   void finish() override { leaf_shader_.finish(); }
@@ -59,6 +64,8 @@ class EyeCaster final : public Caster {
 
  private:
   EyeContext eye_;
+  bool casts_shadows_;  // some light does
+  bool shades_parts_;   // so that parts cost more than samples: where anything is lit at all
   EyeSamples samples_;
   ShadowScene shadow_scene_;
   ShadowGroups groups_;

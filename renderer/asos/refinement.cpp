@@ -1,13 +1,10 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/light_counts.h"
-#include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
-#include "renderer/shading/shadow_ray.h"
 #include "renderer/shading/unevenness.h"
 #include "renderer/shadows/penumbra.h"
 
@@ -34,11 +31,13 @@ float brightest(const Material& material) {
 
 Refinement::Refinement(const EyeContext& eye, const EyeSamples& samples,
                        const WeakLights& weak_lights, const ShadowContext& shadows)
-    : eye_(&eye), samples_(&samples), weak_lights_(&weak_lights), shadows_(&shadows) {
-  for (const PreparedLight& light : eye.viewer.shader.lights()) {
-    extended_lights_ |= eye.settings->shadow.cast && light.casts_shadows && light.extended();
-    spots_ |= light.cone_scale > 0.0;
-  }
+    : eye_(&eye),
+      samples_(&samples),
+      weak_lights_(&weak_lights),
+      shadows_(&shadows),
+      gloss_(eye, samples, weak_lights),
+      extended_lights_(soft_shadows(eye)) {
+  for (const PreparedLight& light : eye.viewer.shader.lights()) spots_ |= light.cone_scale > 0.0;
 }
 
 void Refinement::learn_normals(int side) {
@@ -57,9 +56,11 @@ void Refinement::learn_normals(int side) {
 LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& region) {
   if (!samples_->hit(sample).valid() || !eye_->budget.refines() || cut_out(sample, region))
     return {};
+  const bool glinting = glints(sample, share);
+  if (!glinting && better_sampled_at_once(sample, share, region))
+    return {Unevenness::none, 0, true};
   const float tolerance = eye_->budget.tolerance;
-  const ShadingError found =
-      glints(sample, share) ? ShadingError{} : shading_error(sample, share, region);
+  const ShadingError found = glinting ? ShadingError{} : shading_error(sample, share, region);
   const double wide = mirrored_width(sample, region);
   // A patch whose parts share one look at the lights is right as a whole only: none of them alone
   // is sampled.
@@ -138,7 +139,7 @@ ShadingError Refinement::shading_error(SampleId sample, double share,
   const Hit& hit = samples_->hit(sample);
   const Ray& ray = samples_->ray(sample);
   const Patch patch = samples_->patch(sample, share);
-  ShadingError found = gloss_error(sample, share, patch_around(sample, region));
+  ShadingError found = gloss_.error(sample, share, patch_around(sample, region));
   found.error += midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
                                 eye_->settings->shadow.light_rule) +
                  normal_error(sample, region) + light_error(sample, region);
@@ -178,78 +179,6 @@ float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
     error += cone_error(lights[i], receiver, patch);
   }
   return error;
-}
-
-// Whether nothing lies before the point of a light that a highlight shows most of.
-bool Refinement::shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const {
-  const PreparedLight& prepared = eye_->viewer.shader.lights()[light];
-  if (!prepared.casts_shadows) return true;
-  const SurfacePoint& point = glossy.point;
-  const glm::dvec3 mirrored(glm::reflect(-glossy.to_viewer, point.shading_normal));
-  const Highlight nearest = highlight_of(prepared, glm::dvec3(point.position), mirrored);
-  if (!(nearest.distance > 0.0f)) return true;
-  eye_->counts->count_shadow_ray(light);
-  LightSample sample;
-  sample.direction = glm::dvec3(nearest.direction);
-  sample.distance = static_cast<double>(nearest.distance);
-  return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) !=
-         glm::vec3(0.0f);
-}
-
-// What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
-// reflection shows.
-ShadingError Refinement::gloss_error(SampleId sample, double share, const Patch& patch) const {
-  const RenderScene& scene = *eye_->scene;
-  const Hit& hit = samples_->hit(sample);
-  // Textures make roughness less only.
-  const Material& material = scene.world().material_of(hit.triangle);
-  const bool by_dfr = eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle);
-  if (material.unlit || !(by_dfr || may_be_glossy(material))) return {};
-  const SurfacePoint point = samples_->point(sample);
-  const PixelSpacing& spacing = eye_->viewer.spacing;
-  GlossyPatch glossy{
-      point, normal_turn(scene.world(), hit, patch, point.shading_normal), patch,
-      -samples_->ray(sample).direction,
-      spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity()};
-  const bool highlights =
-      extended_lights_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
-  if (!highlights && !turns(glossy)) return {};
-  const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
-  if (seen.anisotropy.strength > 0.0f) {
-    glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
-                                  point.shading_normal, glossy.to_viewer);
-    glossy.stretch_turn = tangent_turn(scene.world(), hit, patch, point.shading_normal);
-  }
-  glossy.white = static_cast<float>(1.0 / share);
-  ShadingError all;
-  const auto add = [&](const Gloss& gloss) {
-    glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
-    all.error += reflectance_error(glossy);
-    if (!highlights || !has_highlights(gloss.roughness)) return;
-    const HighlightError found = highlights_error(glossy);
-    all.highlights.error += found.error;
-    all.highlights.contrast += found.contrast;
-  };
-  add({largest(seen.f0), seen.roughness});
-  glossy.stretch = {};
-  if (seen.coat.factor > 0.0f) add({coat_f0 * seen.coat.factor, seen.coat.roughness});
-  return all;
-}
-
-// Of one of the surface's lobes.
-HighlightError Refinement::highlights_error(const GlossyPatch& glossy) const {
-  const auto lights = eye_->viewer.shader.lights();
-  const float tolerance = eye_->budget.tolerance;
-  const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
-  HighlightError all;
-  for (std::size_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
-    if (weak_lights_->holds(i)) continue;
-    const HighlightError one = highlight_error(lights[i], glossy);
-    if (one.error > negligible && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
-    all.error += one.error;
-    all.contrast += one.contrast;
-  }
-  return all;
 }
 
 // How far neighbours' normals are from what the mirror's own triangle says of them, in what may be
@@ -324,13 +253,32 @@ bool Refinement::glints(SampleId sample, double share) const {
          eye_->budget.tolerance;
 }
 
+bool Refinement::better_sampled_at_once(SampleId sample, double share,
+                                        const LeafRegion& region) const {
+  constexpr float bright = 0.25f;
+  const Hit& hit = samples_->hit(sample);
+  if (!extended_lights_ || eye_->mask || !eye_->budget.refines() || eye_->budget.max_level == 0 ||
+      region.marginal || !hit.valid())
+    return false;
+  const RenderScene& scene = *eye_->scene;
+  const Material& material = scene.world().material_of(hit.triangle);
+  if (material.unlit || scene.world().is_face(hit.triangle)) return false;
+  if (scene.needs.normal_maps && has_normal_map(material)) return true;
+  return scene.features().deviation(hit.triangle) > 0.0f &&
+         gloss_.error(sample, share, patch_around(sample, region)).highlights.contrast <= bright;
+}
+
+bool Refinement::is_finest(const LeafRegion& region) const {
+  const float finest = std::ldexp(eye_->viewer.pixel, -eye_->budget.max_level) /
+                       static_cast<float>(eye_->block.width);
+  return region.square.side < 1.5f * finest;
+}
+
 bool Refinement::uneven_at_last(SampleId sample, double share, const LeafRegion& region) const {
-  const int max_level = eye_->budget.max_level;
-  const float finest =
-      std::ldexp(eye_->viewer.pixel, -max_level) / static_cast<float>(eye_->block.width);
-  return max_level > 0 && eye_->budget.refines() && !region.marginal &&
-         samples_->hit(sample).valid() && region.square.side < 1.5f * finest &&
-         (shading_error(sample, share, region).better_sampled(eye_->budget) ||
+  return eye_->budget.max_level > 0 && eye_->budget.refines() && !region.marginal &&
+         samples_->hit(sample).valid() && is_finest(region) &&
+         (better_sampled_at_once(sample, share, region) ||
+          shading_error(sample, share, region).better_sampled(eye_->budget) ||
           refracts_too_widely(sample, region));
 }
 

@@ -2,12 +2,12 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf_gloss.h"
 #include "renderer/asos/normal_variation.h"
 #include "renderer/asos/shading_error.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/reflections/mirrored_pyray.h"
-#include "renderer/shading/highlight_unevenness.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -43,6 +43,12 @@ class Refinement {
     return samples_->cut_out(sample) && !region.marginal && eye_->budget.refines() &&
            eye_->budget.max_level > 0;
   }
+  /// Whether a leaf is of a bent or bumpy mesh under lights of some size, without bright
+  /// highlights: its middle's normal stands for none of its other points', and where these look
+  /// past their own surface's horizon at a light is for rays to say, so that as many samples tell
+  /// more of it.
+  [[nodiscard]] bool better_sampled_at_once(SampleId sample, double share,
+                                            const LeafRegion& region) const;
   /// Whether a leaf would be split further for its shading, were there any levels left.
   [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
 
@@ -63,9 +69,6 @@ class Refinement {
                                            const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
-  [[nodiscard]] ShadingError gloss_error(SampleId sample, double share, const Patch& patch) const;
-  [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;
-  [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
   [[nodiscard]] double leaf_price(SampleId sample) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
@@ -73,6 +76,7 @@ class Refinement {
   [[nodiscard]] double strayed_width(const Hit& hit, const MirrorSurface& mirror,
                                      const LeafRegion& region, float side) const;
   [[nodiscard]] bool refracts_too_widely(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] bool is_finest(const LeafRegion& region) const;
   [[nodiscard]] bool nearly_flat(SampleId sample, double share) const;
   [[nodiscard]] Patch patch_around(SampleId sample, const LeafRegion& region) const;
 
@@ -80,7 +84,8 @@ class Refinement {
   const EyeSamples* samples_;
   const WeakLights* weak_lights_;
   const ShadowContext* shadows_;
-  bool extended_lights_ = false;  // some light of a size casts shadows
+  LeafGloss gloss_;
+  bool extended_lights_;  // some light of a size casts shadows
   bool spots_ = false;
   NormalVariation normals_;
   int border_ = 0;  // pixels of the frame around the roots

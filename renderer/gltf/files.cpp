@@ -60,6 +60,11 @@ Checked<fs::path> file_of_uri(const fs::path& folder, std::string_view uri) {
   if (uri.starts_with("data:") || has_scheme(uri))
     return fault(fmt::format("'{}' is not a local file", shown_uri(uri)));
   Checked<fs::path> path = inside(folder, percent_decoded(uri));
+  std::error_code error;
+  if (path && uri.find('%') != std::string_view::npos && !fs::exists(*path, error)) {
+    const Checked<fs::path> as_written = inside(folder, std::string(uri));
+    if (as_written && fs::exists(*as_written, error)) return as_written;
+  }
   if (!path) return fault(fmt::format("'{}' is refused: {}", shown_uri(uri), path.error()));
   return path;
 }

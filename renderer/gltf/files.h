@@ -11,7 +11,9 @@ namespace asos::gltf {
 
 /// The contents that a glTF `uri` refers to: an embedded `data:` URI, or a file in `folder` or
 /// below it. Other schemes, absolute paths and paths that lead out of the folder (also through
-/// symbolic links) are refused, so that a downloaded model cannot read elsewhere.
+/// symbolic links) are refused, so that a downloaded model cannot read elsewhere. A file whose name
+/// is the uri as it is written, "red%20wall.png", is taken where there is none of the name that it
+/// stands for: uploads and archives leave such names behind.
 [[nodiscard]] Checked<FileBytes> read_uri(const std::filesystem::path& folder,
                                           std::string_view uri);
 

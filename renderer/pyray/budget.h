@@ -83,6 +83,19 @@ struct Budget {
   [[nodiscard]] bool samples_suffice(double weight, double price, double highlights) const {
     return samples_of_uneven(weight, highlights) <= price;
   }
+  /// Samples of a part that shows many things at once until it is known as well as noise is: to
+  /// twice the standard error. Its contrast: half of white.
+  [[nodiscard]] double samples_of_tangle(double weight) const {
+    constexpr double error_of_one = 0.35, contrast = 0.5;
+    return std::pow(error_of_one * contrast / (2.0 * standard_error(weight)), 4.0 / 3.0);
+  }
+  /// Whether these cost no more than the things one by one, at that price in all. Where a few are
+  /// enough, so is one for each of the finest cells.
+  [[nodiscard]] bool samples_suffice_for_parts(double weight, double price) const {
+    constexpr double few = 16.0;
+    const double samples = samples_of_tangle(weight);
+    return refines() && samples >= few && samples <= price;
+  }
   /// Leaves of a part that is split until it is even: their error falls with their number.
   [[nodiscard]] double leaves_of_uneven() const {
     return usual_contrast / static_cast<double>(tolerance);

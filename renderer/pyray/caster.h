@@ -71,6 +71,12 @@ class Caster {
     return {};
   }
 
+  /// Whether `sample_saturated` of a cell costs less than to shade the so many parts that
+  /// boundaries cut it into; `weight` is its share of the root's area.
+  [[nodiscard]] virtual bool samples_suffice(double /*weight*/, std::size_t /*parts*/) const {
+    return false;
+  }
+
   /// Asks for samples of a cell that is saturated with boundaries, now or until `finish`; `weight`
   /// is its share of the root's area. The sample that stands for them; none: the engine takes
   /// jittered leaves of the finest size (design section 5, "Saturation").

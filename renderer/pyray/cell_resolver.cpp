@@ -5,6 +5,9 @@
 namespace asos {
 namespace {
 
+// So few parts are worth a cut whatever samples cost.
+constexpr std::size_t few_parts = 4;
+
 // Part i of n x n of a square, in rows.
 Square part_of(const Square& s, std::uint32_t n, std::uint32_t i) {
   const float side = s.side / static_cast<float>(n);
@@ -86,6 +89,11 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
                   state_->rules, state_->search->lists());
   boundaries = cut.boundaries;
   if (cut.parts.empty()) return false;
+  // Many parts may cost more than samples of all of them.
+  if (cut.parts.size() > few_parts && better_sampled(cell, cut.parts.size())) {
+    boundaries = std::max(boundaries, cut.parts.size());
+    return false;
+  }
   // Plan a sample in each part.
   Plan& plan = add_plan(Plan::Kind::cut, cell_index, {});
   plan.boundaries = state_->search->kinds_of(cut.along);
@@ -114,14 +122,27 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
   return true;
 }
 
-// So many boundaries, of which each crosses several of the finest cells, that nearly all of those
-// would be marginal: their jittered samples are taken at once (design section 5).
+// Whether a root, of which a sample was seen, costs less by samples than by so many parts. What
+// was split to be known better is.
+bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
+  const bool seen = cell.cover.valid || cell.middle != no_sample;
+  return level_->number == 0 && seen &&
+         state_->caster->samples_suffice(state_->weight(cell), parts);
+}
+
+// So many boundaries that samples cost less than the parts between them; or, of which each crosses
+// several of the finest cells, that nearly all of those would be marginal: their jittered samples
+// are taken at once (design section 5).
 bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
   const Cell& cell = level_->cells[cell_index];
   const int below = state_->rules.budget.max_level - level_->number;
   const std::uint32_t n = 1u << below;
-  const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
-  if (below < 1 || boundaries <= few || 4 * boundaries < n * n) return false;
+  if (below < 1) return false;
+  // Each boundary adds a part at least, and each crossing one more.
+  if (!better_sampled(cell, 2 * boundaries)) {
+    const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
+    if (boundaries <= few || 4 * boundaries < n * n) return false;
+  }
   Plan& plan = add_plan(Plan::Kind::saturated, cell_index, {});
   plan.boundaries = state_->search->kinds_of(visible_);
   keep_for_observers(cell, plan, visible_);

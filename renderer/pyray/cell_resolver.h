@@ -40,6 +40,7 @@ class CellResolver {
   [[nodiscard]] bool plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
                               std::size_t& boundaries);
   [[nodiscard]] bool plan_saturated(std::uint32_t cell_index, std::size_t boundaries);
+  [[nodiscard]] bool better_sampled(const Cell& cell, std::size_t parts) const;
   Plan& add_plan(Plan::Kind kind, std::uint32_t cell_index, std::span<const glm::vec2> points);
   void keep_for_observers(const Cell& cell, Plan& plan, std::span<const std::uint32_t> visible);
   void carry_out();

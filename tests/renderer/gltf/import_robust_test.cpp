@@ -145,12 +145,16 @@ TEST(ImportRobust, FilesOutsideTheFolderAreNotRead) {
   std::filesystem::create_directory(folder.file("inner"));
   folder.write("outside.bin", b.bin);
   folder.write("inner/in side.bin", b.bin);
+  folder.write("inner/in%20side.bin", "not the one that the uri stands for");
+  folder.write("inner/as%20written.bin", b.bin);
   std::filesystem::create_symlink(folder.file("outside.bin"), folder.file("inner/link.bin"));
   const auto with = [&](const std::string& uri) {
     return load_in_time(folder.write("inner/test.gltf", b.gltf(uri)));
   };
   EXPECT_TRUE(with("in side.bin"));
   EXPECT_TRUE(with("in%20side.bin"));
+  EXPECT_TRUE(with("as%20written.bin"))
+      << "no file of that name but for what the uri itself spells";
   expect_refused(with("../outside.bin"), "leads out of");
   expect_refused(with("%2e%2e/outside.bin"), "leads out of");
   expect_refused(with("link.bin"), "symbolic link");

@@ -34,5 +34,25 @@ TEST(Budget, ASteepCurveLeavesAsMuchLessToBeOff) {
   EXPECT_TRUE(std::isinf(Budget::of(settings).tolerance));
 }
 
+// What one thing at a time costs, many cost as many times; samples cost what their accuracy does.
+TEST(Budget, SamplesTakeThePlaceOfManyParts) {
+  RenderSettings settings;
+  settings.asos.max_level = 3;
+  const auto suffice = [&](double eps, double price) {
+    settings.asos.eps = eps;
+    return Budget::of(settings).samples_suffice_for_parts(1.0, price);
+  };
+  // 0.175 / EPS to the power 4/3.
+  const double samples = std::pow(0.175 * 256.0, 4.0 / 3.0);
+  EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples));
+  EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples));
+  EXPECT_FALSE(suffice(1.0 / 16.0, 1e9)) << "few are enough";
+  settings.asos.max_level = 5;
+  EXPECT_FALSE(suffice(1.0 / 1024.0, 6.0 * samples));
+  EXPECT_TRUE(suffice(1.0 / 1024.0, 7.0 * samples)) << "16 to the power 2/3, 6.35";
+  settings.asos.refine_shading = false;
+  EXPECT_FALSE(suffice(1.0 / 256.0, 1e9)) << "nothing is sampled then";
+}
+
 }  // namespace
 }  // namespace asos::test::budget_test

@@ -1,0 +1,95 @@
+#include "renderer/asos/leaf_gloss.h"
+
+#include "renderer/geometry/largest.h"
+#include "renderer/shading/anisotropy.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/gloss.h"
+#include "renderer/shading/shadow_ray.h"
+#include "renderer/shading/unevenness.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace asos {
+
+bool soft_shadows(const EyeContext& eye) {
+  const auto lights = eye.viewer.shader.lights();
+  return eye.settings->shadow.cast &&
+         std::any_of(lights.begin(), lights.end(), [](const PreparedLight& light) {
+           return light.casts_shadows && light.extended();
+         });
+}
+
+// Whether nothing lies before the point of a light that a highlight shows most of.
+bool LeafGloss::shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const {
+  const PreparedLight& prepared = eye_->viewer.shader.lights()[light];
+  if (!prepared.casts_shadows) return true;
+  const SurfacePoint& point = glossy.point;
+  const glm::dvec3 mirrored(glm::reflect(-glossy.to_viewer, point.shading_normal));
+  const Highlight nearest = highlight_of(prepared, glm::dvec3(point.position), mirrored);
+  if (!(nearest.distance > 0.0f)) return true;
+  eye_->counts->count_shadow_ray(light);
+  LightSample sample;
+  sample.direction = glm::dvec3(nearest.direction);
+  sample.distance = static_cast<double>(nearest.distance);
+  return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) !=
+         glm::vec3(0.0f);
+}
+
+// What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
+// reflection shows.
+ShadingError LeafGloss::error(SampleId sample, double share, const Patch& patch) const {
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = samples_->hit(sample);
+  // Textures make roughness less only.
+  const Material& material = scene.world().material_of(hit.triangle);
+  const bool by_dfr = eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle);
+  if (material.unlit || !(by_dfr || may_be_glossy(material))) return {};
+  const SurfacePoint point = samples_->point(sample);
+  const PixelSpacing& spacing = eye_->viewer.spacing;
+  GlossyPatch glossy{
+      point, normal_turn(scene.world(), hit, patch, point.shading_normal), patch,
+      -samples_->ray(sample).direction,
+      spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity()};
+  const bool highlights =
+      extended_lights_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
+  if (!highlights && !turns(glossy)) return {};
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
+  if (seen.anisotropy.strength > 0.0f) {
+    glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
+                                  point.shading_normal, glossy.to_viewer);
+    glossy.stretch_turn = tangent_turn(scene.world(), hit, patch, point.shading_normal);
+  }
+  glossy.white = static_cast<float>(1.0 / share);
+  ShadingError all;
+  const auto add = [&](const Gloss& gloss) {
+    glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
+    all.error += reflectance_error(glossy);
+    if (!highlights || !has_highlights(gloss.roughness)) return;
+    const HighlightError found = highlights_error(glossy);
+    all.highlights.error += found.error;
+    all.highlights.contrast += found.contrast;
+  };
+  add({largest(seen.f0), seen.roughness});
+  glossy.stretch = {};
+  if (seen.coat.factor > 0.0f) add({coat_f0 * seen.coat.factor, seen.coat.roughness});
+  return all;
+}
+
+// Of one of the surface's lobes.
+HighlightError LeafGloss::highlights_error(const GlossyPatch& glossy) const {
+  const auto lights = eye_->viewer.shader.lights();
+  const float tolerance = eye_->budget.tolerance;
+  const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
+  HighlightError all;
+  for (std::size_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
+    if (weak_lights_->holds(i)) continue;
+    const HighlightError one = highlight_error(lights[i], glossy);
+    if (one.error > negligible && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
+    all.error += one.error;
+    all.contrast += one.contrast;
+  }
+  return all;
+}
+
+}  // namespace asos
