@@ -53,6 +53,8 @@ const char* name_of(CellFate fate) {
       return "stopped";
     case CellFate::finest:
       return "finest";
+    case CellFate::sampled:
+      return "sampled";
     case CellFate::saturated:
       return "saturated";
     case CellFate::by_samples:

@@ -125,8 +125,10 @@ const char* words_of(CellFate fate) {
       return "marginal, but the rule held: one sample";
     case CellFate::finest:
       return "marginal at MAX: one sample";
+    case CellFate::sampled:
+      return "no visible boundary: samples all over it";
     case CellFate::saturated:
-      return "saturated: a sample for each finest cell";
+      return "saturated: samples all over it";
     case CellFate::by_samples:
       break;
   }
@@ -147,9 +149,11 @@ std::string PixelReport::verdict() const {
     return fmt::format("Stopped by the rule: {:.2f} % of the pixel is undecided, EPS allows it.",
                        unresolved);
   if (any(CellFate::saturated))
-    return "Saturated: so many boundaries that the finest samples were taken at once.";
+    return "Saturated: so many boundaries that samples cost less than its parts.";
   if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::uniform)
     return "Not split: no visible boundary, one sample tells all.";
+  if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::sampled)
+    return "Not split: no visible boundary; its shading is the mean of many samples.";
   if (any(CellFate::uneven))
     return "Resolved: parts were split because they are shaded unevenly, not for boundaries.";
   return "Resolved: every cell has no visible boundary or was cut along its boundaries.";

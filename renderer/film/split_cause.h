@@ -19,7 +19,7 @@ enum class SplitCause : std::uint8_t {
   reflection,    ///< an edge that a mirror shows
   shading,       ///< nothing but uneven shading
   cut_out,       ///< no boundary: split by what its samples show, as at a texture's cut-outs
-  saturation,    ///< so many boundaries that the finest samples were taken at once
+  saturation,    ///< so many boundaries that samples cost less than the parts between
   depth_limit,   ///< boundaries still passed through cells when MAX was reached
 };
 inline constexpr std::size_t split_cause_count = 10;

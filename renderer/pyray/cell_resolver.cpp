@@ -212,7 +212,7 @@ void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) 
     cell.cover = state_->caster->cover(cell.middle);
     return;
   }
-  const CellFate fate = verdict.sampled ? CellFate::by_samples : CellFate::uniform;
+  const CellFate fate = verdict.sampled ? CellFate::sampled : CellFate::uniform;
   if (TracedCell* traced = trace(cell, plan, fate)) {
     const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
     traced->samples.push_back({sample, at, state_->weight(cell), {}, {}});

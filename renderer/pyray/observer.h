@@ -23,7 +23,8 @@ enum class CellFate {
   split,      ///< marginal: its four children follow
   stopped,    ///< marginal, and the rule held: one sample
   finest,     ///< marginal at MAX: one sample
-  saturated,  ///< as many boundaries as finest cells: a jittered sample in each of those
+  sampled,    ///< no visible boundary, and samples all over it tell what it shows
+  saturated,  ///< so many boundaries that samples all over it cost less than its parts
   by_samples  ///< split by the safety net, for what its samples showed
 };
 

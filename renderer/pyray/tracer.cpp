@@ -174,7 +174,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       // Else it is one leaf.
       if (root.traced) {
         TracedCell& cell = root.traced->cells.emplace_back();
-        if (caster.samples_leaf(i) || verdict.sampled) cell.fate = CellFate::by_samples;
+        if (caster.samples_leaf(i) || verdict.sampled) cell.fate = CellFate::sampled;
         cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
       }
       const PyrayLeaf leaf{i, i, 1.0, whole, verdict.note, verdict.sampled};

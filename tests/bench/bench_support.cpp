@@ -112,7 +112,7 @@ Outcome outcome_of(const PixelTrace& trace) {
     return std::any_of(trace.cells.begin(), trace.cells.end(),
                        [fate](const TracedCell& cell) { return cell.fate == fate; });
   };
-  if (any(CellFate::by_samples)) return Outcome::by_samples;
+  if (any(CellFate::by_samples) || any(CellFate::sampled)) return Outcome::by_samples;
   if (any(CellFate::saturated)) return Outcome::saturated;
   if (trace.unresolved_area > 0.0) return Outcome::unresolved;
   return samples_of(trace) > 1 ? Outcome::resolved : Outcome::one_sample;

@@ -210,13 +210,18 @@ void print_heading(const Settings& settings) {
   fmt::print("{:>11}{:>9}\n", "sobol RMSE", "s (256)");
 }
 
+/// Extrapolated far, ratios may be as large as they like.
+std::string shown(double ratio) {
+  return ratio < 1e5 ? fmt::format("{:.2f}", ratio) : fmt::format("{:.1e}", ratio);
+}
+
 void print_row(const Settings& settings, const Row& row) {
   fmt::print("{:<28}", row.name);
   for (std::size_t level = 0; level < row.asos.size(); ++level) {
     fmt::print("{:>11.2e}{:>9.3f}", row.asos[level].error, row.asos[level].seconds);
     for (std::size_t rival = 0; rival < rival_count(settings); ++rival) {
       if (const auto ratio = ratio_of(row, rival, level, settings.reference))
-        fmt::print("{:>9.2f}{}{}", ratio->value, ratio->beyond ? 'e' : ' ',
+        fmt::print("{:>9}{}{}", shown(ratio->value), ratio->beyond ? 'e' : ' ',
                    ratio->unknown ? '*' : ' ');
       else
         fmt::print("{:>9}  ", "-");

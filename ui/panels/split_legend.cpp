@@ -29,7 +29,7 @@ constexpr std::array<CauseWords, split_cause_count> cause_words{{
     {"reflection", "The edge of something that the surface mirrors."},
     {"shading", "No boundary: shaded too unevenly for one sample."},
     {"cut-out", "No boundary was found; split by what its samples show."},
-    {"saturated", "So many boundaries that the finest samples were taken at once."},
+    {"saturated", "So many boundaries that samples cost less than the parts between them."},
     {"depth limit", "Boundaries still passed through its cells at level MAX: not resolved."},
 }};
 

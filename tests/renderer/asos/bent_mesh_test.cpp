@@ -1,3 +1,4 @@
+#include "renderer/asos/pixel_trace.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -51,15 +52,37 @@ Light panel_above() {
   return light;
 }
 
-double mean_of(const RenderScene& scene, Method method) {
+std::shared_ptr<const RenderScene> lit_ball(float metallic) {
+  Scene scene;
+  scene.meshes.push_back(ball());
+  Material material;
+  material.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
+  material.metallic = metallic;
+  material.roughness = 1.0f;
+  scene.materials.push_back(material);
+  Instance instance;
+  instance.mesh = 0;
+  scene.instances.push_back(instance);
+  scene.lights.push_back(panel_above());
+  return prepare(scene).value();
+}
+
+Camera before(const RenderScene& scene) {
+  const glm::dvec3 origin = scene.world().origin;
+  return look_at(glm::dvec3(0.0, 0.5, 4.0) - origin, -origin, 0.6);
+}
+
+RenderSettings settings_of(Method method) {
   RenderSettings settings;
   settings.width = settings.height = side;
   settings.method = method;
   settings.sampling.spp = 4096;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
-  const glm::dvec3 origin = scene.world().origin;
-  const Camera camera = look_at(glm::dvec3(0.0, 0.5, 4.0) - origin, -origin, 0.6);
-  const Film film = render_picture(scene, camera, settings).film;
+  return settings;
+}
+
+double mean_of(const RenderScene& scene, Method method) {
+  const Film film = render_picture(scene, before(scene), settings_of(method)).film;
   double sum = 0.0;
   for (const glm::vec3& radiance : film.radiance) sum += static_cast<double>(radiance.x);
   return sum / static_cast<double>(film.radiance.size());
@@ -68,23 +91,22 @@ double mean_of(const RenderScene& scene, Method method) {
 // Near their horizon triangles turn away from the light that their normals see.
 TEST(BentMesh, HasTheLightThatSamplesFind) {
   for (const float metallic : {0.0f, 1.0f}) {
-    Scene scene;
-    scene.meshes.push_back(ball());
-    Material material;
-    material.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
-    material.metallic = metallic;
-    material.roughness = 1.0f;
-    scene.materials.push_back(material);
-    Instance instance;
-    instance.mesh = 0;
-    scene.instances.push_back(instance);
-    scene.lights.push_back(panel_above());
-    const auto prepared = prepare(scene);
-    ASSERT_TRUE(prepared.has_value());
-    const double expected = mean_of(**prepared, Method::sobol);
+    const auto scene = lit_ball(metallic);
+    const double expected = mean_of(*scene, Method::sobol);
     ASSERT_GT(expected, 0.01);
-    EXPECT_NEAR(mean_of(**prepared, Method::asos), expected, 3e-4 * expected) << metallic;
+    EXPECT_NEAR(mean_of(*scene, Method::asos), expected, 3e-4 * expected) << metallic;
   }
+}
+
+TEST(BentMesh, TheTraceOfAPixelSaysThatItIsSampled) {
+  const auto scene = lit_ball(0.0f);
+  const RenderSettings settings = settings_of(Method::asos);
+  const View view(before(*scene), side, side);
+  const PixelTrace trace = trace_pixel(*scene, view, settings, side / 2, side / 2);
+  ASSERT_EQ(trace.cells.size(), 1u);
+  EXPECT_EQ(trace.cells.front().fate, CellFate::sampled);
+  EXPECT_FALSE(trace.missed);
+  EXPECT_EQ(trace.unresolved_area, 0.0);
 }
 
 }  // namespace

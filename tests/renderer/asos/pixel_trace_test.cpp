@@ -88,7 +88,7 @@ void check_samples(const PixelTrace& trace) {
     if (has_children(cell.fate)) continue;
     EXPECT_NEAR(weight, area_of(cell), 1e-5);
     const bool resolved = cell.fate == CellFate::uniform || cell.fate == CellFate::cut ||
-                          cell.fate == CellFate::by_samples;
+                          cell.fate == CellFate::sampled || cell.fate == CellFate::by_samples;
     if (!resolved) unresolved += area_of(cell);
   }
   EXPECT_NEAR(total, 1.0, 1e-6);
@@ -234,12 +234,12 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
   const RenderSettings settings = settings_of(24, 24);
   const View view(orthographic(9.0), settings.width, settings.height);
   const Film film = render(*scene, view, settings);
-  int by_samples = 0;
+  int sampled = 0;
   for (int y = 0; y < settings.height; ++y) {
     for (int x = 0; x < settings.width; ++x) {
       const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
-      if (trace.cells.front().fate != CellFate::by_samples) continue;
-      ++by_samples;
+      if (trace.cells.front().fate != CellFate::sampled) continue;
+      ++sampled;
       ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
                 0);
       check_samples(trace);
@@ -247,7 +247,7 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
       EXPECT_FALSE(trace.missed);  // nobody could have known
     }
   }
-  EXPECT_GT(by_samples, 0);
+  EXPECT_GT(sampled, 0);
 }
 
 // Two planes that cross, with the boundaries of a world in which they do not.
