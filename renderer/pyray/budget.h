@@ -48,6 +48,12 @@ struct Budget {
   /// Whether leaves that are shaded unevenly are split as well.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
 
+  /// Whether EPS alone says how far anything may be off, and not the finest cells of a small MAX,
+  /// which samples would be held to while cuts are exact.
+  [[nodiscard]] bool held_to_eps() const {
+    return refines() && static_cast<double>(tolerance) <= 1.001 * eps;
+  }
+
   /// How far the middle of a root may be off its mean before it is looked at more closely: a
   /// sixteenth of what would split it; 1: however far.
   [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 16.0f); }
@@ -94,7 +100,7 @@ struct Budget {
   [[nodiscard]] bool samples_suffice_for_parts(double weight, double price) const {
     constexpr double few = 16.0;
     const double samples = samples_of_tangle(weight);
-    return refines() && samples >= few && std::max(samples, finest_cells(weight)) <= price;
+    return held_to_eps() && samples >= few && std::max(samples, finest_cells(weight)) <= price;
   }
   /// Leaves of a part that is split until it is even: their error falls with their number.
   [[nodiscard]] double leaves_of_uneven() const {

@@ -47,10 +47,13 @@ TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples));
   EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples));
   EXPECT_FALSE(suffice(1.0 / 16.0, 1e9)) << "few are enough";
+  settings.asos.max_level = 2;
+  EXPECT_FALSE(suffice(1.0 / 256.0, 1e9)) << "cells of a sixteenth, and cuts are exact";
   settings.asos.max_level = 4;
   EXPECT_FALSE(suffice(1.0 / 256.0, 255.0)) << "one for each finest cell";
   EXPECT_TRUE(suffice(1.0 / 256.0, 257.0));
   settings.asos.max_level = 5;
+  EXPECT_FALSE(suffice(0.0, 1e9)) << "MAX alone decides";
   EXPECT_FALSE(suffice(1.0 / 1024.0, 6.0 * samples));
   EXPECT_TRUE(suffice(1.0 / 1024.0, 7.0 * samples)) << "16 to the power 2/3, 6.35";
   settings.asos.refine_shading = false;
