@@ -1,0 +1,107 @@
+#include "renderer/pyray/tracer.h"
+#include "tests/support/subdivide_polygons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+// Roots that boundaries cut into many parts are sampled where that costs less than the parts.
+
+namespace asos::test::many_parts_test {
+namespace {
+
+/// Says that samples cost as much as a number of parts, of shares of the root up to one, and that
+/// leaves of larger shares than another are uneven.
+class PricedCaster final : public BruteForceCaster {
+ public:
+  PricedCaster(const World& world, const FeatureSet& features, const Frame& frame,
+               std::size_t price, double largest_sampled, double largest_even)
+      : BruteForceCaster(world, features, frame),
+        price_(price),
+        largest_sampled_(largest_sampled),
+        largest_even_(largest_even) {}
+
+  [[nodiscard]] LeafVerdict judge(SampleId, double share, const LeafRegion&) override {
+    return {share > largest_even_ ? Unevenness::shading : Unevenness::none};
+  }
+  [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
+    return parts >= price_ && weight <= largest_sampled_;
+  }
+  [[nodiscard]] SampleId sample_saturated(std::uint32_t, const Square&, double weight) override {
+    sampled.push_back(weight);
+    return 0;
+  }
+
+  std::vector<double> sampled;  ///< the weights of what was
+ private:
+  std::size_t price_;
+  double largest_sampled_, largest_even_;
+};
+
+/// Upright strips before a wall, each a fifth of the space that it has.
+struct Strips {
+  explicit Strips(int count) {
+    add_polygon(scene, {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}, 4.0);
+    for (int i = 0; i < count; ++i) {
+      const double u = (i + 0.4) / count, width = 0.2 / count;
+      add_polygon(scene, {{u, -1}, {u + width, -1}, {u + width, 2}, {u, 2}}, 2.0);
+    }
+  }
+
+  void trace(std::size_t price, double largest_sampled = 1.0, double largest_even = 1.0) {
+    const FeatureSet features(scene.world);
+    const Frame frame = unit_frame();
+    PricedCaster caster(scene.world, features, frame, price, largest_sampled, largest_even);
+    Tracer tracer;
+    outcome = tracer.trace(features, Pyray{frame}, rules_of(4), caster).outcome;
+    sampled = caster.sampled;
+    wall = caster.coverage[0];
+    total = caster.total;
+  }
+
+  PolygonScene scene;
+  SubdivisionOutcome outcome;
+  std::vector<double> sampled;
+  double wall = 0.0;
+  double total = 0.0;  // of all leaves
+};
+
+// Four strips and the wall between them.
+constexpr int many = 4;
+constexpr std::size_t parts = 9;
+
+TEST(ManyParts, AreSampledWhereSamplesCostNoMore) {
+  Strips strips(many);
+  strips.trace(parts);
+  ASSERT_EQ(strips.sampled, std::vector<double>{1.0}) << "all of the root, and once";
+  EXPECT_EQ(strips.total, 0.0) << "and nothing else of it";
+  EXPECT_TRUE(strips.outcome.saturated);
+}
+
+TEST(ManyParts, AreCutWhereSamplesCostMore) {
+  Strips strips(many);
+  strips.trace(parts + 1);
+  EXPECT_TRUE(strips.sampled.empty());
+  EXPECT_NEAR(strips.wall, 0.8, 1e-6);
+  EXPECT_NEAR(strips.total, 1.0, 1e-6);
+  EXPECT_FALSE(strips.outcome.saturated);
+}
+
+TEST(ManyParts, FewAreCutWhateverSamplesCost) {
+  Strips strips(1);
+  strips.trace(0);
+  EXPECT_TRUE(strips.sampled.empty());
+  EXPECT_NEAR(strips.wall, 0.8, 1e-6);
+}
+
+TEST(ManyParts, OfWhatWasSplitAreCut) {
+  Strips strips(many);
+  strips.trace(0, 0.5, 0.15);
+  EXPECT_EQ(strips.outcome.deepest, 2) << "a fifth of it was uneven";
+  EXPECT_TRUE(strips.sampled.empty());
+  EXPECT_NEAR(strips.wall, 0.8, 1e-6);
+}
+
+}  // namespace
+}  // namespace asos::test::many_parts_test
