@@ -2,6 +2,7 @@
 
 #include "renderer/asos/eye_caster.h"
 #include "renderer/asos/split_causes.h"
+#include "renderer/prepared/plane_section.h"
 #include "renderer/pyray/detection.h"
 #include "renderer/pyray/tracer.h"
 
@@ -9,7 +10,9 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -43,6 +46,24 @@ FatPyray fat_pyray(const View& view, PixelRect block, PixelRect framed,
   fat.width = settings.filter_width;
   fat.origin = {block.x, block.y};
   return fat;
+}
+
+// Where the image plane, in which rays start, cuts surfaces.
+std::vector<BorderEdge> cut_by_image_plane(const BlockJob& job, const Frame& frame) {
+  std::vector<BorderEdge> outline;
+  const std::optional<HalfSpace> ahead = job.view.ahead();
+  if (!ahead) return outline;
+  const Geometry& geometry = *job.scene.geometry;
+  for (const SectionLine& line : *geometry.sections.of(geometry.world, *ahead)) {
+    const FramePoint p = frame.project(frame.homogeneous(line.from));
+    const FramePoint q = frame.project(frame.homogeneous(line.to));
+    const glm::dvec2 from(p.u, p.v), to(q.u, q.v);
+    if (glm::any(glm::lessThan(glm::max(from, to), glm::dvec2(0.0))) ||
+        glm::any(glm::greaterThan(glm::min(from, to), glm::dvec2(1.0))))
+      continue;
+    outline.push_back({glm::vec2(from), glm::vec2(to)});
+  }
+  return outline;
 }
 
 // Each cell that was examined has a sample of its own. The block's other rays, as those cast to
@@ -143,7 +164,9 @@ BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   const int border = border_of(job.view, job.block, settings);
   const int side = settings.asos.fat + 2 * border;
   const PixelRect framed{job.block.x - border, job.block.y - border, side, side};
-  const FatPyray fat = fat_pyray(job.view, job.block, framed, settings);
+  FatPyray fat = fat_pyray(job.view, job.block, framed, settings);
+  const std::vector<BorderEdge> outline = cut_by_image_plane(job, fat.frame);
+  fat.outline = outline;
 
   // Look along it as the camera does.
   const Budget budget = Budget::of(settings);

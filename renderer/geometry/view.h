@@ -50,6 +50,12 @@ class View {
   /// How far from the eye, or from the image plane, rays start: 0 but for far cameras and mirrors.
   [[nodiscard]] double start() const { return start_; }
 
+  /// Of an orthographic view whose rays start in its image plane: what lies ahead of that.
+  [[nodiscard]] std::optional<HalfSpace> ahead() const {
+    if (perspective_ || beyond_ || start_ > 0.0) return std::nullopt;
+    return HalfSpace{forward_, glm::dot(forward_, eye_)};
+  }
+
   /// The eye ray through a point of the picture, in pixels; unit direction.
   [[nodiscard]] Ray ray(double x, double y) const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/boundary_features.h"
+#include "renderer/prepared/plane_section.h"
 #include "renderer/prepared/stage.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
@@ -28,6 +29,7 @@ struct Geometry {
   World world;  ///< with the materials that its boundaries were looked for by
   RayScene rays;
   MipChains mips;
+  PlaneSections sections;  ///< of its surfaces
   std::vector<ObjectSphere> object_spheres;
   SceneNeeds needs;  ///< those of the surfaces and of their own materials; see needs_of
   SceneNotes notes;  ///< of the file; see notes_of

@@ -70,6 +70,7 @@ std::span<const Trace> Tracer::trace(const FeatureSet& features, const FatPyray&
   traces_.assign(count, {});
   look_through_middles(fat, caster);
   start(features, fat.frame, {}, rules, fat.square_of(0, 0, 1).side);
+  for (const BorderEdge& edge : fat.outline) search_.lists().add_boundary(edge.from, edge.to);
   fat_search_.run(search_, fat, [&](int x, int y) { return caster.cover(fat.index(x, y)); });
   find_missed_splits(fat, caster);
   finish_roots(fat, rules, caster, observed, traced);

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "renderer/geometry/half_space.h"
+#include "renderer/world/world.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace asos {
+
+/// Where a plane cuts a triangle, in the world.
+struct SectionLine {
+  glm::dvec3 from{0.0}, to{0.0};
+};
+using PlaneSection = std::vector<SectionLine>;
+
+/// The lines along which a plane cuts the triangles of a world's surfaces: what an orthographic
+/// camera's plane leaves of them ends there, for its rays start in that plane. None of triangles
+/// that are wholly ahead of it, though they touch it, nor of analytic shapes.
+[[nodiscard]] PlaneSection plane_section(const World& world, const HalfSpace& plane);
+
+/// Keeps the section that was asked for last, for all blocks of a picture. Thread-safe.
+class PlaneSections {
+ public:
+  [[nodiscard]] std::shared_ptr<const PlaneSection> of(const World& world,
+                                                       const HalfSpace& plane) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable HalfSpace plane_;
+  mutable std::shared_ptr<const PlaneSection> kept_;
+};
+
+}  // namespace asos
