@@ -110,11 +110,16 @@ void add_cones(std::vector<Case>& cases) {
     const double below_1 = 2.0 * std::sin(0.5 * outer) * std::sin(0.5 * outer);  // 1 - cos(outer)
     const double share = std::min(1.0, below_1 / 0.001);
     const double cosine_rounding = 2.0 * std::numeric_limits<double>::epsilon() / below_1;
-    cases.push_back(under(fmt::format("a spot whose cones are both {:g} radians", outer),
-                          {{spot}, {}}, 0.25 * share * share,
-                          {"illuminance at the origin, lux", cosine_rounding,
-                           "the closed form, in which the cosine of the cone, rounded to a double, "
-                           "counts squared"}));
+    // Beside the axis, 2 above, the cosine is less by half the squared angle.
+    constexpr double half_side = 1e-3;
+    const double beside = 16.0 * rounding * half_side / 2.0;
+    cases.push_back(
+        under(fmt::format("a spot whose cones are both {:g} radians", outer),
+              {{spot}, {}, half_side}, 0.25 * share * share,
+              {"illuminance at the origin, lux", cosine_rounding + beside * beside / below_1,
+               "the closed form, in which the cosine of the cone, rounded to a double, "
+               "counts squared, as does that of the point's place, which may be 16 "
+               "roundings of the floor's half side of 1e-3 off"}));
   }
   Light near = light_at(Light::Type::point, {0, 2, 0});
   near.range = 1e-6;
