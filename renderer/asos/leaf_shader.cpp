@@ -88,19 +88,20 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   const Ray& ray = samples_->ray(leaf.sample);
   RootSum& sum = sums_[leaf.root];
   const LeafContext context = context_of(leaf, even);
-  const std::uint32_t share = weak_lights_->start(leaf.root, leaf.sample, leaf.weight);
+  const std::uint32_t share =
+      eye_->mask ? 0 : weak_lights_->start(leaf.root, leaf.sample, leaf.weight);
   const std::uint32_t sky_share = eye_->mask ? 0 : sky_.start(leaf.root, leaf.sample, leaf.weight);
   LeafTransport transport(*eye_, *shadows_, context, *weak_lights_, share, sky_, sky_share);
   ViewedRay seen =
       viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at));
   seen.parts = colour_parts(leaf, context.at);
-  const glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
+  glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
+  radiance += transport.at_once();
   sum.shadow_cut |= transport.met_shadow_edge();
   sum.mirror_cut |= transport.met_mirror_edge();
   if (!finite(radiance)) {
     ++eye_->counts->rejected_samples;
-    weak_lights_->drop(share);
-    if (!eye_->mask) sky_.drop(sky_share);
+    drop(share, sky_share);
     return radiance;
   }
   if (eye_->mask && eye_->mask->blur) {
@@ -110,10 +111,10 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
   }
-  if (highlight_unsure(leaf, transport)) {
-    weak_lights_->drop(share);
-    if (add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, enough_samples))
-      return radiance;
+  if (highlight_unsure(leaf, transport) &&
+      add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, enough_samples)) {
+    drop(share, sky_share);
+    return radiance;
   }
   sum.add(glm::dvec3(radiance), leaf.weight);
   note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
@@ -206,7 +207,7 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
                              double weight, std::uint32_t fewest, Sampled what) {
   if (!sampler_) {
     sampler_.emplace(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block, eye_->seed,
-                     eye_->mask);
+                     eye_->mask, eye_->stop);
   }
   const RegionSampler::Goal goal = goal_of(weight, fewest, what);
   const PyrayLeaf leaf{root, sample, weight, region, 0, true};
@@ -267,6 +268,13 @@ void LeafShader::note_variation(const ShadedLeaf& shaded) {
   variation_.add(shaded);
 }
 
+// Leaves out what a leaf gets of the weak lights and the sky, which mirrored leaves have already.
+void LeafShader::drop(std::uint32_t weak_share, std::uint32_t sky_share) {
+  if (eye_->mask) return;
+  weak_lights_->drop(weak_share);
+  sky_.drop(sky_share);
+}
+
 // Leaves that turn out to differ are sampled after all.
 void LeafShader::sample_uneven() {
   // Highlights bend between leaves, too, which their samples allow for.
@@ -275,8 +283,7 @@ void LeafShader::sample_uneven() {
   for (const ShadedLeaf& shaded : variation_.take_uneven(tolerance)) {
     const PyrayLeaf& leaf = shaded.leaf;
     sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);
-    weak_lights_->drop(shaded.weak_lights);
-    sky_.drop(shaded.sky);
+    drop(shaded.weak_lights, shaded.sky);
     add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, few_samples);
   }
 }

@@ -52,6 +52,7 @@ class LeafShader {
   void shade_one(const PyrayLeaf& leaf);
   void sample_uneven();
   void sample_put_off();
+  void drop(std::uint32_t weak_share, std::uint32_t sky_share);
   void add_weak_lights();
   void add_sky();
   void note_variation(const ShadedLeaf& shaded);

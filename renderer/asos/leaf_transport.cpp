@@ -11,7 +11,12 @@ namespace asos {
 
 TakenLights LeafTransport::gather(const LitPoint& point) {
   if (weak_->lights().empty()) return {};
-  weak_->add(weak_share_, point, *leaf_);
+  // What a mirror shows of a surface is added up as it comes.
+  if (eye_->mask) {
+    at_once_ += weak_->at_once(point, *leaf_);
+  } else {
+    weak_->add(weak_share_, point, *leaf_);
+  }
   return {weak_->lights()};
 }
 
@@ -37,7 +42,6 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
 
 bool LeafTransport::add_sky(const SkyLitPoint& point, glm::vec3& radiance,
                             RenderStatistics& /*counts*/) {
-  // What a mirror shows of a surface is added up as it comes.
   if (eye_->mask) {
     radiance += sky_->at_once(point, *leaf_);
   } else {

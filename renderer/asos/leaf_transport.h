@@ -28,6 +28,8 @@ class LeafTransport final : public LightTransport {
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
 
+  /// Of mirrored leaves: what the weak lights add to the radiance.
+  [[nodiscard]] glm::vec3 at_once() const { return at_once_; }
   /// Whether a light without a size took more than one ray and was seen in part.
   [[nodiscard]] bool met_shadow_edge() const { return met_shadow_edge_; }
   /// Whether a boundary divided what the leaf mirrors.
@@ -52,6 +54,7 @@ class LeafTransport final : public LightTransport {
   std::uint32_t sky_share_;
   glm::vec3 hidden_{0.0f};  // light that does not reach it
   glm::vec3 exact_{0.0f};
+  glm::vec3 at_once_{0.0f};
   float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;

@@ -1,12 +1,13 @@
 #include "renderer/asos/weak_lights.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/shadows/patch_view.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <memory>
+#include <map>
 #include <numeric>
 
 namespace asos {
@@ -36,21 +37,51 @@ class LitPoints final : public LightTransport {
   LitBatch* points_;
 };
 
+// The most that a surface makes of a light, which shows it no brighter than it is; at most white.
+double brightest(const PreparedLight& light) {
+  using LightShape = PreparedLight::Shape;
+  const bool in_nits = light.shape == LightShape::polygon || light.shape == LightShape::disk ||
+                       light.shape == LightShape::ball || light.shape == LightShape::sun;
+  return in_nits ? std::min(1.0, static_cast<double>(largest(light.power))) : 1.0;
+}
+
+// The lights of one part hide each other: as many as its two sides are seen at once.
+void hide_each_other(std::span<const PreparedLight> lights, std::vector<double>& carried) {
+  constexpr double sides = 2.0;
+  struct Sum {
+    double all = 0.0, most = 0.0;
+  };
+  std::map<std::int32_t, Sum> of_part;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].own_part < 0) continue;
+    Sum& sum = of_part[lights[i].own_part];
+    sum.all += carried[i];
+    sum.most = std::max(sum.most, sides * brightest(lights[i]));
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].own_part < 0) continue;
+    const Sum& sum = of_part[lights[i].own_part];
+    if (sum.all > sum.most) carried[i] *= sum.most / sum.all;
+  }
+}
+
 // What each light carries at most by way of a point, if nothing shades it: in display units, as its
 // middle tells it.
 std::vector<double> most_carried(std::span<const PreparedLight> lights, const LitBatch& points) {
-  const auto places = std::make_unique<LightPlaceBatch>();
+  const auto places = Recycler<LightPlaceBatch>::make();
   places->u.fill(0x80000000u);
   places->v.fill(0x80000000u);
-  const auto rays = std::make_unique<ShadowRayBatch>();
+  const auto rays = Recycler<ShadowRayBatch>::make();
   std::vector<double> most(lights.size(), 0.0);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     shade_batch(points, LightConstants(lights[i]), *places, *rays);
     for (std::size_t k = 0; k < rays->count; ++k) {
       for (const auto& channel : rays->carried)
-        most[i] = std::max(most[i], std::min(1.0, static_cast<double>(channel[k])));
+        most[i] =
+            std::max(most[i], std::min(brightest(lights[i]), static_cast<double>(channel[k])));
     }
   }
+  hide_each_other(lights, most);
   return most;
 }
 
@@ -61,11 +92,12 @@ WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
 
 void WeakLights::find(int side) {
   const std::span<const PreparedLight> lights = eye_->viewer.shader.lights();
-  if (lights.size() <= LightPicks::few_lights || eye_->mask || !eye_->budget.refines() ||
+  if (lights.size() <= LightPicks::few_lights || !eye_->budget.refines() ||
       !eye_->settings->shadow.cast || eye_->settings->shadow.quality != ShadowQuality::refined)
     return;
   // Look at what the lights shine on.
-  const auto points = std::make_unique<LitBatch>();
+  const auto points = Recycler<LitBatch>::make();
+  points->count = 0;
   LitPoints transport(*points);
   RenderStatistics uncounted;
   for (SampleId i = 0; i < static_cast<SampleId>(side * side); ++i) {
@@ -171,6 +203,11 @@ void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext
     (void)lights_.gather({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
                          {x, y, static_cast<int>(number_[k])}, {share, weight});
   }
+}
+
+glm::vec3 WeakLights::at_once(const LitPoint& point, const LeafContext& leaf) {
+  add(start(0, 0, leaf.weight), point, leaf);
+  return glm::vec3(run().front().radiance / leaf.weight);
 }
 
 std::span<const WeakLights::Share> WeakLights::run() {

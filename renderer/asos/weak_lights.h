@@ -18,7 +18,7 @@ namespace asos {
 /// The lights of a scene with many of them that are too dim in a block to be asked one by one: what
 /// leaves get of all of these together is the mean of points that are well distributed over each
 /// leaf, whose few shadow rays go to lights that are picked by what they carry (LightPicks). Points
-/// of all leaves of a block are shaded in batches.
+/// of all leaves of a block are shaded in batches; in mirrors, each leaf's at once.
 class WeakLights {
  public:
   /// Both have to outlive this.
@@ -46,6 +46,8 @@ class WeakLights {
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
   /// Adds a surface of the leaf to its share, to be shaded later.
   void add(std::uint32_t share, const LitPoint& point, const LeafContext& leaf);
+  /// What a surface of a leaf gets of them, now.
+  [[nodiscard]] glm::vec3 at_once(const LitPoint& point, const LeafContext& leaf);
   /// Leaves a share out.
   void drop(std::uint32_t share) { shares_[share].sample = no_sample; }
 

@@ -28,6 +28,7 @@ void put_ray(const ShadowRayBatch& rays, std::size_t i, ShadowRayBatch& to, std:
 void LightPicks::start(std::size_t lights) {
   lights_ = lights;
   if (rays_.size() < lights) rays_.resize(lights);
+  for (std::size_t i = 0; i < lights; ++i) rays_[i].count = rays_[i].rejected = 0;
 }
 
 void LightPicks::pick(std::size_t points, const LightPlaceBatch::Fractions& at, float a_point) {

@@ -24,7 +24,7 @@ class LightPicks {
   /// weighed, and to be kept.
   static constexpr std::size_t most_held = 1024;
 
-  /// Room for the rays that `lights` lights would get. Their memory is kept.
+  /// Room for the rays that `lights` lights would get, none as yet. Their memory is kept.
   void start(std::size_t lights);
   /// The rays of a light, to be filled in.
   [[nodiscard]] ShadowRayBatch& rays(std::size_t light) { return rays_[light]; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -46,9 +47,10 @@ std::uint32_t times_larger_around(const LeafRegion& region) {
 
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
                              const RenderSettings& settings, PixelRect block, int seed,
-                             const MirroredMask* mask)
+                             const MirroredMask* mask, std::stop_token stop)
     : block_(block),
       mask_(mask),
+      stop_(std::move(stop)),
       white_(1.0 / std::clamp(static_cast<double>(viewer.throughput), 1e-3, 1.0)),
       places_(seed),
       sums_(scene, viewer, settings, places_) {}
@@ -79,7 +81,7 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
   sums_.resize(sums);
   found_.assign(waiting_.size(), {});
   // Sample in rounds all of which the goals are not met.
-  for (std::size_t left = waiting_.size(); left > 0;) {
+  for (std::size_t left = waiting_.size(); left > 0 && !stop_.stop_requested();) {
     for (Waiting& waiting : waiting_)
       if (!waiting.done) add_round(waiting, kernel);
     sums_.trace();
@@ -115,7 +117,7 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
   const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
   places_.start_pixel(x, y);
-  for (std::uint32_t i = waiting.taken; i < end; ++i) {
+  for (std::uint32_t i = waiting.taken; i < end && !stop_.stop_requested(); ++i) {
     const auto index = static_cast<int>(first + i);
     places_.start_sample(index);
     const PixelPoint p = places_.in_pixel();

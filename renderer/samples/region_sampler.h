@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace asos {
@@ -20,9 +21,11 @@ namespace asos {
 class RegionSampler {
  public:
   /// `block`: the pixels that the frame shows whose square the regions lie in. `mask`: the parts of
-  /// it that count, and for how much; null: all the same. All have to outlive this.
+  /// it that count, and for how much; null: all the same. All have to outlive this. Once `stop` is
+  /// asked for, estimates are of what was sampled by then.
   RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
-                PixelRect block, int seed, const MirroredMask* mask = nullptr);
+                PixelRect block, int seed, const MirroredMask* mask = nullptr,
+                std::stop_token stop = {});
 
   /// How far to go.
   struct Goal {
@@ -75,6 +78,7 @@ class RegionSampler {
 
   PixelRect block_;
   const MirroredMask* mask_;
+  std::stop_token stop_;
   double white_;  // the radiance that a picture may show as white
   SobolPlaces places_;
   SampleSums sums_;

@@ -128,12 +128,14 @@ void SampledLights::forget_since(const Waiting& then) {
 }
 
 void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
+  picks_ = Recycler<LightPicks>::make();
   for (std::size_t first = 0; first < points_; first += LitBatch::size) {
     Gathered& batch = *batches_[first / LitBatch::size];
     batch.points.count = std::min(LitBatch::size, points_ - first);
     trace(batch, sums, counts);
   }
   points_ = 0;
+  picks_.reset();
   trace_pending(sums);
 }
 
@@ -148,7 +150,7 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   const bool many = picks_lights();
   const bool held = many && lights_.size() <= LightPicks::most_held;
   wide_.find(batch.points, lights_, many ? std::span<const std::uint8_t>() : shadowed_, *places_);
-  picks_.start(held ? lights_.size() : 1);
+  picks_->start(held ? lights_.size() : 1);
   trace_lobes(batch, sums, counts);
   if (many && !held) return trace_picked(batch, sums, counts);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
@@ -160,7 +162,7 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
       }
       continue;
     }
-    ShadowRayBatch& rays = picks_.rays(many ? light : 0);
+    ShadowRayBatch& rays = picks_->rays(many ? light : 0);
     shade(batch, light, rays);
     counts.rejected_samples += rays.rejected;
     if (many && sends_rays(light)) continue;
@@ -168,30 +170,30 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
     rays.count = rays.rejected = 0;
   }
   if (!many) return;
-  picks_.pick(batch.points.count, batch.picks, rays_a_point_);
+  picks_->pick(batch.points.count, batch.picks, rays_a_point_);
   for (std::uint32_t light = 0; light < lights_.size(); ++light)
-    trace(batch, light, picks_.rays(light), sums, counts);
+    trace(batch, light, picks_->rays(light), sums, counts);
 }
 
 // The same where the rays of all lights are more than are held at once: to the same bits.
 void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums,
                                  RenderStatistics& counts) {
-  ShadowRayBatch& rays = picks_.rays(0);
-  picks_.weigh_none(batch.points.count);
+  ShadowRayBatch& rays = picks_->rays(0);
+  picks_->weigh_none(batch.points.count);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     shade(batch, light, rays);
     counts.rejected_samples += rays.rejected;
     if (sends_rays(light)) {
-      picks_.weigh(rays);
+      picks_->weigh(rays);
     } else {
       trace(batch, light, rays, sums, counts);
     }
   }
-  picks_.walk(batch.picks, rays_a_point_);
+  picks_->walk(batch.picks, rays_a_point_);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (!sends_rays(light)) continue;
     shade(batch, light, rays);
-    picks_.keep_picked(rays);
+    picks_->keep_picked(rays);
     trace(batch, light, rays, sums, counts);
   }
   rays.count = rays.rejected = 0;
@@ -223,7 +225,7 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
   if (!any_glossy(points)) return;
   places_->on_light(place_in_lobe, on_light_);
   choose_lobes(points, on_light_, lobe_);
-  ShadowRayBatch& rays = picks_.rays(0);
+  ShadowRayBatch& rays = picks_->rays(0);
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (taken_[light] == 0 || wide_.holds(light)) continue;
     shade_lobe(points, lights_[light], lobe_, rays);

@@ -136,7 +136,7 @@ class SampledLights {
   LightPlaceBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;
-  LightPicks picks_;
+  Recycled<LightPicks> picks_;  // while rays are traced
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;
   std::vector<Ray> batch_;

@@ -1,12 +1,24 @@
 #include "renderer/samples/sampled_reflections.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/reflections/horizon.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/mirrored_pyray.h"
 
-#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace asos {
+namespace {
+
+// What counts for less of a white picture is followed by some samples only.
+constexpr float least_followed = 1.0f / 32.0f;
+
+// Which of a pixel's lobes tells which samples those are, at the first bounce: none that
+// reflections, the sky or lights use.
+constexpr int lobe_of_roulette = 0x2000;
+
+}  // namespace
 
 ViewedRay ReflectedSample::viewed(const Hit& hit) const {
   return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, {}, false, passage};
@@ -33,8 +45,23 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
   }
 }
 
+// Russian roulette (Arvo and Kirk 1990, "Particle transport and image synthesis"): the probability
+// by which a ray of that weight goes on, which its weight is to be divided by; 0: it ends.
+float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight) const {
+  const float most = largest(weight);
+  if (!(most < least_followed)) return 1.0f;
+  const float chance = most / least_followed;
+  // Rays that a sample sends from several surfaces are chosen one without the other.
+  const double ray = 2.0 * reflection.hit.triangle + (reflection.ratio > 0.0f ? 1.0 : 0.0);
+  const double at =
+      places_->in_lobe(lobe_of_roulette + reflection.seen.bounces).x + std::numbers::phi * ray;
+  return at - std::floor(at) < static_cast<double>(chance) ? chance : 0.0f;
+}
+
 void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSample& start,
                                  float width, glm::vec3 colours, const Shader& shader) {
+  const float goes_on = chance(reflection, start.weight * colours);
+  if (!(goes_on > 0.0f)) return;
   const ViewedRay& seen = reflection.seen;
   const PixelSpacing& spacing = seen.spacing ? *seen.spacing : shader.spacing();
   const IncidentPyray pyray = pyray_around(spacing, seen.ray, reflection.hit.t, start.side);
@@ -43,7 +70,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   const auto picture = mirrored(pyray, surface, {});
   if (!picture) return;
   ReflectedSample next = start;
-  next.weight *= colours;
+  next.weight *= colours / goes_on;
   next.width = seen.width + width;
   next.spacing = spacing_of(*picture, start.side);
   glm::dvec3 direction = mirrored_direction(surface, pyray.axis);

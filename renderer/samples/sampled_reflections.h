@@ -42,8 +42,9 @@ struct ReflectedSample {
   [[nodiscard]] ViewedRay viewed(const Hit& hit) const;
 };
 
-/// How sampling methods follow reflections and refractions: by a ray to a random place of the lobe.
-/// The rays are gathered and go in packets.
+/// How sampling methods follow reflections and refractions: by a ray to a random place of the lobe;
+/// what counts for little by the rays of some samples, which stand for all. The rays are gathered
+/// and go in packets.
 class SampledReflections {
  public:
   /// Both have to outlive this.
@@ -60,6 +61,7 @@ class SampledReflections {
   [[nodiscard]] std::vector<ReflectedSample> take() { return std::exchange(pending_, {}); }
 
  private:
+  [[nodiscard]] float chance(const Reflection& reflection, glm::vec3 weight) const;
   void add_ray(const Reflection& reflection, const ReflectedSample& start, float width,
                glm::vec3 colours, const Shader& shader);
 

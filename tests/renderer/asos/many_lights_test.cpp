@@ -184,6 +184,31 @@ TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
   EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
 }
 
+// In mirrors, too.
+TEST(ManyLights, AreWorthAsManyRaysInAMirror) {
+  World world = furnished();
+  Material mirror = matte(glm::vec3(0.9f));
+  mirror.metallic = 1.0f;
+  mirror.roughness = 0.0f;
+  add_quad(world, {-2, 0, -1.5f}, {4, 0, 0}, {0, 2.5f, 0}, mirror);
+  const auto scene = make_render_scene(world, hundred_dim_lights());
+  // It shows the floor, and no lights.
+  const Camera camera = look_at({0.4, 1.4, 0.8}, {0, 0.3, -1.5}, 0.25);
+  RenderSettings settings = exact_settings();
+  const Picture exact = render_picture(*scene, camera, settings);
+  settings.asos.eps = 1.0 / 256.0;
+  settings.asos.refine_shading = true;
+  const Picture sampled = render_picture(*scene, camera, settings);
+  settings.method = Method::sobol;
+  settings.sampling.spp = 512;
+  const Picture truth = render_picture(*scene, camera, settings);
+  ASSERT_GT(exact.statistics.reflection_rays, 100u);
+  const Difference off = difference(sampled.film, truth.film);
+  EXPECT_LT(off.rms, settings.asos.eps);
+  EXPECT_LT(std::abs(off.mean), settings.asos.eps / 16.0);
+  EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
+}
+
 // A sample sends few rays to many lights, and the mean is theirs.
 TEST(ManyLights, AreSampledByFewRays) {
   const std::vector<Light> lights = hundred_dim_lights();

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <stop_token>
 #include <utility>
 
 namespace asos::test::region_sampler_test {
@@ -71,6 +72,17 @@ TEST_F(TwoColours, StopOnceTheGoalIsMet) {
   EXPECT_LT(rough.samples, fine.samples);
   EXPECT_NEAR(rough.mean.x, 0.3, 3.0 * 0.05);
   EXPECT_NEAR(fine.mean.x, 0.3, 3.0 * 0.005);
+}
+
+// Whoever turns a knob waits for no block of samples to be done.
+TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
+  std::stop_source stop;
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed, nullptr,
+                        stop.get_token());
+  const RegionSampler::Goal all{-1.0, 1u << 20, 1u << 20};
+  stop.request_stop();
+  EXPECT_EQ(sampler.sample({crossed, {}}, all, counts_).samples, 0u);
+  EXPECT_EQ(counts_.eye_rays, 0u);
 }
 
 TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
