@@ -15,7 +15,6 @@ namespace asos {
 namespace {
 
 constexpr std::size_t most_traced = 3000;
-constexpr auto longest_search = std::chrono::seconds(3);
 
 bool bounded(SplitCause cause) {
   return cause == SplitCause::outline || cause == SplitCause::crease ||
@@ -155,7 +154,7 @@ SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) const {
       found.split = splits(trace) > 0;
     }
     if (most > enough || current_ != request.restarts ||
-        std::chrono::steady_clock::now() - start > longest_search)
+        std::chrono::steady_clock::now() - start > longest)
       break;
   }
   return found;

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -26,6 +27,9 @@ class Previewer;
 /// for one thread.
 class SplitPixelSearch {
  public:
+  /// A search ends then, with the best that it has seen.
+  static constexpr std::chrono::seconds longest{3};
+
   SplitPixelSearch();
   ~SplitPixelSearch() { current_ = 0; }
   SplitPixelSearch(const SplitPixelSearch&) = delete;
