@@ -231,11 +231,12 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
 RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sampled what) const {
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
-  const bool noisy = what == Sampled::noisy;
+  const bool noisy = what != Sampled::smooth;
+  const Budget budget = what == Sampled::parts ? eye_->budget.as_exact_as_cuts() : eye_->budget;
   RegionSampler::Goal goal;
-  goal.standard_error = (noisy ? 2.0 : 1.0) * eye_->budget.standard_error(weight);
-  goal.least = eye_->budget.samples(weight, 1.0, fewest);
-  goal.most = eye_->budget.samples(weight, reflected ? 16.0 : noisy ? 8.0 : 4.0, fewest);
+  goal.standard_error = (noisy ? 2.0 : 1.0) * budget.standard_error(weight);
+  goal.least = budget.samples(weight, 1.0, fewest);
+  goal.most = budget.samples(weight, reflected ? 16.0 : noisy ? 8.0 : 4.0, fewest);
   return goal;
 }
 

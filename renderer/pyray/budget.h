@@ -48,11 +48,15 @@ struct Budget {
   /// Whether leaves that are shaded unevenly are split as well.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
 
-  /// Whether EPS alone says how far anything may be off, and not the finest cells of a small MAX,
-  /// which samples would be held to while cuts are exact.
-  [[nodiscard]] bool held_to_eps() const {
-    return refines() && static_cast<double>(tolerance) <= 1.001 * eps;
+  /// Of samples that take the place of exact cuts: held to EPS, whatever a small MAX would allow.
+  [[nodiscard]] Budget as_exact_as_cuts() const {
+    Budget budget = *this;
+    budget.tolerance = std::min(tolerance, static_cast<float>(std::max(eps, invisible / steep)));
+    while (std::ldexp(1.0, -2 * (budget.max_level + 1)) > eps && budget.max_level < enough_levels)
+      ++budget.max_level;
+    return budget;
   }
+  static constexpr int enough_levels = 5;  ///< that no finest cell shows
 
   /// How far the middle of a root may be off its mean before it is looked at more closely: a
   /// sixteenth of what would split it; 1: however far.
@@ -99,8 +103,10 @@ struct Budget {
   /// that price in all. Where a few are enough, so is one for each of the finest cells.
   [[nodiscard]] bool samples_suffice_for_parts(double weight, double price) const {
     constexpr double few = 16.0;
-    const double samples = samples_of_tangle(weight);
-    return held_to_eps() && samples >= few && std::max(samples, finest_cells(weight)) <= price;
+    if (!refines() || steep * eps < invisible) return false;
+    const Budget budget = as_exact_as_cuts();
+    const double samples = budget.samples_of_tangle(weight);
+    return samples >= few && std::max(samples, budget.finest_cells(weight)) <= price;
   }
   /// Leaves of a part that is split until it is even: their error falls with their number.
   [[nodiscard]] double leaves_of_uneven() const {

@@ -126,7 +126,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
 // was split to be known better is.
 bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
   const bool seen = cell.cover.valid || cell.middle != no_sample;
-  return level_->number == 0 && seen &&
+  return level_->number == 0 && state_->rules.budget.max_level > 0 && seen &&
          state_->caster->samples_suffice(state_->weight(cell), parts);
 }
 
@@ -139,15 +139,16 @@ bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundari
   const std::uint32_t n = 1u << below;
   if (below < 1) return false;
   // Each boundary adds a part at least, and each crossing one more.
-  if (!better_sampled(cell, 2 * boundaries)) {
+  const bool suffice = better_sampled(cell, 2 * boundaries);
+  if (!suffice) {
     const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
     if (boundaries <= few || 4 * boundaries < n * n) return false;
   }
   Plan& plan = add_plan(Plan::Kind::saturated, cell_index, {});
   plan.boundaries = state_->search->kinds_of(visible_);
   keep_for_observers(cell, plan, visible_);
-  plan.own_samples =
-      state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
+  plan.own_samples = state_->caster->sample_saturated(state_->root(cell).id, cell.square,
+                                                      state_->weight(cell), suffice);
   if (plan.own_samples != no_sample) return true;
   plan.points.count = n * n;
   for (std::uint32_t i = 0; i < n * n; ++i)

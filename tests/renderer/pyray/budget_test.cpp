@@ -47,8 +47,9 @@ TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples));
   EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples));
   EXPECT_FALSE(suffice(1.0 / 16.0, 1e9)) << "few are enough";
-  settings.asos.max_level = 2;
-  EXPECT_FALSE(suffice(1.0 / 256.0, 1e9)) << "cells of a sixteenth, and cuts are exact";
+  settings.asos.max_level = 1;
+  EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples)) << "held to EPS, for cuts are exact";
+  EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples));
   settings.asos.max_level = 4;
   EXPECT_FALSE(suffice(1.0 / 256.0, 255.0)) << "one for each finest cell";
   EXPECT_TRUE(suffice(1.0 / 256.0, 257.0));
