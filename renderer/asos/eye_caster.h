@@ -44,7 +44,8 @@ class EyeCaster final : public Caster {
     return refinement_.judge(sample, share, region);
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
-    return shades_parts_ &&
+    // Cuts of what is mirrored, which has few levels left, cost less than it deserves.
+    return shades_parts_ && (!eye_.mask || eye_.budget.held_to_eps()) &&
            eye_.budget.samples_suffice_for_parts(weight, Prices::part * static_cast<double>(parts));
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square, double weight,

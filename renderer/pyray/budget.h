@@ -48,6 +48,10 @@ struct Budget {
   /// Whether leaves that are shaded unevenly are split as well.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
 
+  /// Whether EPS alone says how far anything may be off, and not the finest cells of a small MAX.
+  [[nodiscard]] bool held_to_eps() const {
+    return refines() && static_cast<double>(tolerance) <= 1.001 * eps;
+  }
   /// Of samples that take the place of exact cuts: held to EPS, whatever a small MAX would allow.
   [[nodiscard]] Budget as_exact_as_cuts() const {
     Budget budget = *this;
