@@ -17,13 +17,19 @@ namespace {
 constexpr float rays_a_point = 16.0f;
 constexpr std::uint32_t most_points = 64;
 
-/// Gathers what lights shine on, and asks none.
+// So many places of each light, in rows of two, tell what it carries: its middle may lie below a
+// surface that the rest shines on.
+constexpr std::size_t places_a_light = 4;
+
+/// Gathers what lights shine on, once for each place, and asks none.
 class LitPoints final : public LightTransport {
  public:
   explicit LitPoints(LitBatch& points) : points_(&points) {}
 
   TakenLights gather(const LitPoint& point) override {
-    if (!points_->full()) points_->add(point, glm::vec3(1.0f));
+    if (points_->count + places_a_light <= LitBatch::size) {
+      for (std::size_t i = 0; i < places_a_light; ++i) points_->add(point, glm::vec3(1.0f));
+    }
     return {{}, true};
   }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
@@ -65,20 +71,21 @@ void hide_each_other(std::span<const PreparedLight> lights, std::vector<double>&
   }
 }
 
-// What each light carries at most by way of a point, if nothing shades it: in display units, as its
-// middle tells it.
+// What each light carries at most by way of a point, if nothing shades it: in display units.
 std::vector<double> most_carried(std::span<const PreparedLight> lights, const LitBatch& points) {
   const auto places = Recycler<LightPlaceBatch>::make();
-  places->u.fill(0x80000000u);
-  places->v.fill(0x80000000u);
+  for (std::size_t i = 0; i < LitBatch::size; ++i) {
+    places->u[i] = i % 2 == 0 ? 0x40000000u : 0xc0000000u;
+    places->v[i] = i / 2 % 2 == 0 ? 0x40000000u : 0xc0000000u;
+  }
   const auto rays = Recycler<ShadowRayBatch>::make();
   std::vector<double> most(lights.size(), 0.0);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     shade_batch(points, LightConstants(lights[i]), *places, *rays);
+    const double bound = brightest(lights[i]);
     for (std::size_t k = 0; k < rays->count; ++k) {
       for (const auto& channel : rays->carried)
-        most[i] =
-            std::max(most[i], std::min(brightest(lights[i]), static_cast<double>(channel[k])));
+        most[i] = std::max(most[i], std::min(bound, static_cast<double>(channel[k])));
     }
   }
   hide_each_other(lights, most);

@@ -192,7 +192,9 @@ int RayScene::packet_width() const {
 }
 
 void RayScene::set_packet_width(int width) {
-  if (impl_ && (width == 1 || width == 4 || width == 8 || width == 16)) impl_->width = width;
+  // Packets of 16 that Embree makes of two of 8 end the program where some of their lanes are void.
+  if (!impl_ || width > impl_->embree.native_width()) return;
+  if (width == 1 || width == 4 || width == 8 || width == 16) impl_->width = width;
 }
 
 }  // namespace asos

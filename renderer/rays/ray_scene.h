@@ -112,7 +112,8 @@ class RayScene {
   [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Rays traced at once by the queries for spans: 16, 8, 4 or 1. Chosen for the processor by
-  /// `build`; another width may be set for a measurement, while no ray is under way.
+  /// `build`; another width, of those that it has, may be set for a measurement, while no ray is
+  /// under way.
   [[nodiscard]] int packet_width() const;
   void set_packet_width(int width);
 
