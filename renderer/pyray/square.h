@@ -40,12 +40,15 @@ struct BorderEdge {
   glm::vec2 to{0.0f};
 };
 
-/// Whether a border goes around a point an odd number of times.
-[[nodiscard]] inline bool winds_around(std::span<const BorderEdge> border, glm::vec2 p) {
+/// Whether a border goes around a point an odd number of times, reckoned as exactly as the point
+/// is given.
+template <typename T>
+[[nodiscard]] bool winds_around(std::span<const BorderEdge> border, glm::vec<2, T> p) {
   bool in = false;
   for (const BorderEdge& s : border) {
-    if ((s.from.y > p.y) != (s.to.y > p.y) &&
-        p.x < s.from.x + (s.to.x - s.from.x) * (p.y - s.from.y) / (s.to.y - s.from.y))
+    const glm::vec<2, T> from(s.from), to(s.to);
+    if ((from.y > p.y) != (to.y > p.y) &&
+        p.x < from.x + (to.x - from.x) * (p.y - from.y) / (to.y - from.y))
       in = !in;
   }
   return in;
@@ -57,10 +60,12 @@ struct LeafRegion {
   std::span<const BorderEdge> border;  ///< empty: the whole square
   bool marginal = false;  ///< boundaries pass through it: one sample stands for all of it
 
-  [[nodiscard]] bool holds(glm::vec2 p) const {
+  template <typename T>
+  [[nodiscard]] bool holds(glm::vec<2, T> p) const {
     if (!border.empty()) return winds_around(border, p);
-    return p.x >= square.u && p.x <= square.u + square.side && p.y >= square.v &&
-           p.y <= square.v + square.side;
+    const glm::vec<2, T> lo(square.u, square.v);
+    const glm::vec<2, T> hi(square.u + square.side, square.v + square.side);
+    return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y;
   }
   /// Calls visit(BorderEdge) for every edge of the border, those of the square where that is all.
   template <typename Visit>

@@ -54,6 +54,16 @@ glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
           glm::dot(from_corner, light.half_v) / (2.0 * glm::dot(light.half_v, light.half_v))};
 }
 
+// A point of the disk by which an arc of its rim is told to lie in a region or not: just inside of
+// the arc's middle, since the rim itself touches the square's sides, which may bound the region.
+glm::dvec2 within_arc(double from, double to) {
+  constexpr double most = 1e-6;  // of the radius
+  const double sagitta = 1.0 - std::cos(std::min(0.5 * (to - from), pi));
+  const double radius = 0.5 * (1.0 - std::min(most, 0.25 * sagitta));
+  const double middle = 0.5 * (from + to);
+  return 0.5 + radius * glm::dvec2(std::cos(middle), std::sin(middle));
+}
+
 }  // namespace
 
 LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
@@ -203,10 +213,7 @@ double LightWindow::round_form(const LeafRegion& region) const {
   for (std::size_t i = 0; i < count; ++i) {
     const double from = angles[i];
     const double to = i + 1 < count ? angles[i + 1] : angles[0] + 2.0 * pi;
-    const double middle = 0.5 * (from + to);
-    if (to - from > 1e-12 &&
-        region.holds(glm::vec2(0.5 + 0.5 * std::cos(middle), 0.5 + 0.5 * std::sin(middle))))
-      sum += arc(from, to);
+    if (to - from > 1e-12 && region.holds(within_arc(from, to))) sum += arc(from, to);
   }
   return sum;
 }

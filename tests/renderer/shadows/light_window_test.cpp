@@ -86,6 +86,26 @@ TEST(LightWindow, TheFormIsAdditive) {
   }
 }
 
+// The light that a straight cut through a ball's middle leaves on either side, which is as much
+// wherever the cut's ends lie on the square: the rim touches the sides that bound one half.
+TEST(LightWindow, EitherHalfOfABallIsHalfOfItsLight) {
+  Receiver receiver;
+  receiver.normal = receiver.geometric = {0, 0, 1};
+  const auto window = LightWindow::of(ball({0, 0, 2}, 0.7), receiver);
+  ASSERT_TRUE(window.has_value());
+  const double half = 0.5 * window->form(whole);
+  // Around the square's border, with both places of the cut among its corners.
+  static constexpr glm::vec2 round[8] = {{0, 0}, {0.5f, 0}, {1, 0}, {1, 0.5f},
+                                         {1, 1}, {0.5f, 1}, {0, 1}, {0, 0.5f}};
+  for (std::size_t from = 0; from < 8; ++from) {
+    BorderEdge border[5];
+    for (std::size_t i = 0; i < 4; ++i)
+      border[i] = {round[(from + i) % 8], round[(from + i + 1) % 8]};
+    border[4] = {round[(from + 4) % 8], round[from]};
+    EXPECT_NEAR(window->form({whole.square, border}), half, 1e-9) << from;
+  }
+}
+
 // A ball whose rim a straight line through the middle of the window halves, seen head on.
 TEST(LightWindow, HalfOfABallIsHalfOfItsLight) {
   Receiver receiver;
