@@ -1,6 +1,7 @@
 #include "renderer/pyray/partition.h"
 
 #include "renderer/geometry/cross.h"
+#include "renderer/pyray/partition_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,28 +10,12 @@
 namespace asos {
 namespace {
 
-// Points closer than this, in cells, are one. Segments come in single precision of the root frame,
-// so nothing much finer has a meaning. A smaller piece leaves a speck, which is given to the parts
-// around it: at most snap^2 of the cell each.
-constexpr double snap = 4e-6;
-bool on_border(glm::dvec2 p) {
-  return p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0;
-}
-
 // Position along the border, 0 to 4, from the top left corner over the top right one.
 double along_border(glm::dvec2 p) {
   if (p.y == 0.0) return p.x;
   if (p.x == 1.0) return 1.0 + p.y;
   if (p.y == 1.0) return 3.0 - p.x;
   return 4.0 - p.y;
-}
-
-glm::dvec2 snapped(glm::dvec2 p) {
-  for (int k = 0; k < 2; ++k) {
-    if (p[k] < snap) p[k] = 0.0;
-    if (p[k] > 1.0 - snap) p[k] = 1.0;
-  }
-  return p;
 }
 
 bool same_side(glm::dvec2 p, glm::dvec2 q) {
@@ -108,12 +93,9 @@ bool CellPartition::add_piece(const Segment& s) {
     return true;
   }
   // Edges that fall together in the picture (a face seen edge-on) are one line.
-  const auto near = [](glm::dvec2 a, glm::dvec2 b) {
-    return std::abs(a.x - b.x) < snap && std::abs(a.y - b.y) < snap;
-  };
   for (const Piece& other : pieces_) {
-    if ((near(piece.p, other.p) && near(piece.q, other.q)) ||
-        (near(piece.p, other.q) && near(piece.q, other.p)))
+    if ((are_one(piece.p, other.p) && are_one(piece.q, other.q)) ||
+        (are_one(piece.p, other.q) && are_one(piece.q, other.p)))
       return true;
   }
   pieces_.push_back(piece);
@@ -160,18 +142,15 @@ bool CellPartition::cut_by_one() {
 }
 
 bool CellPartition::cut_by_many(std::size_t max_parts) {
-  nodes_.assign({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  edges_.clear();
   split_pieces();
+  if (close_gaps()) split_pieces();
   add_border();
   return trace_loops(max_parts) && make_parts(max_parts);
 }
 
 std::uint32_t CellPartition::node_at(glm::dvec2 p) {
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    const glm::dvec2 d = glm::abs(nodes_[i] - p);
-    if (d.x < snap && d.y < snap) return i;
-  }
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+    if (are_one(nodes_[i], p)) return i;
   nodes_.push_back(p);
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
@@ -185,6 +164,8 @@ void CellPartition::add_edge(std::uint32_t a, std::uint32_t b) {
 
 // Makes nodes of all ends and crossings, and edges between neighbouring nodes of each piece.
 void CellPartition::split_pieces() {
+  nodes_.assign({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  edges_.clear();
   // Make nodes of the ends.
   for (const Piece& piece : pieces_) {
     (void)node_at(piece.p);

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct CellPart {
 
 /// Cuts a cell along the boundary segments that cross it, with exact areas ("exact leaf"). CGF'98
 /// sections 6.2 and 6.4 hint at it for a single edge; this is the planar arrangement of any few
-/// segments: lines, chains, corners, junctions, crossings, slivers and islands.
+/// segments: lines, chains, corners, junctions, crossings, slivers and islands. A line that ends a
+/// little before the next one goes on to it: where a bent mirror shows a corner, or a leaf's own
+/// outline crosses what it mirrors, lines of one corner were found in different ways.
 /// Double precision in cell units; keeps its memory between calls; one object a thread.
 class CellPartition {
  public:
@@ -60,6 +63,10 @@ class CellPartition {
   void add_speck(glm::dvec2 p);
   [[nodiscard]] std::uint32_t node_at(glm::dvec2 p);
   void split_pieces();
+  [[nodiscard]] bool dangles(glm::dvec2 end) const;
+  [[nodiscard]] bool close_gaps();
+  [[nodiscard]] std::optional<glm::dvec2> beyond_gap(std::size_t piece, glm::dvec2 end,
+                                                     glm::dvec2 ahead) const;
   void add_border();
   void add_edge(std::uint32_t a, std::uint32_t b);
   bool trace_loops(std::size_t max_parts);

@@ -102,6 +102,33 @@ TEST(CellPartition, ABentChainIsOneBoundary) {
   for (const CellPart& f : parts) EXPECT_GT(std::abs(f.v - 0.5f), 0.051f);
 }
 
+// As where a mirrored corner and the outline of the leaf that mirrors it were found separately.
+TEST(CellPartition, ALineThatEndsALittleBeforeTheNextGoesOnToIt) {
+  CellPartition partition;
+  const Segment lines[2] = {line(0.5, -1, 0.5, 2), line(-1, 0.25, 0.49, 0.25)};
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_NEAR(part_near(parts, 0.25f, 0.1f).area, 0.125, 1e-7);
+  EXPECT_NEAR(part_near(parts, 0.25f, 0.6f).area, 0.375, 1e-7);
+  EXPECT_NEAR(part_near(parts, 0.75f, 0.5f).area, 0.5, 1e-7);
+}
+
+TEST(CellPartition, TwoLinesThatEndBesideEachOtherMakeACorner) {
+  CellPartition partition;
+  // Neither crosses the other's way, nor is the border near.
+  const Segment lines[2] = {line(-1, 0.5, 0.5, 0.5), line(0.505, 0.505, 0.505, 2)};
+  const auto parts = partition.cut({0, 0, 1}, lines, 8);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(part_near(parts, 0.25f, 0.75f).area, 0.25, 0.005);
+  EXPECT_NEAR(total_area(parts), 1.0, 1e-9);
+}
+
+TEST(CellPartition, ALineThatEndsFarFromAnyOtherBoundsNothing) {
+  CellPartition partition;
+  const Segment lines[2] = {line(0.5, -1, 0.5, 2), line(-1, 0.25, 0.4, 0.25)};
+  EXPECT_EQ(partition.cut({0, 0, 1}, lines, 8).size(), 2u);
+}
+
 TEST(CellPartition, LinesAlongTheBorderBoundNothing) {
   CellPartition partition;
   const Segment lines[2] = {line(-1, 0, 2, 0), line(0.3, 0.3, 0.3 + 1e-9, 0.3)};

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+// Which points of a cell, in cell units, are one, and which lie on its border.
+
+namespace asos {
+
+/// Points closer than this, in cells, are one. Segments come in single precision of the root frame,
+/// so nothing much finer has a meaning. A smaller piece leaves a speck, which is given to the parts
+/// around it: at most snap^2 of the cell each.
+inline constexpr double snap = 4e-6;
+
+[[nodiscard]] inline bool are_one(glm::dvec2 p, glm::dvec2 q) {
+  const glm::dvec2 d = glm::abs(p - q);
+  return d.x < snap && d.y < snap;
+}
+
+[[nodiscard]] inline bool on_border(glm::dvec2 p) {
+  return p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0;
+}
+
+/// Onto the border, if it is that near.
+[[nodiscard]] inline glm::dvec2 snapped(glm::dvec2 p) {
+  for (int k = 0; k < 2; ++k) {
+    if (p[k] < snap) p[k] = 0.0;
+    if (p[k] > 1.0 - snap) p[k] = 1.0;
+  }
+  return p;
+}
+
+}  // namespace asos
