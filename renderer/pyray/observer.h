@@ -22,7 +22,7 @@ enum class CellFate {
   uneven,     ///< no boundary, or cut along them, but shaded too unevenly: its four children follow
   split,      ///< marginal: its four children follow
   stopped,    ///< marginal, and the rule held: one sample
-  finest,     ///< marginal at MAX: one sample
+  finest,     ///< marginal at MAX: one sample, or samples all over it
   sampled,    ///< no visible boundary, and samples all over it tell what it shows
   saturated,  ///< so many boundaries that samples all over it cost less than its parts
   by_samples  ///< split by the safety net, for what its samples showed

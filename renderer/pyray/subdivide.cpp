@@ -53,7 +53,8 @@ void Subdivider::start(std::span<const Root> roots) {
   }
 }
 
-// Ends the roots whose rule holds, or all of them at MAX, with a sample for each marginal cell.
+// Ends the roots whose rule holds, or all of them at MAX, with a sample for each marginal cell, or
+// more where MAX is too small for the rule.
 void Subdivider::stop_roots(CellLevel& level) {
   // Cells of one root are consecutive.
   for (std::size_t i = 0; i < level.cells.size();) {
@@ -130,8 +131,14 @@ void Subdivider::finish_marginal(CellLevel& level) {
         state_.search->find_visible(level.list(cell), state_.sight(cell), visible_);
     state_.outcome(cell).unresolved_area += share;
     state_.outcome(cell).boundaries.add(state_.search->kinds_of(visible_));
-    const SampleId leaf = anew ? sample++ : cell.middle;
-    state_.add_leaf(cell, leaf, share, {cell.square, {}, true});
+    // Where MAX, and not EPS, ends a root, its samples are held to EPS all the same.
+    SampleId leaf = no_sample;
+    if (!anew && level.number > 0 && state_.outcome(cell).at_limit)
+      leaf = state_.caster->sample_saturated(state_.root(cell).id, cell.square, share, true);
+    if (leaf == no_sample) {
+      leaf = anew ? sample++ : cell.middle;
+      state_.add_leaf(cell, leaf, share, {cell.square, {}, true});
+    }
     if (TracedCell* traced =
             state_.trace(level, cell, at_limit ? CellFate::finest : CellFate::stopped, visible_)) {
       traced->hidden = hidden;

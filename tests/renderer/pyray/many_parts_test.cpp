@@ -41,32 +41,51 @@ class PricedCaster final : public BruteForceCaster {
   double largest_sampled_, largest_even_;
 };
 
-/// Upright strips before a wall, each a fifth of the space that it has.
-struct Strips {
-  explicit Strips(int count) {
-    add_polygon(scene, {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}, 4.0);
-    for (int i = 0; i < count; ++i) {
-      const double u = (i + 0.4) / count, width = 0.2 / count;
-      add_polygon(scene, {{u, -1}, {u + width, -1}, {u + width, 2}, {u, 2}}, 2.0);
-    }
-  }
+/// A wall, and what is before it.
+struct Wall {
+  Wall() { add_polygon(scene, {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}, 4.0); }
 
-  void trace(std::size_t price, double largest_sampled = 1.0, double largest_even = 1.0) {
+  void trace(std::size_t price, double largest_sampled = 1.0, double largest_even = 1.0,
+             int max_level = 4) {
     const FeatureSet features(scene.world);
     const Frame frame = unit_frame();
     PricedCaster caster(scene.world, features, frame, price, largest_sampled, largest_even);
     Tracer tracer;
-    outcome = tracer.trace(features, Pyray{frame}, rules_of(4), caster).outcome;
+    outcome = tracer.trace(features, Pyray{frame}, rules_of(max_level, eps), caster).outcome;
     sampled = caster.sampled;
     wall = caster.coverage[0];
     total = caster.total;
   }
 
+  double eps = 0.0;
   PolygonScene scene;
   SubdivisionOutcome outcome;
   std::vector<double> sampled;
   double wall = 0.0;
   double total = 0.0;  // of all leaves
+};
+
+/// Upright strips, each a fifth of the space that it has.
+struct Strips : Wall {
+  explicit Strips(int count) {
+    for (int i = 0; i < count; ++i) {
+      const double u = (i + 0.4) / count, width = 0.2 / count;
+      add_polygon(scene, {{u, -1}, {u + width, -1}, {u + width, 2}, {u, 2}}, 2.0);
+    }
+  }
+};
+
+/// Specks, so many in so little space that they are a few groups, which nothing resolves: in one
+/// of four by four cells.
+struct Specks : Wall {
+  Specks() {
+    constexpr int count = 40;
+    constexpr double space = 0.05 / count, size = 0.5 * space;
+    for (int i = 0; i < count * count; ++i) {
+      const double u = 0.6 + i % count * space, v = 0.6 + i / count * space;
+      add_polygon(scene, {{u, v}, {u + size, v}, {u + size, v + size}, {u, v + size}}, 2.0);
+    }
+  }
 };
 
 // Four strips and the wall between them.
@@ -103,6 +122,31 @@ TEST(ManyParts, OfWhatWasSplitAreCut) {
   EXPECT_EQ(strips.outcome.deepest, 2) << "a fifth of it was uneven";
   EXPECT_TRUE(strips.sampled.empty());
   EXPECT_NEAR(strips.wall, 0.8, 1e-6);
+}
+
+TEST(ManyParts, ThatOnlyMaxEndsAreSampledThere) {
+  Specks specks;
+  specks.trace(1000000, 0.0, 1.0, 2);
+  EXPECT_EQ(specks.sampled, std::vector<double>{1.0 / 16.0}) << "the finest cell around them";
+  EXPECT_NEAR(specks.total, 15.0 / 16.0, 1e-6) << "and the wall beside them";
+  EXPECT_EQ(specks.outcome.unresolved_area, 1.0 / 16.0);
+  EXPECT_TRUE(specks.outcome.at_limit);
+}
+
+TEST(ManyParts, ThatEpsEndsAreOneSample) {
+  Specks specks;
+  specks.eps = 0.1;
+  specks.trace(1000000, 0.0, 1.0, 2);
+  EXPECT_TRUE(specks.sampled.empty());
+  EXPECT_NEAR(specks.total, 1.0, 1e-6);
+  EXPECT_FALSE(specks.outcome.at_limit);
+}
+
+TEST(ManyParts, OfARootThatIsNotSplitAreOneSample) {
+  Specks specks;
+  specks.trace(1000000, 0.0, 1.0, 0);
+  EXPECT_TRUE(specks.sampled.empty());
+  EXPECT_NEAR(specks.total, 1.0, 1e-6);
 }
 
 }  // namespace
