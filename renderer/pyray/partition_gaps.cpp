@@ -3,6 +3,7 @@
 #include "renderer/pyray/partition_points.h"
 
 #include <algorithm>
+#include <utility>
 
 // How lines that end a little before the next one go on to it.
 
@@ -14,21 +15,19 @@ constexpr double widest_gap = 1.0 / 64.0;
 
 }  // namespace
 
-// Draws out the pieces that end by a little before another. Whether there were any.
+// Joins the pieces that end by a little before another to it, by pieces of their own: no line is
+// moved. Whether there were any.
 bool CellPartition::close_gaps() {
-  bool any = false;
-  const auto draw_out = [&](std::size_t piece, glm::dvec2& end, glm::dvec2 ahead) {
-    if (!dangles(end)) return;
-    const auto to = beyond_gap(piece, end, ahead);
-    if (to) end = *to;
-    any |= to.has_value();
-  };
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const glm::dvec2 along = glm::normalize(pieces_[i].q - pieces_[i].p);
-    draw_out(i, pieces_[i].p, -along);
-    draw_out(i, pieces_[i].q, along);
+  const std::size_t count = pieces_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [p, q] = pieces_[i];
+    const glm::dvec2 along = glm::normalize(q - p);
+    for (const auto& [end, ahead] : {std::pair(p, -along), std::pair(q, along)}) {
+      if (!dangles(end)) continue;
+      if (const auto to = beyond_gap(i, end, ahead)) pieces_.push_back({end, *to});
+    }
   }
-  return any;
+  return pieces_.size() > count;
 }
 
 // Whether a piece's end bounds nothing: no other begins or passes there.
