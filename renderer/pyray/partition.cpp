@@ -1,7 +1,7 @@
 #include "renderer/pyray/partition.h"
 
 #include "renderer/geometry/cross.h"
-#include "renderer/pyray/partition_points.h"
+#include "renderer/pyray/partition_gaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +143,7 @@ bool CellPartition::cut_by_one() {
 
 bool CellPartition::cut_by_many(std::size_t max_parts) {
   split_pieces();
-  if (close_gaps()) split_pieces();
+  if (close_gaps(pieces_, nodes_, edges_)) split_pieces();
   add_border();
   return trace_loops(max_parts) && make_parts(max_parts);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "renderer/pyray/partition_pieces.h"
 #include "renderer/pyray/square.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,12 +38,8 @@ class CellPartition {
   [[nodiscard]] std::span<const BorderEdge> borders() const { return borders_; }
 
  private:
-  struct Edge {
-    std::uint32_t from, to;
-  };
-  struct Piece {
-    glm::dvec2 p, q;
-  };
+  using Edge = PartitionEdge;
+  using Piece = PartitionPiece;
   struct Spoke {
     std::uint32_t node;
     double angle;
@@ -63,10 +59,6 @@ class CellPartition {
   void add_speck(glm::dvec2 p);
   [[nodiscard]] std::uint32_t node_at(glm::dvec2 p);
   void split_pieces();
-  [[nodiscard]] bool dangles(glm::dvec2 end) const;
-  [[nodiscard]] bool close_gaps();
-  [[nodiscard]] std::optional<glm::dvec2> beyond_gap(std::size_t piece, glm::dvec2 end,
-                                                     glm::dvec2 ahead) const;
   void add_border();
   void add_edge(std::uint32_t a, std::uint32_t b);
   bool trace_loops(std::size_t max_parts);

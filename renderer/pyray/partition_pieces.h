@@ -2,9 +2,21 @@
 
 #include <glm/glm.hpp>
 
-// Which points of a cell, in cell units, are one, and which lie on its border.
+#include <cstdint>
+
+// What a cell is cut by, in cell units: which points are one, and which lie on its border.
 
 namespace asos {
+
+/// A straight boundary within the cell.
+struct PartitionPiece {
+  glm::dvec2 p, q;
+};
+
+/// What joins two nodes, as their indices.
+struct PartitionEdge {
+  std::uint32_t from, to;
+};
 
 /// Points closer than this, in cells, are one. Segments come in single precision of the root frame,
 /// so nothing much finer has a meaning. A smaller piece leaves a speck, which is given to the parts
