@@ -58,14 +58,12 @@ void EyeCaster::middles_known(int side) {
   weak_lights_.find(side);
 }
 
-SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight,
-                                     bool suffice) {
+SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight) {
   if (!eye_.budget.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
   const bool sampled =
-      leaf_shader_.add_samples(root, sample, {square, {}}, weight, LeafShader::enough_samples,
-                               suffice ? LeafShader::Sampled::parts : LeafShader::Sampled::noisy);
+      leaf_shader_.add_samples(root, sample, {square, {}}, weight, LeafShader::enough_samples);
   sums_[root].rays += eye_.counts->rays() - before;
   return sampled ? sample : no_sample;
 }

@@ -48,8 +48,8 @@ class EyeCaster final : public Caster {
     return shades_parts_ && (!eye_.mask || eye_.budget.held_to_eps()) &&
            eye_.budget.samples_suffice_for_parts(weight, Prices::part * static_cast<double>(parts));
   }
-  [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square, double weight,
-                                          bool suffice) override;
+  [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
+                                          double weight) override;
   void finish() override { leaf_shader_.finish(); }
   [[nodiscard]] bool cancelled() const override { return eye_.stop.stop_requested(); }
   void take(std::span<const PyrayLeaf> leaves) override { leaf_shader_.shade(leaves); }

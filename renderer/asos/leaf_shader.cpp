@@ -232,7 +232,7 @@ RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sam
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
   const bool noisy = what != Sampled::smooth;
-  const Budget budget = what == Sampled::parts ? eye_->budget.as_exact_as_cuts() : eye_->budget;
+  const Budget budget = eye_->budget.for_samples();
   RegionSampler::Goal goal;
   goal.standard_error = (noisy ? 2.0 : 1.0) * budget.standard_error(weight);
   goal.least = budget.samples(weight, 1.0, fewest);

@@ -32,9 +32,8 @@ class LeafShader {
   void shade(std::span<const PyrayLeaf> leaves);
 
   /// What is sampled, which says how well: what splitting would make even as well, as that would;
-  /// noise, such as bumpy and bent mirrors are full of, as it can be afforded; and so what could be
-  /// cut into its parts, but whatever MAX is.
-  enum class Sampled { smooth, noisy, parts };
+  /// noise, such as bumpy and bent mirrors and tangles are full of, as it can be afforded.
+  enum class Sampled { smooth, noisy };
   /// Samples a part of a root as a whole, evenly over it and over each light together: at least
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.

@@ -52,10 +52,13 @@ struct Budget {
   [[nodiscard]] bool held_to_eps() const {
     return refines() && static_cast<double>(tolerance) <= 1.001 * eps;
   }
-  /// Of samples that take the place of exact cuts: held to EPS, whatever a small MAX would allow.
-  [[nodiscard]] Budget as_exact_as_cuts() const {
+  /// What samples and shadow rays are held to: EPS, as exact cuts are, whatever a small MAX would
+  /// allow. MAX 0 asks for no more than a sample; and MAX alone decides where EPS is too small to
+  /// show.
+  [[nodiscard]] Budget for_samples() const {
     Budget budget = *this;
-    budget.tolerance = std::min(tolerance, static_cast<float>(std::max(eps, invisible / steep)));
+    if (!refines() || max_level == 0 || steep * eps < invisible) return budget;
+    budget.tolerance = std::min(tolerance, static_cast<float>(eps));
     while (std::ldexp(1.0, -2 * (budget.max_level + 1)) > eps && budget.max_level < enough_levels)
       ++budget.max_level;
     return budget;
@@ -108,7 +111,7 @@ struct Budget {
   [[nodiscard]] bool samples_suffice_for_parts(double weight, double price) const {
     constexpr double few = 16.0;
     if (!refines() || steep * eps < invisible) return false;
-    const Budget budget = as_exact_as_cuts();
+    const Budget budget = for_samples();
     const double samples = budget.samples_of_tangle(weight);
     return samples >= few && std::max(samples, budget.finest_cells(weight)) <= price;
   }

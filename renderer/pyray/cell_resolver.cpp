@@ -139,16 +139,15 @@ bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundari
   const std::uint32_t n = 1u << below;
   if (below < 1) return false;
   // Each boundary adds a part at least, and each crossing one more.
-  const bool suffice = better_sampled(cell, 2 * boundaries);
-  if (!suffice) {
+  if (!better_sampled(cell, 2 * boundaries)) {
     const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
     if (boundaries <= few || 4 * boundaries < n * n) return false;
   }
   Plan& plan = add_plan(Plan::Kind::saturated, cell_index, {});
   plan.boundaries = state_->search->kinds_of(visible_);
   keep_for_observers(cell, plan, visible_);
-  plan.own_samples = state_->caster->sample_saturated(state_->root(cell).id, cell.square,
-                                                      state_->weight(cell), suffice);
+  plan.own_samples =
+      state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
   if (plan.own_samples != no_sample) return true;
   plan.points.count = n * n;
   for (std::uint32_t i = 0; i < n * n; ++i)

@@ -134,7 +134,7 @@ void Subdivider::finish_marginal(CellLevel& level) {
     // Where MAX, and not EPS, ends a root, its samples are held to EPS all the same.
     SampleId leaf = no_sample;
     if (!anew && level.number > 0 && state_.outcome(cell).at_limit)
-      leaf = state_.caster->sample_saturated(state_.root(cell).id, cell.square, share, true);
+      leaf = state_.caster->sample_saturated(state_.root(cell).id, cell.square, share);
     if (leaf == no_sample) {
       leaf = anew ? sample++ : cell.middle;
       state_.add_leaf(cell, leaf, share, {cell.square, {}, true});

@@ -66,7 +66,10 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   PatchCaster& caster = block.work->patch_caster;
   caster.start(*block.scene, block.rules.see_through, *frame, patch,
                parallel ? block.frame : nullptr, lit.light.own_part);
-  (void)trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
+  const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
+  if (block.rules.quality == ShadowQuality::refined &&
+      trace.outcome.unresolved_area > rules.budget.eps)
+    return sampled_hard_shadow(block, query, counts);
   const auto visibility = caster.visibility();
   return visibility ? *visibility : ray_visibility(block, query, counts);
 }

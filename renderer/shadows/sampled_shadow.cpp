@@ -132,7 +132,7 @@ template <typename Aim>
 Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
                               RenderStatistics& counts, Aim aim) {
   ShadowWorkspace& work = *block.work;
-  const Budget& budget = block.rules.budget;
+  const Budget budget = block.rules.budget.for_samples();
   const LeafContext& leaf = query.leaf;
   const std::uint32_t light = query.lit.index;
   // Find how many rays the leaf is worth, and the error to reach.

@@ -34,6 +34,23 @@ TEST(Budget, ASteepCurveLeavesAsMuchLessToBeOff) {
   EXPECT_TRUE(std::isinf(Budget::of(settings).tolerance));
 }
 
+// What a small MAX leaves to samples is known as well as what is cut.
+TEST(Budget, SamplesAreHeldToEpsWhateverMaxIs) {
+  RenderSettings settings;
+  const auto error = [&](int max_level, double eps) {
+    settings.asos.max_level = max_level;
+    settings.asos.eps = eps;
+    return Budget::of(settings).for_samples().standard_error(1.0);
+  };
+  for (int max_level = 1; max_level <= 4; ++max_level)
+    EXPECT_NEAR(error(max_level, 1.0 / 256.0), 0.5 / 256.0, 1e-9) << max_level;
+  EXPECT_NEAR(error(0, 1.0 / 256.0), 0.5 / 4.0, 1e-9) << "one sample";
+  EXPECT_NEAR(error(2, 0.0), 0.5 / 64.0, 1e-9) << "MAX alone decides";
+  EXPECT_NEAR(error(2, 1.0 / 16.0), 0.5 / 16.0, 1e-9) << "EPS is larger than what MAX asks for";
+  settings.asos.refine_shading = false;
+  EXPECT_TRUE(std::isinf(error(2, 1.0 / 256.0))) << "nothing is sampled then";
+}
+
 // What one thing at a time costs, many cost as many times; samples cost what their accuracy does.
 TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   RenderSettings settings;

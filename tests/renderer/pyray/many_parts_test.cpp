@@ -28,9 +28,7 @@ class PricedCaster final : public BruteForceCaster {
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     return parts >= price_ && weight <= largest_sampled_;
   }
-  [[nodiscard]] SampleId sample_saturated(std::uint32_t, const Square&, double weight,
-                                          bool suffice) override {
-    EXPECT_TRUE(suffice);
+  [[nodiscard]] SampleId sample_saturated(std::uint32_t, const Square&, double weight) override {
     sampled.push_back(weight);
     return 0;
   }

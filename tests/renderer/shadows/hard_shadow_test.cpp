@@ -216,5 +216,35 @@ TEST(HardShadow, DoesNotMoveOnLargeTriangles) {
   expect_edges(7, {Camera::Type::orthographic, 40.0f}, distant);
 }
 
+// More than pyrays of a small MAX resolve, and than cuts are worth: so many specks that they hide
+// the light from half of the pixel. What finest pyrays would leave to a sample each is known to
+// EPS.
+TEST(HardShadow, OfManySpecksIsKnownToEps) {
+  constexpr int count = 12;
+  constexpr double space = 1.0 / count;
+  const double size = std::sqrt(0.5) * space;
+  for (const int max_level : {1, 2, 3}) {
+    RenderSettings settings;
+    settings.asos.max_level = max_level;
+    settings.asos.eps = 1.0 / 256.0;
+    ShadowRules rules;
+    rules.budget = Budget::of(settings);
+    World world;
+    const auto f = static_cast<float>(floor_half);
+    add_quad(world, {-f, -f, 0}, {2 * f, 0, 0}, {0, 2 * f, 0}, matte({0.5f, 0.5f, 0.5f}));
+    for (int i = 0; i < count * count; ++i)
+      add_occluder(world, {i % count * space, i / count * space, 0.5}, {size, 0, 0}, {0, size, 0});
+    Light sun;
+    sun.type = Light::Type::directional;
+    sun.direction = {0, 0, -1};
+    ShadowFixture fixture(std::move(world), sun, rules);
+    const Pixel pixel{Frame::prism({0, 0, 2}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}),
+                      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                      {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                      {0, 0, 1}};
+    EXPECT_NEAR(visibility(fixture, pixel, 0, 0.1f), 0.5, 1.0 / 256.0) << "MAX " << max_level;
+  }
+}
+
 }  // namespace
 }  // namespace asos::test::hard_shadow_test
