@@ -30,10 +30,14 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
                : PatchCaster::frame_from(lit.light.position, patch);
   if (!frame) return ray_visibility(block, query, counts);
 
-  // A part that is known well enough by a few rays takes them.
-  if (block.rules.quality == ShadowQuality::refined &&
-      block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(), Prices::patch))
-    return sampled_hard_shadow(block, query, counts);
+  // A part that is known well enough by a few rays takes them: at once, if they cost less than to
+  // ask whether anything bounds its shadow.
+  const Budget& budget = block.rules.budget;
+  const bool refined = block.rules.quality == ShadowQuality::refined;
+  const auto rays_suffice = [&](double price) {
+    return refined && budget.rays_suffice(query.leaf.weight, query.intensity(), price);
+  };
+  if (rays_suffice(Prices::search)) return sampled_hard_shadow(block, query, counts);
 
   // Search between the patch and the light.
   const double off_plane = deviation(block, lit.point, patch);
@@ -47,7 +51,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   const bool bounded = block.work->tracer.search(block.scene->features, pyray, rules);
   // Nothing bounds the shadow: the visibility from its sample is that from all of the leaf.
   if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
-  if (block.rules.quality == ShadowQuality::refined && bent(patch, off_plane))
+  if (rays_suffice(Prices::patch) || (refined && bent(patch, off_plane)))
     return sampled_hard_shadow(block, query, counts);
 
   // Trace, with the leaf's own border.
@@ -67,8 +71,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   caster.start(*block.scene, block.rules.see_through, *frame, patch,
                parallel ? block.frame : nullptr, lit.light.own_part);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
-  if (block.rules.quality == ShadowQuality::refined &&
-      trace.outcome.unresolved_area > rules.budget.eps)
+  if (refined && trace.outcome.unresolved_area > rules.budget.eps)
     return sampled_hard_shadow(block, query, counts);
   const auto visibility = caster.visibility();
   return visibility ? *visibility : ray_visibility(block, query, counts);
