@@ -29,8 +29,8 @@ class EyeCaster final : public Caster {
   SampleId probe(std::span<const glm::vec2> points) override { return samples_.probe(points); }
   /// Shadow pyrays share what lies between each of the surfaces in the middles and the lights.
   void middles_known(int side) override;
-  /// The same for who sends one ray only, its first sample.
-  void ray_known() { weak_lights_.find(1); }
+  /// For who sends one ray only, instead.
+  void sends_one_ray() { weak_lights_.take_all(); }
   [[nodiscard]] Cover cover(SampleId sample) const override { return samples_.cover(sample); }
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override {
     return samples_.surface(sample);

@@ -223,7 +223,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
     if (mask.blur)
       at = BlurKernel(mask.blur->far_share).warped(random_place(leaf.seed), whole_square);
     const PyrayLeaf whole{0, caster.probe({&at, 1}), 1.0, {whole_square, {}, true}};
-    caster.ray_known();
+    caster.sends_one_ray();
     caster.take({&whole, 1});
   } else {
     split = trace_mirrored(mirrored_eye, *sight, leaf, caster, eye.viewer.bounces);

@@ -97,11 +97,23 @@ std::vector<double> most_carried(std::span<const PreparedLight> lights, const Li
 WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
     : eye_(&eye), samples_(&samples), places_(eye.seed), lights_(eye.scene->rays(), places_) {}
 
+// Whether some may be weak: where lights are many, and shadows as exact as EPS asks.
+bool WeakLights::sought() const {
+  return eye_->viewer.shader.lights().size() > LightPicks::few_lights && eye_->budget.refines() &&
+         eye_->settings->shadow.cast && eye_->settings->shadow.quality == ShadowQuality::refined;
+}
+
+void WeakLights::take_all() {
+  if (!sought()) return;
+  intensity_ = 1.0;
+  for (const PreparedLight& light : eye_->viewer.shader.lights())
+    weak_.push_back(light.casts_shadows ? 1 : 0);
+  lights_.restrict_to(weak_, rays_a_point);
+}
+
 void WeakLights::find(int side) {
+  if (!sought()) return;
   const std::span<const PreparedLight> lights = eye_->viewer.shader.lights();
-  if (lights.size() <= LightPicks::few_lights || !eye_->budget.refines() ||
-      !eye_->settings->shadow.cast || eye_->settings->shadow.quality != ShadowQuality::refined)
-    return;
   // Look at what the lights shine on.
   const auto points = Recycler<LitBatch>::make();
   points->count = 0;

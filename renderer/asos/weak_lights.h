@@ -30,6 +30,9 @@ class WeakLights {
   /// that asking the others one by one, and for the weak ones as many rays as they are worth
   /// together, costs least.
   void find(int side);
+  /// Takes all that cast shadows for weak: one ray of a mirror is worth no more, nor is to judge
+  /// them by it.
+  void take_all();
 
   /// One a light: whether it is weak. Empty: none is.
   [[nodiscard]] std::span<const std::uint8_t> lights() const { return weak_; }
@@ -55,6 +58,7 @@ class WeakLights {
   std::span<const Share> run();
 
  private:
+  [[nodiscard]] bool sought() const;
   [[nodiscard]] std::uint32_t points_of(double weight) const;
   void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
 
