@@ -52,6 +52,8 @@ void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
 
 void LeafShader::shade_one(const PyrayLeaf& leaf) {
   if (eye_->mask && !eye_->mask->holds(samples_->at(leaf.sample))) return;
+  if (eye_->mask)
+    sums_[leaf.root].misplaced |= refinement_->may_misplace_light(leaf.sample, leaf.region);
 
   // Leaves that splitting would not make even are sampled.
   std::uint32_t fewest = 0;
@@ -99,6 +101,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   radiance += transport.at_once();
   sum.shadow_cut |= transport.met_shadow_edge();
   sum.mirror_cut |= transport.met_mirror_edge();
+  sum.misplaced |= transport.misplaces_light();
   if (!finite(radiance)) {
     ++eye_->counts->rejected_samples;
     drop(share, sky_share);
@@ -111,7 +114,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
   }
-  if (highlight_unsure(leaf, transport) &&
+  if ((highlight_unsure(leaf, transport) || light_misplaced(leaf, transport)) &&
       add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, enough_samples)) {
     drop(share, sky_share);
     return radiance;
@@ -145,6 +148,13 @@ bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& tr
   const Budget& budget = eye_->budget;
   return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
          !leaf.sampled && transport.unsure_highlights() > budget.tolerance;
+}
+
+// Whether what the leaf mirrors has to be sampled, for a bright light would be shown elsewhere.
+bool LeafShader::light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const {
+  const Budget& budget = eye_->budget;
+  return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
+         !leaf.sampled && transport.misplaces_light();
 }
 
 LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {

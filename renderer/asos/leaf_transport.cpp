@@ -57,6 +57,7 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
   radiance += mirrored.radiance;
   if (mirrored.flat) exact_ += mirrored.radiance;
   met_mirror_edge_ |= mirrored.split;
+  misplaces_light_ |= mirrored.misplaces;
   return true;
 }
 

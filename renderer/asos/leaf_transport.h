@@ -34,6 +34,8 @@ class LeafTransport final : public LightTransport {
   [[nodiscard]] bool met_shadow_edge() const { return met_shadow_edge_; }
   /// Whether a boundary divided what the leaf mirrors.
   [[nodiscard]] bool met_mirror_edge() const { return met_mirror_edge_; }
+  /// Whether bent mirrors, one in the other, may show a bright light elsewhere.
+  [[nodiscard]] bool misplaces_light() const { return misplaces_light_; }
 
   /// By how much highlights may be off, in radiance: of a light that is seen in part they show as
   /// much as the irradiance does, whichever part it is.
@@ -58,6 +60,7 @@ class LeafTransport final : public LightTransport {
   float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;
+  bool misplaces_light_ = false;
 };
 
 }  // namespace asos

@@ -1,6 +1,8 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/light_counts.h"
+#include "renderer/geometry/largest.h"
+#include "renderer/lights/lights_without_geometry.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/brdf.h"
@@ -223,6 +225,24 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
       VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample), viewer.passage);
   const auto ratio = static_cast<double>(boundary->ratio_of(viewer.passage));
   return std::max(mirrored, reflected_angle(pyray, refracting(surface, ratio)) / widest);
+}
+
+bool Refinement::may_misplace_light(SampleId sample, const LeafRegion& region) const {
+  constexpr double wider = 8.0;  // than the corner rays tell: the other's pyray is elsewhere
+  const Viewer& viewer = eye_->viewer;
+  const Hit& hit = samples_->hit(sample);
+  if (!hit.valid() || viewer.shader.lights_without_geometry().empty()) return false;
+  const double spread =
+      mirrored_width(sample, region) * glm::radians(eye_->settings->mirror.widest_angle_deg);
+  if (!(spread > 0.0)) return false;
+  const glm::dvec3 from(samples_->point(sample).position);
+  const glm::dvec3 towards(
+      glm::reflect(samples_->ray(sample).direction, samples_->point(sample).shading_normal));
+  const auto bare = viewer.shader.lights_without_geometry();
+  return std::any_of(bare.begin(), bare.end(), [&](std::uint32_t i) {
+    const PreparedLight& light = viewer.shader.lights()[i];
+    return largest(light.power) > 1.0f && may_show(light, from, towards, wider * spread);
+  });
 }
 
 // Whether that is too much of what shines through the boundary of a volume.

@@ -184,7 +184,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   // Mirror the leaf's pyray.
   const Bounds2 part = incident_part(eye, reflection, leaf.region);
   const auto sight = mirrored_sight(eye, reflection, part, is_whole(leaf.region), width, counts);
-  if (!sight) return {{}, false, true, false};
+  if (!sight) return {{}, false, false, true, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
   const MirroredMask mask = mask_of(*sight, leaf.region, part, view.start());
@@ -232,7 +232,8 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
   const bool flat = sight->exact && !(reflection.point.spread.variance > 0.0f);
-  return {caster.colour(0), split || caster.sum(0).mirror_cut, flat};
+  const bool misplaces = !sight->exact && caster.sum(0).misplaced;
+  return {caster.colour(0), split || caster.sum(0).mirror_cut, misplaces, flat};
 }
 
 }  // namespace
@@ -248,6 +249,7 @@ Mirrored trace_reflection(const EyeContext& eye, const Reflection& reflection,
       const Mirrored one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
       all.radiance[c] = one.radiance[c];
       all.split |= one.split;
+      all.misplaces |= one.misplaces;
       all.flat &= one.flat;
       all.followed &= one.followed;
     }

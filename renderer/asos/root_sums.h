@@ -42,6 +42,7 @@ struct RootSum {
   bool shadow_cut = false;    ///< the edge of a hard shadow cut one of its leaves
   bool cut_out = false;       ///< samples found what a texture cuts out of a surface
   bool mirror_cut = false;    ///< a boundary split what one of its leaves mirrors
+  bool misplaced = false;     ///< bent mirrors, one in the other, may show a bright light elsewhere
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
 

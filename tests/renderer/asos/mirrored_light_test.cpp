@@ -1,0 +1,43 @@
+#include "renderer/prepared/render_scene.h"
+#include "renderer/scene/builtin.h"
+#include "tests/support/render_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+// Small images of a bright light in a bent mirror that another one shows.
+
+namespace asos::test {
+namespace {
+
+// A column of pixels with four of them, which a ball makes and a cylinder shows. One that is placed
+// a part of a pixel beside is as good as lost: all of its pixel's light is in another.
+TEST(MirroredLight, OfABentMirrorInAnotherIsWhereItIs) {
+  const auto scene = *prepare(*builtin_scene("solids"));
+  RenderSettings settings;
+  settings.width = 160;
+  settings.height = 90;
+  settings.crop = {76, 16, 4, 14};
+  const Camera camera = first_camera(scene->world(), 160.0 / 90.0);
+  const Film found = render_picture(*scene, camera, settings).film;
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  const Film truth = render_picture(*scene, camera, settings).film;
+  int shown = 0;
+  for (int y = settings.crop.y; y < settings.crop.y + settings.crop.height; ++y) {
+    for (int x = settings.crop.x; x < settings.crop.x + settings.crop.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * 160 + static_cast<std::size_t>(x);
+      const auto displayed = [i](const Film& film) {
+        return std::min(1.0f, std::max(film.radiance[i].x, film.radiance[i].y));
+      };
+      EXPECT_NEAR(displayed(found), displayed(truth), 0.15f) << x << ", " << y;
+      shown += displayed(truth) > 0.9f;
+    }
+  }
+  EXPECT_GE(shown, 4);
+}
+
+}  // namespace
+}  // namespace asos::test
