@@ -1,9 +1,36 @@
 #include "renderer/asos/eye_caster.h"
 
+#include "renderer/geometry/largest.h"
+#include "renderer/lights/lights_without_geometry.h"
+
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 namespace asos {
 namespace {
+
+// Samples of a root of which a sliver may be so much brighter than white that few would miss it, or
+// take it for more than it is.
+constexpr double samples_of_glare = 1024.0;
+constexpr float glaring = 4.0f;
+
+// Whether a part of a perspective frame may show a surface that glares.
+bool may_glare(const EyeContext& eye, const Square& square) {
+  if (eye.frame->parallel()) return false;
+  const auto towards = [&](double u, double v) {
+    return glm::normalize(eye.frame->base_corner() + u * eye.frame->base_u() +
+                          v * eye.frame->base_v());
+  };
+  const glm::dvec3 middle = towards(square.centre_u(), square.centre_v());
+  const glm::dvec3 corner = towards(square.u, square.v);
+  const double half_angle = 1.5 * std::acos(std::min(1.0, glm::dot(middle, corner)));
+  const auto lights = eye.viewer.shader.lights();
+  return std::any_of(lights.begin(), lights.end(), [&](const PreparedLight& light) {
+    return light.own_part >= 0 && largest(light.power) > glaring &&
+           may_show(light, eye.frame->apex(), middle, half_angle);
+  });
+}
 
 bool some_cast_shadows(const EyeContext& eye) {
   const auto lights = eye.viewer.shader.lights();
@@ -62,8 +89,10 @@ SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, d
   if (!eye_.budget.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
-  const bool sampled =
-      leaf_shader_.add_samples(root, sample, {square, {}}, weight, LeafShader::enough_samples);
+  std::uint32_t fewest = LeafShader::enough_samples;
+  if (may_glare(eye_, square))
+    fewest = std::max(fewest, std::bit_ceil(static_cast<std::uint32_t>(samples_of_glare * weight)));
+  const bool sampled = leaf_shader_.add_samples(root, sample, {square, {}}, weight, fewest);
   sums_[root].rays += eye_.counts->rays() - before;
   return sampled ? sample : no_sample;
 }
