@@ -94,10 +94,6 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
 // What a leaf of the surface costs, in samples: those of mirrors are pyrays of their own.
 double Refinement::leaf_price(SampleId sample) const {
   const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
-  const bool mirror =
-      material.metallic > 0.5f && !bounds_volume(material) &&
-      static_cast<double>(least_mirror_roughness(material)) <= eye_->settings->mirror.roughest;
-  if (mirror) return Prices::mirroring_leaf;
   return may_be_glossy(material) ? Prices::glossy_leaf : Prices::leaf;
 }
 
