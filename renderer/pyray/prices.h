@@ -7,7 +7,7 @@ namespace asos {
 /// questions of nine scenes:
 ///  - a light cut exactly 3 to 34, half of them 4 to 20, a few some hundred: mean 8 to 46;
 ///  - a patch cut 20 to 150, half of them 25 to 70: mean 50 to 150;
-///  - a search for what bounds a hard shadow 2 to 8 (primitives, house and office by the time of all);
+///  - a search for what bounds a hard shadow 2 to 8, by the time of primitives and house;
 ///  - a search for a penumbra 0.2 to 1.8. But where it finds one the patch is split, and each part
 ///    is cut again, so that it is reckoned as a cut light (tests/bench/every_scene.cpp: at 5,
 ///    office takes a fifth longer at the same error).
