@@ -143,6 +143,37 @@ Json cell_json(const TracedCell& cell, const Namer& namer) {
           {"samples", std::move(samples)}};
 }
 
+const char* name_of(TracedPyray::Kind kind) {
+  switch (kind) {
+    case TracedPyray::Kind::shadow:
+      return "shadow";
+    case TracedPyray::Kind::mirror:
+      return "mirror";
+    case TracedPyray::Kind::eye:
+      break;
+  }
+  return "eye";
+}
+
+Json cells_json(const std::vector<TracedCell>& cells, const Namer& namer) {
+  Json list = Json::array();
+  for (const TracedCell& cell : cells) list.push_back(cell_json(cell, namer));
+  return list;
+}
+
+Json pyray_json(const TracedPyray& pyray, const RenderScene& scene, const Namer& namer) {
+  Json light = nullptr;
+  if (pyray.kind == TracedPyray::Kind::shadow) light = scene.lights()[pyray.light].name;
+  return {{"kind", name_of(pyray.kind)},
+          {"light", std::move(light)},
+          {"bounces", pyray.bounces},
+          {"parent", pyray.parent < 0 ? Json(nullptr) : Json(pyray.parent)},
+          {"from", place_json(pyray.from)},
+          {"weight", pyray.weight},
+          {"result", colour_json(pyray.result)},
+          {"cells", cells_json(pyray.cells, namer)}};
+}
+
 std::string text_of(const Json& value) {
   return value.get<std::string>();
 }
@@ -234,14 +265,31 @@ std::string cell_text(const Json& cell) {
   return text;
 }
 
+// A line for each, under the one whose leaf sent it on.
+std::string pyrays_text(const Json& pyrays) {
+  if (pyrays.empty()) return "";
+  std::string text = fmt::format("\n{:>3} {:>4}  {:<6} {:<13}  {:<6}  {:>5}  {:<20}  {}\n", "No",
+                                 "by", "pyray", "from", "weight", "cells", "result", "light");
+  for (std::size_t i = 0; i < pyrays.size(); ++i) {
+    const Json& p = pyrays[i];
+    text += fmt::format("{:>3} {:>4}  {:<6} {}  {:6.4f}  {:>5}  {}", i,
+                        p["parent"].is_null() ? "-" : fmt::format("{}", p["parent"].get<int>()),
+                        text_of(p["kind"]), place_text(p["from"]), p["weight"].get<double>(),
+                        p["cells"].size(), colour_text(p["result"]));
+    if (!p["light"].is_null()) text += "  " + fitted(text_of(p["light"]), 22);
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedPicture& picture) {
   const Namer namer(scene);
   Json levels = Json::array();
   for (const LevelTally& level : trace.levels) levels.push_back(level_json(level, namer));
-  Json cells = Json::array();
-  for (const TracedCell& cell : trace.cells) cells.push_back(cell_json(cell, namer));
+  Json pyrays = Json::array();
+  for (const TracedPyray& pyray : trace.pyrays) pyrays.push_back(pyray_json(pyray, scene, namer));
   return {{"scene", picture.scene},
           {"camera", picture.camera},
           {"size", {picture.settings.width, picture.settings.height}},
@@ -251,14 +299,15 @@ Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedP
           {"unresolved_area", trace.unresolved_area},
           {"missed_split", trace.missed},
           {"levels", std::move(levels)},
-          {"cells", std::move(cells)}};
+          {"cells", cells_json(trace.cells, namer)},
+          {"pyrays", std::move(pyrays)}};
 }
 
 std::string trace_text(const Json& trace) {
   std::string text = head_text(trace) + levels_text(trace["levels"]);
   text += fmt::format("\n{:>2}  {:<13}  {:<6} {}\n", "K", "corner", "side", "cell");
   for (const Json& cell : trace["cells"]) text += cell_text(cell);
-  return text;
+  return text + pyrays_text(trace["pyrays"]);
 }
 
 }  // namespace asos

@@ -17,8 +17,10 @@ struct TracedPicture {
   RenderSettings settings;  ///< the settings it was rendered with
 };
 
-/// How a pixel was subdivided: the papers' table level by level, then every cell. Objects are named
-/// by their part and material. Places are shares of the pixel, from its top left corner.
+/// How a pixel was subdivided: the papers' table level by level, then every cell, then the pyrays
+/// that its leaves sent on to lights and by way of mirrors, with the cells of each. Objects are
+/// named by their part and material. Places are shares of the pixel, or of the pyray's own square,
+/// from its top left corner.
 [[nodiscard]] nlohmann::ordered_json trace_json(const PixelTrace& trace, const RenderScene& scene,
                                                 const TracedPicture& picture);
 

@@ -107,6 +107,41 @@ TEST(TraceCommand, TheTableIsThePapers) {
   EXPECT_GT(rows, 20u);
 }
 
+// What the leaves of a pyray, and its own cells, say of each other; mirrors within mirrors as well.
+TEST(TraceCommand, PyraysOfMirrorsAndLightsAreTold) {
+  std::size_t mirrored_twice = 0, shadows = 0;
+  for (const glm::ivec2 pixel : {glm::ivec2{54, 20}, glm::ivec2{54, 30}, glm::ivec2{72, 35}}) {
+    const std::vector<std::string> words{"trace",  "builtin:glass", "--size",
+                                         "120x68", "--pixel",       argument_of(pixel)};
+    const json told = trace(std::vector<std::string>(words.begin() + 1, words.end()));
+    const json& pyrays = told.at("pyrays");
+    for (std::size_t i = 0; i < pyrays.size(); ++i) {
+      const json& p = pyrays[i];
+      const bool nested = !p.at("parent").is_null();
+      ASSERT_TRUE(!nested || p.at("parent").get<std::size_t>() < i);
+      const json& parent = nested ? pyrays[p.at("parent").get<std::size_t>()] : told;
+      bool is_there = false;
+      for (const json& cell : parent.at("cells"))
+        for (const json& s : cell.at("samples"))
+          is_there |= s.at("at") == p.at("from") && s.at("weight") == p.at("weight");
+      EXPECT_TRUE(is_there) << i << ": no leaf of its parent sent it";
+      EXPECT_FALSE(p.at("cells").empty());
+      if (p.at("kind") == "shadow") {
+        ++shadows;
+        EXPECT_FALSE(p.at("light").get<std::string>().empty());
+      } else {
+        EXPECT_EQ(p.at("kind"), "mirror");
+        EXPECT_TRUE(p.at("light").is_null());
+        mirrored_twice += p.at("bounces") == 1;
+      }
+    }
+    const AsosRun text = run_asos(words);
+    EXPECT_TRUE(test::contains(text.out, "pyray  from")) << argument_of(pixel);
+  }
+  EXPECT_GT(mirrored_twice, 0u);
+  EXPECT_GT(shadows, 0u);
+}
+
 TEST(TraceCommand, TextIsNoWiderThanAScreen) {
   bool cut = false;
   for (int x = 20; x < 76; x += 4) {
