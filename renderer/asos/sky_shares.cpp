@@ -154,7 +154,7 @@ SkyCourses::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
   const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
-  const double error = eye_->budget.standard_error(lit.weight) / unit;
+  const double error = eye_->budget.for_samples().standard_error(lit.weight) / unit;
   const double rays = SkyLit::rays_for(variance, error * error);
   return {variance,
           std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, double{most_rays})))};
@@ -189,7 +189,7 @@ void SkyShares::expect() {
 }
 
 void SkyShares::share_surfaces() {
-  const SkyCourses courses(lit_, expected_, eye_->budget.standard_error(1.0));
+  const SkyCourses courses(lit_, expected_, eye_->budget.for_samples().standard_error(1.0));
   std::vector<SkyCourses::Cell> cells = courses.cells(), parts;
   while (!cells.empty()) {
     std::erase_if(cells, [&](SkyCourses::Cell& cell) { return !courses.choose_nodes(cell); });

@@ -152,15 +152,25 @@ TEST(SkyShadows, AreAsExactAsEpsAsksFor) {
 }
 
 /// A picture of a floor with a wall on it, and of what stands before it, that no lamp lights.
-Picture floor_picture(World world, Method method, int size) {
+Picture floor_picture(World world, Method method, int size, int max_level = 3) {
   add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
   RenderSettings settings;
   settings.width = settings.height = size;
   settings.method = method;
   settings.sampling.spp = 1024;
+  settings.asos.max_level = max_level;
   settings.shadow.sky = true;
   return render_picture(*scene, look_at({0, 4, 4}, {0, 0, 0}, 0.7), settings);
+}
+
+double root_mean_square(const Film& found, const Film& exact) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < exact.radiance.size(); ++i) {
+    const double off = static_cast<double>(found.radiance[i].x - exact.radiance[i].x);
+    square += off * off / static_cast<double>(exact.radiance.size());
+  }
+  return std::sqrt(square);
 }
 
 // Leaves of one surface tell each other what they get: so few rays that all of them by themselves
@@ -170,14 +180,22 @@ TEST(SkyShadows, AreSharedOverASurface) {
   add_wall(wall, 2.0, 1.0);
   constexpr int size = 32;
   const Picture shared = floor_picture(wall, Method::asos, size);
-  const Film exact = floor_picture(wall, Method::sobol, size).film;
-  double square = 0.0;
-  for (std::size_t i = 0; i < exact.radiance.size(); ++i) {
-    const double off = static_cast<double>(shared.film.radiance[i].x - exact.radiance[i].x);
-    square += off * off / static_cast<double>(exact.radiance.size());
-  }
-  EXPECT_LT(std::sqrt(square), 1.5e-3);
+  EXPECT_LT(root_mean_square(shared.film, floor_picture(wall, Method::sobol, size).film), 1.5e-3);
   EXPECT_LT(shared.statistics.sky_rays, 90u * size * size);
+}
+
+// EPS alone says how exact they are: a MAX that splits less does not send fewer rays to the sky.
+TEST(SkyShadows, AreHeldToEpsWhateverMaxIs) {
+  World world;
+  for (int i = 0; i < 5; ++i)
+    add_quad(world, {-1.0f + 0.47f * static_cast<float>(i), 0.2f, 0.3f}, {0.25f, 0, 0},
+             {0, 0, -0.25f}, matte(glm::vec3(0.0f)));
+  constexpr int size = 32;
+  const Film exact = floor_picture(world, Method::sobol, size).film;
+  for (const int max_level : {1, 2, 3})
+    EXPECT_LT(root_mean_square(floor_picture(world, Method::asos, size, max_level).film, exact),
+              2.5e-3)
+        << max_level;
 }
 
 // A shadow between the nodes, less than a pixel wide and dark, is found by the leaves in it.
