@@ -109,7 +109,7 @@ Budget reflected_budget(const EyeContext& eye, const Reflection& reflection,
   const int levels = leaf.region.marginal ? all : Budget::levels_of(leaf.weight * reflected);
   const bool may_be_one_ray =
       leaf.region.marginal || all == 0 || eye.viewer.bounces > 0 || levels > all;
-  return eye.budget.nested(levels, reflected, may_be_one_ray ? 0 : 1);
+  return eye.budget.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
 }
 
 // What of the parent's square is mirrored: around the leaf, and, where that square is blurred

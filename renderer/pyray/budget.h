@@ -23,6 +23,9 @@ struct Budget {
   /// By how much more a difference of radiance, which is what is found, may show (see steepness):
   /// EPS and the tolerance are as much less.
   double steep = 1.0;
+  /// The root's share of its pixel: 1, or that of the leaf that sent it on. Errors of samples are
+  /// independent of those in the pixel's other parts, so that they may be larger by the root of it.
+  double share = 1.0;
 
   [[nodiscard]] static Budget of(const RenderSettings& settings) {
     const AsosSettings& asos = settings.asos;
@@ -59,7 +62,8 @@ struct Budget {
     Budget budget = *this;
     if (!refines() || max_level == 0 || steep * eps < invisible) return budget;
     budget.tolerance = std::min(tolerance, static_cast<float>(eps));
-    while (std::ldexp(1.0, -2 * (budget.max_level + 1)) > eps && budget.max_level < enough_levels)
+    while (share * std::ldexp(1.0, -2 * (budget.max_level + 1)) > eps &&
+           budget.max_level < enough_levels)
       ++budget.max_level;
     return budget;
   }
@@ -72,7 +76,7 @@ struct Budget {
   /// The standard error that a sampled part may have: half the tolerance, and more by the root of
   /// its weight, since the errors of a root's parts are independent.
   [[nodiscard]] double standard_error(double weight, double intensity = 1.0) const {
-    return 0.5 * static_cast<double>(tolerance) / (intensity * std::sqrt(weight));
+    return 0.5 * static_cast<double>(tolerance) / (intensity * std::sqrt(share * weight));
   }
 
   /// Rays, all over a part and a light, until the part's visibility is known to within half of EPS,
@@ -80,7 +84,7 @@ struct Budget {
   /// of their number.
   [[nodiscard]] double rays(double weight, double intensity) const {
     constexpr double error_of_one = 0.35;
-    const double error = 0.5 * std::max(eps, invisible) / (intensity * std::sqrt(weight));
+    const double error = 0.5 * std::max(eps, invisible) / (intensity * std::sqrt(share * weight));
     return std::pow(error_of_one / error, 4.0 / 3.0);
   }
 
@@ -136,6 +140,13 @@ struct Budget {
   /// The levels that a part of this weight has used up: one for each quarter.
   [[nodiscard]] static int levels_of(double weight) {
     return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / weight))));
+  }
+
+  /// The budget of what stands for a part of this weight alone.
+  [[nodiscard]] Budget of_part(double weight) const {
+    Budget budget = *this;
+    budget.share *= std::min(1.0, weight);
+    return budget;
   }
 
   /// The budget of a pyray that a leaf sends on, which used up `levels`: those that are left, but

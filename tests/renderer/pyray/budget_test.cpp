@@ -51,6 +51,25 @@ TEST(Budget, SamplesAreHeldToEpsWhateverMaxIs) {
   EXPECT_TRUE(std::isinf(error(2, 1.0 / 256.0))) << "nothing is sampled then";
 }
 
+// The samples of a mirror's parts err by as much together as those of a whole pixel, however deep
+// these are and whatever they are divided into themselves.
+TEST(Budget, WhatMirrorsSampleErrsAsAWholePixelDoes) {
+  RenderSettings settings;
+  for (settings.asos.max_level = 1; settings.asos.max_level <= 5; ++settings.asos.max_level) {
+    const Budget pixel = Budget::of(settings);
+    double variance = 0.0;
+    for (const double weight : {0.5, 0.25, 0.125, 0.0625, 0.0625}) {
+      const Budget leaf = pixel.of_part(weight).nested(Budget::levels_of(weight), 1.0, 1);
+      for (const double part : {0.5, 0.5}) {
+        const Budget again = leaf.of_part(part).nested(Budget::levels_of(part), 1.0, 1);
+        const double error = weight * part * again.for_samples().standard_error(1.0);
+        variance += error * error;
+      }
+    }
+    EXPECT_NEAR(std::sqrt(variance), 0.5 / 256.0, 1e-9) << settings.asos.max_level;
+  }
+}
+
 // What one thing at a time costs, many cost as many times; samples cost what their accuracy does.
 TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   RenderSettings settings;
