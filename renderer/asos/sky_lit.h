@@ -1,12 +1,14 @@
 #pragma once
 
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/square.h"
 #include "renderer/shading/light_transport.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -20,6 +22,10 @@ struct SkyLit {
   double weight = 1.0;
   glm::vec2 at{0.0f};
   std::uint64_t seed = 0;  ///< the leaf's own
+  /// The leaf's region; its border, of so many edges, is kept for all leaves together.
+  Square square;
+  std::size_t first_edge = 0, edges = 0;
+  bool flat = false;  ///< the surface is a plane, as far as the leaf shows it
   SurfacePoint point;
   std::uint32_t sheet = 0;  ///< the connected surface that the point is of
   ViewedMaterial material;

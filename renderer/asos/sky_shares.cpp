@@ -64,7 +64,13 @@ void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafCon
   lit.weight = shares_[share].weight;
   lit.at = leaf.at;
   lit.seed = leaf.seed;
+  lit.square = leaf.region.square;
+  lit.first_edge = borders_.size();
+  lit.edges = leaf.region.border.size();
+  borders_.insert(borders_.end(), leaf.region.border.begin(), leaf.region.border.end());
   lit.point = point.view.point;
+  lit.flat = !leaf.region.marginal && lit.point.triangle != Hit::none &&
+             !(eye_->scene->features().deviation(lit.point.triangle) > 0.0f);
   lit.sheet = eye_->scene->features().sheet(lit.point.triangle);
   lit.material = point.material;
   lit.to_viewer = point.view.to_viewer;
@@ -89,16 +95,33 @@ glm::vec3 SkyShares::at_once(const SkyLitPoint& point, const LeafContext& leaf) 
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 
+// Where the next ray of a plane leaf starts, from its sample on: anywhere in its region, the
+// rectangle around which is `box`.
+glm::vec3 SkyShares::beside(const SkyLit& lit, const Bounds2& box, const SobolPixel& leaf) const {
+  constexpr std::uint32_t tries = 8;
+  if (!lit.flat) return glm::vec3(0.0f);
+  const LeafRegion all = region(lit);
+  const glm::dvec3 from(lit.point.position), normal(lit.point.geometric_normal);
+  for (std::uint32_t i = 0; i < tries; ++i) {
+    const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(leaf.light(lit.rays, i)));
+    if (!all.holds(at)) continue;
+    const auto found = eye_->frame->on_plane(glm::dvec2(at), {normal, glm::dot(normal, from)});
+    return found ? glm::vec3(*found - from) : glm::vec3(0.0f);
+  }
+  return glm::vec3(0.0f);
+}
+
 // Sends the rays of a surface up to number `end`.
 void SkyShares::send(std::size_t index, std::uint32_t end) {
   SkyLit& lit = lit_[index];
   if (lit.rays >= end) return;
   const ViewedPoint view{lit.point, lit.to_viewer, lit.n_dot_v};
   const SkySampler sampler(lit.lit_point(view));
-  // A leaf has one place, so that directions may take the sequence's first two dimensions.
+  // Directions take the sequence's first two dimensions, and places the others.
   const SobolPixel leaf(static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
                         static_cast<std::uint32_t>(eye_->seed));
   SobolPixelPlaces places;
+  const Bounds2 box = bounds_of(region(lit));
   for (; lit.rays < end; ++lit.rays) {
     const auto sample = sampler.at(places.at(leaf, lit.rays));
     if (!sample) continue;
@@ -114,6 +137,7 @@ void SkyShares::send(std::size_t index, std::uint32_t end) {
     ++eye_->counts->sky_rays;
     const std::size_t i = packet_->count++;
     packet_->rays[i] = sky_ray(lit.point, *sample);
+    packet_->rays[i].origin += beside(lit, box, leaf);
     packet_->sent[i] = {index, sample->carried, sample->weight, lit.rays};
     if (packet_->count == Packet::size) trace();
   }
@@ -221,6 +245,7 @@ std::span<const SkyShares::Share> SkyShares::run() {
     share.rays += lit.rays;
   }
   lit_.clear();
+  borders_.clear();
   done_.swap(shares_);
   shares_.clear();
   return done_;

@@ -4,6 +4,8 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/sky_courses.h"
 #include "renderer/asos/sky_lit.h"
+#include "renderer/geometry/bounds2.h"
+#include "renderer/pyray/square.h"
 #include "renderer/samples/bounced_light.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
@@ -25,7 +27,8 @@ namespace asos {
 
 /// What the leaves of a block get of the sky: by rays in directions that are well distributed over
 /// each leaf's hemisphere, first a few, then as many as its share of the sky makes worth while,
-/// unless others of its surface tell what it gets (SkyCourses). Where all of the sky's light is
+/// unless others of its surface tell what it gets (SkyCourses). Those of plane leaves start all
+/// over them: what stands on the plane may shade a sliver alone. Where all of the sky's light is
 /// known in closed form, rays find out what is hidden of it. With bounces, they bring what hides it
 /// instead (BouncedLight). The rays of all leaves share packets.
 class SkyShares {
@@ -74,6 +77,11 @@ class SkyShares {
   [[nodiscard]] bool held(const SkyLit& lit) const {
     return shares_[lit.share].sample != no_sample;
   }
+  [[nodiscard]] LeafRegion region(const SkyLit& lit) const {
+    return {lit.square, std::span(borders_).subspan(lit.first_edge, lit.edges)};
+  }
+  [[nodiscard]] glm::vec3 beside(const SkyLit& lit, const Bounds2& box,
+                                 const SobolPixel& leaf) const;
   void send(std::size_t index, std::uint32_t end);
   void trace();
   void trace_bounces();
@@ -85,6 +93,7 @@ class SkyShares {
   std::vector<Share> shares_;
   std::vector<Share> done_;
   std::vector<SkyLit> lit_;
+  std::vector<BorderEdge> borders_;
   std::vector<SkyCourses::Expected> expected_;  // of each
   Recycled<Packet> packet_ = Recycler<Packet>::make();
   // With bounces, what they bring.

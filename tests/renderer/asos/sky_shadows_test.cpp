@@ -198,6 +198,35 @@ TEST(SkyShadows, AreHeldToEpsWhateverMaxIs) {
         << max_level;
 }
 
+// What stands on a plane shades a sliver of the pixel before it most: the mean over the pixel, and
+// not what its middle gets.
+TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
+  constexpr double height = 0.02, side = 0.2;
+  constexpr int size = 4;
+  World wall;
+  add_wall(wall, 1.0, height);
+  add_quad(wall, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, chalk());
+  const auto scene = make_render_scene(std::move(wall), {dark()});
+  // The last column of pixels ends at the wall.
+  Camera camera = look_at({1.0 - size * side / 2.0, 5, 0.01}, {1.0 - size * side / 2.0, 0, 0}, 0.7);
+  camera.type = Camera::Type::orthographic;
+  camera.height = size * side;
+  RenderSettings settings;
+  settings.width = settings.height = size;
+  settings.shadow.sky = true;
+  constexpr int seeds = 64;
+  double seen = 0.0;
+  for (settings.seed = 0; settings.seed < seeds; ++settings.seed) {
+    const Film film = render_picture(*scene, camera, settings).film;
+    for (int y = 0; y < size; ++y)
+      seen += static_cast<double>(film.radiance[film.index(size - 1, y)].r) /
+              (albedo * static_cast<double>(sky_radiance) * size * seeds);
+  }
+  // Where the first few rays all see the sky, more are seldom sent: 3e-3 of it too much.
+  EXPECT_NEAR(seen, 0.5 * (1.0 + (std::hypot(side, height) - height) / side), 6e-3);
+  EXPECT_LT(seen, 1.0 - wall_factor(side / 2.0, height) - 0.03) << "what its middle gets";
+}
+
 // A shadow between the nodes, less than a pixel wide and dark, is found by the leaves in it.
 TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
   World world;
