@@ -92,6 +92,16 @@ std::vector<double> most_carried(std::span<const PreparedLight> lights, const Li
   return most;
 }
 
+// The rays that a point sends to lights that carry so much: none to any twice, so that few of these
+// get fewer.
+double rays_of_point(std::span<const double> carried) {
+  const double all = std::accumulate(carried.begin(), carried.end(), 0.0);
+  double rays = 0.0;
+  for (const double one : carried)
+    if (one > 0.0) rays += std::min(1.0, static_cast<double>(rays_a_point) * one / all);
+  return std::max(1.0, rays);
+}
+
 }  // namespace
 
 WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
@@ -108,6 +118,7 @@ void WeakLights::take_all() {
   intensity_ = 1.0;
   for (const PreparedLight& light : eye_->viewer.shader.lights())
     weak_.push_back(light.casts_shadows ? 1 : 0);
+  rays_of_point_ = static_cast<double>(rays_a_point);
   lights_.restrict_to(weak_, rays_a_point);
 }
 
@@ -151,7 +162,12 @@ void WeakLights::find(int side) {
   }
   if (strong == order.size()) return;
   weak_.assign(lights.size(), 0);
-  for (std::size_t k = strong; k < order.size(); ++k) weak_[order[k]] = 1;
+  std::vector<double> of_weak;
+  for (std::size_t k = strong; k < order.size(); ++k) {
+    weak_[order[k]] = 1;
+    of_weak.push_back(carried[order[k]]);
+  }
+  rays_of_point_ = rays_of_point(of_weak);
   lights_.restrict_to(weak_, rays_a_point);
 }
 
@@ -165,8 +181,8 @@ std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weig
 // So many that their rays tell what the leaf deserves to know.
 std::uint32_t WeakLights::points_of(double weight) const {
   const double rays = eye_->budget.rays(weight, intensity_);
-  return std::bit_ceil(static_cast<std::uint32_t>(std::clamp(
-      std::ceil(rays / static_cast<double>(rays_a_point)), 1.0, static_cast<double>(most_points))));
+  return std::bit_ceil(static_cast<std::uint32_t>(
+      std::clamp(std::ceil(rays / rays_of_point_), 1.0, static_cast<double>(most_points))));
 }
 
 // Finds the places of the leaf's points and what is there.

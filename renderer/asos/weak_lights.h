@@ -65,7 +65,8 @@ class WeakLights {
   const EyeContext* eye_;
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
-  double intensity_ = 0.0;  // of all weak ones together, where they are brightest
+  double intensity_ = 0.0;      // of all weak ones together, where they are brightest
+  double rays_of_point_ = 1.0;  // that they get, about, where they are brightest
   SobolPlaces places_;
   SampledLights lights_;
   std::vector<Share> shares_;

@@ -184,6 +184,28 @@ TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
   EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
 }
 
+// No ray goes to one of them twice: where one carries all of it, points are as many as rays are
+// worth.
+TEST(ManyLights, OneThatIsAllOfTheirLightGetsAllTheirRays) {
+  Light panel = rectangle_light();
+  panel.position = {0.3, 2.0, 0.2};
+  panel.direction = {0, -1, 0};
+  panel.half_u = {1.5, 0, 0};
+  panel.half_v = {0, 0, 1.5};
+  const double brightest = brightest_of(picture_of({panel}, exact_settings()).film);
+  panel.intensity *= static_cast<float>(0.04 / brightest);
+  std::vector<Light> lights = hundred_dim_lights();
+  for (Light& light : lights) light.intensity *= 1e-6f;
+  lights.push_back(panel);
+  const Picture exact = picture_of(lights, exact_settings());
+  RenderSettings settings = exact_settings();
+  settings.asos.eps = 1.0 / 256.0;
+  settings.asos.refine_shading = true;
+  const Picture sampled = picture_of(lights, settings);
+  EXPECT_EQ(sampled.statistics.shadow_pyrays, 0u) << "it is too dim to be asked by itself";
+  EXPECT_LT(difference(sampled.film, exact.film).rms, 0.25 * settings.asos.eps);
+}
+
 // What a light gives is not told by its middle, which may lie below the floor that it shines on.
 TEST(ManyLights, ThatStandInTheFloorAreWorthTheirRays) {
   World world;
