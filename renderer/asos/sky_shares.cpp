@@ -41,6 +41,40 @@ bool finite(glm::vec3 v) {
   return std::isfinite(v.x + v.y + v.z);
 }
 
+// All of the sky's light where no closed form tells it: that of what is matte, and the rest by what
+// rays would carry that need not be sent, four quarters of a sequence until their scatter tells
+// that the mean is known to `error`. The leaf's rays take other places.
+glm::vec3 open_by_samples(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
+  const SkySampler sampler(point);
+  const std::optional<glm::vec3> matte = open_sky_of_matte(point);
+  constexpr std::uint32_t least = 16, most = 1024, other_places = 0x100;
+  std::array<glm::dvec3, most / (least / 4)> sums{};
+  std::uint32_t taken = 0;
+  for (std::uint32_t end = least;; end *= 2) {
+    for (; taken < end; ++taken) {
+      const auto sample = sampler.at(leaf.light(taken, other_places));
+      if (!sample || !finite(sample->carried)) continue;
+      sums[taken / (least / 4)] += sample->carried;
+      if (matte) sums[taken / (least / 4)] -= sample->matte;
+    }
+    const std::uint32_t quarter = end / least;
+    std::array<glm::dvec3, 4> means{};
+    glm::dvec3 mean(0.0);
+    for (std::uint32_t q = 0; q < 4; ++q) {
+      for (std::uint32_t k = q * quarter; k < (q + 1) * quarter; ++k) means[q] += sums[k];
+      means[q] *= 4.0 / end;
+      mean += 0.25 * means[q];
+    }
+    double squares = 0.0;
+    for (const glm::dvec3& part : means) {
+      const double off = largest(glm::abs(part - mean));
+      squares += off * off;
+    }
+    if (end >= most || std::sqrt(squares / 12.0) <= error)
+      return glm::max(glm::vec3(mean) + matte.value_or(glm::vec3(0.0f)), 0.0f);
+  }
+}
+
 }  // namespace
 
 SkyShares::SkyShares(const EyeContext& eye)
@@ -55,6 +89,12 @@ SkyShares::SkyShares(const EyeContext& eye)
 std::uint32_t SkyShares::start(std::uint32_t root, SampleId sample, double weight) {
   shares_.push_back({root, sample, weight});
   return static_cast<std::uint32_t>(shares_.size() - 1);
+}
+
+// A sequence of the leaf's own.
+SobolPixel SkyShares::leaf_places(const SkyLit& lit) const {
+  return {static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
+          static_cast<std::uint32_t>(eye_->seed)};
 }
 
 void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafContext& leaf) {
@@ -79,6 +119,11 @@ void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafCon
   lit.mirrors = point.mirrors;
   lit.factor = point.share;
   lit.open = open_sky(point);
+  if (!lit.open) {
+    constexpr double share_of_error = 0.7;
+    const double error = share_of_error * eye_->budget.for_samples().standard_error(lit.weight);
+    lit.open = open_by_samples(point, leaf_places(lit), error);
+  }
   ViewedMaterial shown = point.material;
   if (point.mirrors) shown.specular = glm::vec3(0.0f);
   if (bounces_) {
@@ -118,8 +163,7 @@ void SkyShares::send(std::size_t index, std::uint32_t end) {
   const ViewedPoint view{lit.point, lit.to_viewer, lit.n_dot_v};
   const SkySampler sampler(lit.lit_point(view));
   // Directions take the sequence's first two dimensions, and places the others.
-  const SobolPixel leaf(static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
-                        static_cast<std::uint32_t>(eye_->seed));
+  const SobolPixel leaf = leaf_places(lit);
   SobolPixelPlaces places;
   const Bounds2 box = bounds_of(region(lit));
   for (; lit.rays < end; ++lit.rays) {

@@ -77,6 +77,7 @@ class SkyShares {
   [[nodiscard]] bool held(const SkyLit& lit) const {
     return shares_[lit.share].sample != no_sample;
   }
+  [[nodiscard]] SobolPixel leaf_places(const SkyLit& lit) const;
   [[nodiscard]] LeafRegion region(const SkyLit& lit) const {
     return {lit.square, std::span(borders_).subspan(lit.first_edge, lit.edges)};
   }

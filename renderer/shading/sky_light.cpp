@@ -178,6 +178,8 @@ std::optional<SkySample> SkySampler::at(glm::dvec2 place) const {
   const glm::vec3 radiance = sky_ ? sky_->radiance(sample.direction) : background_radiance;
   sample.weight = factor_ * reflected * (direction.z / density);
   sample.carried = sample.weight * radiance;
+  const float even = std::numbers::inv_pi_v<float> * direction.z / density;
+  sample.matte = factor_ * material_.diffuse * even * radiance;
   return sample;
 }
 
@@ -190,6 +192,13 @@ Ray sky_ray(const SurfacePoint& point, const SkySample& sample) {
   ray.direction = sample.direction;
   ray.origin = spawn_origin(point, ray.direction);
   return ray;
+}
+
+std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point) {
+  ViewedMaterial matte = point.material;
+  matte.specular = glm::vec3(0.0f);
+  matte.sheen = matte.falloff = 0.0f;
+  return open_sky({point.sky, point.view, matte, point.mirrors, point.share});
 }
 
 std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {

@@ -18,6 +18,7 @@ struct SkySample {
   glm::vec3 direction{0.0f};  ///< unit
   glm::vec3 weight{0.0f};     ///< of the radiance from there in that towards the viewer
   glm::vec3 carried{0.0f};    ///< radiance towards the viewer, if nothing lies in the direction
+  glm::vec3 matte{0.0f};      ///< the same of the diffuse part alone, as if it did not fall off
   bool above = true;          ///< the surface itself does not lie there
 };
 
@@ -67,5 +68,7 @@ class SkySampler {
 /// that are the same all over (the lobe's part as exact as lobe_norms), and of what is
 /// not shiny under gradients.
 [[nodiscard]] std::optional<glm::vec3> open_sky(const SkyLitPoint& point);
+/// The mean of `matte`, where a closed form is known.
+[[nodiscard]] std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point);
 
 }  // namespace asos

@@ -240,6 +240,30 @@ TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
     EXPECT_NEAR(found.radiance[i].x, exact.radiance[i].x, 0.02f) << i % size << ' ' << i / size;
 }
 
+// What shines shows another part of a gradient by each ray: where nothing hides any of it, and a
+// few rays tell so, its light is as exact as EPS asks all the same.
+TEST(SkyShadows, WhatShinesUnderAGradientIsAsExactAsEpsAsksFor) {
+  for (const float metallic : {0.0f, 1.0f}) {
+    World world;
+    Material material = matte(glm::vec3(0.8f));
+    material.metallic = metallic;
+    material.specular = 1.0f;
+    material.roughness = 0.5f;
+    add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
+    const auto scene = make_render_scene(std::move(world), {dark()});
+    RenderSettings settings;
+    settings.width = settings.height = 16;
+    settings.shadow.sky = true;
+    settings.sky = std::make_shared<const Sky>(Environment::studio);
+    settings.sampling.spp = 4096;
+    const Camera camera = look_at({0, 2, 4}, {0, 0, 0}, 0.7);
+    const Film found = render_picture(*scene, camera, settings).film;
+    settings.method = Method::sobol;
+    const Film exact = render_picture(*scene, camera, settings).film;
+    EXPECT_LT(root_mean_square(found, exact), 0.5 * settings.asos.eps) << metallic;
+  }
+}
+
 TEST(SkyShadows, AreLeftOutWhereLightsCastNone) {
   World wall;
   add_wall(wall, 1.0, 2.0);
