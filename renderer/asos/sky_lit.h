@@ -52,13 +52,12 @@ struct SkyLit {
   [[nodiscard]] double seen() const {
     return largest(sent) > 0.0 ? std::min(1.0, largest(arrived) / largest(sent)) : 1.0;
   }
-  /// All that arrives. What rays would have carried, and its true mean, tell how much too bright a
-  /// part of the sky they went to (a control variate, by the share of it that is seen).
+  /// All that arrives. Where most of the sky is seen, rays tell what of it is hidden.
   [[nodiscard]] glm::dvec3 mean() const {
     if (told) return *told;
     const double all = rays;
-    if (!open) return arrived / all;
-    return glm::max((arrived + seen() * (all * glm::dvec3(*open) - sent)) / all, 0.0);
+    if (!open || seen() < 0.5) return arrived / all;
+    return glm::max(glm::dvec3(*open) - (sent - arrived) / all, 0.0);
   }
   /// A ray has brought so much, and would have carried `whole`. More than white is white.
   void arrive(glm::dvec3 brought, glm::vec3 whole) {

@@ -47,7 +47,8 @@ bool finite(glm::vec3 v) {
 glm::vec3 open_by_samples(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
   const SkySampler sampler(point);
   const std::optional<glm::vec3> matte = open_sky_of_matte(point);
-  constexpr std::uint32_t least = 16, most = 1024, other_places = 0x100;
+  // Fewer end too early where they miss what is bright: with 16 the mean is 2.5e-4 too dark.
+  constexpr std::uint32_t least = 128, most = 1024, other_places = 0x100;
   std::array<glm::dvec3, most / (least / 4)> sums{};
   std::uint32_t taken = 0;
   for (std::uint32_t end = least;; end *= 2) {
