@@ -147,11 +147,12 @@ glm::vec3 SkyShares::beside(const SkyLit& lit, const Bounds2& box, const SobolPi
   constexpr std::uint32_t tries = 8;
   if (!lit.flat) return glm::vec3(0.0f);
   const LeafRegion all = region(lit);
-  const glm::dvec3 from(lit.point.position), normal(lit.point.geometric_normal);
+  const glm::dvec3 from(lit.point.position);
+  const HalfSpace plane = HalfSpace::through(from, glm::dvec3(lit.point.geometric_normal));
   for (std::uint32_t i = 0; i < tries; ++i) {
     const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(leaf.light(lit.rays, i)));
     if (!all.holds(at)) continue;
-    const auto found = eye_->frame->on_plane(glm::dvec2(at), {normal, glm::dot(normal, from)});
+    const auto found = eye_->frame->on_plane(glm::dvec2(at), plane);
     return found ? glm::vec3(*found - from) : glm::vec3(0.0f);
   }
   return glm::vec3(0.0f);

@@ -204,8 +204,8 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
     // On the plane that the leaf shows, or wherever its surface bends to.
     const FeatureSet& features = eye_->scene->features();
     if (features.deviation(point.triangle) <= 0.0f) {
-      const glm::dvec3 normal(point.geometric_normal);
-      const HalfSpace plane{normal, glm::dot(normal, glm::dvec3(point.position))};
+      const HalfSpace plane =
+          HalfSpace::through(glm::dvec3(point.position), glm::dvec3(point.geometric_normal));
       for (const glm::vec2 at : at_) {
         seen_.push_back(point);
         if (const auto there = eye_->frame->on_plane(glm::dvec2(at), plane))

@@ -53,7 +53,7 @@ class View {
   /// Of an orthographic view whose rays start in its image plane: what lies ahead of that.
   [[nodiscard]] std::optional<HalfSpace> ahead() const {
     if (perspective_ || beyond_ || start_ > 0.0) return std::nullopt;
-    return HalfSpace{forward_, glm::dot(forward_, eye_)};
+    return HalfSpace::through(eye_, forward_);
   }
 
   /// The eye ray through a point of the picture, in pixels; unit direction.

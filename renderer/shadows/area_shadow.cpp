@@ -56,7 +56,7 @@ Visibility divided_shadow(const ShadowContext& block, const ShadowQuery& query,
   const LeafRegion& region = query.leaf.region;
   const Receiver middle = receiver_above(query.lit.point, query.lit.light);
   const glm::dvec3 lift = middle.position - glm::dvec3(query.lit.point.position);
-  const HalfSpace plane{middle.geometric, glm::dot(middle.geometric, middle.position - lift)};
+  const HalfSpace plane = HalfSpace::through(middle.position - lift, middle.geometric);
   Visibility sum(0.0);
   int parts = 0;
   for (int i = 0; i < n * n; ++i) {

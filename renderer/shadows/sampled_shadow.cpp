@@ -105,7 +105,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   if (flat(block, point)) {
     // Where the viewer sees the patch; the rays start clear of it.
     const glm::dvec3 lift = middle.position - glm::dvec3(point.position);
-    const HalfSpace plane{middle.geometric, glm::dot(middle.geometric, glm::dvec3(point.position))};
+    const HalfSpace plane = HalfSpace::through(glm::dvec3(point.position), middle.geometric);
     for (std::size_t k = 0; k < work.places.size(); ++k) {
       const auto on_plane = block.frame->on_plane(glm::dvec2(work.places[k]), plane);
       if (!on_plane) continue;

@@ -73,7 +73,7 @@ std::optional<ShadowPatch> patch_of(const ShadowContext& block, const SurfacePoi
                                     const LeafRegion& region, const Square& s) {
   ShadowPatch patch;
   const glm::dvec3 normal(point.geometric_normal);
-  patch.plane = {normal, glm::dot(normal, glm::dvec3(point.position))};
+  patch.plane = HalfSpace::through(glm::dvec3(point.position), normal);
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec2 corner(s.u + ((i & 1) ? s.side : 0.0f), s.v + ((i & 2) ? s.side : 0.0f));
     const auto at = block.frame->on_plane(corner, patch.plane);
