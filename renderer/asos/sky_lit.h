@@ -34,8 +34,8 @@ struct SkyLit {
   const Sky* sky = nullptr;
   bool mirrors = false;
   glm::vec3 factor{1.0f};
-  std::optional<glm::vec3> open{};  ///< all of the sky's light, if nothing hid it
-  /// About the same, whatever sky it is; with bounces, of white surroundings.
+  glm::vec3 open{0.0f};  ///< all of the sky's light, if nothing hid it
+  /// The same; with bounces, of white surroundings.
   glm::vec3 unit{0.0f};
 
   std::uint32_t rays = 0;
@@ -56,8 +56,8 @@ struct SkyLit {
   [[nodiscard]] glm::dvec3 mean() const {
     if (told) return *told;
     const double all = rays;
-    if (!open || seen() < 0.5) return arrived / all;
-    return glm::max(glm::dvec3(*open) - (sent - arrived) / all, 0.0);
+    if (seen() < 0.5) return arrived / all;
+    return glm::max(glm::dvec3(open) - (sent - arrived) / all, 0.0);
   }
   /// A ray has brought so much, and would have carried `whole`. More than white is white.
   void arrive(glm::dvec3 brought, glm::vec3 whole) {

@@ -1,5 +1,6 @@
 #include "renderer/asos/sky_shares.h"
 
+#include "renderer/asos/open_sky.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/sky.h"
 #include "renderer/shading/sky_light.h"
@@ -39,41 +40,6 @@ struct ErrorSums {
 
 bool finite(glm::vec3 v) {
   return std::isfinite(v.x + v.y + v.z);
-}
-
-// All of the sky's light where no closed form tells it: that of what is matte, and the rest by what
-// rays would carry that need not be sent, four quarters of a sequence until their scatter tells
-// that the mean is known to `error`. The leaf's rays take other places.
-glm::vec3 open_by_samples(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
-  const SkySampler sampler(point);
-  const std::optional<glm::vec3> matte = open_sky_of_matte(point);
-  // Fewer end too early where they miss what is bright: with 16 the mean is 2.5e-4 too dark.
-  constexpr std::uint32_t least = 128, most = 1024, other_places = 0x100;
-  std::array<glm::dvec3, most / (least / 4)> sums{};
-  std::uint32_t taken = 0;
-  for (std::uint32_t end = least;; end *= 2) {
-    for (; taken < end; ++taken) {
-      const auto sample = sampler.at(leaf.light(taken, other_places));
-      if (!sample || !finite(sample->carried)) continue;
-      sums[taken / (least / 4)] += sample->carried;
-      if (matte) sums[taken / (least / 4)] -= sample->matte;
-    }
-    const std::uint32_t quarter = end / least;
-    std::array<glm::dvec3, 4> means{};
-    glm::dvec3 mean(0.0);
-    for (std::uint32_t q = 0; q < 4; ++q) {
-      for (std::uint32_t k = q * quarter; k < (q + 1) * quarter; ++k) means[q] += sums[k];
-      means[q] *= 4.0 / end;
-      mean += 0.25 * means[q];
-    }
-    double squares = 0.0;
-    for (const glm::dvec3& part : means) {
-      const double off = largest(glm::abs(part - mean));
-      squares += off * off;
-    }
-    if (end >= most || std::sqrt(squares / 12.0) <= error)
-      return glm::max(glm::vec3(mean) + matte.value_or(glm::vec3(0.0f)), 0.0f);
-  }
 }
 
 }  // namespace
@@ -119,21 +85,12 @@ void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafCon
   lit.sky = point.sky;
   lit.mirrors = point.mirrors;
   lit.factor = point.share;
-  lit.open = open_sky(point);
-  if (!lit.open) {
-    constexpr double share_of_error = 0.7;
-    const double error = share_of_error * eye_->budget.for_samples().standard_error(lit.weight);
-    lit.open = open_by_samples(point, leaf_places(lit), error);
-  }
-  ViewedMaterial shown = point.material;
-  if (point.mirrors) shown.specular = glm::vec3(0.0f);
-  if (bounces_) {
-    lit.unit = point.share * (shown.diffuse + shown.specular);
-  } else {
-    lit.unit = lit.open ? *lit.open
-                        : point.share * reflected_sky(point.sky, shown, lit.point.shading_normal,
-                                                      lit.to_viewer);
-  }
+  constexpr double share_of_error = 0.7;
+  lit.open =
+      open_sky_within(point, leaf_places(lit),
+                      share_of_error * eye_->budget.for_samples().standard_error(lit.weight));
+  const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : point.material.specular;
+  lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
 
 glm::vec3 SkyShares::at_once(const SkyLitPoint& point, const LeafContext& leaf) {
