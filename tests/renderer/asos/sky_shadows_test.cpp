@@ -164,6 +164,15 @@ Picture floor_picture(World world, Method method, int size, int max_level = 3) {
   return render_picture(*scene, look_at({0, 4, 4}, {0, 0, 0}, 0.7), settings);
 }
 
+/// Five black squares in a row, so high above the floor.
+World specks(float height) {
+  World world;
+  for (int i = 0; i < 5; ++i)
+    add_quad(world, {-1.0f + 0.47f * static_cast<float>(i), height, 0.3f}, {0.25f, 0, 0},
+             {0, 0, -0.25f}, matte(glm::vec3(0.0f)));
+  return world;
+}
+
 double root_mean_square(const Film& found, const Film& exact) {
   double square = 0.0;
   for (std::size_t i = 0; i < exact.radiance.size(); ++i) {
@@ -186,10 +195,7 @@ TEST(SkyShadows, AreSharedOverASurface) {
 
 // EPS alone says how exact they are: a MAX that splits less does not send fewer rays to the sky.
 TEST(SkyShadows, AreHeldToEpsWhateverMaxIs) {
-  World world;
-  for (int i = 0; i < 5; ++i)
-    add_quad(world, {-1.0f + 0.47f * static_cast<float>(i), 0.2f, 0.3f}, {0.25f, 0, 0},
-             {0, 0, -0.25f}, matte(glm::vec3(0.0f)));
+  const World world = specks(0.2f);
   constexpr int size = 32;
   const Film exact = floor_picture(world, Method::sobol, size).film;
   for (const int max_level : {1, 2, 3})
@@ -229,10 +235,7 @@ TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
 
 // A shadow between the nodes, less than a pixel wide and dark, is found by the leaves in it.
 TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
-  World world;
-  for (int i = 0; i < 5; ++i)
-    add_quad(world, {-1.0f + 0.47f * static_cast<float>(i), 0.02f, 0.3f}, {0.25f, 0, 0},
-             {0, 0, -0.25f}, matte(glm::vec3(0.0f)));
+  const World world = specks(0.02f);
   constexpr int size = 64;
   const Film found = floor_picture(world, Method::asos, size).film;
   const Film exact = floor_picture(world, Method::sobol, size).film;
