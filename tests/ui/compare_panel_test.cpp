@@ -15,7 +15,7 @@ using test::usual_display;
 
 class ComparePanelTest : public PanelsTest {
  protected:
-  ComparePanelTest() {
+  ComparePanelTest() : PanelsTest(1) {
     rig.click("section/Compare");
     rig.frame();
   }

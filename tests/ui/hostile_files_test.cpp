@@ -36,6 +36,7 @@ class HostileFiles : public testing::Test {
  protected:
   HostileFiles() {
     rig_.set_blind(true);
+    rig_.set_pixel_size(3);
     ImGui::GetIO().ClipboardUserData = &copied_;
     ImGui::GetIO().SetClipboardTextFn = [](void* to, const char* text) {
       *static_cast<std::string*>(to) = text;

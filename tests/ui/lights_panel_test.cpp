@@ -228,6 +228,9 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
 }
 
 TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
+  rig.set_pixel_size(1);
+  EXPECT_TRUE(rig.settle());
+  (void)restarted();
   rig.click("Face to light");
   rig.frame();
   EXPECT_TRUE(rig.content().controls().all().contains("Light error")) << "nothing was clicked yet";
@@ -249,6 +252,7 @@ TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
 }
 
 TEST_F(LightsPanelTest, AMarkInThePictureMovesItsLight) {
+  rig.set_pixel_size(1);
   type_into("Position/y", "0.2");
   (void)restarted();
   const glm::dvec3 before = light().position;

@@ -142,6 +142,7 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
       },
       {300, 200});
   rig.set_blind(true);
+  rig.set_pixel_size(3);
   rig.previewer().edits().settings().asos.max_level = 0;
   std::vector<std::weak_ptr<const RenderScene>> seen;
   const auto open = [&](const std::string& source) {

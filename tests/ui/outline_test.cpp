@@ -132,6 +132,7 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
 
 // Of hundreds of objects the list shows a few: among them that which was clicked.
 TEST_F(OutlineTest, TheListShowsWhatWasClicked) {
+  rig.set_pixel_size(1);
   rig.previewer().scene().open("grating");
   ASSERT_TRUE(rig.frames_until([&] { return parts() > 200; }));
   ASSERT_TRUE(rig.settle());

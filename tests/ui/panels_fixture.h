@@ -6,16 +6,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
 namespace asos::test {
 
-/// A window beside whose picture there is room for the whole panel, with a scene open. Blind.
+/// A window beside whose picture there is room for the whole panel, with a scene open. Blind, and
+/// of nine of the window's pixels to one of the picture where a test does not say otherwise.
 class PanelsTest : public testing::Test {
  protected:
-  PanelsTest() {
+  explicit PanelsTest(int pixel_size = 3) {
     rig.set_blind(true);
+    rig.set_pixel_size(pixel_size);
     rig.previewer().scene().open("scene");
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
     EXPECT_TRUE(rig.settle());
@@ -26,7 +29,8 @@ class PanelsTest : public testing::Test {
   void slide(const std::string& name, float from, float to) {
     const Controls::Placed at = rig.control(name);
     const float y = at.centre().y;
-    rig.drag({glm::mix(at.lo.x, at.hi.x, from), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
+    rig.rest();
+    rig.drag({std::ceil(glm::mix(at.lo.x, at.hi.x, from)), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
   }
   /// Changes may wait for the picture of the render before them.
   bool restarted() {

@@ -127,6 +127,8 @@ TEST_F(PanelsTest, DisplayControlsRestartNothing) {
 }
 
 TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
+  rig.set_pixel_size(1);
+  EXPECT_TRUE(rig.settle());
   rig.click("Split map");
   rig.frame();
   rig.frame();
@@ -368,6 +370,8 @@ TEST_F(PanelsTest, LettersTypedIntoTheDialogAreNoShortcuts) {
 }
 
 TEST_F(PanelsTest, ThePanelCanBeHidden) {
+  rig.set_pixel_size(1);
+  EXPECT_TRUE(rig.settle());
   const int width = rig.content().picture_rect().width;
   rig.key(Key::tab);
   EXPECT_EQ(rig.content().picture_rect().width, rig.size().x);
@@ -376,6 +380,8 @@ TEST_F(PanelsTest, ThePanelCanBeHidden) {
 }
 
 TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
+  rig.set_pixel_size(1);
+  EXPECT_TRUE(rig.settle());
   rig.move_to(rig.control("EPS").centre());
   const std::vector<glm::u8vec3> before = rig.pixels();
   ASSERT_TRUE(rig.content().seconds_to_redraw().has_value()) << "a frame is due for the tooltip";

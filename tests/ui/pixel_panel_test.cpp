@@ -13,6 +13,7 @@ using test::PanelsTest;
 
 class PixelPanelTest : public PanelsTest {
  protected:
+  PixelPanelTest() : PanelsTest(1) {}
   /// A pixel that the red triangle's left edge cuts, which nothing else is near.
   [[nodiscard]] glm::ivec2 cut_pixel() {
     const Film& film = rig.previewer().render().film();

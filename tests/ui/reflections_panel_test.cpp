@@ -239,6 +239,7 @@ TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
 }
 
 TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {
+  rig.set_pixel_size(1);
   rig.click("Blur/One for all");
   settings().mirror.dfr->rgb.fill({0.5, 0.5, 1.0});
   rig.move_to({-10.0f, -10.0f});

@@ -12,7 +12,7 @@ namespace {
 
 class SaveTest : public test::PanelsTest {
  protected:
-  SaveTest() {
+  SaveTest() : PanelsTest(1) {
     setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1);
     rig.set_blind(false);
   }

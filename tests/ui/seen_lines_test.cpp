@@ -12,7 +12,7 @@ namespace {
 // to 0.544 at y = 0, which is 4/3 of that a unit behind it.
 class SeenLines : public PanelsTest {
  protected:
-  SeenLines() {
+  SeenLines() : PanelsTest(1) {
     rig.resize({1300, 700});
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().render().film().width > 900; }));
     EXPECT_TRUE(rig.settle());

@@ -190,6 +190,7 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
     return all;
   };
   const auto choose = [this](const std::string& name) {
+    rig.rest();
     rig.click("Preset sky");
     rig.frame();
     rig.click("Preset sky/" + name);

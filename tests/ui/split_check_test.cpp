@@ -45,7 +45,7 @@ TEST(FindFaults, NeighboursAreOneRun) {
 
 class SplitCheckTest : public PanelsTest {
  protected:
-  SplitCheckTest() {
+  SplitCheckTest() : PanelsTest(1) {
     rig.resize({460, 240});
     EXPECT_TRUE(rig.settle());
     (void)restarted();

@@ -213,6 +213,8 @@ class StudyPanelTest : public PanelsTest {
 };
 
 TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
+  rig.set_pixel_size(1);
+  EXPECT_TRUE(rig.settle());
   open("grating");
   EXPECT_FALSE(shown("Study plot"));
   rig.click("Start study");

@@ -101,6 +101,7 @@ TEST(Theme, PlotsHaveTheSplitMapsColoursWhichTheColourBlindTellApart) {
 
 class ThemeTest : public PanelsTest {
  protected:
+  ThemeTest() : PanelsTest(1) {}
   [[nodiscard]] float row_height() {
     const Controls::Placed at = rig.control("Exposure");
     return at.hi.y - at.lo.y;

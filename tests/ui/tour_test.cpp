@@ -58,6 +58,7 @@ class TourOf {
  public:
   TourOf(const std::string& scene, int max_level) : rig(LoadFunction{}, {700, 300}) {
     rig.set_blind(true);
+    rig.set_pixel_size(3);
     rig.previewer().edits().settings().asos.max_level = max_level;
     rig.previewer().scene().open(scene);
     opened_ =
@@ -313,6 +314,7 @@ TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
   for (const float scale : {1.0f, 2.0f}) {
     UiRig rig(LoadFunction{}, {420, 760}, scale);
     rig.set_blind(true);
+    rig.set_pixel_size(3);
     rig.previewer().edits().settings().asos.max_level = 1;
     rig.previewer().scene().open("builtin:boxes");
     ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
@@ -371,7 +373,7 @@ TEST_F(TourTest, TheMapsButtonExplainsAPixel) {
 TEST_F(TourTest, TheStatusLineTellsThePixelUnderThePointer) {
   rig.move_to({100.0f, 100.0f});
   rig.frame();
-  EXPECT_EQ(state().hovered, glm::ivec2(100, 100));
+  EXPECT_EQ(state().hovered, glm::ivec2(100, 100) / rig.pixel_size());
   EXPECT_TRUE(has("Pixel values"));
   rig.move_to({-1e5f, -1e5f});
   rig.frame();

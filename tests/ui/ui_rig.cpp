@@ -48,7 +48,9 @@ void UiRig::frame() {
 
 void UiRig::draw() {
   if (blind_) gl::glEnable(GL_RASTERIZER_DISCARD);
-  content_->draw({size_, size_, content_scale_, now_seconds_});
+  const glm::ivec2 framebuffer = glm::max(size_ / pixel_size_, glm::min(size_, 1));
+  content_->draw(
+      {size_, framebuffer, content_scale_ / static_cast<float>(pixel_size_), now_seconds_});
   if (blind_) gl::glDisable(GL_RASTERIZER_DISCARD);
   // As where a window shows its frame: without it the driver keeps what frames upload, for ever.
   gl::glFinish();
@@ -118,9 +120,15 @@ void UiRig::move_to(glm::vec2 position) {
   run_input();
 }
 
+void UiRig::rest() {
+  constexpr double seconds_between_clicks = 0.4;
+  while (now_seconds_ < pressed_seconds_ + seconds_between_clicks) frame();
+}
+
 void UiRig::press(MouseButton button) {
   content_->input().add(MouseChanged{button, true});
   run_input();
+  pressed_seconds_ = now_seconds_;
 }
 
 void UiRig::release(MouseButton button) {
@@ -238,6 +246,7 @@ std::vector<glm::u8vec3> UiRig::pixels() {
   }
   const std::size_t width = static_cast<std::size_t>(size_.x);
   const std::size_t height = static_cast<std::size_t>(size_.y);
+  EXPECT_EQ(pixel_size_, 1);
   std::vector<glm::u8vec3> pixels(width * height);
   gl::glPixelStorei(GL_PACK_ALIGNMENT, 1);
   gl::glReadPixels(0, 0, size_.x, size_.y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());

@@ -49,6 +49,8 @@ class UiRig {
   void release(MouseButton button);
   void drag(glm::vec2 from, glm::vec2 to, MouseButton button = MouseButton::left);
   void wheel(glm::vec2 at, float steps);
+  /// Long enough for the next click to be no second one of two.
+  void rest();
   void key(Key key);
   void chord(Key modifier, Key key);
   void type(const std::string& ascii);
@@ -61,6 +63,10 @@ class UiRig {
   /// Whether frames are laid out and uploaded but not filled in, which is most of what software
   /// OpenGL spends on them; what a picture of the window saves is wrong then.
   void set_blind(bool blind) { blind_ = blind; }
+  /// The framebuffer has a pixel for so many of the window's, across and down: the fewer, the
+  /// sooner a picture is rendered and shown, for tests that look at neither.
+  void set_pixel_size(int pixel_size) { pixel_size_ = pixel_size; }
+  [[nodiscard]] int pixel_size() const { return pixel_size_; }
   /// What the framebuffer shows, row-major from the top left; of a blind window after one more
   /// frame.
   [[nodiscard]] std::vector<glm::u8vec3> pixels();
@@ -75,10 +81,11 @@ class UiRig {
   std::unique_ptr<WindowContent> content_;
   glm::ivec2 size_;
   float content_scale_;
-  double now_seconds_ = 0.0;
+  double now_seconds_ = 0.0, pressed_seconds_ = 0.0;
   DrawSchedule schedule_;
   std::atomic<bool> woken_ = false;
   bool blind_ = false;
+  int pixel_size_ = 1;
 };
 
 }  // namespace asos::test

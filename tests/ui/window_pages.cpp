@@ -36,6 +36,7 @@ class Pages {
   void add(const Page& page) {
     UiRig rig(LoadFunction{}, page.size, page.scale, UiRig::Skies::usual);
     rig.set_blind(true);
+    rig.set_pixel_size(3);
     RenderSettings& settings = rig.previewer().edits().settings();
     settings = {};
     settings.threads = 2;
