@@ -245,6 +245,7 @@ RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sam
   const Budget budget = eye_->budget.for_samples();
   RegionSampler::Goal goal;
   goal.standard_error = (noisy ? 2.0 : 1.0) * budget.standard_error(weight);
+  goal.share = budget.share * weight;
   goal.least = budget.samples(weight, 1.0, fewest);
   goal.most = budget.samples(weight, reflected ? 16.0 : noisy ? 8.0 : 4.0, fewest);
   return goal;

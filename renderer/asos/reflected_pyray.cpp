@@ -121,6 +121,28 @@ Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
   return eye.mask->blur->at(static_cast<double>(reflection.hit.t)).uniform_like(part);
 }
 
+// Whether a leaf's outline is told in what it mirrors, and not blurred beyond recognition.
+bool shows_outline(const MirroredSight& sight) {
+  const double sharp = std::min(sight.pyray.sharp_share.x, sight.pyray.sharp_share.y);
+  return 1.0 - sharp < outline_matters * sharp;
+}
+
+// A rectangle of a leaf's size about its sample: what stands for the leaf where its outline is not
+// told. Of the one around it a good part may lie beyond a corner, behind what the leaf mirrors.
+Bounds2 part_about_sample(const LeafRegion& region, glm::vec2 at) {
+  const Bounds2 around = bounds_of(region);
+  const glm::vec2 size = around.hi - around.lo;
+  float twice_area = 0.0f;
+  region.for_each_edge([&](const BorderEdge& edge) {
+    const glm::vec2 from = edge.from - around.lo, to = edge.to - around.lo;
+    twice_area += from.x * to.y - from.y * to.x;
+  });
+  const float share = 0.5f * std::abs(twice_area) / (size.x * size.y);
+  const glm::vec2 half = 0.5f * std::sqrt(std::clamp(share, 0.01f, 1.0f)) * size;
+  const glm::vec2 middle = glm::clamp(at, around.lo + half, around.hi - half);
+  return {middle - half, middle + half};
+}
+
 bool is_whole(const LeafRegion& region) {
   return region.border.empty() && region.square.side == 1.0f;
 }
@@ -134,9 +156,7 @@ MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const
     mask.horizon = horizon_of(sight.pyray, sight.surface);
     mask.blur = {sight.pyray.sharp_share, sight.pyray.apex_distance, start};
   }
-  const double sharp = std::min(sight.pyray.sharp_share.x, sight.pyray.sharp_share.y);
-  if (!region.border.empty() && 1.0 - sharp < outline_matters * sharp)
-    mask.outline = outline_in(region, part);
+  if (!region.border.empty() && shows_outline(sight)) mask.outline = outline_in(region, part);
   return mask;
 }
 
@@ -182,8 +202,13 @@ bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafConte
 Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const LeafContext& leaf,
                      float width, RenderStatistics& counts) {
   // Mirror the leaf's pyray.
-  const Bounds2 part = incident_part(eye, reflection, leaf.region);
-  const auto sight = mirrored_sight(eye, reflection, part, is_whole(leaf.region), width, counts);
+  Bounds2 part = incident_part(eye, reflection, leaf.region);
+  auto sight = mirrored_sight(eye, reflection, part, is_whole(leaf.region), width, counts);
+  const bool blurred_before = eye.mask && eye.mask->blur;
+  if (sight && !leaf.region.border.empty() && !blurred_before && !shows_outline(*sight)) {
+    part = part_about_sample(leaf.region, leaf.at);
+    sight = mirrored_sight(eye, reflection, part, false, width, counts);
+  }
   if (!sight) return {{}, false, false, true, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);

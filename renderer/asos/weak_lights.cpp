@@ -71,7 +71,8 @@ void hide_each_other(std::span<const PreparedLight> lights, std::vector<double>&
   }
 }
 
-// What each light carries at most by way of a point, if nothing shades it: in display units.
+// What each light carries at most by way of any of the points, if nothing shades it: in display
+// units.
 std::vector<double> most_carried(std::span<const PreparedLight> lights, const LitBatch& points) {
   const auto places = Recycler<LightPlaceBatch>::make();
   for (std::size_t i = 0; i < LitBatch::size; ++i) {
@@ -115,10 +116,10 @@ bool WeakLights::sought() const {
 
 void WeakLights::take_all() {
   if (!sought()) return;
-  intensity_ = 1.0;
   for (const PreparedLight& light : eye_->viewer.shader.lights())
     weak_.push_back(light.casts_shadows ? 1 : 0);
-  rays_of_point_ = static_cast<double>(rays_a_point);
+  expected_ = {1.0, static_cast<double>(rays_a_point)};
+  looked_at_all_ = true;
   lights_.restrict_to(weak_, rays_a_point);
 }
 
@@ -132,6 +133,7 @@ void WeakLights::find(int side) {
   RenderStatistics uncounted;
   for (SampleId i = 0; i < static_cast<SampleId>(side * side); ++i) {
     if (!samples_->hit(i).valid()) continue;
+    looked_.push_back(eye_->scene->features().sheet(samples_->hit(i).triangle));
     (void)eye_->viewer.shader.radiance(
         eye_->viewer.viewed(samples_->ray(i), samples_->hit(i), eye_->side_of(1.0)), transport,
         uncounted);
@@ -154,7 +156,6 @@ void WeakLights::find(int side) {
     if (cost < least) {
       least = cost;
       strong = k;
-      intensity_ = std::clamp(rest, 0.0, 1.0);
     }
     if (k == order.size()) break;
     asked += lights[order[k]].extended() ? Prices::light_window : Prices::patch;
@@ -162,13 +163,28 @@ void WeakLights::find(int side) {
   }
   if (strong == order.size()) return;
   weak_.assign(lights.size(), 0);
-  std::vector<double> of_weak;
-  for (std::size_t k = strong; k < order.size(); ++k) {
-    weak_[order[k]] = 1;
-    of_weak.push_back(carried[order[k]]);
-  }
-  rays_of_point_ = rays_of_point(of_weak);
+  for (std::size_t k = strong; k < order.size(); ++k) weak_[order[k]] = 1;
+  expected_ = expected(carried);
+  std::sort(looked_.begin(), looked_.end());
   lights_.restrict_to(weak_, rays_a_point);
+}
+
+WeakLights::Expected WeakLights::expected(std::span<const double> carried) const {
+  std::vector<double> of_weak;
+  for (std::size_t i = 0; i < carried.size(); ++i)
+    if (weak_[i] != 0) of_weak.push_back(carried[i]);
+  const double all = std::accumulate(of_weak.begin(), of_weak.end(), 0.0);
+  return {std::clamp(all, 0.0, 1.0), rays_of_point(of_weak)};
+}
+
+// Of a sheet that no pixel's middle shows, on which they may be far brighter than where one does.
+WeakLights::Expected WeakLights::expected_at(const LitPoint& point) const {
+  const std::uint32_t sheet = eye_->scene->features().sheet(point.view.point.triangle);
+  if (looked_at_all_ || std::binary_search(looked_.begin(), looked_.end(), sheet)) return expected_;
+  const auto points = Recycler<LitBatch>::make();
+  points->count = 0;
+  LitPoints(*points).gather(point);
+  return expected(most_carried(eye_->viewer.shader.lights(), *points));
 }
 
 std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weight) {
@@ -179,10 +195,10 @@ std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weig
 }
 
 // So many that their rays tell what the leaf deserves to know.
-std::uint32_t WeakLights::points_of(double weight) const {
-  const double rays = eye_->budget.rays(weight, intensity_);
+std::uint32_t WeakLights::points_of(double weight, const Expected& expected) const {
+  const double rays = eye_->budget.rays(weight, expected.intensity);
   return std::bit_ceil(static_cast<std::uint32_t>(
-      std::clamp(std::ceil(rays / rays_of_point_), 1.0, static_cast<double>(most_points))));
+      std::clamp(std::ceil(rays / expected.rays_of_point), 1.0, static_cast<double>(most_points))));
 }
 
 // Finds the places of the leaf's points and what is there.
@@ -229,7 +245,7 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
 void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
-  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight));
+  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
   const glm::vec3 weight(static_cast<float>(leaf.weight) / static_cast<float>(seen_.size()));
   for (std::size_t k = 0; k < seen_.size(); ++k) {
     ViewedPoint view{seen_[k], lit.view.to_viewer, lit.view.n_dot_v, lit.view.patch,

@@ -58,15 +58,23 @@ class WeakLights {
   std::span<const Share> run();
 
  private:
+  /// What the weak lights are worth.
+  struct Expected {
+    double intensity = 0.0;      ///< of all together, where they are brightest
+    double rays_of_point = 1.0;  ///< that they get, about, where they are brightest
+  };
   [[nodiscard]] bool sought() const;
-  [[nodiscard]] std::uint32_t points_of(double weight) const;
+  [[nodiscard]] Expected expected(std::span<const double> carried) const;
+  [[nodiscard]] Expected expected_at(const LitPoint& point) const;
+  [[nodiscard]] std::uint32_t points_of(double weight, const Expected& expected) const;
   void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
 
   const EyeContext* eye_;
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
-  double intensity_ = 0.0;      // of all weak ones together, where they are brightest
-  double rays_of_point_ = 1.0;  // that they get, about, where they are brightest
+  Expected expected_;                  // on the sheets that `find` looked at
+  std::vector<std::uint32_t> looked_;  // these, by number
+  bool looked_at_all_ = false;         // whether it holds everywhere
   SobolPlaces places_;
   SampledLights lights_;
   std::vector<Share> shares_;

@@ -150,8 +150,11 @@ RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
 }
 
 // By the quarters of the samples so far, each of which is as well distributed as its size allows.
+// A pixel that is brighter than white for sure is to be known as well as white by the exposure that
+// shows it as that.
 double RegionSampler::standard_error(const Waiting& waiting, glm::dvec3 mean) const {
   const std::uint32_t sums = waiting.taken / waiting.per_sum;
+  const glm::dvec3 white = glm::max(glm::dvec3(1.0), waiting.goal.share / white_ * mean);
   double squares = 0.0;
   for (std::uint32_t q = 0; q < 4; ++q) {
     SampleSums::Sum quarter;
@@ -161,7 +164,7 @@ double RegionSampler::standard_error(const Waiting& waiting, glm::dvec3 mean) co
       quarter.count += sum.count;
     }
     if (quarter.count == 0) continue;
-    const glm::dvec3 off = glm::abs(quarter.mean() - mean);
+    const glm::dvec3 off = glm::abs(quarter.mean() - mean) / white;
     const double most = std::min(white_, std::max({off.x, off.y, off.z}));
     squares += most * most;
   }

@@ -29,9 +29,12 @@ class RegionSampler {
 
   /// How far to go.
   struct Goal {
-    double standard_error = 0.0;  ///< of the mean, in display intensity; negative: take `most`
-    std::uint32_t most = 16;      ///< samples in the region, about; a power of two, at least 16
-    std::uint32_t least = 16;     ///< the same, at most `most`: so few tell nothing of themselves
+    /// Of the mean, in display intensity; of its own value where that alone makes the pixel whiter
+    /// than white. Negative: take `most`.
+    double standard_error = 0.0;
+    std::uint32_t most = 16;   ///< samples in the region, about; a power of two, at least 16
+    std::uint32_t least = 16;  ///< the same, at most `most`: so few tell nothing of themselves
+    double share = 0.0;        ///< of its pixel; 0: too little to make it white
   };
   struct Estimate {
     glm::dvec3 mean{0.0};         ///< linear radiance

@@ -140,6 +140,38 @@ TEST(BlurredMirror, IsWhatSamplesConvergeTo) {
     EXPECT_NEAR(row[static_cast<std::size_t>(x)] / sky, 1.0 - edge.covered(x), deviation) << x;
 }
 
+// A mirror ends in a corner with what it shows, and the corner runs through all pixels from side to
+// side: half of the rectangle around a leaf would lie behind that wall, whence nothing of it is
+// seen.
+TEST(BlurredMirror, IsOfTheLeafAndNotOfWhatLiesBeyondACorner) {
+  World world;
+  Material rough = mirror();
+  rough.roughness = 0.2f;
+  rough.double_sided = false;
+  add_quad(world, {0, 0, 40}, {40, 0, 0}, {0, 0, -80}, rough);
+  Material wall = unlit(glm::vec3(1.0f));
+  wall.double_sided = false;
+  add_quad(world, {0, 0, 40}, {0, 0, -80}, {0, 40, 0}, wall);
+  const auto scene = make_render_scene(std::move(world));
+  // Along the corner's floor, turned by half a right angle about what it looks at.
+  Camera camera = look_at({4, 3, 0}, {0, 0, 0}, 0.03);
+  camera.world_from_camera = camera.world_from_camera *
+                             glm::dmat4(glm::dmat3(std::sqrt(0.5), std::sqrt(0.5), 0,
+                                                   -std::sqrt(0.5), std::sqrt(0.5), 0, 0, 0, 1));
+  RenderSettings settings;
+  settings.width = settings.height = 12;
+  settings.asos.max_level = 2;
+  settings.asos.eps = 1.0 / 256.0;
+  const Film film = test::render_picture(*scene, camera, settings).film;
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  const Film truth = test::render_picture(*scene, camera, settings).film;
+  for (int y = 0; y < settings.height; ++y)
+    for (int x = 0; x < settings.width; ++x)
+      EXPECT_NEAR(film.radiance[film.index(x, y)].x, truth.radiance[film.index(x, y)].x, 0.01f)
+          << x << " " << y;
+}
+
 TEST(BlurredMirror, BlursColoursByTheirOwnCurves) {
   Material material = mirror();
   material.dfr.emplace();

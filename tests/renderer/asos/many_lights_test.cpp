@@ -233,6 +233,48 @@ TEST(ManyLights, ThatStandInTheFloorAreWorthTheirRays) {
   EXPECT_LT(off.rms, settings.asos.eps);
 }
 
+// What they are worth on a surface is asked of it, though no pixel's middle shows it: here the
+// middles show a black wall alone.
+TEST(ManyLights, AreWorthTheirRaysOnWhatIsThinnerThanAPixel) {
+  constexpr float pixel = 0.1f;
+  World world;
+  add_quad(world, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, matte(glm::vec3(0.0f)));
+  add_quad(world, {-5, 0, -0.4f}, {10, 0, 0}, {0, 1.5f, 0}, matte(glm::vec3(0.0f)));
+  for (int i = -9; i < 9; ++i) {
+    const float x = (static_cast<float>(i) + 0.1f) * pixel;
+    add_quad(world, {x, 0.01f, 1}, {0.3f * pixel, 0, 0}, {0, 0, -1.3f}, matte(glm::vec3(0.9f)));
+  }
+  // In two rows, of which the wall hides one more or less.
+  std::vector<Light> lights;
+  for (int i = 0; i < light_count; ++i) {
+    Light light = rectangle_light();
+    light.position = {-1.0 + 0.02 * i, 1.7, i % 2 == 0 ? -1.6 : 1.2};
+    light.direction = {0, -1, 0};
+    light.half_u = {0.05, 0, 0};
+    light.half_v = {0, 0, 0.05};
+    light.color = glm::vec3(1.0f);
+    light.intensity = 1.0f;
+    lights.push_back(light);
+  }
+  Camera camera = look_at({0, 4, 0.3}, {0, 0, 0.3}, 0.0);
+  camera.fov_y_rad = 2.0 * std::atan(0.5 * 12 * double{pixel} / 4.0);
+  camera.world_from_camera = glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0),
+                                        glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 4, 0.3, 1));
+  RenderSettings settings = exact_settings();
+  const auto brightness = [&] {
+    return brightest_of(render_picture(*make_render_scene(world, lights), camera, settings).film);
+  };
+  const auto dim = static_cast<float>(0.6 / brightness());
+  for (Light& light : lights) light.intensity *= dim;
+  const auto scene = make_render_scene(world, lights);
+  const Picture exact = render_picture(*scene, camera, settings);
+  settings.asos.eps = 1.0 / 256.0;
+  settings.asos.refine_shading = true;
+  const Picture sampled = render_picture(*scene, camera, settings);
+  const Difference off = difference(sampled.film, exact.film);
+  EXPECT_LT(off.rms, settings.asos.eps);
+}
+
 // In mirrors, too.
 TEST(ManyLights, AreWorthAsManyRaysInAMirror) {
   World world = furnished();

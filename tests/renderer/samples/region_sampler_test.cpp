@@ -25,10 +25,12 @@ Material glowing(glm::vec3 color) {
 /// A wall across the view of 8x8 pixels, 8 units wide: red to the left of x = 0.3, green beside.
 class TwoColours : public testing::Test {
  protected:
-  TwoColours() {
+  TwoColours() { show({1, 0, 0}, {0, 1, 0}); }
+
+  void show(glm::vec3 left, glm::vec3 right) {
     World world;
-    add_quad(world, {-50, -50, 0}, {50.3f, 0, 0}, {0, 100, 0}, glowing({1, 0, 0}));
-    add_quad(world, {0.3f, -50, 0}, {50, 0, 0}, {0, 100, 0}, glowing({0, 1, 0}));
+    add_quad(world, {-50, -50, 0}, {50.3f, 0, 0}, {0, 100, 0}, glowing(left));
+    add_quad(world, {0.3f, -50, 0}, {50, 0, 0}, {0, 100, 0}, glowing(right));
     scene_ = make_render_scene(std::move(world));
     settings_.width = settings_.height = 8;
     Camera camera = look_at({0, 0, 4}, {0, 0, 0}, 2.0 * std::atan(1.0));
@@ -83,6 +85,17 @@ TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
   stop.request_stop();
   EXPECT_EQ(sampler.sample({crossed, {}}, all, counts_).samples, 0u);
   EXPECT_EQ(counts_.eye_rays, 0u);
+}
+
+// As far as in an exposure that shows them as white: of what they alone bring to their pixel.
+TEST_F(TwoColours, ThatAreBrighterThanWhiteMayBeAsMuchFurtherOff) {
+  show(glm::vec3(3), glm::vec3(2.5));
+  const auto error_of = [&](double share) { return sample({crossed, {}}, {-1.0, 16, 16, share}); };
+  const auto part = error_of(0.1), pixel = error_of(1.0), half = error_of(0.5);
+  ASSERT_GT(part.standard_error, 0.01);
+  ASSERT_GT(part.mean.x, 2.0);
+  EXPECT_NEAR(pixel.standard_error, part.standard_error / part.mean.x, 1e-9);
+  EXPECT_NEAR(half.standard_error, part.standard_error / (0.5 * part.mean.x), 1e-9);
 }
 
 TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
