@@ -1,13 +1,12 @@
 #include "renderer/asos/weak_lights.h"
 
-#include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/shadows/patch_view.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numeric>
 
 namespace asos {
@@ -17,19 +16,13 @@ namespace {
 constexpr float rays_a_point = 16.0f;
 constexpr std::uint32_t most_points = 64;
 
-// So many places of each light, in rows of two, tell what it carries: its middle may lie below a
-// surface that the rest shines on.
-constexpr std::size_t places_a_light = 4;
-
-/// Gathers what lights shine on, once for each place, and asks none.
+/// Gathers what lights shine on, and asks none.
 class LitPoints final : public LightTransport {
  public:
-  explicit LitPoints(LitBatch& points) : points_(&points) {}
+  explicit LitPoints(CarriedLight& carried) : carried_(&carried) {}
 
   TakenLights gather(const LitPoint& point) override {
-    if (points_->count + places_a_light <= LitBatch::size) {
-      for (std::size_t i = 0; i < places_a_light; ++i) points_->add(point, glm::vec3(1.0f));
-    }
+    carried_->add(point);
     return {{}, true};
   }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
@@ -40,58 +33,8 @@ class LitPoints final : public LightTransport {
   }
 
  private:
-  LitBatch* points_;
+  CarriedLight* carried_;
 };
-
-// The most that a surface makes of a light, which shows it no brighter than it is; at most white.
-double brightest(const PreparedLight& light) {
-  using LightShape = PreparedLight::Shape;
-  const bool in_nits = light.shape == LightShape::polygon || light.shape == LightShape::disk ||
-                       light.shape == LightShape::ball || light.shape == LightShape::sun;
-  return in_nits ? std::min(1.0, static_cast<double>(largest(light.power))) : 1.0;
-}
-
-// The lights of one part hide each other: as many as its two sides are seen at once.
-void hide_each_other(std::span<const PreparedLight> lights, std::vector<double>& carried) {
-  constexpr double sides = 2.0;
-  struct Sum {
-    double all = 0.0, most = 0.0;
-  };
-  std::map<std::int32_t, Sum> of_part;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (lights[i].own_part < 0) continue;
-    Sum& sum = of_part[lights[i].own_part];
-    sum.all += carried[i];
-    sum.most = std::max(sum.most, sides * brightest(lights[i]));
-  }
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (lights[i].own_part < 0) continue;
-    const Sum& sum = of_part[lights[i].own_part];
-    if (sum.all > sum.most) carried[i] *= sum.most / sum.all;
-  }
-}
-
-// What each light carries at most by way of any of the points, if nothing shades it: in display
-// units.
-std::vector<double> most_carried(std::span<const PreparedLight> lights, const LitBatch& points) {
-  const auto places = Recycler<LightPlaceBatch>::make();
-  for (std::size_t i = 0; i < LitBatch::size; ++i) {
-    places->u[i] = i % 2 == 0 ? 0x40000000u : 0xc0000000u;
-    places->v[i] = i / 2 % 2 == 0 ? 0x40000000u : 0xc0000000u;
-  }
-  const auto rays = Recycler<ShadowRayBatch>::make();
-  std::vector<double> most(lights.size(), 0.0);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    shade_batch(points, LightConstants(lights[i]), *places, *rays);
-    const double bound = brightest(lights[i]);
-    for (std::size_t k = 0; k < rays->count; ++k) {
-      for (const auto& channel : rays->carried)
-        most[i] = std::max(most[i], std::min(bound, static_cast<double>(channel[k])));
-    }
-  }
-  hide_each_other(lights, most);
-  return most;
-}
 
 // The rays that a point sends to lights that carry so much: none to any twice, so that few of these
 // get fewer.
@@ -119,7 +62,6 @@ void WeakLights::take_all() {
   for (const PreparedLight& light : eye_->viewer.shader.lights())
     weak_.push_back(light.casts_shadows ? 1 : 0);
   expected_ = {1.0, static_cast<double>(rays_a_point)};
-  looked_at_all_ = true;
   lights_.restrict_to(weak_, rays_a_point);
 }
 
@@ -127,9 +69,8 @@ void WeakLights::find(int side) {
   if (!sought()) return;
   const std::span<const PreparedLight> lights = eye_->viewer.shader.lights();
   // Look at what the lights shine on.
-  const auto points = Recycler<LitBatch>::make();
-  points->count = 0;
-  LitPoints transport(*points);
+  carried_.emplace(lights);
+  LitPoints transport(*carried_);
   RenderStatistics uncounted;
   for (SampleId i = 0; i < static_cast<SampleId>(side * side); ++i) {
     if (!samples_->hit(i).valid()) continue;
@@ -138,7 +79,7 @@ void WeakLights::find(int side) {
         eye_->viewer.viewed(samples_->ray(i), samples_->hit(i), eye_->side_of(1.0)), transport,
         uncounted);
   }
-  const std::vector<double> carried = most_carried(lights, *points);
+  const std::vector<double>& carried = carried_->most();
   // Those that cast shadows, brightest first.
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
@@ -177,14 +118,19 @@ WeakLights::Expected WeakLights::expected(std::span<const double> carried) const
   return {std::clamp(all, 0.0, 1.0), rays_of_point(of_weak)};
 }
 
-// Of a sheet that no pixel's middle shows, on which they may be far brighter than where one does.
-WeakLights::Expected WeakLights::expected_at(const LitPoint& point) const {
-  const std::uint32_t sheet = eye_->scene->features().sheet(point.view.point.triangle);
-  if (looked_at_all_ || std::binary_search(looked_.begin(), looked_.end(), sheet)) return expected_;
-  const auto points = Recycler<LitBatch>::make();
-  points->count = 0;
-  LitPoints(*points).gather(point);
-  return expected(most_carried(eye_->viewer.shader.lights(), *points));
+// On a surface that no pixel's middle shows, or close to one of them, they may be far brighter than
+// where one does.
+WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
+  if (expected_.intensity >= 1.0) return expected_;
+  const SurfacePoint& at = point.view.point;
+  const std::uint32_t sheet = eye_->scene->features().sheet(at.triangle);
+  if (std::binary_search(looked_.begin(), looked_.end(), sheet) &&
+      !carried_->near(at.position, expected_.intensity))
+    return expected_;
+  carried_->start();
+  carried_->add(point);
+  const Expected here = expected(carried_->most());
+  return here.intensity > expected_.intensity ? here : expected_;
 }
 
 std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weight) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/asos/carried_light.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/samples/sampled_lights.h"
@@ -10,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,16 +67,16 @@ class WeakLights {
   };
   [[nodiscard]] bool sought() const;
   [[nodiscard]] Expected expected(std::span<const double> carried) const;
-  [[nodiscard]] Expected expected_at(const LitPoint& point) const;
+  [[nodiscard]] Expected expected_at(const LitPoint& point);
   [[nodiscard]] std::uint32_t points_of(double weight, const Expected& expected) const;
   void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
 
   const EyeContext* eye_;
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
-  Expected expected_;                  // on the sheets that `find` looked at
-  std::vector<std::uint32_t> looked_;  // these, by number
-  bool looked_at_all_ = false;         // whether it holds everywhere
+  std::optional<CarriedLight> carried_;
+  Expected expected_;                  // where the pixels' middles see most of them
+  std::vector<std::uint32_t> looked_;  // the sheets that they see, by number
   SobolPlaces places_;
   SampledLights lights_;
   std::vector<Share> shares_;
