@@ -1,6 +1,7 @@
 #include "renderer/shading/texture_filter.h"
 
 #include "renderer/shading/bilinear.h"
+#include "renderer/shading/texel_areas.h"
 #include "renderer/shading/texel_window.h"
 #include "renderer/shading/texture.h"
 
@@ -22,6 +23,9 @@ struct LevelPatch {
 
 // Less than this is not seen, and keeps areas above 0.
 constexpr float thinnest = 1.0f / 32.0f;
+// Nearest texels end at once, however large they are in the picture; by less the places of larger
+// textures are not told apart.
+constexpr float least_of_nearest = 1e-4f;
 // Longer edges are all the same, for every texture repeats itself along them; the fourth powers of
 // these are finite.
 constexpr float longest_edge = 1e9f;
@@ -43,12 +47,12 @@ float held(const TexelPatch& patch) {
 
 /// The patch with both edges long enough for an area, and short enough for the number of texels
 /// where not even the coarsest level is coarse enough: there it repeats itself.
-TexelPatch bounded(TexelPatch patch, float most) {
+TexelPatch bounded(TexelPatch patch, float least, float most) {
   const float longest = held(patch) > most ? std::sqrt(most) : most;
   const auto within = [&](glm::vec2 edge, glm::vec2 other) {
     const float length = glm::length(edge);
-    if (length >= thinnest) return edge * std::min(1.0f, longest / length);
-    return thinnest / glm::length(other) * glm::vec2(-other.y, other.x);
+    if (length >= least) return edge * std::min(1.0f, longest / length);
+    return least / glm::length(other) * glm::vec2(-other.y, other.x);
   };
   const bool right_first = glm::length(patch.right) >= glm::length(patch.down);
   if (!right_first) std::swap(patch.right, patch.down);
@@ -60,11 +64,13 @@ TexelPatch bounded(TexelPatch patch, float most) {
 
 /// `patch` in the finest level's texels. Coarser ones are taken while it stays wide enough, or
 /// holds too many.
-LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch,
+LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter, TexelPatch patch,
                     TexelBudget budget) {
+  const bool nearest = filter == Filter::nearest;
   const float longest = patch.longest();
   const float squares = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
-  if (!(longest > least_footprint) || !std::isfinite(squares)) return {};
+  if (!(longest > (nearest ? least_of_nearest : least_footprint)) || !std::isfinite(squares))
+    return {};
   if (longest > longest_edge) {
     const float shorter = longest_edge / longest;
     patch = {shorter * patch.right, shorter * patch.down};
@@ -86,7 +92,8 @@ LevelPatch patch_in(const MipChain& chain, const Image& image, TexelPatch patch,
     found.patch.right = less_of_texels(found.patch.right, texels);
     found.patch.down = less_of_texels(found.patch.down, texels);
   }
-  found.patch = bounded(found.patch, budget.most);
+  const bool in_areas = nearest && found.level == 0;
+  found.patch = bounded(found.patch, in_areas ? 0.1f * least_of_nearest : thinnest, budget.most);
   return found;
 }
 
@@ -114,6 +121,17 @@ struct Axis {
   }
 };
 
+bool aslant(const TexelPatch& patch) {
+  const auto turned = [](glm::vec2 edge) {
+    return std::min(std::abs(edge.x), std::abs(edge.y)) > 0.05f * glm::length(edge);
+  };
+  return turned(patch.right) || turned(patch.down);
+}
+
+// Up to so many texels a patch of nearest ones is cut where they end: of more of them, where each
+// lies shows less than that costs.
+constexpr float longest_in_areas = 8.0f;
+
 /// The mean over a patch around `uv` of a level's texels.
 template <typename Level>
 glm::vec4 mean_of(const Level& level, glm::vec2 uv, const TexelPatch& patch, TexelShape shape,
@@ -121,12 +139,28 @@ glm::vec4 mean_of(const Level& level, glm::vec2 uv, const TexelPatch& patch, Tex
   const Axis u{level.width, texture.wrap_u}, v{level.height, texture.wrap_v};
   glm::vec4 sum(0.0f);
   float weight = 0.0f;
-  TexelWindow({u.place(uv.x), v.place(uv.y)}, patch, shape)
-      .for_each([&](int x, int y, float share) {
-        sum += share * level.at(u.texel(x), v.texel(y));
-        weight += share;
-      });
+  const glm::vec2 centre(u.place(uv.x), v.place(uv.y));
+  const auto add = [&](int x, int y, float share) {
+    sum += share * level.at(u.texel(x), v.texel(y));
+    weight += share;
+  };
+  if (shape == TexelShape::box && patch.longest() <= longest_in_areas && aslant(patch)) {
+    TexelAreas(centre, patch).for_each(add);
+  } else {
+    TexelWindow(centre, patch, shape).for_each(add);
+  }
   return weight > 0.0f ? sum / weight : bilinear(level, uv, texture.wrap_u, texture.wrap_v);
+}
+
+/// Whether a patch shows one of the nearest texels only, as most small ones do.
+bool in_one_texel(const Image& image, glm::vec2 uv, const TexelPatch& patch,
+                  const Texture& texture) {
+  const glm::vec2 half = 0.5f * (glm::abs(patch.right) + glm::abs(patch.down));
+  const auto in_one = [](float place, float reach) {
+    return floor_near(place - reach + 0.5f) == floor_near(place + reach + 0.5f);
+  };
+  return in_one(Axis{image.width, texture.wrap_u}.place(uv.x), half.x) &&
+         in_one(Axis{image.height, texture.wrap_v}.place(uv.y), half.y);
 }
 
 TexelShape shape_of(const Texture& texture, std::size_t level) {
@@ -145,11 +179,7 @@ constexpr float longest_by_points = 2.0f;
 /// Whether a window over the texels would take a rotated tent for each: right for how wide what is
 /// seen comes out, but not for where texels lie, which shows in patches of few of them.
 bool by_points(const TexelPatch& patch) {
-  if (patch.longest() > longest_by_points) return false;
-  const auto aslant = [](glm::vec2 edge) {
-    return std::min(std::abs(edge.x), std::abs(edge.y)) > 0.05f * glm::length(edge);
-  };
-  return aslant(patch.right) || aslant(patch.down);
+  return patch.longest() <= longest_by_points && aslant(patch);
 }
 
 /// The mean over such a patch of the bilinear texture, by a grid of points half a texel apart.
@@ -181,7 +211,8 @@ LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse
   const Steps<glm::vec2> steps(place.footprint, at.at_0, at.at_1, at.at_2);
   const glm::mat2 turn(use.uv_transform);
   const glm::vec2 size(image->width, image->height);
-  return patch_in(chain, *image, {size * (turn * steps.right), size * (turn * steps.down)},
+  const Filter filter = world.textures[static_cast<std::size_t>(use.texture)].filter;
+  return patch_in(chain, *image, filter, {size * (turn * steps.right), size * (turn * steps.down)},
                   TexelBudget::of(place.footprint.side));
 }
 
@@ -260,6 +291,9 @@ glm::vec4 filtered_texture(const World& world, const MipChains& mips, const Text
   if (found.point()) return sample_texture(world, use.texture, uv, encoding);
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
   const TexelShape shape = shape_of(texture, found.level);
+  if (shape == TexelShape::box &&
+      in_one_texel(*image_of(world, use.texture), uv, found.patch, texture))
+    return sample_texture(world, use.texture, uv, encoding);
   if (found.level > 0)
     return mean_of(chain[found.level - 1], texels, uv, found.patch, shape, texture);
   const Texels finest(*image_of(world, use.texture), encoding);

@@ -34,7 +34,7 @@ struct TexelBudget {
     return {std::max(1.0f, share * whole.across), std::max(16.0f, share * share * whole.most)};
   }
 };
-/// Sides, in texels, up to which a footprint is a point.
+/// Sides, in texels, up to which a footprint is a point of a bilinear texture.
 inline constexpr float least_footprint = 0.25f;
 
 /// What texels mean where they are looked up.
@@ -46,8 +46,8 @@ struct TexelUse {
 
 /// A texture's mean over the footprint, in linear light; of colours that alpha blends or cuts, that
 /// of what is seen, or of all where nothing is. `sample_texture`'s value to the last bit
-/// where the footprint is a point, is no larger than least_footprint, or is not finite; as point
-/// samples from there on where `mips` lacks the chain.
+/// where the footprint is a point, is no larger than least_footprint, lies in one nearest texel, or
+/// is not finite; as point samples from there on where `mips` lacks the chain.
 [[nodiscard]] glm::vec4 filtered_texture(const World& world, const MipChains& mips,
                                          const TextureUse& use, const TexelUse& texels,
                                          const TexturePlace& place);

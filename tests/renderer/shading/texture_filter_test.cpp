@@ -146,7 +146,8 @@ TEST(TextureFilter, AFootprintFarSmallerThanATexelIsTheLookupToTheBit) {
           filter);
       for (int i = 0; i < 300; ++i) {
         const glm::vec2 uv(u(rng), u(rng));
-        for (const float texels : {0.0f, 1e-20f, 0.9f * least_footprint}) {
+        const float least = filter == Filter::linear ? least_footprint : 1e-4f;
+        for (const float texels : {0.0f, 1e-20f, 0.9f * least}) {
           const glm::vec2 right(texels / 13.0f, 0.0f);
           const glm::vec2 down(0.0f, texels / 7.0f);
           const glm::vec4 filtered = t.look(TexelKind::color, uv, right, down);
@@ -196,6 +197,39 @@ TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
   // count by what the whole texel shows. Their own spread is 0.29.
   for (const float texels : {0.3f, 1.0f, 3.3f, 8.0f, 20.0f, 60.0f})
     EXPECT_LT(rms(texels, 6.28f), 0.012) << texels;
+}
+
+// Models of a few texels a face have them: all that is seen of them are their own edges.
+TEST(TextureFilter, NearestTexelsCountByTheirAreas) {
+  std::mt19937 rng(7);
+  const Textured t(make_image(64, 64, [&](int, int) { return grey(rng() % 2 ? 1.0 : 0.0); }),
+                   Wrap::repeat, Filter::nearest);
+  std::uniform_real_distribution<float> r(0.0f, 1.0f);
+  for (const float texels : {0.01f, 0.1f, 0.5f, 1.0f, 2.2f, 5.0f}) {
+    double squares = 0.0;
+    constexpr int places = 60;
+    for (int i = 0; i < places; ++i) {
+      const auto edge = [&](float length) {
+        const float angle = 6.28f * r(rng);
+        return length / 64.0f * glm::vec2(std::cos(angle), std::sin(angle));
+      };
+      const glm::vec2 a = edge(texels);
+      const glm::vec2 b = 1.5f * glm::vec2(-a.y, a.x) + edge(0.2f * texels);
+      const glm::vec2 middle(r(rng), r(rng));
+      double sum = 0.0;
+      constexpr int n = 128;
+      for (int k = 0; k < n * n; ++k) {
+        const float x = (static_cast<float>(k % n) + 0.5f) / n - 0.5f;
+        const float y = (static_cast<float>(k / n) + 0.5f) / n - 0.5f;
+        const glm::vec2 at = middle + x * a + y * b;
+        sum += static_cast<double>(sample_texture(t.world, t.use.texture, at, Encoding::linear).g);
+      }
+      const double off =
+          static_cast<double>(t.look(TexelKind::data, middle, a, b).g) - sum / (n * n);
+      squares += off * off / places;
+    }
+    EXPECT_LT(std::sqrt(squares), 1e-3) << texels;
+  }
 }
 
 // Patches of less than a texel that lie aslant along an edge which is aslant itself: the texels'
