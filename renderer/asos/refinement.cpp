@@ -1,6 +1,7 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/light_counts.h"
+#include "renderer/asos/texture_samples.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/pyray/prices.h"
@@ -277,15 +278,33 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
                                         const LeafRegion& region) const {
   constexpr float bright = 0.25f;
   const Hit& hit = samples_->hit(sample);
-  if (!extended_lights_ || eye_->mask || !eye_->budget.refines() || eye_->budget.max_level == 0 ||
-      region.marginal || !hit.valid())
-    return false;
   const RenderScene& scene = *eye_->scene;
+  if (eye_->mask || !eye_->budget.refines() || eye_->budget.max_level == 0 || region.marginal ||
+      !hit.valid() || scene.world().is_face(hit.triangle))
+    return false;
+  if (textured_by_several(sample, share)) return true;
   const Material& material = scene.world().material_of(hit.triangle);
-  if (material.unlit || scene.world().is_face(hit.triangle)) return false;
+  if (!extended_lights_ || material.unlit) return false;
   if (scene.needs.normal_maps && has_normal_map(material)) return true;
   return scene.features().deviation(hit.triangle) > 0.0f &&
          gloss_.error(sample, share, patch_around(sample, region)).highlights.contrast <= bright;
+}
+
+// Whether a leaf reaches far beyond its triangle on a bent mesh with textures, which need not go on
+// there as they do on the triangle.
+bool Refinement::textured_by_several(SampleId sample, double share) const {
+  constexpr float far = 0.5f;  // of the triangle
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = samples_->hit(sample);
+  if (eye_->settings->texture.filter == TextureFilter::point ||
+      !is_textured(scene.world().material_of(hit.triangle), scene.needs) ||
+      !(scene.features().deviation(hit.triangle) > 0.0f))
+    return false;
+  const Footprint seen = footprint_on(scene.world(), hit, samples_->patch(sample, share));
+  const auto reach = [](glm::vec2 edge) {
+    return std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.x + edge.y)});
+  };
+  return std::max(reach(seen.right), reach(seen.down)) > far;
 }
 
 bool Refinement::is_finest(const LeafRegion& region) const {

@@ -49,7 +49,7 @@ class Refinement {
   /// Whether a leaf is of a bent or bumpy mesh under lights of some size, without bright
   /// highlights: its middle's normal stands for none of its other points', and where these look
   /// past their own surface's horizon at a light is for rays to say, so that as many samples tell
-  /// more of it.
+  /// more of it. Or of one whose texture several triangles bring to it, each in its own way.
   [[nodiscard]] bool better_sampled_at_once(SampleId sample, double share,
                                             const LeafRegion& region) const;
   /// Whether a leaf would be split further for its shading, were there any levels left.
@@ -72,6 +72,7 @@ class Refinement {
                                            const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
+  [[nodiscard]] bool textured_by_several(SampleId sample, double share) const;
   [[nodiscard]] double leaf_price(SampleId sample) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;

@@ -1,10 +1,15 @@
 #include "tests/support/render_picture.h"
+#include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
 
 // What is shaded unevenly is sampled where that costs less than splitting it.
 
@@ -55,6 +60,65 @@ TEST(SampledLeaves, OfAPenumbraAreAsExactAsEpsAsks) {
   const auto count = static_cast<double>(uneven);
   EXPECT_LT(std::sqrt(squares / count), 0.5 / 256.0) << "half of the tolerance";
   EXPECT_LT(std::abs(off / count), 0.5 / 256.0 / std::sqrt(count) * 3.0) << "and in no direction";
+}
+
+/// A rumpled sheet across the view, some two triangles to a pixel, each of which has its own scale
+/// of a texture of random squares; unlit.
+auto rumpled() {
+  constexpr int cells = 40;
+  constexpr float width = 5.0f;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> off(-0.3f, 0.3f);
+  World world;
+  Material material = unlit(glm::vec3(1.0f));
+  material.double_sided = true;
+  material.base_color_texture.texture =
+      add_texture(world,
+                  make_image(32, 32,
+                             [&](int, int) {
+                               const auto grey = static_cast<std::uint8_t>(random() % 2 ? 255 : 0);
+                               return Texel{grey, grey, grey, 255};
+                             }),
+                  Wrap::repeat, Filter::linear);
+  std::vector<TinyVertex> vertices;
+  std::vector<glm::uvec3> triangles;
+  for (int y = 0; y <= cells; ++y) {
+    for (int x = 0; x <= cells; ++x) {
+      const glm::vec2 at(x, y);
+      const glm::vec2 uv = (at + glm::vec2(off(random), off(random))) / 16.0f;
+      const glm::vec2 place = width * (at / float{cells} - 0.5f);
+      vertices.push_back({{place.x, place.y, 0.1f * off(random)}, {0, 0, 1}, uv});
+    }
+  }
+  const auto index = [](int x, int y) { return static_cast<std::uint32_t>(y * (cells + 1) + x); };
+  for (int y = 0; y < cells; ++y) {
+    for (int x = 0; x < cells; ++x) {
+      triangles.emplace_back(index(x, y), index(x + 1, y), index(x, y + 1));
+      triangles.emplace_back(index(x + 1, y), index(x + 1, y + 1), index(x, y + 1));
+    }
+  }
+  add_part(world, vertices, triangles, material);
+  return make_render_scene(std::move(world));
+}
+
+// One triangle does not tell how its neighbours show their texture.
+TEST(SampledLeaves, OfATextureOnSmallTrianglesAreAsExactAsEpsAsks) {
+  const auto scene = rumpled();
+  const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  const Picture truth = render_picture(*scene, orthographic(4.0), settings);
+  double squares = 0.0, spread = 0.0;
+  for (std::size_t i = 0; i < truth.film.radiance.size(); ++i) {
+    const auto d = static_cast<double>(sampled.film.radiance[i].x - truth.film.radiance[i].x);
+    const auto contrast = static_cast<double>(truth.film.radiance[i].x) - 0.5;
+    squares += d * d / (side * side);
+    spread += contrast * contrast / (side * side);
+  }
+  EXPECT_GT(std::sqrt(spread), 0.1) << "there is something to see";
+  EXPECT_LT(std::sqrt(squares), 1.0 / 256.0);
 }
 
 }  // namespace
