@@ -31,6 +31,10 @@ constexpr std::array finenesses{Fineness{1.0 / 8192.0, 64}, Fineness{1.0 / 256.0
 // Vertices' alphas for which a material's texture is looked at. More are as good as one a triangle.
 constexpr std::size_t most_factors = 16;
 constexpr std::size_t looks_between_checks = 1024;
+// A part is given up for too many lines before all of them are there, where so many of its
+// triangles, spread over it, have that many times what theirs may be.
+constexpr std::uint32_t surveyed = 64;
+constexpr std::size_t survey_slack = 2;
 
 bool is_masked(const Material& m) {
   return surface_kind(m) == SurfaceKind::masked;
@@ -111,7 +115,27 @@ class Finder {
     return outlined;
   }
 
+  // Whether a few of the part's triangles tell that all of them have too many lines: a survey may
+  // err, but must not refuse what fits.
+  bool hopeless(const Part& part, double tolerance) {
+    if (part.triangle_count < 8 * surveyed) return false;
+    const std::size_t looks = looks_;
+    const std::size_t enough = survey_slack * (most_lines_ - found_.lines.size()) * surveyed /
+                               std::size_t{part.triangle_count};
+    std::size_t lines = 0;
+    bool told = true;
+    for (std::uint32_t i = 0; i < surveyed && told && lines <= enough; ++i) {
+      lines_.clear();
+      const auto at = static_cast<std::uint32_t>(std::uint64_t{part.triangle_count} * i / surveyed);
+      told = outline(part.first_triangle + at, tolerance).has_value();
+      lines += lines_.size();
+    }
+    looks_ = looks;
+    return told && lines > enough;
+  }
+
   bool outline_triangles(const Part& part, double tolerance) {
+    if (hopeless(part, tolerance)) return false;
     for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
       if (i % looks_between_checks == 0) check_stop(stop_);
       const std::uint32_t triangle = part.first_triangle + i;

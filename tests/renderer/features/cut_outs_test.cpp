@@ -203,6 +203,41 @@ TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
 }
 
 // A side is hidden where no place of it is met; an edge is dropped where no face of it is.
+/// A thousand leaves, each of which shows the image several times over.
+void add_thicket(World& world, const Material& material) {
+  constexpr float times = 4.0f;
+  std::vector<TinyVertex> vertices;
+  std::vector<glm::uvec3> triangles;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const auto x = static_cast<float>(i);
+    vertices.push_back({{x, 0, 0}, {0, 0, 1}, {0, 0}});
+    vertices.push_back({{x + 1, 0, 0}, {0, 0, 1}, {times, 0}});
+    vertices.push_back({{x, 1, 0}, {0, 0, 1}, {0, times}});
+    triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  add_part(world, vertices, triangles, material);
+}
+
+// Trees of which each has too many lines take little of what the others may look at.
+TEST(CutOuts, WhatHasFarTooManyLinesLeavesTheOthersTheirLooks) {
+  World world = fan(Wrap::repeat, Filter::linear);
+  const Material material = world.materials[0];
+  world = World{};
+  (void)leaves(world, Wrap::repeat, Filter::linear);
+  for (int i = 0; i < 16; ++i) add_thicket(world, material);
+  const auto first = static_cast<std::uint32_t>(world.triangles.size());
+  World last = fan(Wrap::repeat, Filter::linear);
+  std::vector<TinyVertex> vertices;
+  for (std::size_t i = 0; i < last.positions.size(); ++i)
+    vertices.push_back({last.positions[i], last.normals[i], last.texcoords[0][i]});
+  add_part(world, vertices, {last.triangles.begin(), last.triangles.end()}, material);
+  const CutOuts found = find_cut_outs(world, {100'000, std::size_t{1} << 17});
+  ASSERT_EQ(found.outlined.size(), first + 4);
+  EXPECT_EQ(std::count(found.outlined.begin(), found.outlined.begin() + first, 1), 0);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(found.outlined[first + i], 1) << i;
+  EXPECT_GT(found.lines.size(), 100u);
+}
+
 TEST(CutOuts, TellWhichSidesAreCutOut) {
   World world;
   Material material = matte({1, 1, 1});
