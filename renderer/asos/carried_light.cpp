@@ -81,6 +81,17 @@ const std::vector<double>& CarriedLight::most() {
   return most_;
 }
 
+double CarriedLight::by_white_walls(glm::vec3 position) const {
+  double all = 0.0;
+  for (const Light& light : lights_) {
+    const glm::vec3 d = light.position - position;
+    const float carried = light.reach2 / glm::dot(d, d);
+    all += light.reach2 > 0.0f ? std::min(light.brightest, static_cast<double>(carried))
+                               : light.brightest;
+  }
+  return all;
+}
+
 bool CarriedLight::near(glm::vec3 position, double carried) const {
   return std::any_of(lights_.begin(), lights_.end(), [&](const Light& light) {
     const glm::vec3 d = light.position - position;

@@ -29,6 +29,9 @@ class CarriedLight {
   /// In display units, by light. Those of one part hide each other: they count for as many as its
   /// two sides show at once.
   [[nodiscard]] const std::vector<double>& most();
+  /// What all of them carry together at most by way of a white wall there, as far as they are small
+  /// beside their distances.
+  [[nodiscard]] double by_white_walls(glm::vec3 position) const;
   /// Whether a place is so close to one of the lights that this alone may carry so much, by way of
   /// a white wall that faces it.
   [[nodiscard]] bool near(glm::vec3 position, double carried) const;

@@ -120,12 +120,16 @@ WeakLights::Expected WeakLights::expected(std::span<const double> carried) const
 
 // On a surface that no pixel's middle shows, or close to one of them, they may be far brighter than
 // where one does.
-WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
+WeakLights::Expected WeakLights::expected_at(const LitPoint& point, double weight) {
   if (expected_.intensity >= 1.0) return expected_;
   const SurfacePoint& at = point.view.point;
   const std::uint32_t sheet = eye_->scene->features().sheet(at.triangle);
-  if (std::binary_search(looked_.begin(), looked_.end(), sheet) &&
-      !carried_->near(at.position, expected_.intensity))
+  // What one point's rays are enough for need not be known any better.
+  const double enough = std::max(
+      expected_.intensity, eye_->budget.intensity_of(static_cast<double>(rays_a_point), weight));
+  const bool looked = std::binary_search(looked_.begin(), looked_.end(), sheet);
+  if (looked ? !carried_->near(at.position, enough)
+             : carried_->by_white_walls(at.position) <= enough)
     return expected_;
   carried_->start();
   carried_->add(point);
@@ -191,7 +195,7 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
 void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
-  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
+  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit, leaf.weight)));
   const glm::vec3 weight(static_cast<float>(leaf.weight) / static_cast<float>(seen_.size()));
   for (std::size_t k = 0; k < seen_.size(); ++k) {
     ViewedPoint view{seen_[k], lit.view.to_viewer, lit.view.n_dot_v, lit.view.patch,

@@ -67,7 +67,7 @@ class WeakLights {
   };
   [[nodiscard]] bool sought() const;
   [[nodiscard]] Expected expected(std::span<const double> carried) const;
-  [[nodiscard]] Expected expected_at(const LitPoint& point);
+  [[nodiscard]] Expected expected_at(const LitPoint& point, double weight);
   [[nodiscard]] std::uint32_t points_of(double weight, const Expected& expected) const;
   void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
 

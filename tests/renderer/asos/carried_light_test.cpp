@@ -41,6 +41,7 @@ TEST(CarriedLight, NearALightIsWhereItsIrradianceIsAsMuch) {
     ASSERT_GT(radiance, 1e-4) << light.name;
     EXPECT_TRUE(carried.near(glm::vec3(below), 0.95 * radiance)) << light.name;
     EXPECT_FALSE(carried.near(glm::vec3(below), 1.05 * radiance)) << light.name;
+    EXPECT_NEAR(carried.by_white_walls(glm::vec3(below)), radiance, 0.05 * radiance) << light.name;
   }
 }
 
@@ -48,6 +49,7 @@ TEST(CarriedLight, SunsAreNearNowhere) {
   for (const Light& light : {sun_light(), distant_light()}) {
     const std::vector<PreparedLight> lights = prepared({light});
     EXPECT_FALSE(CarriedLight(lights).near({0, 0, 0}, 1e-6)) << light.name;
+    EXPECT_EQ(CarriedLight(lights).by_white_walls({0, 0, 0}), 1.0) << "white at most";
   }
 }
 
