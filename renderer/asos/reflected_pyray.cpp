@@ -131,14 +131,8 @@ bool shows_outline(const MirroredSight& sight) {
 // told. Of the one around it a good part may lie beyond a corner, behind what the leaf mirrors.
 Bounds2 part_about_sample(const LeafRegion& region, glm::vec2 at) {
   const Bounds2 around = bounds_of(region);
-  const glm::vec2 size = around.hi - around.lo;
-  float twice_area = 0.0f;
-  region.for_each_edge([&](const BorderEdge& edge) {
-    const glm::vec2 from = edge.from - around.lo, to = edge.to - around.lo;
-    twice_area += from.x * to.y - from.y * to.x;
-  });
-  const float share = 0.5f * std::abs(twice_area) / (size.x * size.y);
-  const glm::vec2 half = 0.5f * std::sqrt(std::clamp(share, 0.01f, 1.0f)) * size;
+  const float share = std::clamp(filled_share(region, around), 0.01f, 1.0f);
+  const glm::vec2 half = 0.5f * std::sqrt(share) * (around.hi - around.lo);
   const glm::vec2 middle = glm::clamp(at, around.lo + half, around.hi - half);
   return {middle - half, middle + half};
 }

@@ -92,6 +92,19 @@ struct LeafRegion {
   return bounds;
 }
 
+/// The share of the rectangle `bounds` around a region that the region fills; 0 if that has no
+/// area.
+[[nodiscard]] inline float filled_share(const LeafRegion& region, const Bounds2& bounds) {
+  const glm::vec2 size = bounds.hi - bounds.lo;
+  float twice_area = 0.0f;
+  region.for_each_edge([&](const BorderEdge& edge) {
+    const glm::vec2 from = edge.from - bounds.lo, to = edge.to - bounds.lo;
+    twice_area += from.x * to.y - from.y * to.x;
+  });
+  const float around = size.x * size.y;
+  return around > 0.0f ? 0.5f * std::abs(twice_area) / around : 0.0f;
+}
+
 /// The part of a segment inside a square, as parameters along it: empty unless t0 < t1.
 struct Clip {
   float t0 = 1.0f;

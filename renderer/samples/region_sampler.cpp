@@ -30,15 +30,8 @@ std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
 /// over: a power of two. Of those of a thin one few count, and few tell nothing of themselves.
 std::uint32_t times_larger_around(const LeafRegion& region) {
   constexpr float most = 16.0f;
-  const Bounds2 bounds = bounds_of(region);
-  const glm::vec2 size = bounds.hi - bounds.lo;
-  float twice_area = 0.0f;
-  region.for_each_edge([&](const BorderEdge& edge) {
-    const glm::vec2 from = edge.from - bounds.lo, to = edge.to - bounds.lo;
-    twice_area += from.x * to.y - from.y * to.x;
-  });
   // To the nearest power of two, or so.
-  const float times = 1.5f * 2.0f * size.x * size.y / std::abs(twice_area);
+  const float times = 1.5f / filled_share(region, bounds_of(region));
   return times < most ? std::bit_floor(static_cast<std::uint32_t>(std::max(1.0f, times)))
                       : static_cast<std::uint32_t>(most);
 }
