@@ -38,10 +38,10 @@ class Refinement {
   /// Whether a normal map scatters the lights' highlights all over a leaf: splitting would not make
   /// it even, so it is sampled as it is.
   [[nodiscard]] bool glints(SampleId sample, double share) const;
-  /// Whether a texture may cut the surface out within a leaf: only samples tell.
   /// Whether a mirror, which is sampled in another, may show a light without geometry that is
   /// brighter than white: the other's pyray places it worse than samples would.
   [[nodiscard]] bool may_misplace_light(SampleId sample, const LeafRegion& region) const;
+  /// Whether a texture may cut the surface out within a leaf: only samples tell.
   [[nodiscard]] bool cut_out(SampleId sample, const LeafRegion& region) const {
     return samples_->cut_out(sample) && !region.marginal && eye_->budget.refines() &&
            eye_->budget.max_level > 0;
