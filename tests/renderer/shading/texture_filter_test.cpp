@@ -164,6 +164,17 @@ TEST(TextureFilter, AFootprintFarSmallerThanATexelIsTheLookupToTheBit) {
   }
 }
 
+/// Of n x n places all over a patch, one by one.
+double mean_of_lookups(const Textured& t, glm::vec2 middle, glm::vec2 a, glm::vec2 b, int n) {
+  double sum = 0.0;
+  for (int k = 0; k < n * n; ++k) {
+    const glm::vec2 share = (glm::vec2(k % n, k / n) + 0.5f) / static_cast<float>(n) - 0.5f;
+    const glm::vec2 at = middle + share.x * a + share.y * b;
+    sum += static_cast<double>(sample_texture(t.world, t.use.texture, at, Encoding::linear).g);
+  }
+  return sum / (n * n);
+}
+
 TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
   // Texels of no order, at which any fault of a filter shows most.
   std::mt19937 rng(6);
@@ -178,15 +189,8 @@ TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
       const glm::vec2 a = texels / 128.0f * glm::vec2(std::cos(angle), std::sin(angle));
       const glm::vec2 b = 1.5f * glm::vec2(-a.y, a.x);
       const glm::vec2 middle(r(rng), r(rng));
-      double sum = 0.0;
-      constexpr int n = 96;
-      for (int k = 0; k < n * n; ++k) {
-        const float x = (static_cast<float>(k % n) + 0.5f) / n - 0.5f;
-        const float y = (static_cast<float>(k / n) + 0.5f) / n - 0.5f;
-        const glm::vec2 at = middle + x * a + y * b;
-        sum += sample_texture(t.world, t.use.texture, at, Encoding::linear).g;
-      }
-      const double off = t.look(TexelKind::data, middle, a, b).g - sum / (n * n);
+      const double off = static_cast<double>(t.look(TexelKind::data, middle, a, b).g) -
+                         mean_of_lookups(t, middle, a, b, 96);
       squares += off * off;
     }
     return std::sqrt(squares / places);
@@ -216,16 +220,8 @@ TEST(TextureFilter, NearestTexelsCountByTheirAreas) {
       const glm::vec2 a = edge(texels);
       const glm::vec2 b = 1.5f * glm::vec2(-a.y, a.x) + edge(0.2f * texels);
       const glm::vec2 middle(r(rng), r(rng));
-      double sum = 0.0;
-      constexpr int n = 128;
-      for (int k = 0; k < n * n; ++k) {
-        const float x = (static_cast<float>(k % n) + 0.5f) / n - 0.5f;
-        const float y = (static_cast<float>(k / n) + 0.5f) / n - 0.5f;
-        const glm::vec2 at = middle + x * a + y * b;
-        sum += static_cast<double>(sample_texture(t.world, t.use.texture, at, Encoding::linear).g);
-      }
-      const double off =
-          static_cast<double>(t.look(TexelKind::data, middle, a, b).g) - sum / (n * n);
+      const double off = static_cast<double>(t.look(TexelKind::data, middle, a, b).g) -
+                         mean_of_lookups(t, middle, a, b, 128);
       squares += off * off / places;
     }
     EXPECT_LT(std::sqrt(squares), 1e-3) << texels;
