@@ -19,9 +19,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// Three numbers a point, by the light's shape.
+/// Up to four numbers a point, by the light's shape.
 struct ArcPlaces {
-  LitBatch::Floats first, second, third;
+  LitBatch::Floats first, second, third, fourth;
 };
 
 /// 0 to 1, exact.
@@ -50,9 +50,22 @@ HWY_INLINE SinCos<DoubleLanes> sum(const SinCos<DoubleLanes>& a, const SinCos<Do
           hn::Sub(hn::Mul(a.cos, b.cos), hn::Mul(a.sin, b.sin))};
 }
 
+/// Of the interval from `low` to `high`, what may have a positive slope t + rest, unless that is
+/// nothing.
+HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& low,
+                              DoubleLanes& high) {
+  const auto zero = hn::Zero(DoubleTag());
+  const auto end = hn::Neg(hn::Div(rest, slope));
+  const auto within = hn::And(hn::Gt(end, low), hn::Lt(end, high));
+  const auto rises = hn::Gt(slope, zero);
+  low = hn::IfThenElse(hn::And(within, rises), end, low);
+  high = hn::IfThenElse(hn::AndNot(rises, within), end, high);
+}
+
 /// SphericalRectangle's, whose formulas these are with sums of angles as products of unit complex
 /// numbers. First: its solid angle, 0 where the light is sampled by area. Second: the place along
-/// half_u as 1 / (x / z)^2, with the sign of x.
+/// half_u as 1 / (x / z)^2, with the sign of x. Third and fourth: the ends along half_v of what of
+/// it may be above the point's horizons, from the foot of its perpendicular.
 inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
                              const LightPlaceBatch& places, ArcPlaces& found) {
   const DoubleTag d;
@@ -69,8 +82,17 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
     const auto height = hn::Neg(dot(middle, towards));
     const auto seen = light.two_sided ? hn::Ne(height, zero) : hn::Gt(height, zero);
     const auto x = dot(middle, x_axis), y = dot(middle, y_axis), z = dot(middle, z_axis);
-    const auto x0 = hn::Sub(x, u_length), x1 = hn::Add(x, u_length);
-    const auto y0 = hn::Sub(y, v_length), y1 = hn::Add(y, v_length);
+    auto x0 = hn::Sub(x, u_length), x1 = hn::Add(x, u_length);
+    auto y0 = hn::Sub(y, v_length), y1 = hn::Add(y, v_length);
+    for (const LitBatch::Vectors* horizon : {&points.geometric, &points.normal}) {
+      const Vec3<DoubleLanes> normal = doubles(*horizon, i);
+      const auto nx = dot(normal, x_axis), ny = dot(normal, y_axis);
+      const auto by_z = hn::Mul(z, dot(normal, z_axis));
+      keep_positive(ny, hn::Add(by_z, hn::Max(hn::Mul(x0, nx), hn::Mul(x1, nx))), y0, y1);
+      keep_positive(nx, hn::Add(by_z, hn::Max(hn::Mul(y0, ny), hn::Mul(y1, ny))), x0, x1);
+    }
+    store_floats(y0, &found.third[i]);
+    store_floats(y1, &found.fourth[i]);
 
     // The z of the unit normals of the planes through the point and a side, and the angles between
     // neighbouring planes.

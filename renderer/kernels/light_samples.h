@@ -209,15 +209,15 @@ HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const Recei
   }
   const Vectors x_axis = all_lanes(light.u_axis), y_axis = all_lanes(light.v_axis);
   const Vectors z_axis = cross(x_axis, y_axis);
-  const auto x_middle = dot(middle, x_axis), y_middle = dot(middle, y_axis);
+  const auto x_middle = dot(middle, x_axis);
   const auto z = dot(middle, z_axis);
   const auto slope2 = loaded(arc.second, i);
   const auto per_z = hn::CopySign(hn::Div(one, hn::Sqrt(hn::Abs(slope2))), slope2);
   // At u = 0 and 1 the quotient rounds to either side of the rectangle's ends.
-  const auto u_length = all_lanes(light.u_length), v_length = all_lanes(light.v_length);
+  const auto u_length = all_lanes(light.u_length);
   const auto x =
       clamped(hn::Mul(hn::Abs(z), per_z), hn::Sub(x_middle, u_length), hn::Add(x_middle, u_length));
-  const auto y0 = hn::Sub(y_middle, v_length), y1 = hn::Add(y_middle, v_length);
+  const auto y0 = loaded(arc.third, i), y1 = loaded(arc.fourth, i);
   const auto d2 = hn::Add(hn::Mul(x, x), hn::Mul(z, z));
   const auto h0 = hn::Div(y0, hn::Sqrt(hn::Add(d2, hn::Mul(y0, y0))));
   const auto h1 = hn::Div(y1, hn::Sqrt(hn::Add(d2, hn::Mul(y1, y1))));

@@ -3,6 +3,7 @@
 #include "renderer/lights/spherical_rectangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -62,7 +63,8 @@ LightSample rectangle_sample(const PreparedLight& light, const Receiver& receive
   const double height = -glm::dot(middle, light.towards);
   const bool seen = light.two_sided ? height != 0.0 : height > 0.0;
   if (seen) {
-    const SphericalRectangle rectangle(middle, light.half_u, light.half_v);
+    const std::array horizons{receiver.geometric, receiver.normal};
+    const SphericalRectangle rectangle(middle, light.half_u, light.half_v, horizons);
     // A smaller one has too few digits, and from afar the area does as well.
     constexpr double least = 1e-5;
     if (rectangle.solid_angle() > least) {

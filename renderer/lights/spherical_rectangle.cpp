@@ -8,7 +8,19 @@ namespace asos {
 
 using std::numbers::pi;
 
-SphericalRectangle::SphericalRectangle(glm::dvec3 middle, glm::dvec3 half_u, glm::dvec3 half_v) {
+namespace {
+
+// Of the interval, what may have a positive slope t + rest, unless that is nothing.
+void keep_positive(double slope, double rest, double& low, double& high) {
+  const double end = -rest / slope;
+  if (!(end > low && end < high)) return;
+  (slope > 0.0 ? low : high) = end;
+}
+
+}  // namespace
+
+SphericalRectangle::SphericalRectangle(glm::dvec3 middle, glm::dvec3 half_u, glm::dvec3 half_v,
+                                       std::span<const glm::dvec3> horizons) {
   const double u = glm::length(half_u);
   const double v = glm::length(half_v);
   x_axis_ = half_u / u;
@@ -25,6 +37,7 @@ SphericalRectangle::SphericalRectangle(glm::dvec3 middle, glm::dvec3 half_u, glm
   x1_ = x + u;
   y0_ = y - v;
   y1_ = y + v;
+  for (const glm::dvec3& normal : horizons) keep_above(normal);
 
   // The z of the unit normals of the planes through the point and a side, and the angles between
   // neighbouring planes.
@@ -36,6 +49,13 @@ SphericalRectangle::SphericalRectangle(glm::dvec3 middle, glm::dvec3 half_u, glm
   b1_ = n2;
   k_ = 2.0 * pi - std::acos(-n2 * n3) - std::acos(-n3 * n0);
   solid_angle_ = std::acos(-n0 * n1) + std::acos(-n1 * n2) - k_;
+}
+
+void SphericalRectangle::keep_above(glm::dvec3 normal) {
+  const double nx = glm::dot(normal, x_axis_), ny = glm::dot(normal, y_axis_);
+  const double by_z = z_ * glm::dot(normal, z_axis_);
+  keep_positive(ny, by_z + std::max(x0_ * nx, x1_ * nx), y0_, y1_);
+  keep_positive(nx, by_z + std::max(y0_ * ny, y1_ * ny), x0_, x1_);
 }
 
 glm::dvec3 SphericalRectangle::point(double u, double v) const {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -112,6 +113,46 @@ TEST(SampleLight, BySolidAngleIsEvenUnderALargeRectangle) {
     const LightSample sample = sample_light(light, receiver, uv.x, uv.y);
     EXPECT_NEAR(sample.irradiance.r / sample.direction.y / first, 1.0, 1e-5);
   }
+}
+
+// None of its samples is wasted below a floor that it stands in, upright; of a leaning one few are.
+TEST(SampleLight, OfARectangleGoesToWhatIsAboveTheHorizons) {
+  Light wall = test::rectangle_light();
+  wall.position = {0, -0.2, -1.0};
+  wall.direction = {0, 0, 1};
+  wall.half_u = {0.2, 0, 0};
+  wall.half_v = {0, 0.5, 0};
+  Light leaning = wall;
+  leaning.half_u = {0.2, 0.08, 0};
+  leaning.half_v = {-0.2, 0.5, 0};
+  const glm::dvec3 up(0, 1, 0), tilted = glm::normalize(glm::dvec3(0.3, 1, 0.2));
+  const auto share_above = [](const Light& light, const Receiver& receiver) {
+    const PreparedLight prepared = prepare_light(light);
+    int above = 0;
+    for (int i = 0; i < 20; ++i)
+      for (int k = 0; k < 20; ++k)
+        above +=
+            sample_light(prepared, receiver, (i + 0.5) / 20, (k + 0.5) / 20).irradiance.r > 0.0f;
+    return above / 400.0;
+  };
+  EXPECT_EQ(share_above(wall, {{0, 0, 0}, up, up}), 1.0);
+  for (const Receiver& receiver : {Receiver{{0, 0, 0}, tilted, up}, {{0, 0, 0}, up, tilted}})
+    EXPECT_GT(share_above(wall, receiver), 0.55);
+  EXPECT_GT(share_above(leaning, {{0, 0, 0}, up, up}), 0.7);
+}
+
+// What is left is as large as what it was cut from: two halves make the whole.
+TEST(SphericalRectangle, KeepsWhatIsAboveAHorizon) {
+  const glm::dvec3 middle(0.2, -0.1, -1), u(0.8, 0, 0), v(0, 0.5, 0);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, 0.05));
+  const std::array above{up}, below{-up}, beyond{glm::dvec3(0, 0, 1)};
+  const double all = SphericalRectangle(middle, u, v).solid_angle();
+  const double upper = SphericalRectangle(middle, u, v, above).solid_angle();
+  const double lower = SphericalRectangle(middle, u, v, below).solid_angle();
+  EXPECT_NEAR(upper + lower, all, 1e-12);
+  EXPECT_GT(upper, 0.3 * all);
+  EXPECT_LT(upper, 0.5 * all);
+  EXPECT_EQ(SphericalRectangle(middle, u, v, beyond).solid_angle(), all) << "all is below";
 }
 
 TEST(SphericalRectangle, HasTheSolidAngleOfACubesFace) {
