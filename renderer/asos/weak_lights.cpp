@@ -12,9 +12,9 @@
 namespace asos {
 namespace {
 
-// Shadow rays of a point: shading it by a hundred lights takes as long.
-constexpr float rays_a_point = 16.0f;
-constexpr std::uint32_t most_points = 64;
+// Shadow rays of a point: weighing a hundred lights takes as long.
+constexpr float rays_a_point = 8.0f;
+constexpr std::uint32_t most_points = 128;
 
 /// Gathers what lights shine on, and asks none.
 class LitPoints final : public LightTransport {
@@ -74,12 +74,11 @@ void WeakLights::find(int side) {
   RenderStatistics uncounted;
   for (SampleId i = 0; i < static_cast<SampleId>(side * side); ++i) {
     if (!samples_->hit(i).valid()) continue;
-    looked_.push_back(eye_->scene->features().sheet(samples_->hit(i).triangle));
     (void)eye_->viewer.shader.radiance(
         eye_->viewer.viewed(samples_->ray(i), samples_->hit(i), eye_->side_of(1.0)), transport,
         uncounted);
   }
-  const std::vector<double>& carried = carried_->most();
+  const std::vector<double> carried = carried_->most();
   // Those that cast shadows, brightest first.
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
@@ -106,7 +105,6 @@ void WeakLights::find(int side) {
   weak_.assign(lights.size(), 0);
   for (std::size_t k = strong; k < order.size(); ++k) weak_[order[k]] = 1;
   expected_ = expected(carried);
-  std::sort(looked_.begin(), looked_.end());
   lights_.restrict_to(weak_, rays_a_point);
 }
 
@@ -118,19 +116,9 @@ WeakLights::Expected WeakLights::expected(std::span<const double> carried) const
   return {std::clamp(all, 0.0, 1.0), rays_of_point(of_weak)};
 }
 
-// On a surface that no pixel's middle shows, or close to one of them, they may be far brighter than
-// where one does.
-WeakLights::Expected WeakLights::expected_at(const LitPoint& point, double weight) {
+// Where a leaf is they may be far brighter than where any pixel's middle is.
+WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
   if (expected_.intensity >= 1.0) return expected_;
-  const SurfacePoint& at = point.view.point;
-  const std::uint32_t sheet = eye_->scene->features().sheet(at.triangle);
-  // What one point's rays are enough for need not be known any better.
-  const double enough = std::max(
-      expected_.intensity, eye_->budget.intensity_of(static_cast<double>(rays_a_point), weight));
-  const bool looked = std::binary_search(looked_.begin(), looked_.end(), sheet);
-  if (looked ? !carried_->near(at.position, enough)
-             : carried_->by_white_walls(at.position) <= enough)
-    return expected_;
   carried_->start();
   carried_->add(point);
   const Expected here = expected(carried_->most());
@@ -195,7 +183,7 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
 void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
-  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit, leaf.weight)));
+  look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
   const glm::vec3 weight(static_cast<float>(leaf.weight) / static_cast<float>(seen_.size()));
   for (std::size_t k = 0; k < seen_.size(); ++k) {
     ViewedPoint view{seen_[k], lit.view.to_viewer, lit.view.n_dot_v, lit.view.patch,

@@ -67,7 +67,7 @@ class WeakLights {
   };
   [[nodiscard]] bool sought() const;
   [[nodiscard]] Expected expected(std::span<const double> carried) const;
-  [[nodiscard]] Expected expected_at(const LitPoint& point, double weight);
+  [[nodiscard]] Expected expected_at(const LitPoint& point);
   [[nodiscard]] std::uint32_t points_of(double weight, const Expected& expected) const;
   void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
 
@@ -75,8 +75,7 @@ class WeakLights {
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
   std::optional<CarriedLight> carried_;
-  Expected expected_;                  // where the pixels' middles see most of them
-  std::vector<std::uint32_t> looked_;  // the sheets that they see, by number
+  Expected expected_;  // where the pixels' middles see most of them
   SobolPlaces places_;
   SampledLights lights_;
   std::vector<Share> shares_;

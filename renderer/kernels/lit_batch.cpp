@@ -40,4 +40,34 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   spread_variance[i] = point.spread.variance;
 }
 
+void LitBatch::gather(const LitBatch& from, std::span<const std::uint32_t> indices) {
+  count = indices.size();
+  bool any_turns = false;
+  const auto take = [&](Floats LitBatch::*field) {
+    const Floats& values = from.*field;
+    Floats& taken = this->*field;
+    for (std::size_t k = 0; k < indices.size(); ++k) taken[k] = values[indices[k]];
+  };
+  const auto take3 = [&](Vectors LitBatch::*field) {
+    const Vectors& values = from.*field;
+    Vectors& taken = this->*field;
+    for (std::size_t k = 0; k < indices.size(); ++k) taken.set(k, values.at(indices[k]));
+  };
+  for (const auto field :
+       {&LitBatch::position, &LitBatch::geometric, &LitBatch::normal, &LitBatch::to_viewer,
+        &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
+    take3(field);
+  for (const auto field : {&LitBatch::clear_height, &LitBatch::n_dot_v, &LitBatch::falloff,
+                           &LitBatch::alpha, &LitBatch::shows_lights, &LitBatch::turns})
+    take(field);
+  for (std::size_t k = 0; k < indices.size(); ++k) any_turns |= turns[k] != 0.0f;
+  if (!any_turns) return;
+  for (const auto field : {&LitBatch::stretch, &LitBatch::patch_right, &LitBatch::patch_down,
+                           &LitBatch::spread_right, &LitBatch::spread_down})
+    take3(field);
+  for (const auto field :
+       {&LitBatch::sheen, &LitBatch::viewer_nearness, &LitBatch::spread_variance})
+    take(field);
+}
+
 }  // namespace asos

@@ -88,11 +88,6 @@ struct Budget {
     return std::pow(error_of_one / error, 4.0 / 3.0);
   }
 
-  /// The intensity that so many of them are enough for.
-  [[nodiscard]] double intensity_of(double rays_enough, double weight) const {
-    return std::pow(rays_enough / rays(weight, 1.0), 3.0 / 4.0);
-  }
-
   /// Whether that many rays cost less than an exact answer of that price.
   [[nodiscard]] bool rays_suffice(double weight, double intensity, double price) const {
     return refines() && rays(weight, intensity) <= price;

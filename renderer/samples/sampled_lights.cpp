@@ -100,6 +100,9 @@ void SampledLights::prepare(std::span<const PreparedLight> lights, bool shadows)
     all_taken_ &= takes;
     lights_with_rays_ += shadowed;
   }
+  if (!picks_lights()) return;
+  for (std::uint32_t i = 0; i < lights_.size(); ++i)
+    if (shadowed_[i] != 0) many_.add(lights_[i], i);
 }
 
 std::uint32_t SampledLights::pick_place() const {
@@ -128,14 +131,14 @@ void SampledLights::forget_since(const Waiting& then) {
 }
 
 void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
-  picks_ = Recycler<LightPicks>::make();
+  work_ = Recycler<Work>::make();
   for (std::size_t first = 0; first < points_; first += LitBatch::size) {
     Gathered& batch = *batches_[first / LitBatch::size];
     batch.points.count = std::min(LitBatch::size, points_ - first);
     trace(batch, sums, counts);
   }
   points_ = 0;
-  picks_.reset();
+  work_.reset();
   trace_pending(sums);
 }
 
@@ -148,12 +151,17 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
                           RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
-  const bool held = many && lights_.size() <= LightPicks::most_held;
   wide_.find(batch.points, lights_, many ? std::span<const std::uint8_t>() : shadowed_, *places_);
-  picks_->start(held ? lights_.size() : 1);
   trace_lobes(batch, sums, counts);
-  if (many && !held) return trace_picked(batch, sums, counts);
+  trace_each(batch, sums, counts);
+  if (many) trace_picked(batch, sums, counts);
+}
+
+// The lights that each point asks.
+void SampledLights::trace_each(const Gathered& batch, std::vector<glm::dvec3>& sums,
+                               RenderStatistics& counts) {
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
+    if (picks_lights() && sends_rays(light)) continue;
     if (wide_.holds(light)) {
       for (const ShadowRayBatch& rays :
            wide_.shade(batch.points, batch.samples, light, lights_[light], *places_)) {
@@ -162,41 +170,47 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
       }
       continue;
     }
-    ShadowRayBatch& rays = picks_->rays(many ? light : 0);
-    shade(batch, light, rays);
-    counts.rejected_samples += rays.rejected;
-    if (many && sends_rays(light)) continue;
-    trace(batch, light, rays, sums, counts);
-    rays.count = rays.rejected = 0;
+    shade(batch, light, work_->rays);
+    counts.rejected_samples += work_->rays.rejected;
+    trace(batch, light, work_->rays, sums, counts);
   }
-  if (!many) return;
-  picks_->pick(batch.points.count, batch.picks, rays_a_point_);
-  for (std::uint32_t light = 0; light < lights_.size(); ++light)
-    trace(batch, light, picks_->rays(light), sums, counts);
 }
 
-// The same where the rays of all lights are more than are held at once: to the same bits.
+// Of the others, those that each point picks.
 void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums,
                                  RenderStatistics& counts) {
-  ShadowRayBatch& rays = picks_->rays(0);
-  picks_->weigh_none(batch.points.count);
-  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
-    shade(batch, light, rays);
-    counts.rejected_samples += rays.rejected;
-    if (sends_rays(light)) {
-      picks_->weigh(rays);
-    } else {
-      trace(batch, light, rays, sums, counts);
-    }
+  auto& [rays, picks, picked, places] = *work_;
+  picks.pick(many_, batch.points, batch.picks, rays_a_point_);
+  // A pixel's rays to a light go to its first places on it, which are well distributed together.
+  std::array<std::uint32_t, LitBatch::size> first_of_pixel;
+  for (std::uint32_t p = 0; p < batch.points.count; ++p) {
+    const bool same = p > 0 && batch.samples[p].same_pixel(batch.samples[p - 1]);
+    first_of_pixel[p] = same ? first_of_pixel[p - 1] : p;
   }
-  picks_->walk(batch.picks, rays_a_point_);
-  for (std::uint32_t light = 0; light < lights_.size(); ++light) {
-    if (!sends_rays(light)) continue;
-    shade(batch, light, rays);
-    picks_->keep_picked(rays);
+  for (std::size_t i = 0; i < many_.size(); ++i) {
+    const LightPicks::Points by = picks.of(i);
+    if (by.point.empty()) continue;
+    const std::uint32_t light = many_.number(i);
+    picked.gather(batch.points, by.point);
+    if (lights_[light].light->extended()) {
+      places_->on_light(light, on_light_);
+      std::uint32_t next = 0;
+      for (std::size_t k = 0; k < by.point.size(); ++k) {
+        next = std::max(next, first_of_pixel[by.point[k]]);
+        places.u[k] = on_light_.u[next];
+        places.v[k] = on_light_.v[next];
+        ++next;
+      }
+    }
+    shade_batch(picked, lights_[light], places, rays);
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      const std::uint32_t of = rays.point[k];
+      rays.point[k] = by.point[of];
+      for (auto& channel : rays.carried) channel[k] *= by.weight[of];
+    }
+    counts.rejected_samples += rays.rejected;
     trace(batch, light, rays, sums, counts);
   }
-  rays.count = rays.rejected = 0;
 }
 
 // What the light carries by way of each point.
@@ -225,14 +239,13 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
   if (!any_glossy(points)) return;
   places_->on_light(place_in_lobe, on_light_);
   choose_lobes(points, on_light_, lobe_);
-  ShadowRayBatch& rays = picks_->rays(0);
+  ShadowRayBatch& rays = work_->rays;
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (taken_[light] == 0 || wide_.holds(light)) continue;
     shade_lobe(points, lights_[light], lobe_, rays);
     counts.rejected_samples += rays.rejected;
     trace(batch, light, rays, sums, counts);
   }
-  rays.count = rays.rejected = 0;
 }
 
 // Adds what of it arrives.

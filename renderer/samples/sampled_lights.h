@@ -110,6 +110,7 @@ class SampledLights {
   };
 
   void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace_each(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   void trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
   [[nodiscard]] bool sends_rays(std::uint32_t light) const {
     return shadows_ && lights_[light].light->casts_shadows;
@@ -136,7 +137,15 @@ class SampledLights {
   LightPlaceBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;
-  Recycled<LightPicks> picks_;  // while rays are traced
+  LightTable many_;  // those that rays are sent to, if they are picked
+  /// What only tracing needs.
+  struct Work {
+    ShadowRayBatch rays;
+    LightPicks picks;
+    LitBatch picked;
+    LightPlaceBatch places;
+  };
+  Recycled<Work> work_;  // while rays are traced
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;
   std::vector<Ray> batch_;

@@ -45,7 +45,46 @@ std::uint32_t chance(const SampleIndex& sample, std::uint32_t light) {
   return static_cast<std::uint32_t>(mix_bits(mix_bits(pixel) ^ which) >> 32);
 }
 
+float most_carried(const ShadowRayBatch& rays, std::size_t i) {
+  return std::max({rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]});
+}
+
+// Appends ray i to `to`; it carries `weight` times as much there.
+void append_ray(const ShadowRayBatch& rays, std::size_t i, float weight, ShadowRayBatch& to) {
+  const std::size_t at = to.count++;
+  for (std::size_t k = 0; k < 3; ++k) {
+    to.origin[k][at] = rays.origin[k][i];
+    to.direction[k][at] = rays.direction[k][i];
+    to.carried[k][at] = weight * rays.carried[k][i];
+  }
+  to.t_far[at] = rays.t_far[i];
+  to.point[at] = rays.point[i];
+}
+
 }  // namespace
+
+void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
+              const LightPlaceBatch::Fractions& at, float share, std::vector<float>& walked,
+              ShadowRayBatch& kept) {
+  walked.assign(2 * points, 0.0f);
+  const std::span<float> all = std::span(walked).first(points),
+                         left = std::span(walked).last(points);
+  for (const ShadowRayBatch& of : rays)
+    for (std::size_t i = 0; i < of.count; ++i) all[of.point[i]] += most_carried(of, i);
+  // Walk along the rays until the point's own share of all is passed; then never again.
+  for (std::size_t p = 0; p < points; ++p)
+    left[p] = static_cast<float>(at[p] >> 8) * 0x1p-24f * all[p];
+  kept.count = kept.rejected = 0;
+  for (const ShadowRayBatch& of : rays) {
+    for (std::size_t i = 0; i < of.count; ++i) {
+      const std::uint32_t p = of.point[i];
+      const float carried = most_carried(of, i);
+      if (left[p] < 0.0f) continue;
+      left[p] -= carried;
+      if (left[p] < 0.0f) append_ray(of, i, share * all[p] / carried, kept);
+    }
+  }
+}
 
 void WideLights::find(const LitBatch& points, std::span<const LightConstants> lights,
                       std::span<const std::uint8_t> asked, LightPlaces& places) {
@@ -68,20 +107,17 @@ std::span<const ShadowRayBatch> WideLights::shade(const LitBatch& points,
                                                   std::uint32_t light,
                                                   const LightConstants& constants,
                                                   LightPlaces& places) {
-  LightPicks& picks = work_->picks;
-  picks.start(2 * candidates);
-  places.on_light(light, work_->places);
+  auto& [lobes, on_light, part, rays, picked, walked] = *work_;
+  places.on_light(light, on_light);
   for (std::uint32_t k = 0; k < candidates; ++k) {
-    shade_batch(points, constants, part_of_places(k, points.count), picks.rays(k));
-    shade_lobe(points, constants, work_->lobes[k], picks.rays(candidates + k));
+    shade_batch(points, constants, part_of_places(k, points.count), rays[k]);
+    shade_lobe(points, constants, lobes[k], rays[candidates + k]);
   }
-  LightPlaceBatch::Fractions& numbers = work_->part.u;
-  for (std::size_t i = 0; i < points.count; ++i) numbers[i] = chance(samples[i], light);
-  for (std::size_t half = 0; half < 2; ++half) {
-    ShadowRayBatch& kept = work_->picked[half];
-    const LightPicks::Range of{half * candidates, candidates};
-    picks.pick_one(points.count, of, numbers, 1.0f / candidates, kept);
-    for (std::size_t k = 0; k < candidates; ++k) kept.rejected += picks.rays(of.first + k).rejected;
+  for (std::size_t i = 0; i < points.count; ++i) part.u[i] = chance(samples[i], light);
+  for (std::size_t half = 0; half < picked.size(); ++half) {
+    const auto of = std::span(rays).subspan(half * candidates, candidates);
+    pick_one(points.count, of, part.u, 1.0f / candidates, walked, picked[half]);
+    for (const ShadowRayBatch& each : of) picked[half].rejected += each.rejected;
   }
   return work_->picked;
 }

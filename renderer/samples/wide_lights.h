@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/kernels/light_kernel.h"
-#include "renderer/samples/light_picks.h"
 #include "renderer/samples/light_places.h"
 #include "renderer/samples/recycled.h"
 
@@ -15,6 +14,13 @@ namespace asos {
 
 /// Of the lobe's own samples, which place on lights is theirs: of all lights the same.
 inline constexpr std::uint32_t place_in_lobe = 0x3000;
+
+/// Of some rays of each of so many points, one is kept, the likelier the more it carries, and that
+/// carries `share` of all of theirs together. `at`: each point's number, of 2^32; `walked` is
+/// scratch. `kept` is not one of `rays`.
+void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
+              const LightPlaceBatch::Fractions& at, float share, std::vector<float>& walked,
+              ShadowRayBatch& kept);
 
 /// Highlights of lights that are wider than the lobe, which differ from place to place on them and
 /// from direction to direction: a sample looks at several places and along several directions,
@@ -42,8 +48,9 @@ class WideLights {
     std::array<LobeBatch, candidates> lobes;
     LightPlaceBatch places;
     LightPlaceBatch part;
-    LightPicks picks;
+    std::array<ShadowRayBatch, 2 * candidates> rays;  ///< to places, then along the lobe
     std::array<ShadowRayBatch, 2> picked;
+    std::vector<float> walked;
   };
   const LightPlaceBatch& part_of_places(std::uint32_t part, std::size_t count);
 

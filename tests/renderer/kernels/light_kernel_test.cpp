@@ -4,7 +4,7 @@
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
 #include "tests/support/every_target.h"
-#include "tests/support/random_space.h"
+#include "tests/support/lit_subjects.h"
 #include "tests/support/sample_lights.h"
 
 #include <gtest/gtest.h>
@@ -24,94 +24,6 @@
 namespace asos::test::light_kernel_test {
 namespace {
 
-struct NamedLight {
-  std::string name;
-  PreparedLight prepared;
-};
-
-Light two_sided(Light light) {
-  light.two_sided = true;
-  return light;
-}
-
-/// All shapes, `scale` times as large and as far away, and moved by `offset`.
-std::vector<NamedLight> lights(double scale, glm::dvec3 offset) {
-  std::vector<NamedLight> all;
-  const auto add = [&](const std::string& name, const Light& light,
-                       LightRule rule = LightRule::physical) {
-    Light placed = scaled(light, scale);
-    placed.position += offset;
-    for (auto& outline : placed.outlines) {
-      for (glm::dvec3& corner : outline) corner += offset;
-    }
-    all.push_back({name, prepare_light(placed, rule)});
-  };
-  add("point", point_light());
-  add("spot", spot_light());
-  add("distant", distant_light());
-  add("sun", sun_light());
-  add("small sun", sun_light(0.0093));
-  add("ball", ball_light());
-  add("huge ball", ball_light(2.5));
-  add("segment", linear_light());
-  add("published segment", linear_light(), LightRule::published);
-  add("rectangle", rectangle_light());
-  add("two-sided rectangle", two_sided(rectangle_light()));
-  Light small = rectangle_light();
-  small.half_u *= 1e-3;
-  small.half_v *= 1e-3;
-  add("small rectangle", small);
-  add("disk", disk_light());
-  add("polygon", polygon_light());
-  return all;
-}
-
-/// What a LitPoint refers to.
-struct Subject {
-  std::unique_ptr<SurfacePoint> point = std::make_unique<SurfacePoint>();
-  ViewedMaterial material{};
-  std::unique_ptr<ViewedPoint> view;
-  MirroredLights mirrored = MirroredLights::none;
-  glm::vec3 share{1.0f};
-
-  [[nodiscard]] LitPoint lit() const { return {{}, *view, material, mirrored, share}; }
-};
-
-Subject subject(RandomSpace& space, int kind, double scale, glm::dvec3 offset) {
-  const glm::dvec3 place(space.between(-2, 2), space.between(-1, 2.5), space.between(-2, 2));
-  const Receiver at = space.receiver(place, {0, 2, 0}, kind);
-  Subject s;
-  s.point->position = glm::vec3(scale * place + offset);
-  s.point->error = 3e-7f * glm::abs(s.point->position);
-  s.point->extent = static_cast<float>(scale);
-  s.point->shading_normal = glm::vec3(at.normal);
-  s.point->geometric_normal = glm::vec3(at.geometric);
-  glm::dvec3 to_viewer = space.direction();
-  if (glm::dot(to_viewer, at.geometric) < 0.0) to_viewer = -to_viewer;
-  const auto n_dot_v =
-      std::max(glm::dot(s.point->shading_normal, glm::vec3(to_viewer)), grazing_cosine);
-  s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, glm::vec3(to_viewer), n_dot_v});
-  const auto unit = [&] { return static_cast<float>(space.between(0, 1)); };
-  // Rougher than a mirror: next to one's reflection the last bits of a direction are all there is.
-  s.material = {{unit(), unit(), unit()}, {},    glm::vec3(unit()), 0.3f + 0.7f * unit(),
-                glm::vec3(unit()),        unit()};
-  if (kind % 7 == 0) {
-    s.material.roughness = 1.0f;
-    s.material.sheen = 0.2f + 0.8f * unit();
-  }
-  s.mirrored = kind % 5 == 0 ? MirroredLights::all : MirroredLights::none;
-  s.share = {unit(), unit(), unit()};
-  if (kind % 2 == 0) {
-    const auto edge = [&](double length) {
-      return static_cast<float>(length * space.between(0.1, 1)) * glm::vec3(space.direction());
-    };
-    s.view->patch = {edge(0.02 * scale), edge(0.02 * scale)};
-    s.view->distance = static_cast<float>(3.0 * scale);
-    if (kind % 4 == 0) s.point->spread = {edge(0.2), edge(0.2), 0.01f * unit()};
-  }
-  return s;
-}
-
 struct Expected {
   LightSample sample;
   Ray ray;
@@ -120,7 +32,7 @@ struct Expected {
 };
 
 /// The density of the mirrored visible normals (Heitz 2018), by solid angle.
-double lobe_density(const Subject& s, glm::dvec3 l) {
+double lobe_density(const LitSubject& s, glm::dvec3 l) {
   const glm::dvec3 n(s.point->shading_normal), v(s.view->to_viewer);
   const double a2 = std::pow(static_cast<double>(s.material.roughness), 4.0);
   const double nv = glm::dot(n, v), nh = glm::dot(n, glm::normalize(v + l));
@@ -131,7 +43,7 @@ double lobe_density(const Subject& s, glm::dvec3 l) {
 
 /// The share of its highlight that a sample of the light carries; samples of the lobe carry the
 /// rest (the balance heuristic).
-double share_of_light(const PreparedLight& light, const Subject& s, const LightSample& sample) {
+double share_of_light(const PreparedLight& light, const LitSubject& s, const LightSample& sample) {
   const glm::dvec3 n(s.point->shading_normal);
   const bool area = light.extended() && light.shape != PreparedLight::Shape::segment;
   const bool narrow = s.material.roughness < least_broad_roughness &&
@@ -142,7 +54,7 @@ double share_of_light(const PreparedLight& light, const Subject& s, const LightS
   return density / (density + lobe_density(s, sample.direction));
 }
 
-Expected expected(const PreparedLight& light, const Subject& s, glm::dvec2 at) {
+Expected expected(const PreparedLight& light, const LitSubject& s, glm::dvec2 at) {
   const Receiver receiver = receiver_at(*s.point);
   Expected e;
   e.sample = sample_light(light, receiver, at.x, at.y);
@@ -164,30 +76,6 @@ Expected expected(const PreparedLight& light, const Subject& s, glm::dvec2 at) {
   return e;
 }
 
-/// A batch that is not a multiple of any lanes, and its places.
-struct Batch {
-  std::vector<Subject> subjects;
-  LitBatch points;
-  LightPlaceBatch places;
-
-  Batch(std::uint64_t seed, double scale, glm::dvec3 offset) {
-    RandomSpace space(seed);
-    for (int i = 0; i < 251; ++i) {
-      subjects.push_back(subject(space, i, scale, offset));
-      points.add(subjects.back().lit(), glm::vec3(1.0f));
-      const auto bits = [&] {
-        return static_cast<std::uint32_t>(space.between(0.0, 4294967295.0));
-      };
-      places.u[static_cast<std::size_t>(i)] = i == 7 ? 0u : i == 8 ? 0xffffffffu : bits();
-      places.v[static_cast<std::size_t>(i)] = i == 8 ? 0u : bits();
-    }
-  }
-  [[nodiscard]] glm::dvec2 at(std::size_t i) const {
-    constexpr double per_turn = 1.0 / 4294967296.0;
-    return per_turn * glm::dvec2(places.u[i], places.v[i]);
-  }
-};
-
 float largest(glm::vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -195,14 +83,6 @@ float largest(glm::vec3 v) {
 glm::vec3 at(const std::array<ShadowRayBatch::Floats, 3>& v, std::size_t i) {
   return {v[0][i], v[1][i], v[2][i]};
 }
-
-/// A scene of about 1, tiny and huge ones, and one far from the origin.
-struct Scale {
-  double scale;
-  glm::dvec3 offset;
-};
-constexpr Scale scales[] = {
-    {1.0, {0, 0, 0}}, {1e-6, {0, 0, 0}}, {1e6, {0, 0, 0}}, {1.0, {300, -200, 500}}};
 
 // Floats have 24 bits: what is left of some dozens of roundings, and where a highlight is narrow,
 // a square of them.
@@ -212,7 +92,7 @@ constexpr double direction_error = 2e-5;
 
 TEST(LightKernel, RaysAreTheOnesOfThePointsOneByOne) {
   for (const auto& [scale, offset] : scales) {
-    const Batch batch(static_cast<std::uint64_t>(std::log10(scale) + 20.0), scale, offset);
+    const LitSubjects batch(static_cast<std::uint64_t>(std::log10(scale) + 20.0), scale, offset);
     for (const NamedLight& light : lights(scale, offset)) {
       SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
       ShadowRayBatch rays;
@@ -271,7 +151,7 @@ TEST(LightKernel, RaysAreTheOnesOfThePointsOneByOne) {
 struct Means {
   double both = 0.0, by_lobe = 0.0;
 };
-Means means_of(const PreparedLight& light, const Subject& s) {
+Means means_of(const PreparedLight& light, const LitSubject& s) {
   constexpr int rounds = 256;
   Means means;
   const LightConstants constants(light);
@@ -302,7 +182,7 @@ Means means_of(const PreparedLight& light, const Subject& s) {
 // Neither half of the samples alone: together they have the mean of the rendering equation.
 TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
   for (const float roughness : {0.1f, 0.25f, 0.5f, 0.8f}) {
-    Subject s;
+    LitSubject s;
     s.point->position = {1.0f, 0.0f, 0.2f};
     s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
     const glm::vec3 to_viewer = glm::normalize(glm::vec3(0.9f, 1.3f, 0.1f));
@@ -335,7 +215,7 @@ TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
 
 TEST(LightKernel, ClosedFormsAreTheOnesOfThePointsOneByOne) {
   for (const auto& [scale, offset] : scales) {
-    const Batch batch(static_cast<std::uint64_t>(std::log10(scale) + 40.0), scale, offset);
+    const LitSubjects batch(static_cast<std::uint64_t>(std::log10(scale) + 40.0), scale, offset);
     for (const NamedLight& light : lights(scale, offset)) {
       if (!light.prepared.rectangle) continue;
       SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
@@ -378,7 +258,7 @@ TEST(LightKernel, AllInstructionSetsGiveTheSameBits) {
   for_every_target([&] {
     std::vector<std::vector<std::uint32_t>> bits;
     for (const auto& [scale, offset] : scales) {
-      const Batch batch(99, scale, offset);
+      const LitSubjects batch(99, scale, offset);
       for (const NamedLight& light : lights(scale, offset)) {
         ShadowRayBatch rays;
         shade_batch(batch.points, LightConstants(light.prepared), batch.places, rays);
@@ -398,7 +278,7 @@ TEST(LightKernel, AllInstructionSetsGiveTheSameBits) {
 }
 
 TEST(LightKernel, APointsRayDoesNotDependOnItsPlaceInTheBatch) {
-  const Batch batch(5, 1.0, {0, 0, 0});
+  const LitSubjects batch(5, 1.0, {0, 0, 0});
   for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
     SCOPED_TRACE(light.name);
     ShadowRayBatch all, alone;
@@ -423,7 +303,7 @@ TEST(LightKernel, APointsRayDoesNotDependOnItsPlaceInTheBatch) {
 TEST(LightKernel, WhatIsNotFiniteIsCountedAndLeftOut) {
   const PreparedLight light = prepare_light(point_light());
   RandomSpace space(1);
-  Subject s = subject(space, 1, 1.0, {0, 0, 0});
+  LitSubject s = subject(space, 1, 1.0, {0, 0, 0});
   s.point->position = {0, 0, 0};
   s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
   s.share = glm::vec3(std::numeric_limits<float>::infinity());
@@ -443,7 +323,7 @@ TEST(LightKernel, AtTheVeryPlaceOfALightNothingArrives) {
         light.prepared.shape == PreparedLight::Shape::ball)
       continue;
     LitBatch points;
-    Subject s = subject(space, 1, 1.0, {0, 0, 0});
+    LitSubject s = subject(space, 1, 1.0, {0, 0, 0});
     s.point->position = glm::vec3(light.prepared.position);
     points.add(s.lit(), glm::vec3(1.0f));
     ShadowRayBatch rays;

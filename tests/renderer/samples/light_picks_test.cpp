@@ -1,8 +1,11 @@
 #include "renderer/samples/light_picks.h"
 
+#include "tests/support/lit_subjects.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -11,101 +14,88 @@ namespace asos::test::light_picks_test {
 namespace {
 
 constexpr std::size_t point_count = 128;  // a number each, evenly spaced
-constexpr std::size_t lights = 40;
+constexpr std::size_t light_count = 40;
+constexpr float rays_a_point = 8.0f;
 
-// Light 0 is as bright as all others together, which differ.
-float carried_by(std::size_t light) {
+// Light 0 is as bright as all others together, which differ; the last is behind the floor.
+float brightness(std::size_t light) {
   return light == 0 ? 20.0f : static_cast<float>(light % 5 + 1) / 6.0f;
 }
 
+/// Points of a floor, all at the same place, under lights of one height.
 class Picked : public testing::Test {
  protected:
   Picked() {
-    picks_.start(lights);
-    for (std::size_t light = 0; light < lights; ++light) {
-      ShadowRayBatch& rays = picks_.rays(light);
-      rays.count = point_count;
-      for (std::size_t i = 0; i < point_count; ++i) {
-        rays.point[i] = static_cast<std::uint32_t>(i);
-        for (auto& channel : rays.carried) channel[i] = carried_by(light);
-        rays.t_far[i] = static_cast<float>(light) + 0.5f;
-      }
+    at_.shading_normal = at_.geometric_normal = {0, 1, 0};
+    for (std::size_t i = 0; i < light_count; ++i) {
+      Light light = point_light();
+      light.color = glm::vec3(1.0f);
+      light.intensity = brightness(i);
+      if (i + 1 == light_count) light.position.y = -2.0;
+      prepared_.push_back(prepare_light(light));
     }
-    const auto at = std::make_unique<LightPlaceBatch>();
+    for (std::uint32_t i = 0; i < light_count; ++i) {
+      constants_.emplace_back(prepared_[i]);
+      table_.add(constants_.back(), i);
+    }
+    const ViewedPoint view{at_, {0, 1, 0}, 1.0f};
     for (std::size_t i = 0; i < point_count; ++i)
-      at->u[i] = static_cast<std::uint32_t>((i << 32) / point_count);
-    picks_.pick(point_count, at->u, 8.0f);
+      points_->add({prepared_, view, material_}, glm::vec3(1.0f));
+    for (std::size_t i = 0; i < point_count; ++i)
+      numbers_->u[i] = static_cast<std::uint32_t>((i << 32) / point_count);
+    picks_.pick(table_, *points_, numbers_->u, rays_a_point);
   }
 
+  SurfacePoint at_;
+  ViewedMaterial material_{glm::vec3(1.0f), glm::vec3(0.0f), glm::vec3(0.0f), 1.0f,
+                           glm::vec3(0.0f)};
+  std::vector<PreparedLight> prepared_;
+  std::vector<LightConstants> constants_;
+  LightTable table_;
+  std::unique_ptr<LitBatch> points_ = std::make_unique<LitBatch>();
+  std::unique_ptr<LightPlaceBatch> numbers_ = std::make_unique<LightPlaceBatch>();
   LightPicks picks_;
 };
 
 TEST_F(Picked, AreSoManyAPoint) {
   std::vector<int> rays(point_count, 0);
-  for (std::size_t light = 0; light < lights; ++light) {
-    for (std::size_t i = 0; i < picks_.rays(light).count; ++i) ++rays[picks_.rays(light).point[i]];
-  }
+  for (std::size_t light = 0; light < light_count; ++light)
+    for (const std::uint32_t point : picks_.of(light).point) ++rays[point];
   // Half of the eight go into the bright light, which needs one.
   EXPECT_LE(*std::max_element(rays.begin(), rays.end()), 6);
   EXPECT_GE(*std::min_element(rays.begin(), rays.end()), 4);
 }
 
-TEST_F(Picked, CarryEachLightOnTheAverage) {
-  for (std::size_t light = 0; light < lights; ++light) {
-    const ShadowRayBatch& rays = picks_.rays(light);
+TEST_F(Picked, StandForEachLightOnTheAverage) {
+  for (std::size_t light = 0; light + 1 < light_count; ++light) {
+    const LightPicks::Points picked = picks_.of(light);
+    ASSERT_EQ(picked.point.size(), picked.weight.size());
+    EXPECT_TRUE(std::is_sorted(picked.point.begin(), picked.point.end()));
     double sum = 0.0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      EXPECT_EQ(rays.t_far[i], static_cast<float>(light) + 0.5f);
-      sum += static_cast<double>(rays.carried[1][i]);
-    }
-    const double share = static_cast<double>(carried_by(light));
-    // A light is picked by an interval of the points' numbers: one point too many, or too few.
-    EXPECT_NEAR(sum / static_cast<double>(point_count), share, 5.0 / point_count) << light;
+    for (const float weight : picked.weight) sum += static_cast<double>(weight);
+    // A light is picked by an interval of the points' numbers: one point too many, or too few, of
+    // that weight.
+    const double probability =
+        std::min(1.0, static_cast<double>(brightness(light) * rays_a_point / 42.0f));
+    EXPECT_NEAR(sum / point_count, 1.0, 1.5 / (probability * point_count)) << light;
   }
 }
 
 TEST_F(Picked, AlwaysHoldWhatIsBrighterThanARaysShare) {
-  const ShadowRayBatch& rays = picks_.rays(0);
-  ASSERT_EQ(rays.count, point_count);
-  EXPECT_EQ(rays.carried[0][17], carried_by(0));
+  const LightPicks::Points picked = picks_.of(0);
+  ASSERT_EQ(picked.point.size(), point_count);
+  for (const float weight : picked.weight) EXPECT_EQ(weight, 1.0f);
 }
 
-// Of lights 1 to 9 each point has one ray, for a quarter of what all nine carry; and each is picked
-// by as many points as it deserves.
-TEST(OnePicked, CarriesAllAndComesFromEachByItsShare) {
-  constexpr std::size_t first = 1, count = 9;
-  LightPicks picks;
-  picks.start(lights);
-  double all = 0.0;
-  for (std::size_t light = 0; light < lights; ++light) {
-    ShadowRayBatch& rays = picks.rays(light);
-    rays.count = point_count;
-    for (std::size_t i = 0; i < point_count; ++i) {
-      rays.point[i] = static_cast<std::uint32_t>(i);
-      for (auto& channel : rays.carried) channel[i] = carried_by(light);
-      rays.t_far[i] = static_cast<float>(light);
-    }
-    if (light >= first && light < first + count) all += static_cast<double>(carried_by(light));
-  }
-  const auto at = std::make_unique<LightPlaceBatch>();
-  for (std::size_t i = 0; i < point_count; ++i)
-    at->u[i] = static_cast<std::uint32_t>((i << 32) / point_count);
-  const auto kept = std::make_unique<ShadowRayBatch>();
-  picks.pick_one(point_count, {first, count}, at->u, 0.25f, *kept);
+TEST_F(Picked, NeverHoldWhatCarriesNothing) {
+  EXPECT_TRUE(picks_.of(light_count - 1).point.empty());
+}
 
-  ASSERT_EQ(kept->count, point_count);
-  std::vector<int> from(lights, 0), of(point_count, 0);
-  for (std::size_t i = 0; i < kept->count; ++i) {
-    EXPECT_NEAR(static_cast<double>(kept->carried[2][i]), 0.25 * all, 1e-5);
-    ++from[static_cast<std::size_t>(kept->t_far[i])];
-    ++of[kept->point[i]];
-  }
-  EXPECT_EQ(*std::min_element(of.begin(), of.end()), 1);
-  for (std::size_t light = 0; light < lights; ++light) {
-    const bool asked = light >= first && light < first + count;
-    const double share = asked ? static_cast<double>(carried_by(light)) / all : 0.0;
-    EXPECT_NEAR(from[light], share * point_count, asked ? 1.0 : 0.0) << light;
-  }
+TEST_F(Picked, AreNoneWhereAllIsDark) {
+  points_->diffuse = {};
+  picks_.pick(table_, *points_, numbers_->u, rays_a_point);
+  for (std::size_t light = 0; light < light_count; ++light)
+    EXPECT_TRUE(picks_.of(light).point.empty()) << light;
 }
 
 }  // namespace

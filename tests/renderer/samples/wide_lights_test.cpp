@@ -1,6 +1,13 @@
+#include "renderer/samples/wide_lights.h"
+
 #include "tests/support/true_light.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 // Highlights of lights that are wider than the lobe, by samples that look at several of their
 // places and directions and send one ray for all.
@@ -36,6 +43,41 @@ TEST(WideLights, HaveLittleNoise) {
   const Errors e = errors_of_samples("rectangle", 4, 1);
   testing::Test::RecordProperty("rmse", testing::PrintToString(e.rmse));
   EXPECT_LT(e.rmse, 0.3);
+}
+
+// Each point keeps one of its nine rays, for a quarter of what all nine carry; and each is kept by
+// as many points as it deserves.
+TEST(OnePicked, CarriesAllAndComesFromEachByItsShare) {
+  constexpr std::size_t rays_a_point = 9, points = 128;
+  const auto carried_by = [](std::size_t ray) { return static_cast<float>(ray % 5 + 1) / 6.0f; };
+  std::vector<ShadowRayBatch> rays(rays_a_point);
+  double all = 0.0;
+  for (std::size_t ray = 0; ray < rays_a_point; ++ray) {
+    rays[ray].count = points;
+    for (std::size_t i = 0; i < points; ++i) {
+      rays[ray].point[i] = static_cast<std::uint32_t>(i);
+      for (auto& channel : rays[ray].carried) channel[i] = carried_by(ray);
+      rays[ray].t_far[i] = static_cast<float>(ray);
+    }
+    all += static_cast<double>(carried_by(ray));
+  }
+  const auto at = std::make_unique<LightPlaceBatch>();
+  for (std::size_t i = 0; i < points; ++i)
+    at->u[i] = static_cast<std::uint32_t>((i << 32) / points);
+  const auto kept = std::make_unique<ShadowRayBatch>();
+  std::vector<float> scratch;
+  pick_one(points, rays, at->u, 0.25f, scratch, *kept);
+
+  ASSERT_EQ(kept->count, points);
+  std::vector<int> from(rays_a_point, 0), of(points, 0);
+  for (std::size_t i = 0; i < kept->count; ++i) {
+    EXPECT_NEAR(static_cast<double>(kept->carried[2][i]), 0.25 * all, 1e-5);
+    ++from[static_cast<std::size_t>(kept->t_far[i])];
+    ++of[kept->point[i]];
+  }
+  EXPECT_EQ(*std::min_element(of.begin(), of.end()), 1);
+  for (std::size_t ray = 0; ray < rays_a_point; ++ray)
+    EXPECT_NEAR(from[ray], static_cast<double>(carried_by(ray)) / all * points, 1.0) << ray;
 }
 
 }  // namespace
