@@ -40,12 +40,24 @@ struct PointLanes {
   Lanes falloff, n_dot_v, alpha2, shows_lights;
 };
 
-/// The cosine to the middle of a sphere of that radius at a distance of 1, or of what of it is
-/// above the horizon: above 0 unless all of it is below.
-HWY_INLINE Lanes cosine_of_sphere(Lanes cosine, Lanes radius) {
-  const auto cut = hn::Mul(all_lanes(0.5f), hn::Add(cosine, radius));
+/// The cosine to the middle of what reaches so far along the normal at a distance of 1, or to what
+/// of it is above the horizon: above 0 unless all of it is below.
+HWY_INLINE Lanes cosine_above(Lanes cosine, Lanes reach) {
+  const auto cut = hn::Mul(all_lanes(0.5f), hn::Add(cosine, reach));
   return hn::Max(hn::Zero(FloatTag()), hn::Max(cosine, cut));
 }
+
+/// How far a light reaches from its middle along a direction.
+HWY_INLINE Lanes reach_along(const LightTable& lights, const Vectors& direction, std::size_t k) {
+  using enum LightTable::Field;
+  const auto u = dot(direction, fields(lights, half_u_x, k));
+  const auto v = dot(direction, fields(lights, half_v_x, k));
+  return hn::Add(field(lights, round, k), hn::Add(hn::Abs(u), hn::Abs(v)));
+}
+/// The same along a point's normals.
+struct ReachLanes {
+  Lanes normal, geometric;
+};
 
 /// How the half vector turns, in the tangent plane, from the light's middle to the end of one of
 /// its half edges.
@@ -66,10 +78,10 @@ struct SeenLanes {
   Lanes form;  ///< irradiance for a power of 1
 };
 
-/// A light of that size (its power times the size is its intensity) and radius about a place.
+/// A light of that size (its power times the size is its intensity) and reach about a place.
 /// `by_distance`: as LightTable::near_linear.
 HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const Vectors& offset,
-                          Lanes size, Lanes across, Lanes by_distance, std::size_t k) {
+                          Lanes size, const ReachLanes& reach, Lanes by_distance, std::size_t k) {
   using enum LightTable::Field;
   const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
   const Vectors towards = fields(lights, towards_x, k);
@@ -80,10 +92,14 @@ HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const 
   SeenLanes at_light;
   at_light.nearness = hn::IfThenElse(is_far, one, nearness);
   at_light.direction = select(is_far, towards, scaled(nearness, offset));
-  const auto angular =
-      clamped(hn::Mul(across, at_light.nearness), all_lanes(1e-6f), all_lanes(2.0f));
-  const auto above = hn::Gt(hn::Add(dot(at_light.direction, at.geometric), angular), zero);
-  at_light.n_dot_l = cosine_of_sphere(dot(at_light.direction, at.normal), angular);
+  // Beyond twice the distance it is all the same.
+  const auto seen_reach = [&](Lanes along) {
+    return hn::Min(all_lanes(2.0f), hn::Mul(along, at_light.nearness));
+  };
+  const auto up = dot(at_light.direction, at.geometric);
+  const auto above = hn::Gt(hn::Add(up, seen_reach(reach.geometric)), zero);
+  const auto cosine = dot(at_light.direction, at.normal);
+  at_light.n_dot_l = cosine_above(cosine, seen_reach(reach.normal));
 
   const auto axis = dot(at_light.direction, towards);
   const auto both = hn::Gt(field(lights, two_sided, k), zero);
@@ -103,6 +119,8 @@ HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const 
   const auto by_place = hn::IfThenElse(is_far, one, hn::Div(left, fall));
   const auto form = hn::Mul(hn::Mul(size, by_place), hn::Mul(at_light.n_dot_l, by_face));
   at_light.form = hn::IfThenElseZero(above, form);
+  // Towards what of it is above.
+  at_light.direction = at_light.direction + scaled(hn::Sub(at_light.n_dot_l, cosine), at.normal);
   return at_light;
 }
 
@@ -134,15 +152,19 @@ HWY_INLINE ShineLanes shine(const LightTable& lights, const PointLanes& at, cons
   const auto round2 = square(hn::Mul(field(lights, round, k), spread));
   const auto u = turn_to_end(at, seen.direction, spread, fields(lights, half_u_x, k));
   const auto v = turn_to_end(at, seen.direction, spread, fields(lights, half_v_x, k));
-  const auto a2 = hn::Add(at.alpha2, round2);
-  const auto xx = hn::Add(a2, hn::Add(square(u.x), square(v.x)));
-  const auto yy = hn::Add(a2, hn::Add(square(u.y), square(v.y)));
-  const auto xy = hn::Add(hn::Mul(u.x, u.y), hn::Mul(v.x, v.y));
+  const auto by_edges_x = hn::Add(square(u.x), square(v.x));
+  const auto by_edges_y = hn::Add(square(u.y), square(v.y));
+  // No lobe is broader than all.
+  const auto added = hn::Add(hn::Add(round2, round2), hn::Add(by_edges_x, by_edges_y));
+  const auto part = hn::Div(one, hn::Max(one, added));
+  const auto xx = hn::Add(at.alpha2, hn::Mul(part, hn::Add(round2, by_edges_x)));
+  const auto yy = hn::Add(at.alpha2, hn::Mul(part, hn::Add(round2, by_edges_y)));
+  const auto xy = hn::Mul(part, hn::Add(hn::Mul(u.x, u.y), hn::Mul(v.x, v.y)));
   const auto det = hn::Max(hn::Sub(hn::Mul(xx, yy), square(xy)), square(at.alpha2));
 
   const auto hx = hn::Mul(per_sum, dot(at.tangent, sum));
   const auto hy = hn::Mul(per_sum, dot(at.bitangent, sum));
-  const auto up = hn::Max(zero, hn::Mul(per_sum, dot(at.normal, sum)));
+  const auto up = hn::Mul(per_sum, dot(at.normal, sum));
   // 1 / (2 pi root d^2 shadowing) with d = slopes / det + up^2, by one quotient.
   const auto both = hn::Mul(hn::Mul(hn::Add(xy, xy), hx), hy);
   const auto slopes = hn::Add(hn::Sub(hn::Mul(yy, square(hx)), both), hn::Mul(xx, square(hy)));
@@ -166,7 +188,8 @@ HWY_INLINE Lanes weight(const LightTable& lights, const PointLanes& at, std::siz
   const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
   const Vectors offset = fields(lights, position_x, k) - at.position;
   const auto across = field(lights, radius, k), all = field(lights, extent, k);
-  const SeenLanes middle = seen(lights, at, offset, all, across, field(lights, near_linear, k), k);
+  const ReachLanes reach{reach_along(lights, at.normal, k), reach_along(lights, at.geometric, k)};
+  const SeenLanes middle = seen(lights, at, offset, all, reach, field(lights, near_linear, k), k);
   auto form = middle.form;
   // Of a light that is large beside its distance, what is near may be worth more than the rest.
   const auto has_edges = hn::Gt(field(lights, per_u2, k), zero);
@@ -177,7 +200,8 @@ HWY_INLINE Lanes weight(const LightTable& lights, const PointLanes& at, std::siz
     const auto distance = hn::Sqrt(distance2);
     const auto part = hn::Min(all, hn::Add(hn::Mul(field(lights, part_linear, k), distance),
                                            hn::Mul(field(lights, part_square, k), distance2)));
-    const auto of_part = seen(lights, at, nearest, part, hn::Min(across, distance), zero, k).form;
+    const ReachLanes of_near{hn::Min(reach.normal, distance), hn::Min(reach.geometric, distance)};
+    const auto of_part = seen(lights, at, nearest, part, of_near, zero, k).form;
     form = hn::IfThenElse(near, hn::Max(form, of_part), form);
   }
 

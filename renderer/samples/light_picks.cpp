@@ -1,5 +1,7 @@
 #include "renderer/samples/light_picks.h"
 
+#include <algorithm>
+
 namespace asos {
 
 void LightPicks::pick(const LightTable& lights, const LitBatch& points,
@@ -9,9 +11,28 @@ void LightPicks::pick(const LightTable& lights, const LitBatch& points,
   picks_.clear();
   for (std::uint32_t p = 0; p < points.count; ++p) {
     const float all = weigh_lights(lights, points, p, worth_);
-    if (all > least) pick_for(p, all / a_point, static_cast<float>(at[p] >> 8) * 0x1p-24f);
+    if (all > least)
+      pick_for(p, share_of_ray(all, a_point), static_cast<float>(at[p] >> 8) * 0x1p-24f);
   }
   sort_by_light(lights.size());
+}
+
+// What a ray stands for: those that are worth more have one each, and what is left of the rays is
+// for what is left of the lights. So the rays of the others do not get fewer by one light's
+// highlight that was thought to be brighter than it is.
+float LightPicks::share_of_ray(float all, float a_point) const {
+  constexpr int rounds = 2;
+  float share = all / a_point;
+  for (int round = 0; round < rounds; ++round) {
+    float rest = 0.0f, taken = 0.0f;
+    for (const float worth : worth_) {
+      rest += worth < share ? worth : 0.0f;
+      taken += worth < share ? 0.0f : 1.0f;
+    }
+    if (taken == 0.0f || rest == 0.0f) break;
+    share = std::min(share, rest / std::max(1.0f, a_point - taken));
+  }
+  return share;
 }
 
 // Goes along the lights, a share a step. `walked`: of a share, since the last ray.

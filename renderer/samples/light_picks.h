@@ -43,6 +43,7 @@ class LightPicks {
     std::uint32_t light, point;
     float weight;
   };
+  [[nodiscard]] float share_of_ray(float all, float a_point) const;
   void pick_for(std::uint32_t point, float share, float walked);
   void sort_by_light(std::size_t lights);
 
