@@ -7,10 +7,10 @@
 //
 // SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
 // scenes and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1
-// against --reference Sobol samples of another seed; times are processor time, medians of runs that
-// take turns. "x" is how much longer Sobol sampling takes to ASOS's error, read off its ladder with
-// both axes logarithmic: `e` where that lies beyond the ladder's ends, `*` where the error is below
-// twice the reference's own noise and so is hardly known.
+// against --reference Sobol samples of two other seeds, free of their noise (HalvedReference);
+// times are processor time, medians of runs that take turns. "x" is how much longer Sobol sampling
+// takes to ASOS's error, read off its ladder with both axes logarithmic: `e` where that lies beyond
+// the ladder's ends, `*` where ASOS's error is hardly known, and x is at least that.
 //
 // --adaptive has a second rival, sobol-adaptive over its ladder of EPS (renderer/study/ladders.h);
 // where ASOS's error is larger than that of its first step, that step's time counts, marked `e`.
@@ -64,13 +64,14 @@ struct Row {
   std::string name;
   std::vector<std::vector<CurvePoint>> rivals;  ///< of each of rival_names; empty: not measured
   std::vector<CurvePoint> asos;                 ///< in the order of Settings::levels
+  std::vector<bool> known;                      ///< whether the errors of those are
 };
 
 /// How much longer a rival takes to ASOS's error.
 struct Ratio {
   double value = 0.0;
   bool beyond = false;   ///< past the ladder's ends
-  bool unknown = false;  ///< the error is within twice the reference's noise
+  bool unknown = false;  ///< the error is no more than the reference's noise makes it stray by
 };
 
 constexpr int sobol_spp[] = {4, 16, 64, 256};
@@ -85,24 +86,15 @@ std::string cache_path(const Settings& settings, const std::string& name) {
                      settings.size.height, settings.reference, settings.sky_shadows ? "-sky" : "");
 }
 
-Result<Film> reference_of(const Settings& settings, const std::string& name, Snapshot snapshot) {
-  const std::string path = cache_path(settings, name) + ".exr";
-  if (settings.keep && std::filesystem::exists(path)) {
-    auto image = read_exr(path);
-    if (!image) return unexpected(image.error());
-    if (image->film.width != settings.size.width || image->film.height != settings.size.height)
-      return unexpected(Error{path, "is not of the size that its name says"});
-    return std::move(image->film);
-  }
-  snapshot.settings.method = Method::sobol;
-  snapshot.settings.seed = 12345;
-  snapshot.settings.sampling.spp = settings.reference;
-  Film film = render_to_end(snapshot).film;
-  if (settings.keep) {
-    const auto written = write_exr(path, film, {});
-    if (!written) return unexpected(written.error());
-  }
-  return film;
+Result<HalvedReference> reference_of(const Settings& settings, const std::string& name,
+                                     const Snapshot& snapshot) {
+  const std::string path = cache_path(settings, name);
+  if (settings.keep && std::filesystem::exists(path + "-1.exr"))
+    return HalvedReference::read(path, settings.size);
+  HalvedReference reference = HalvedReference::rendered(snapshot, settings.reference);
+  if (settings.keep)
+    if (const auto written = reference.write(path); !written) return unexpected(written.error());
+  return reference;
 }
 
 MeasuredLadder ladder_of_sobol(RenderSettings settings) {
@@ -167,20 +159,12 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
 
   for (const auto& [path, ladder] : written)
     if (const auto done = ladder->write(path); !done) return unexpected(done.error());
-  Row row{named.name, {}, asos.points()};
+  Row row{named.name, {}, asos.points(), asos.known()};
   for (const MeasuredLadder& rival : rivals) row.rivals.push_back(rival.points());
   return row;
 }
 
-/// The reference's noise: what Sobol sampling's error would be at its number of samples if it went
-/// on falling as over the last two steps of the ladder. None: that is not known.
-double reference_noise(const Row& row, int samples) {
-  const std::vector<CurvePoint>& sobol = row.rivals.front();
-  if (sobol.empty()) return 0.0;
-  return between_log_log(samples, sobol_spp[1], sobol_spp[3], sobol[1].error, sobol[3].error);
-}
-
-std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t level, int reference) {
+std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t level) {
   if (row.asos.empty()) return std::nullopt;
   const CurvePoint asos = row.asos[level];
   const std::vector<CurvePoint>& ladder = row.rivals[rival];
@@ -189,8 +173,7 @@ std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t lev
   // The adaptive rival takes no fewer samples than its first step does.
   if (rival > 0 && asos.error > ladder.front().error)
     seconds = CurveValue{ladder.front().seconds, true};
-  return Ratio{seconds->value / asos.seconds, seconds->beyond,
-               asos.error < 2.0 * reference_noise(row, reference)};
+  return Ratio{seconds->value / asos.seconds, seconds->beyond, !row.known[level]};
 }
 
 std::size_t rival_count(const Settings& settings) {
@@ -220,7 +203,7 @@ void print_row(const Settings& settings, const Row& row) {
   for (std::size_t level = 0; level < row.asos.size(); ++level) {
     fmt::print("{:>11.2e}{:>9.3f}", row.asos[level].error, row.asos[level].seconds);
     for (std::size_t rival = 0; rival < rival_count(settings); ++rival) {
-      if (const auto ratio = ratio_of(row, rival, level, settings.reference))
+      if (const auto ratio = ratio_of(row, rival, level))
         fmt::print("{:>9}{}{}", shown(ratio->value), ratio->beyond ? 'e' : ' ',
                    ratio->unknown ? '*' : ' ');
       else
@@ -244,7 +227,7 @@ void print_summary(const Settings& settings, const std::vector<Row>& rows, std::
   double seconds = 0.0;
   for (const Row& row : rows) {
     if (!row.asos.empty()) seconds += row.asos[level].seconds;
-    if (const auto ratio = ratio_of(row, rival, level, settings.reference)) {
+    if (const auto ratio = ratio_of(row, rival, level)) {
       ratios.emplace_back(ratio->value, row.name);
       values.push_back(ratio->value);
     }

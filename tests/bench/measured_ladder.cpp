@@ -13,12 +13,14 @@ void MeasuredLadder::add(const std::string& label, const RenderSettings& setting
   steps_.push_back({label, settings, {}});
 }
 
-void MeasuredLadder::render(Snapshot snapshot, const Film& reference) {
+void MeasuredLadder::render(Snapshot snapshot, const HalvedReference& reference) {
   points_.clear();
+  known_.clear();
   for (Step& step : steps_) {
     snapshot.settings = step.settings;
-    const double error = picture_error(step.times.render(snapshot).film, reference).shown;
-    points_.push_back({step.times.medians().cpu, error});
+    const KnownError error = reference.error_of(step.times.render(snapshot).film);
+    points_.push_back({step.times.medians().cpu, error.rmse});
+    known_.push_back(error.known);
   }
 }
 

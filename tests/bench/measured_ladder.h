@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/halved_reference.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ class MeasuredLadder {
   void add(const std::string& label, const RenderSettings& settings);
 
   /// Renders each step once more; the time of each is the median of its runs.
-  void render(Snapshot snapshot, const Film& reference);
+  void render(Snapshot snapshot, const HalvedReference& reference);
 
   /// Reads points that were written for the same steps; false if the file is not there or is of
   /// others.
@@ -25,6 +26,8 @@ class MeasuredLadder {
 
   /// Empty: neither rendered nor read.
   [[nodiscard]] const std::vector<CurvePoint>& points() const { return points_; }
+  /// Whether the error of each point that was rendered is known (KnownError).
+  [[nodiscard]] const std::vector<bool>& known() const { return known_; }
 
  private:
   struct Step {
@@ -34,6 +37,7 @@ class MeasuredLadder {
   };
   std::vector<Step> steps_;
   std::vector<CurvePoint> points_;
+  std::vector<bool> known_;
 };
 
 }  // namespace asos::bench

@@ -1,0 +1,71 @@
+#include "tests/bench/halved_reference.h"
+
+#include "renderer/film/image_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asos::bench {
+
+namespace {
+
+constexpr std::array<std::uint32_t, 2> seeds{12345, 54321};
+
+std::string half_path(const std::string& path, std::size_t half) {
+  return fmt::format("{}-{}.exr", path, half + 1);
+}
+
+}  // namespace
+
+HalvedReference HalvedReference::rendered(Snapshot snapshot, int samples) {
+  snapshot.settings.method = Method::sobol;
+  snapshot.settings.sampling.spp = samples / 2;
+  HalvedReference reference;
+  for (std::size_t half = 0; half < reference.halves_.size(); ++half) {
+    snapshot.settings.seed = seeds[half];
+    reference.halves_[half] = render_to_end(snapshot).film;
+  }
+  return reference;
+}
+
+Result<HalvedReference> HalvedReference::read(const std::string& path, PictureSize size) {
+  HalvedReference reference;
+  for (std::size_t half = 0; half < reference.halves_.size(); ++half) {
+    const std::string name = half_path(path, half);
+    auto image = read_exr(name);
+    if (!image) return unexpected(image.error());
+    if (image->film.width != size.width || image->film.height != size.height)
+      return unexpected(Error{name, "is not of the size that its name says"});
+    reference.halves_[half] = std::move(image->film);
+  }
+  return reference;
+}
+
+Result<void> HalvedReference::write(const std::string& path) const {
+  for (std::size_t half = 0; half < halves_.size(); ++half)
+    if (const auto written = write_exr(half_path(path, half), halves_[half], {}); !written)
+      return written;
+  return {};
+}
+
+KnownError HalvedReference::error_of(const Film& film) const {
+  double sum = 0.0;
+  double variance = 0.0;
+  for (std::size_t pixel = 0; pixel < film.radiance.size(); ++pixel) {
+    const std::array halves{halves_[0].radiance[pixel], halves_[1].radiance[pixel]};
+    const glm::dvec3 first = clipped_difference(film.radiance[pixel], halves[0]);
+    const glm::dvec3 second = clipped_difference(film.radiance[pixel], halves[1]);
+    const double square = glm::dot(first, second) / 3.0;
+    const double noise = squared_error(halves[0], halves[1], true) / 2.0;  // the variance of a half
+    sum += square;
+    variance += noise * (2.0 * std::abs(square) + noise);
+  }
+  const auto pixels = static_cast<double>(film.radiance.size());
+  const double least = 2.0 * std::sqrt(variance) / pixels;
+  return {std::sqrt(std::max(sum / pixels, least)), sum / pixels > least};
+}
+
+}  // namespace asos::bench

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "tests/bench/bench_support.h"
+
+#include <array>
+#include <string>
+
+namespace asos::bench {
+
+/// A root mean square error, over pixels and channels, of radiance clipped to 0..1.
+struct KnownError {
+  double rmse = 0.0;
+  bool known =
+      true;  ///< its square is more than twice what the reference's noise makes it stray by
+};
+
+/// A picture's truth from two halves whose noise is independent: Sobol samples of two seeds that no
+/// other benchmark uses. A squared error is the mean product of the errors against both of them,
+/// whose expectation has none of the reference's noise.
+class HalvedReference {
+ public:
+  /// `samples`: of a pixel, in both halves together.
+  static HalvedReference rendered(Snapshot snapshot, int samples);
+  /// Reads what `write` wrote. Fails if a file is missing or of another size than `size`.
+  static Result<HalvedReference> read(const std::string& path, PictureSize size);
+
+  /// Writes the halves to PATH-1.exr and PATH-2.exr.
+  [[nodiscard]] Result<void> write(const std::string& path) const;
+
+  /// What is not known is the least that would have been.
+  [[nodiscard]] KnownError error_of(const Film& film) const;
+
+ private:
+  std::array<Film, 2> halves_;
+};
+
+}  // namespace asos::bench
