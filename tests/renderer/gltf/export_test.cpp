@@ -1,7 +1,6 @@
 #include "renderer/gltf/export/gltf_writer.h"
 #include "renderer/gltf/load.h"
-#include "renderer/scene/builtin.h"
-#include "tests/renderer/gltf/light_checks.h"
+#include "tests/renderer/gltf/rich_scene.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +9,10 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <locale>
 #include <string>
-#include <unistd.h>
 
 namespace asos {
 namespace {
@@ -23,6 +20,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 using test::content_of;
+using test::moved;
+using test::rich_scene;
 
 std::uint32_t u32(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -76,157 +75,10 @@ void expect_sound_accessors(const Parsed& file) {
 
 class ExportTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::temp_directory_path() / ("asos-export-" + std::to_string(::getpid()) + "-" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
-
-Mesh triangle() {
-  Mesh mesh;
-  mesh.name = "triangle";
-  mesh.positions = {{0.1f, -2.0f, 1.0f / 3.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, -5.0f}};
-  mesh.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  mesh.triangles = {{0, 1, 2}};
-  return mesh;
-}
-
-TextureUse moved(int texture, double angle, glm::vec2 scale, glm::vec2 offset) {
-  TextureUse use;
-  use.texture = texture;
-  use.texcoord = 1;
-  const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
-  use.uv_transform = {glm::vec3(c * scale.x, -s * scale.x, 0.0f),
-                      glm::vec3(s * scale.y, c * scale.y, 0.0f), glm::vec3(offset, 1.0f)};
-  return use;
-}
-
-/// A scene that uses every field that can be written.
-Scene rich_scene() {
-  Scene scene;
-  scene.name = "rich \"\u00e9\u6f22\"";
-  Image image{"checks", 3, 2, {}};
-  for (int i = 0; i < 24; ++i) image.rgba.own().push_back(static_cast<std::uint8_t>(10 * i));
-  scene.images = {image};
-  scene.textures = {{"first", 0, Wrap::clamp_to_edge, Wrap::mirrored_repeat, Filter::nearest},
-                    {"second", 0, Wrap::repeat, Wrap::repeat, Filter::linear}};
-
-  Material full;
-  full.name = "full";
-  full.base_color = {0.1f, 0.2f, 0.3f, 0.4f};
-  full.base_color_texture = moved(0, 0.7, {2.0f, -3.0f}, {0.25f, -0.5f});
-  full.metallic = 0.6f;
-  full.roughness = 0.7f;
-  full.metallic_roughness_texture.texture = 1;
-  full.normal_texture.texture = 1;
-  full.normal_texture.scale = 0.8f;
-  full.occlusion_texture.texture = 0;
-  full.occlusion_texture.scale = 0.7f;
-  full.emissive = {0.5f, 0.25f, 1.0f};
-  full.emissive_strength = 12.5f;
-  full.emissive_texture.texture = 0;
-  full.alpha_mode = AlphaMode::mask;
-  full.alpha_cutoff = 0.3f;
-  full.double_sided = true;
-  full.ior = 1.33f;
-  full.transmission = 0.9f;
-  full.specular = 0.4f;
-  full.specular_color = {1.0f, 0.5f, 2.0f};
-  full.specular_texture.texture = 1;
-  full.specular_color_texture = moved(0, 0.7, {2.0f, -3.0f}, {0.25f, -0.5f});
-  full.transmission_texture.texture = 0;
-  full.transmission_texture.texcoord = 1;
-  full.coat.factor = 0.75f;
-  full.coat.roughness = 0.3f;
-  full.coat.texture.texture = 1;
-  full.coat.roughness_texture = moved(1, 0.2, {2.0f, 3.0f}, {0.25f, -0.5f});
-  full.coat.normal_texture.texture = 0;
-  full.coat.normal_texture.scale = 0.6f;
-  full.sheen.color = {0.9f, 0.1f, 0.3f};
-  full.sheen.roughness = 0.4f;
-  full.sheen.color_texture.texture = 0;
-  full.sheen.roughness_texture.texture = 1;
-  full.film.factor = 0.75f;
-  full.film.ior = 1.4f;
-  full.film.thickness_min_nm = 50.0f;
-  full.film.thickness_max_nm = 350.0f;
-  full.film.texture.texture = 1;
-  full.film.thickness_texture.texture = 0;
-  full.anisotropy.strength = 0.6f;
-  full.anisotropy.rotation_rad = 1.57f;
-  full.anisotropy.texture = moved(1, 0.3, {1.5f, 2.0f}, {0.5f, 0.25f});
-  full.diffuse_transmission.factor = 0.7f;
-  full.diffuse_transmission.color = {0.1f, 0.2f, 0.9f};
-  full.diffuse_transmission.texture.texture = 1;
-  full.diffuse_transmission.color_texture.texture = 0;
-  full.volume.thickness = 0.3f;
-  full.volume.thickness_texture.texture = 1;
-  full.volume.attenuation_distance = 0.7f;
-  full.volume.attenuation_color = {0.1f, 0.5f, 1.0f};
-  full.volume.dispersion = 0.36f;
-  full.dfr = Dfr{{{{0.1, 0.9, 2.0}, {0.2, 1.0 / 3.0, 2.5}, {0.0, 1.0, 32.0}}}, 0.125};
-  Material flat;
-  flat.name = "flat";
-  flat.unlit = true;
-  flat.alpha_mode = AlphaMode::blend;
-  flat.dfr = Dfr{{{{0.05, 1.0, 64.0}, {0.05, 1.0, 64.0}, {0.05, 1.0, 64.0}}}, 0.0};
-  scene.materials = {full, flat};
-
-  Mesh mesh = triangle();
-  mesh.tangents = {{1, 0, 0, 1}, {1, 0, 0, -1}, {0, 1, 0, 1}};
-  mesh.texcoords[0] = {{0, 0}, {1, 0}, {0.3f, 1}};
-  mesh.texcoords[1] = {{2, 0}, {1, -1}, {0.7f, 1}};
-  mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 0.5f}, {0, 0, 1, 1}};
-  mesh.material = 0;
-  Mesh plain = triangle();
-  plain.name = "plain";
-  plain.material = 1;
-  scene.meshes = {mesh, plain};
-  glm::dmat4 mirrored(1.0);
-  mirrored[0].x = -1.0 / 3.0;
-  mirrored[3] = {1e6 + 0.123456789, 2.0, 3.0, 1.0};
-  scene.instances = {{"a", 0, glm::dmat4(1.0)}, {"b", 1, mirrored}, {"c", 0, mirrored}};
-
-  Light sun;
-  sun.name = "sun";
-  sun.type = Light::Type::directional;
-  sun.direction = {0.0, 0.0, 1.0};  // straight against glTF's own axis
-  sun.intensity = 3.25f;
-  Light spot;
-  spot.name = "spot";
-  spot.type = Light::Type::spot;
-  spot.position = {1.5, -2.25, 1e5};
-  spot.direction = glm::normalize(glm::dvec3(1, -2, 0.5));
-  spot.color = {1.0f, 0.5f, 0.25f};
-  spot.inner_cone_rad = 0.2;
-  spot.outer_cone_rad = 0.6;
-  spot.range = 40.0;
-  Light point;
-  point.name = "point";
-  point.position = {0.1, 0.2, 0.3};
-  point.intensity = 80.0f;
-  point.casts_shadows = false;
-  scene.lights = {sun, spot, point};
-
-  Camera perspective;
-  perspective.name = "perspective";
-  perspective.world_from_camera[3] = {4.0, 5.0, 6.0, 1.0};
-  perspective.fov_y_rad = 0.7;
-  Camera flat_camera;
-  flat_camera.name = "orthographic";
-  flat_camera.type = Camera::Type::orthographic;
-  flat_camera.height = 7.0;
-  flat_camera.aspect_ratio = 1.5;
-  scene.cameras = {perspective, flat_camera};
-  return scene;
-}
 
 TEST_F(ExportTest, GlbIsSoundAndSelfContained) {
   ASSERT_TRUE(export_gltf(rich_scene(), path("rich.glb")));
@@ -352,7 +204,7 @@ TEST_F(ExportTest, BrokenScenesAreRefusedByName) {
     ASSERT_FALSE(result) << expected;
     EXPECT_EQ(result.error().subject, path("broken.glb"));
     EXPECT_NE(result.error().reason.find(expected), std::string::npos) << result.error().reason;
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
   };
   refused([&](Scene& s) { s.meshes[1].positions[2].y = nan; }, "mesh 1 'plain'");
   refused([&](Scene& s) { s.meshes[0].triangles[0].z = 3; }, "mesh 0 'triangle'");
@@ -388,7 +240,7 @@ TEST_F(ExportTest, UnwritablePathsNameFileAndReason) {
   EXPECT_TRUE(fs::is_directory(path("folder.glb")));
   EXPECT_FALSE(export_gltf(scene, path("picture.png")));
   // Nothing half-written stays behind.
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(ExportTest, FailureKeepsTheOldFile) {
@@ -414,128 +266,6 @@ TEST_F(ExportTest, NumbersDoNotDependOnTheLocale) {
   std::locale::global(before);
   ASSERT_TRUE(result);
   EXPECT_EQ(content_of(path("plain.gltf")), content_of(path("commas.gltf")));
-}
-
-void expect_equal(const TextureUse& a, const TextureUse& b) {
-  EXPECT_EQ(a.texture, b.texture);
-  EXPECT_EQ(a.texcoord, b.texcoord);
-  EXPECT_EQ(a.scale, b.scale);
-  for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 3; ++r) EXPECT_NEAR(a.uv_transform[c][r], b.uv_transform[c][r], 1e-6f);
-  }
-}
-
-void expect_equal(const Material& a, const Material& b) {
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.base_color, b.base_color);
-  EXPECT_EQ(a.metallic, b.metallic);
-  EXPECT_EQ(a.roughness, b.roughness);
-  EXPECT_EQ(a.emissive, b.emissive);
-  EXPECT_EQ(a.emissive_strength, b.emissive_strength);
-  EXPECT_EQ(a.alpha_mode, b.alpha_mode);
-  if (a.alpha_mode == AlphaMode::mask) {
-    EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
-  }
-  EXPECT_EQ(a.double_sided, b.double_sided);
-  EXPECT_EQ(a.unlit, b.unlit);
-  EXPECT_EQ(a.ior, b.ior);
-  EXPECT_EQ(a.transmission, b.transmission);
-  EXPECT_EQ(a.specular, b.specular);
-  EXPECT_EQ(a.specular_color, b.specular_color);
-  EXPECT_EQ(a.dfr, b.dfr);
-  EXPECT_EQ(a.film.factor, b.film.factor);
-  EXPECT_EQ(a.film.ior, b.film.ior);
-  EXPECT_EQ(a.film.thickness_min_nm, b.film.thickness_min_nm);
-  EXPECT_EQ(a.film.thickness_max_nm, b.film.thickness_max_nm);
-  EXPECT_EQ(a.anisotropy.strength, b.anisotropy.strength);
-  EXPECT_EQ(a.anisotropy.rotation_rad, b.anisotropy.rotation_rad);
-  EXPECT_EQ(a.diffuse_transmission.factor, b.diffuse_transmission.factor);
-  EXPECT_EQ(a.diffuse_transmission.color, b.diffuse_transmission.color);
-  EXPECT_EQ(a.volume.thickness, b.volume.thickness);
-  EXPECT_EQ(a.volume.attenuation_distance, b.volume.attenuation_distance);
-  EXPECT_EQ(a.volume.attenuation_color, b.volume.attenuation_color);
-  EXPECT_EQ(a.volume.dispersion, b.volume.dispersion);
-  EXPECT_EQ(a.coat.factor, b.coat.factor);
-  EXPECT_EQ(a.coat.roughness, b.coat.roughness);
-  EXPECT_EQ(a.sheen.color, b.sheen.color);
-  EXPECT_EQ(a.sheen.roughness, b.sheen.roughness);
-  const auto textures_a = texture_uses(a), textures_b = texture_uses(b);
-  for (std::size_t i = 0; i < textures_a.size(); ++i) expect_equal(*textures_a[i], *textures_b[i]);
-}
-
-void expect_equal(const Camera& a, const Camera& b) {
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.type, b.type);
-  EXPECT_EQ(a.aspect_ratio, b.aspect_ratio);
-  if (a.type == Camera::Type::perspective) {
-    EXPECT_EQ(a.fov_y_rad, b.fov_y_rad);
-  } else {
-    EXPECT_EQ(a.height, b.height);
-  }
-  for (int c = 0; c < 4; ++c) {
-    EXPECT_LT(glm::length(a.world_from_camera[c] - b.world_from_camera[c]), 1e-12);
-  }
-}
-
-void expect_equal(const Scene& a, const Scene& b) {
-  EXPECT_EQ(a.name, b.name);
-  ASSERT_EQ(a.instances.size(), b.instances.size());
-  for (std::size_t i = 0; i < a.instances.size(); ++i) {
-    const Mesh& was = a.meshes.at(a.instances[i].mesh);
-    const Mesh& is = b.meshes.at(b.instances[i].mesh);
-    SCOPED_TRACE(a.instances[i].name);
-    EXPECT_EQ(a.instances[i].name, b.instances[i].name);
-    EXPECT_EQ(a.instances[i].world_from_mesh, b.instances[i].world_from_mesh);
-    EXPECT_EQ(a.instances[i].shows_light, b.instances[i].shows_light);
-    EXPECT_TRUE(was.positions == is.positions);
-    EXPECT_TRUE(was.triangles == is.triangles);
-    EXPECT_TRUE(was.colors == is.colors);
-    EXPECT_EQ(was.material, is.material);
-    ASSERT_EQ(was.normals.size(), is.normals.size());
-    for (std::size_t v = 0; v < was.normals.size(); ++v) {
-      ASSERT_LT(glm::length(was.normals[v] - is.normals[v]), 1e-6f);
-    }
-  }
-  ASSERT_EQ(a.materials.size(), b.materials.size());
-  for (std::size_t i = 0; i < a.materials.size(); ++i) {
-    SCOPED_TRACE(a.materials[i].name);
-    expect_equal(a.materials[i], b.materials[i]);
-  }
-  ASSERT_EQ(a.lights.size(), b.lights.size());
-  for (std::size_t i = 0; i < a.lights.size(); ++i) test::expect_equal(a.lights[i], b.lights[i]);
-  ASSERT_EQ(a.cameras.size(), b.cameras.size());
-  for (std::size_t i = 0; i < a.cameras.size(); ++i) expect_equal(a.cameras[i], b.cameras[i]);
-}
-
-TEST_F(ExportTest, RoundTripOfARichScene) {
-  for (const char* name : {"rich.glb", "a name with spaces \u00e9.gltf"}) {
-    SCOPED_TRACE(name);
-    const Scene scene = rich_scene();
-    ASSERT_TRUE(export_gltf(scene, path(name)));
-    const Result<Scene> back = import_gltf(path(name));
-    ASSERT_TRUE(back) << back.error().message();
-    expect_equal(scene, *back);
-    EXPECT_TRUE(back->notes.warnings.empty());
-    EXPECT_TRUE(back->notes.unsupported_extensions.empty());
-    ASSERT_EQ(back->images.size(), 1u);
-    EXPECT_EQ(back->images[0].rgba, scene.images[0].rgba);
-    ASSERT_EQ(back->textures.size(), 2u);
-    EXPECT_EQ(back->textures[0].wrap_u, Wrap::clamp_to_edge);
-    EXPECT_EQ(back->textures[0].wrap_v, Wrap::mirrored_repeat);
-    EXPECT_EQ(back->textures[0].filter, Filter::nearest);
-  }
-}
-
-TEST_F(ExportTest, RoundTripOfEveryBuiltinScene) {
-  for (const BuiltinScene& builtin : builtin_scenes()) {
-    SCOPED_TRACE(builtin.name);
-    const Scene scene = builtin.make();
-    ASSERT_TRUE(export_gltf(scene, path(builtin.name + ".glb")));
-    const Result<Scene> back = import_gltf(path(builtin.name + ".glb"));
-    ASSERT_TRUE(back) << back.error().message();
-    expect_equal(scene, *back);
-    EXPECT_TRUE(back->notes.warnings.empty());
-  }
 }
 
 }  // namespace
