@@ -12,14 +12,6 @@
 
 namespace asos {
 
-bool soft_shadows(const EyeContext& eye) {
-  const auto lights = eye.viewer.shader.lights();
-  return eye.settings->shadow.cast &&
-         std::any_of(lights.begin(), lights.end(), [](const PreparedLight& light) {
-           return light.casts_shadows && light.extended();
-         });
-}
-
 // Whether nothing lies before the point of a light that a highlight shows most of.
 bool LeafGloss::shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const {
   const PreparedLight& prepared = eye_->viewer.shader.lights()[light];

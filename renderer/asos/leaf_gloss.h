@@ -3,6 +3,7 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/shading_error.h"
+#include "renderer/asos/soft_shadows.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/reflections/mirrored_pyray.h"
 #include "renderer/shading/highlight_unevenness.h"
@@ -10,9 +11,6 @@
 #include <cstdint>
 
 namespace asos {
-
-/// Whether some light that has a size casts shadows.
-[[nodiscard]] bool soft_shadows(const EyeContext& eye);
 
 /// How far what a glossy leaf shows may be off its mean by one sample: what it mirrors, and the
 /// highlights of lights that have a size.

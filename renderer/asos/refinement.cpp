@@ -1,6 +1,5 @@
 #include "renderer/asos/refinement.h"
 
-#include "renderer/asos/light_counts.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
@@ -9,7 +8,6 @@
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/unevenness.h"
-#include "renderer/shadows/penumbra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +35,8 @@ Refinement::Refinement(const EyeContext& eye, const EyeSamples& samples,
     : eye_(&eye),
       samples_(&samples),
       weak_lights_(&weak_lights),
-      shadows_(&shadows),
-      gloss_(eye, samples, weak_lights),
-      extended_lights_(soft_shadows(eye)) {
+      shadows_(eye, weak_lights, shadows),
+      gloss_(eye, samples, weak_lights) {
   for (const PreparedLight& light : eye.viewer.shader.lights()) spots_ |= light.cone_scale > 0.0;
 }
 
@@ -67,7 +64,7 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   const double wide = mirrored_width(sample, region);
   // A patch whose parts share one look at the lights is right as a whole only: none of them alone
   // is sampled.
-  const bool shared = extended_lights_ && even_around(sample, region);
+  const bool shared = shadows_.any() && even_around(sample, region);
   const auto sampled = [&](double price) {
     return !shared && eye_->budget.samples_suffice(share, price,
                                                    static_cast<double>(found.highlights.contrast));
@@ -77,11 +74,11 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   if (shading && sampled(found.price_of_splitting(eye_->budget, wide, leaf, highlights_price())))
     return {Unevenness::shading, 0, true};
   LeafVerdict verdict;
-  if (extended_lights_ && !shared) {
-    const ShadowVerdict shadow = judge_shadows(sample, share, region);
-    if (shadow.uneven) {
-      const double price = eye_->budget.leaves_of_uneven() * leaf;
-      return {Unevenness::shadow, 0, sampled(price)};
+  if (shadows_.any() && !shared) {
+    const SoftShadows::Verdict shadow = judge_shadows(sample, share, region);
+    if (shadow.error > 0.0f) {
+      const double leaves = eye_->budget.leaves_of_bent(static_cast<double>(shadow.error));
+      return {Unevenness::shadow, 0, sampled(leaves * (leaf + shadows_.price()))};
     }
     verdict.note = shadow.note;
     // A leaf that is split for its shading need not have its shadows found again for each part.
@@ -103,14 +100,9 @@ double Refinement::highlights_price() const {
   return Prices::highlight * static_cast<double>(eye_->viewer.shader.lights().size());
 }
 
-std::span<const std::uint32_t> Refinement::saturated(std::uint32_t note) const {
-  if (note == 0) return {};
-  return saturated_[note - 1];
-}
-
 // Edges of shadows from lights of some size.
-Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double share,
-                                                    const LeafRegion& region) {
+SoftShadows::Verdict Refinement::judge_shadows(SampleId sample, double share,
+                                               const LeafRegion& region) {
   const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
   if (material.unlit || !(brightest(material) > 0.0f)) return {};
   const SurfacePoint point = samples_->point(sample);
@@ -118,23 +110,7 @@ Refinement::ShadowVerdict Refinement::judge_shadows(SampleId sample, double shar
   const float reflected = brightest(material) * std::numbers::inv_pi_v<float>;
   const auto level =
       static_cast<int>(std::lround(std::log2(eye_->root_side() / region.square.side)));
-  const auto lights = eye_->viewer.shader.lights();
-  // Add up the errors of the lights until they exceed the tolerance.
-  float error = 0.0f;
-  std::vector<std::uint32_t> saturated;
-  for (std::uint32_t i = 0; i < lights.size() && !(error > eye_->budget.tolerance); ++i) {
-    if (!lights[i].casts_shadows || !lights[i].extended() || weak_lights_->holds(i)) continue;
-    const CountForLight count(*eye_->counts, i);
-    const Penumbra penumbra = find_penumbra(
-        *shadows_, {lights[i], i, point, patch, reflected, level, share}, *eye_->counts);
-    error += penumbra.error;
-    if (penumbra.saturated) saturated.push_back(i);
-  }
-  if (error > eye_->budget.tolerance) return {true};
-  // Note the saturated lights.
-  if (saturated.empty()) return {};
-  saturated_.push_back(std::move(saturated));
-  return {false, static_cast<std::uint32_t>(saturated_.size())};
+  return shadows_.judge(point, patch, reflected, level, share);
 }
 
 ShadingError Refinement::shading_error(SampleId sample, double share,
@@ -169,7 +145,7 @@ glm::ivec2 Refinement::pixel_of(const LeafRegion& region) const {
 // How the light of lights that have a size, or a cone, falls off across a leaf.
 float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
   const Hit& hit = samples_->hit(sample);
-  if (!(extended_lights_ || spots_) || eye_->scene->world().material_of(hit.triangle).unlit)
+  if (!(shadows_.any() || spots_) || eye_->scene->world().material_of(hit.triangle).unlit)
     return 0.0f;
   const Patch patch = patch_around(sample, region);
   const Receiver receiver = receiver_at(samples_->point(sample));
@@ -177,8 +153,7 @@ float Refinement::light_error(SampleId sample, const LeafRegion& region) const {
   const auto lights = eye_->viewer.shader.lights();
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (weak_lights_->holds(i)) continue;
-    if (extended_lights_ && lights[i].extended())
-      error += falloff_error(lights[i], receiver, patch);
+    if (shadows_.any() && lights[i].extended()) error += falloff_error(lights[i], receiver, patch);
     error += cone_error(lights[i], receiver, patch);
   }
   return error;
@@ -284,7 +259,7 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
     return false;
   if (textured_by_several(sample, share)) return true;
   const Material& material = scene.world().material_of(hit.triangle);
-  if (!extended_lights_ || material.unlit) return false;
+  if (!shadows_.any() || material.unlit) return false;
   if (scene.needs.normal_maps && has_normal_map(material)) return true;
   return scene.features().deviation(hit.triangle) > 0.0f &&
          gloss_.error(sample, share, patch_around(sample, region)).highlights.contrast <= bright;
@@ -334,7 +309,7 @@ bool Refinement::nearly_flat(SampleId sample, double share) const {
 
 EvenPatch Refinement::even_patch(SampleId sample, const LeafRegion& region,
                                  std::uint32_t note) const {
-  const std::span<const std::uint32_t> lights = saturated(note);
+  const std::span<const std::uint32_t> lights = shadows_.saturated(note);
   return {samples_->point(sample),
           region.square,
           std::vector<Visibility>(eye_->viewer.shader.lights().size(), Visibility(-1.0)),

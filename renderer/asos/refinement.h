@@ -5,6 +5,7 @@
 #include "renderer/asos/leaf_gloss.h"
 #include "renderer/asos/normal_variation.h"
 #include "renderer/asos/shading_error.h"
+#include "renderer/asos/soft_shadows.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/reflections/mirrored_pyray.h"
@@ -33,7 +34,9 @@ class Refinement {
   /// The verdict's note names the lights that were found saturated.
   [[nodiscard]] LeafVerdict judge(SampleId sample, double share, const LeafRegion& region);
   /// The lights that a verdict's note names.
-  [[nodiscard]] std::span<const std::uint32_t> saturated(std::uint32_t note) const;
+  [[nodiscard]] std::span<const std::uint32_t> saturated(std::uint32_t note) const {
+    return shadows_.saturated(note);
+  }
 
   /// Whether a normal map scatters the lights' highlights all over a leaf: splitting would not make
   /// it even, so it is sampled as it is.
@@ -62,12 +65,8 @@ class Refinement {
                                      std::uint32_t note) const;
 
  private:
-  struct ShadowVerdict {
-    bool uneven = false;
-    std::uint32_t note = 0;
-  };
-  [[nodiscard]] ShadowVerdict judge_shadows(SampleId sample, double share,
-                                            const LeafRegion& region);
+  [[nodiscard]] SoftShadows::Verdict judge_shadows(SampleId sample, double share,
+                                                   const LeafRegion& region);
   [[nodiscard]] ShadingError shading_error(SampleId sample, double share,
                                            const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
@@ -87,14 +86,12 @@ class Refinement {
   const EyeContext* eye_;
   const EyeSamples* samples_;
   const WeakLights* weak_lights_;
-  const ShadowContext* shadows_;
+  SoftShadows shadows_;
   LeafGloss gloss_;
-  bool extended_lights_;  // some light of a size casts shadows
   bool spots_ = false;
   NormalVariation normals_;
   int border_ = 0;  // pixels of the frame around the roots
   std::vector<EvenPatch> even_;
-  std::vector<std::vector<std::uint32_t>> saturated_;  // by note - 1
 };
 
 }  // namespace asos

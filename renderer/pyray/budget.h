@@ -123,6 +123,12 @@ struct Budget {
   [[nodiscard]] double leaves_of_uneven() const {
     return usual_contrast / static_cast<double>(tolerance);
   }
+  /// Leaves of a part whose middle is off its mean by no more than `error` until all of them
+  /// together are off by half of the tolerance, where each level leaves a quarter.
+  [[nodiscard]] double leaves_of_bent(double error) const {
+    return std::min(std::max(4.0, 2.0 * error / static_cast<double>(tolerance)),
+                    leaves_of_uneven());
+  }
   static constexpr double usual_contrast = 0.25;
 
   /// How many finest cells a part stands for.

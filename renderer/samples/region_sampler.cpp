@@ -13,6 +13,10 @@ namespace {
 // angles in squares as large as that.
 constexpr float footprint_share = 0.25f;
 
+// By how many parts of its samples a region's error is told: quarters agree by chance too often,
+// and end noise that is not known yet.
+constexpr std::uint32_t parts = 8;
+
 /// Which `count` samples of its pixel those of a square are: squares of one pixel have others of
 /// the same sequence, or their errors would be the same and add up. Z-order, so that neighbours'
 /// are well distributed together; `count` is a power of two.
@@ -58,7 +62,7 @@ std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
   const std::uint32_t times = times_larger_around(region);
   waiting.goal.least *= times;
   waiting.goal.most *= times;
-  waiting.per_sum = std::max(1u, waiting.goal.least / 4);
+  waiting.per_sum = std::max(1u, waiting.goal.least / parts);
   return waiting_.size() - 1;
 }
 
@@ -142,26 +146,26 @@ RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
   return all;
 }
 
-// By the quarters of the samples so far, each of which is as well distributed as its size allows.
+// By parts of the samples so far, each of which is as well distributed as its size allows.
 // A pixel that is brighter than white for sure is to be known as well as white by the exposure that
 // shows it as that.
 double RegionSampler::standard_error(const Waiting& waiting, glm::dvec3 mean) const {
   const std::uint32_t sums = waiting.taken / waiting.per_sum;
   const glm::dvec3 white = glm::max(glm::dvec3(1.0), waiting.goal.share / white_ * mean);
   double squares = 0.0;
-  for (std::uint32_t q = 0; q < 4; ++q) {
-    SampleSums::Sum quarter;
-    for (std::uint32_t k = q * sums / 4; k < (q + 1) * sums / 4; ++k) {
+  for (std::uint32_t p = 0; p < parts; ++p) {
+    SampleSums::Sum part;
+    for (std::uint32_t k = p * sums / parts; k < (p + 1) * sums / parts; ++k) {
       const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
-      quarter.radiance += sum.radiance;
-      quarter.count += sum.count;
+      part.radiance += sum.radiance;
+      part.count += sum.count;
     }
-    if (quarter.count == 0) continue;
-    const glm::dvec3 off = glm::abs(quarter.mean() - mean) / white;
+    if (part.count == 0) continue;
+    const glm::dvec3 off = glm::abs(part.mean() - mean) / white;
     const double most = std::min(white_, std::max({off.x, off.y, off.z}));
     squares += most * most;
   }
-  return std::sqrt(squares / 12.0);
+  return std::sqrt(squares / (parts * (parts - 1.0)));
 }
 
 }  // namespace asos

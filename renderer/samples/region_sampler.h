@@ -46,8 +46,8 @@ class RegionSampler {
   /// Puts a region off until `run`; its number among those that wait, from 0.
   std::size_t add(const LeafRegion& region, const Goal& goal);
   /// Samples all regions that wait, and none waits then. Their estimates, by number, are valid
-  /// until the next call. Four samples at a time, twice as many each round, until the four quarters
-  /// of a region's tell that its goal is met; the rays of all regions in a round share packets. The
+  /// until the next call. A round has as many samples as all before it, until the eighths of a
+  /// region's tell that its goal is met; the rays of all regions in a round share packets. The
   /// samples are a function of the region, and of the pixel that its square starts in: squares
   /// within a pixel have other samples of one sequence. With a `kernel`, squares are sampled as it
   /// is distributed there.

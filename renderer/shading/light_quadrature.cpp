@@ -13,9 +13,14 @@ namespace {
 
 // Cells are divided while they span more than this, in radians from their middle to a corner, or
 // than the larger of a share of the way to the mirrored view and the lobe.
-constexpr float widest_cell = 0.4f;
+struct Widest {
+  float cell;
+  float share_of_lobe;
+};
+constexpr Widest widest_of(Reflectance reflectance) {
+  return reflectance == Reflectance::high ? Widest{0.4f, 1.4f} : Widest{1.0f, 2.0f};
+}
 constexpr float share_of_way = 0.7f;
-constexpr float share_of_lobe = 1.4f;
 // The integrand bends at the horizon.
 constexpr float share_across_horizon = 0.4f;
 constexpr int deepest = 10;
@@ -24,7 +29,7 @@ constexpr int most_cells = 1024;
 }  // namespace
 
 LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
-                                 double sheen, glm::vec3 stretch)
+                                 double sheen, glm::vec3 stretch, Reflectance reflectance)
     : receiver_(receiver),
       normal_(receiver.normal),
       geometric_(receiver.geometric),
@@ -36,7 +41,9 @@ LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer,
   alpha2_ = rough * rough * rough * rough;
   viewer_root_ = std::sqrt(n_dot_v_ * n_dot_v_ * (1.0f - alpha2_) + alpha2_);
   // At grazing angles the lobe is narrower across the plane of view.
-  narrowest_ = share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
+  const Widest widest = widest_of(reflectance);
+  widest_ = widest.cell;
+  narrowest_ = widest.share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
   sheen_ = static_cast<float>(sheen);
   if (stretched_.wider()) across_ridge_ = glm::normalize(glm::cross(normal_, stretch));
 }
@@ -78,7 +85,7 @@ void LightQuadrature::add_patch(const LightPatch& patch, const LightPatch::Squar
     }
   }
   const float way = share_of_way * way_to_peak(middle);
-  float most = std::min(widest_cell, std::max(narrowest_, way));
+  float most = std::min(widest_, std::max(narrowest_, way));
   if (above % 4 != 0) most *= share_across_horizon;
   if (reach2 > most * most && depth < deepest && cells_ < most_cells) {
     for (const float v : {square.v, square.v + half}) {
@@ -187,7 +194,7 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
   std::size_t used = 0;
   double from = begin;
   while (from < end) {
-    double part = std::min(end - from, static_cast<double>(widest_cell));
+    double part = std::min(end - from, static_cast<double>(widest_));
     const double way = static_cast<double>(share_of_way * way_to_peak(glm::vec3(direction(from))));
     const double least = static_cast<double>(narrowest_);
     // No part may jump over the peak.

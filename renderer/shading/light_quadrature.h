@@ -20,6 +20,12 @@ struct ReflectedIntegral {
   double scattered = 0.0;  ///< the irradiance times Schlick's (1 - v.h)^5
 };
 
+/// How much of the light a surface's lobe returns that is seen square on.
+enum class Reflectance {
+  high,  ///< a metal's
+  low,   ///< a dielectric's, a tenth at most: its lobe's sum may be as much less exact
+};
+
 /// Sums of the BRDF itself over lights that have a size, by the physical rule, above both of a
 /// receiver's horizons. A light is divided until its parts are small beside their angle to the
 /// mirrored view, or beside the lobe there, and is summed up there at Gauss and Legendre's nodes:
@@ -30,7 +36,8 @@ class LightQuadrature {
   /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine.
   /// `sheen` is ViewedMaterial's, `stretch` its LobeStretch's `along`.
   LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
-                  double sheen = 0.0, glm::vec3 stretch = glm::vec3(0.0f));
+                  double sheen = 0.0, glm::vec3 stretch = glm::vec3(0.0f),
+                  Reflectance reflectance = Reflectance::high);
 
   /// 0 for a light that has no size.
   [[nodiscard]] ReflectedIntegral operator()(const PreparedLight& light);
@@ -53,6 +60,7 @@ class LightQuadrature {
   float n_dot_v_;
   float alpha2_;
   float viewer_root_;  // of Smith's term
+  float widest_;       // cells may span
   float narrowest_;    // the lobe's width
   float sheen_;
   PatchLobe stretched_;           // where it is wider()

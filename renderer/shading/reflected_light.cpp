@@ -113,10 +113,13 @@ ReflectedLights::ReflectedLights(const LitPoint& point, std::optional<PatchBend>
       mirrored_(glm::reflect(glm::dvec3(-point.view.to_viewer), receiver_.normal)) {}
 
 LightQuadrature& ReflectedLights::quadrature(float roughness) {
+  constexpr float low = 0.1f;
   const auto made = [&] {
-    return LightQuadrature(
-        receiver_, glm::dvec3(point_.view.to_viewer), static_cast<double>(roughness),
-        static_cast<double>(point_.material.sheen), point_.material.stretch.along);
+    const ViewedMaterial& seen = point_.material;
+    return LightQuadrature(receiver_, glm::dvec3(point_.view.to_viewer),
+                           static_cast<double>(roughness), static_cast<double>(seen.sheen),
+                           seen.stretch.along,
+                           largest(seen.f0) <= low ? Reflectance::low : Reflectance::high);
   };
   if (roughness != point_.material.roughness) return wider_.emplace(made());
   if (!own_) own_.emplace(made());

@@ -21,7 +21,9 @@ constexpr std::uint32_t least_rays = 8;
 // nothing.
 constexpr std::uint32_t fewest_rays = 4;
 constexpr double rays_for_one = 4.0;
-constexpr double rays_a_finest_cell = 4.0;
+// For each finest cell at most: to all of a light, and to a point.
+constexpr double rays_to_all = 8.0;
+constexpr double rays_to_one = 4.0;
 // Points drawn at most for each ray that is asked for: where parts and lights fill less of their
 // boxes, what was found stands.
 constexpr std::uint32_t most_points_a_ray = 16;
@@ -130,7 +132,7 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
 // light.
 template <typename Aim>
 Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
-                              RenderStatistics& counts, Aim aim) {
+                              RenderStatistics& counts, double rays_a_finest_cell, Aim aim) {
   ShadowWorkspace& work = *block.work;
   const Budget budget = block.rules.budget.for_samples();
   const LeafContext& leaf = query.leaf;
@@ -198,7 +200,7 @@ Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& qu
     if (!window.infinitely_far()) found.ray.t_far = most_of_the_way;
     return found;
   };
-  return sampled_visibility(block, query, counts, aim);
+  return sampled_visibility(block, query, counts, rays_to_all, aim);
 }
 
 Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
@@ -215,7 +217,7 @@ Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& qu
     if (!parallel) found.ray.t_far = most_of_the_way;
     return found;
   };
-  return sampled_visibility(block, query, counts, aim);
+  return sampled_visibility(block, query, counts, rays_to_one, aim);
 }
 
 }  // namespace asos

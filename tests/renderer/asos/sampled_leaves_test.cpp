@@ -26,7 +26,7 @@ auto penumbra() {
   Light ball;
   ball.type = Light::Type::point;
   ball.position = {-2.0, 0.4, 3.0};
-  ball.radius = 0.4;
+  ball.radius = 0.15;
   ball.intensity = 12.0f;
   return make_render_scene(std::move(world), {ball});
 }

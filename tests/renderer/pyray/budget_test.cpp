@@ -97,5 +97,15 @@ TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   EXPECT_FALSE(suffice(1.0 / 256.0, 1e9)) << "nothing is sampled then";
 }
 
+// Each level leaves a quarter of what a bent part's middle is off by.
+TEST(Budget, BentPartsTakeAsManyLeavesAsTheyAreOff) {
+  RenderSettings settings;
+  const Budget budget = Budget::of(settings);
+  const double tolerance = static_cast<double>(budget.tolerance);
+  EXPECT_EQ(budget.leaves_of_bent(0.5 * tolerance), 4.0) << "split once at least";
+  EXPECT_EQ(budget.leaves_of_bent(8.0 * tolerance), 16.0) << "whose errors are half a tolerance";
+  EXPECT_EQ(budget.leaves_of_bent(1.0), budget.leaves_of_uneven()) << "until each of them is even";
+}
+
 }  // namespace
 }  // namespace asos::test::budget_test

@@ -76,6 +76,25 @@ TEST_F(TwoColours, StopOnceTheGoalIsMet) {
   EXPECT_NEAR(fine.mean.x, 0.3, 3.0 * 0.005);
 }
 
+// Samples that agree by chance end what is not known yet: that is to be rare.
+TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
+  constexpr double goal = 0.02;
+  constexpr int squares = 512;
+  constexpr float side = 1.0f / 64.0f, edge = 4.3f / 8.0f;
+  double sum = 0.0;
+  int far_off = 0;
+  for (int i = 0; i < squares; ++i) {
+    const float red = (static_cast<float>(i) + 0.5f) / squares;
+    const float v = static_cast<float>(i * 37 % 512) / 540.0f;
+    const auto found = sample({{edge - red * side, v, side}, {}}, {goal, 1024});
+    const double off = found.mean.x - static_cast<double>(red);
+    sum += off * off;
+    far_off += std::abs(off) > 2.0 * goal;
+  }
+  EXPECT_LT(std::sqrt(sum / squares), 0.55 * goal);
+  EXPECT_LE(far_off, 4);
+}
+
 // Whoever turns a knob waits for no block of samples to be done.
 TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
   std::stop_source stop;

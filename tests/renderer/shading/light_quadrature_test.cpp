@@ -77,6 +77,7 @@ void add_errors(const std::string& kind, double roughness, double theta, Errors&
   const Receiver receiver{glm::dvec3(0.0), up, up};
   const glm::dvec3 v = direction(theta, std::numbers::pi);
   LightQuadrature quadrature(receiver, v, roughness);
+  LightQuadrature dull(receiver, v, roughness, 0.0, glm::vec3(0.0f), Reflectance::low);
   const double lobe = std::min(1.0, 2.0 * roughness * roughness);
   const SeenPoint at{glm::dvec3(0.0), up, v};
   for (const auto& [towards, distance, size] :
@@ -91,8 +92,9 @@ void add_errors(const std::string& kind, double roughness, double theta, Errors&
     cells = std::max(cells, quadrature.cells());
     metal.add(found.lobe, reflected_radiance(light, {glm::dvec3(1.0), 1.0, roughness}, at).x);
     const double irradiance = static_cast<double>(unshadowed_irradiance(light, receiver).x);
-    const double value = 0.96 * std::numbers::inv_pi * (irradiance - found.scattered) +
-                         0.04 * found.lobe + 0.96 * found.fresnel;
+    const ReflectedIntegral less = dull(light);
+    const double value = 0.96 * std::numbers::inv_pi * (irradiance - less.scattered) +
+                         0.04 * less.lobe + 0.96 * less.fresnel;
     dielectric.add(value, reflected_radiance(light, {glm::dvec3(1.0), 0.0, roughness}, at).x);
   }
 }
