@@ -11,7 +11,7 @@ namespace asos {
 namespace {
 
 // Distances from the pivot, in radii of the scene.
-constexpr double nearest = 1e-4;
+constexpr double least_distance = 1e-4;
 constexpr double farthest = 1e3;
 
 double positive_or_one(double value) {
@@ -87,7 +87,7 @@ void OrbitCamera::dolly(double factor) {
   if (!std::isfinite(factor) || factor <= 0.0) return;
   double& size = lens_.type == Camera::Type::perspective ? distance_ : lens_.height;
   // A file camera may stand outside the range; it may come back but not go farther.
-  const double lo = std::min(size, nearest * scene_radius_);
+  const double lo = std::min(size, least_distance * scene_radius_);
   const double hi = std::max(size, farthest * scene_radius_);
   size = std::clamp(size * factor, lo, hi);
   ++revision_;

@@ -15,7 +15,7 @@ namespace {
 // A window that is being dragged larger asks for many sizes; rendering waits until it rests.
 constexpr double size_rest_seconds = 0.15;
 
-double radius_of(const Box& bounds) {
+double subject_radius(const Box& bounds) {
   return bounds.empty() ? 1.0 : 0.5 * static_cast<double>(glm::length(bounds.hi - bounds.lo));
 }
 
@@ -72,7 +72,7 @@ void Viewpoint::take_over(const Camera& camera, int index) {
   const World& world = scene_->world();
   // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
   const Box bounds = bounds_without_ground(world);
-  const double radius = radius_of(bounds);
+  const double radius = subject_radius(bounds);
   camera_.set(camera, radius, radius);
   double distance = subject_distance(*scene_, camera);
   if (distance <= 0.0 && !bounds.empty()) {
@@ -127,7 +127,7 @@ void Viewpoint::make_room_to_turn() {
 void Viewpoint::frame(const Camera& camera) {
   const FramedView framed = frame_world(scene_->world(), camera, aspect_ratio());
   camera_.set(framed.camera, framed.subject_distance,
-              radius_of(bounds_without_ground(scene_->world())));
+              subject_radius(bounds_without_ground(scene_->world())));
   framed_revision_ = camera_.revision();
 }
 

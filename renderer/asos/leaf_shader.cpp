@@ -3,6 +3,7 @@
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
+#include "renderer/geometry/finite.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
 
@@ -21,10 +22,6 @@ constexpr std::uint32_t few_samples = 4;
 // Cut leaves have their colours averaged over so many parts along each side, but for small ones.
 constexpr int parts_along = 3;
 constexpr double least_in_parts = 1.0 / 64.0;
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x + v.y + v.z);
-}
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "renderer/asos/sky_shares.h"
 
 #include "renderer/asos/open_sky.h"
+#include "renderer/geometry/finite.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/sky.h"
 #include "renderer/shading/sky_light.h"
@@ -37,10 +38,6 @@ struct ErrorSums {
     return std::max(0.0, error2 / rays - mean * mean);
   }
 };
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x + v.y + v.z);
-}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "renderer/comparison/exact_visibility.h"
 
+#include "renderer/geometry/finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,10 +23,6 @@ constexpr double edge_on = 1e-14;
 // Cells with no more fragments are resolved pair by pair; cells of the deepest level are anyway.
 constexpr std::size_t few_fragments = 48;
 constexpr int deepest_cell = 8;
-
-bool finite(glm::dvec3 v) {
-  return std::isfinite(v.x + v.y + v.z);
-}
 
 HalfPlane scaled(glm::dvec3 line) {
   const double gradient = std::hypot(line.x, line.y);

@@ -68,9 +68,9 @@ class PlaceNumbers {
   std::unordered_map<glm::vec3, std::uint32_t, Hash> known_;
 };
 
-class Finder {
+class CutOutFinder {
  public:
-  Finder(const World& world, const CutOutBudget& budget, const std::stop_token& stop)
+  CutOutFinder(const World& world, const CutOutBudget& budget, const std::stop_token& stop)
       : world_(world), budget_(budget), stop_(stop), numbers_(found_.positions) {}
 
   CutOuts run() {
@@ -221,7 +221,7 @@ class Finder {
 }  // namespace
 
 CutOuts find_cut_outs(const World& world, const CutOutBudget& budget, const std::stop_token& stop) {
-  return Finder(world, budget, stop).run();
+  return CutOutFinder(world, budget, stop).run();
 }
 
 }  // namespace asos

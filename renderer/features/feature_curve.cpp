@@ -71,9 +71,9 @@ Box box_around(const ShapeFace& face) {
   return box;
 }
 
-class Finder {
+class ShapeFeatureFinder {
  public:
-  explicit Finder(const World& world) : world_(world) {}
+  explicit ShapeFeatureFinder(const World& world) : world_(world) {}
 
   ShapeFeatures run() {
     for (std::uint32_t f = 0; f < world_.faces.size(); ++f) add(f);
@@ -159,7 +159,7 @@ FaceOutline face_outline(const ShapeFace& face, const Frame& frame) {
 }
 
 ShapeFeatures shape_features(const World& world) {
-  return Finder(world).run();
+  return ShapeFeatureFinder(world).run();
 }
 
 // In the unit space a chord of length c leaves the sphere's plane by c^2 / 2, and a cone's by as

@@ -1,6 +1,7 @@
 #include "renderer/gltf/light_fault.h"
 
 #include "renderer/geometry/coordinates.h"
+#include "renderer/geometry/finite.h"
 #include "renderer/gltf/outlines.h"
 
 #include <fmt/format.h>
@@ -20,10 +21,6 @@ constexpr double square_tolerance = 1e-4;
 
 bool within(double value, double lo, double hi) {
   return value >= lo && value <= hi;  // false for NaN
-}
-
-bool finite(glm::dvec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 /// Whether two vectors with a length are at right angles.

@@ -1,5 +1,6 @@
 #include "renderer/gltf/nodes.h"
 
+#include "renderer/geometry/finite.h"
 #include "renderer/gltf/values.h"
 
 #include <fmt/format.h>
@@ -9,19 +10,6 @@
 #include <cmath>
 
 namespace asos::gltf {
-
-namespace {
-
-bool finite(const glm::dmat4& m) {
-  for (int c = 0; c < 4; ++c) {
-    for (int r = 0; r < 4; ++r) {
-      if (!std::isfinite(m[c][r])) return false;
-    }
-  }
-  return true;
-}
-
-}  // namespace
 
 glm::dmat4 NodePose::parent_from_node() const {
   if (matrix) return *matrix;

@@ -1,5 +1,7 @@
 #include "renderer/gltf/surface.h"
 
+#include "renderer/geometry/finite.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +10,6 @@
 namespace asos::gltf {
 
 namespace {
-
-bool finite(glm::vec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 /// A unit vector along `v`, or `otherwise` where it has no direction. Components are scaled first,
 /// since squares of very large and very small ones do not fit.

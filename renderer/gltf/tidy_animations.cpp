@@ -25,18 +25,18 @@ constexpr auto core_paths =
 constexpr std::string_view visibility = "extensions/KHR_node_visibility/visible";
 constexpr std::string_view weights = "weights/";
 
-struct PointedAt {
+struct PointedNode {
   int node = 0;
   std::string_view path;
   bool core = false;  ///< a path that channels without the extension have, too
 };
 
 /// "/nodes/3/rotation" as what it says, if it is of a node's own pose, or of whether it is visible.
-std::optional<PointedAt> node_pose(std::string_view pointer) {
+std::optional<PointedNode> node_pose(std::string_view pointer) {
   constexpr std::string_view prefix = "/nodes/";
   if (!pointer.starts_with(prefix)) return std::nullopt;
   pointer.remove_prefix(prefix.size());
-  PointedAt at;
+  PointedNode at;
   const auto [end, error] =
       std::from_chars(pointer.data(), pointer.data() + pointer.size(), at.node);
   if (error != std::errc() || at.node < 0 || pointer.empty() || pointer.front() == '-')

@@ -1,3 +1,5 @@
+#include "renderer/geometry/finite.h"
+#include "renderer/geometry/largest.h"
 #include "renderer/lights/emitter_mesh.h"
 
 #include <algorithm>
@@ -19,10 +21,6 @@ constexpr double dark_share = 4e-3;
 constexpr double dark_triangle_share = 1e-3;
 // The dimmest triangles that together give this share of a part's power give way to the others.
 constexpr double negligible_share = 5e-3;
-
-bool finite(glm::dvec3 v) {
-  return std::isfinite(v.x + v.y + v.z);
-}
 
 /// The longest edge of a triangle in the texels of a texture; 0 where there is none.
 double texels_along(const World& world, const TextureUse& use, glm::uvec3 t) {
@@ -56,15 +54,11 @@ int steps_of(const World& world, std::uint32_t triangle) {
       std::clamp(std::ceil(texels / texels_a_step), least, static_cast<double>(most_steps)));
 }
 
-double brightest_channel(glm::dvec3 c) {
-  return std::max({c.x, c.y, c.z});
-}
-
 /// The material's emission, in its brightest channel, where its emissive texture is white; 0
 /// without one.
 double full_emission(const Material& material) {
   if (!material.emissive_texture.used()) return 0.0;
-  return brightest_channel(material.emissive) * material.emissive_strength;
+  return largest(material.emissive) * material.emissive_strength;
 }
 
 /// The mean over the centroids of the steps^2 equal triangles that a triangle falls into.
@@ -75,7 +69,7 @@ glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
   const auto add = [&](double i, double j) {
     const glm::dvec3 at(
         emission(world, triangle, static_cast<float>(i / steps), static_cast<float>(j / steps)));
-    if (!(brightest_channel(at) < least)) sum += at;
+    if (!(largest(at) < least)) sum += at;
   };
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; i + j < steps; ++j) {
@@ -92,7 +86,7 @@ void leave_out_dimmest(std::vector<EmitterTriangle>& triangles) {
   std::vector<double> radiance;
   double power = 0.0;
   for (const EmitterTriangle& t : triangles) {
-    radiance.push_back(brightest_channel(t.radiance));
+    radiance.push_back(largest(t.radiance));
     power += radiance.back() * t.area;
   }
   std::vector<std::uint32_t> order(triangles.size());
@@ -108,10 +102,9 @@ void leave_out_dimmest(std::vector<EmitterTriangle>& triangles) {
     }
     left_out += radiance[i] * triangles[i].area;
   }
-  std::erase_if(triangles,
-                [&](const EmitterTriangle& t) { return brightest_channel(t.radiance) < least; });
+  std::erase_if(triangles, [&](const EmitterTriangle& t) { return largest(t.radiance) < least; });
   double kept = 0.0;
-  for (const EmitterTriangle& t : triangles) kept += brightest_channel(t.radiance) * t.area;
+  for (const EmitterTriangle& t : triangles) kept += largest(t.radiance) * t.area;
   for (EmitterTriangle& t : triangles) t.radiance *= power / kept;
 }
 
@@ -189,7 +182,7 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
     t.normal = across / length;
     const int n = std::max(1, static_cast<int>(fewer * steps[i]));
     t.radiance = mean_emission(world, of.first_triangle + i, n, emission);
-    if (finite(t.radiance) && brightest_channel(t.radiance) > least) triangles.push_back(t);
+    if (finite(t.radiance) && largest(t.radiance) > least) triangles.push_back(t);
   }
   if (world.materials[of.material].emissive_texture.used()) leave_out_dimmest(triangles);
   weld(triangles);

@@ -1,5 +1,6 @@
 #include "renderer/lights/emitters.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/lights/emitter_clusters.h"
 #include "renderer/lights/emitter_mesh.h"
 #include "renderer/lights/emitter_moments.h"
@@ -46,10 +47,6 @@ struct ConnectedPiece {
   /// Whether one of its sides faces a space that it surrounds, or nearly so.
   [[nodiscard]] bool encloses() const { return closed || moments.encloses(); }
 };
-
-double brightest_channel(glm::dvec3 c) {
-  return std::max({c.x, c.y, c.z});
-}
 
 void turn_inside_out(EmissiveSurface& surface, const Piece& piece) {
   for (const std::uint32_t i : piece) {
@@ -145,7 +142,7 @@ std::vector<Light> lights_of_few(const EmissiveSurface& surface,
                                  std::vector<ConnectedPiece>& pieces) {
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const ConnectedPiece& a, const ConnectedPiece& b) {
-                     return brightest_channel(a.moments.power) > brightest_channel(b.moments.power);
+                     return largest(a.moments.power) > largest(b.moments.power);
                    });
   std::vector<Light> lights;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -197,7 +194,7 @@ std::vector<Light> lights_of_many(const EmissiveSurface& surface,
 
 /// The power of the front side, and of the back side where it shines too: nits times area times pi.
 double power(const Light& light) {
-  const double brightest = brightest_channel(light.color) * light.intensity;
+  const double brightest = largest(light.color) * light.intensity;
   switch (light.type) {
     case Light::Type::point:
     case Light::Type::spot:

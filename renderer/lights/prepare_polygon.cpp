@@ -12,7 +12,7 @@ namespace {
 using Outline2 = std::vector<glm::dvec2>;
 
 /// Twice the area times the unit normal (Newell), counter-clockwise around it.
-glm::dvec3 area_vector(const std::vector<glm::dvec3>& outline) {
+glm::dvec3 twice_area(const std::vector<glm::dvec3>& outline) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 1; i + 1 < outline.size(); ++i)
     sum += glm::cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
@@ -118,7 +118,7 @@ bool prepare_polygon(const std::vector<std::vector<glm::dvec3>>& outlines, glm::
   glm::dvec3 largest(0.0);
   glm::dvec3 origin(0.0);
   for (const std::vector<glm::dvec3>& outline : outlines) {
-    const glm::dvec3 area = area_vector(outline);
+    const glm::dvec3 area = twice_area(outline);
     const double length = glm::length(area);
     // Corners on one line enclose what they were rounded by.
     if (!(length > 1e-13 * extent2(outline)) || !(length > glm::length(largest))) continue;

@@ -1,3 +1,4 @@
+#include "renderer/geometry/finite.h"
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/cube_sky.h"
@@ -19,19 +20,15 @@
 namespace asos {
 namespace {
 
-bool finite(glm::dvec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// The fault for which the renderer cannot use a light; empty: none. A light without size, or with
 /// a bad direction, gives nothing.
 std::string fault_of(const Light& light, std::span<const Light> built) {
   const glm::vec3 power = light.color * light.intensity;
   bool sound = finite(light.position) && finite(light.direction) && finite(light.half_u) &&
-               finite(light.half_v) && finite(glm::dvec3(power)) && std::isfinite(light.radius) &&
+               finite(light.half_v) && finite(power) && std::isfinite(light.radius) &&
                std::isfinite(light.angular_diameter_rad) && light.range > 0.0;
   for (const std::vector<glm::dvec3>& outline : light.outlines)
-    sound = sound && std::all_of(outline.begin(), outline.end(), finite);
+    sound = sound && std::all_of(outline.begin(), outline.end(), finite<3, double, glm::defaultp>);
   if (!sound) return "is not finite";
   const bool known = light.own_part < 0 || std::any_of(built.begin(), built.end(), [&](auto& b) {
                        return b.own_part == light.own_part;

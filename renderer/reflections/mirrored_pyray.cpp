@@ -1,5 +1,7 @@
 #include "renderer/reflections/mirrored_pyray.h"
 
+#include "renderer/geometry/finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,10 +62,6 @@ glm::dvec3 carried(glm::dvec3 edge, const MirrorSurface& surface) {
 double share_of(glm::dvec3 edge, glm::dvec3 wide) {
   const double length = glm::length(wide);
   return length > 0.0 ? std::min(1.0, glm::length(edge) / length) : 1.0;
-}
-
-bool finite(glm::dvec3 v) {
-  return std::isfinite(v.x + v.y + v.z);
 }
 
 // A stand-in for the patch of a plane across the mirrored axis: the pyray's own edges, mirrored.

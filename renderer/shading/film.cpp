@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float pi_f = std::numbers::pi_v<float>;
 
 template <typename T>
 T squared(T x) {
@@ -38,10 +38,10 @@ glm::vec3 sensitivity(float path_nm, glm::vec3 shift) {
   constexpr glm::vec3 variance(4.3278e9f, 9.3046e9f, 6.6121e9f);
   constexpr float second_value = 9.7470e-14f, second_position = 2.2399e6f,
                   second_variance = 4.5282e9f, all = 1.0685e-7f;
-  const float phase = 2.0f * pi * path_nm * 1e-9f;
-  glm::vec3 xyz = value * glm::sqrt(2.0f * pi * variance) * glm::cos(position * phase + shift) *
+  const float phase = 2.0f * pi_f * path_nm * 1e-9f;
+  glm::vec3 xyz = value * glm::sqrt(2.0f * pi_f * variance) * glm::cos(position * phase + shift) *
                   glm::exp(-squared(phase) * variance);
-  xyz.x += second_value * std::sqrt(2.0f * pi * second_variance) *
+  xyz.x += second_value * std::sqrt(2.0f * pi_f * second_variance) *
            std::cos(second_position * phase + shift.x) *
            std::exp(-second_variance * squared(phase));
   xyz /= all;
@@ -67,9 +67,9 @@ glm::vec3 film_fresnel(const SurfaceFilm& film, glm::vec3 base_f0, float cosine)
   const float t121 = 1.0f - r12;
   const glm::vec3 base_ior = ior_of(base_f0);
   const glm::vec3 r23 = schlick(f0_between(base_ior, ior), inner_cosine);
-  const float phi21 = ior < air ? 0.0f : pi;
+  const float phi21 = ior < air ? 0.0f : pi_f;
   const glm::vec3 phi23 =
-      glm::mix(glm::vec3(0.0f), glm::vec3(pi), glm::lessThan(base_ior, glm::vec3(ior)));
+      glm::mix(glm::vec3(0.0f), glm::vec3(pi_f), glm::lessThan(base_ior, glm::vec3(ior)));
 
   // What is reflected without interference, and what each further round adds.
   const float path_nm = 2.0f * ior * film.thickness_nm * inner_cosine;

@@ -7,7 +7,7 @@ namespace asos {
 namespace {
 
 // How wide the pyray may be at the surface, in widths at the light: nearly parallel at most.
-constexpr double widest = 0.99;
+constexpr double widest_cover = 0.99;
 
 // The edges of the patch in units of the light's, seen along the line that joins their middles, and
 // the other way round: row i holds how much of edge i of the one lies along both of the other.
@@ -43,8 +43,8 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
   const double covered = fit == Fit::inside ? 1.0 / ratio_of(a, b, right, down, m).larger()
                                             : ratio_of(right, down, a, b, m).larger();
   if (!(covered > 0.0) || !std::isfinite(covered)) return std::nullopt;
-  if (fit == Fit::around && covered > widest) return std::nullopt;
-  const double width = std::min(covered, widest);
+  if (fit == Fit::around && covered > widest_cover) return std::nullopt;
+  const double width = std::min(covered, widest_cover);
   const double back = width / (1.0 - width);
 
   // Put its apex as far behind the surface as that takes, and bound it by surface and light.

@@ -1,5 +1,6 @@
 #include "renderer/shadows/linear_shadow.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shadows/shadow.h"
 
@@ -7,13 +8,6 @@
 #include <cmath>
 
 namespace asos {
-namespace {
-
-double largest(glm::vec3 v) {
-  return static_cast<double>(std::max({v.x, v.y, v.z}));
-}
-
-}  // namespace
 
 std::optional<Frame> strip_around(const PreparedLight& light, const Receiver& receiver) {
   const glm::dvec3 middle = light.position - receiver.position;
@@ -73,7 +67,7 @@ Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const double t0 = std::max(-1.0, ends[i]), t1 = std::min(1.0, ends[i + 1]);
     if (!(t0 < t1)) continue;
-    const double part = largest(segment_irradiance(light, receiver, t0, t1));
+    const double part = static_cast<double>(largest(segment_irradiance(light, receiver, t0, t1)));
     if (!(part > 0.0)) continue;
     const glm::dvec3 to = middle + 0.5 * (t0 + t1) * light.half_u;
     const double distance = glm::length(to);

@@ -8,7 +8,7 @@ namespace asos {
 namespace {
 
 constexpr const char* ground_name = "ground";
-constexpr std::uint32_t corners = 48;
+constexpr std::uint32_t plate_corners = 48;
 constexpr double below_in_radii = 2e-4;
 
 Material ground_material(Ground ground) {
@@ -41,8 +41,8 @@ void add_vertex(World& world, glm::vec3 position) {
 const Part* plate_of(const World& world) {
   if (world.solid_parts() == 0 || world.materials.empty()) return nullptr;
   const Part& last = world.parts[world.solid_parts() - 1];
-  const bool made_here = last.name == ground_name && last.triangle_count == corners &&
-                         last.vertex_count == corners + 1 &&
+  const bool made_here = last.name == ground_name && last.triangle_count == plate_corners &&
+                         last.vertex_count == plate_corners + 1 &&
                          last.material + 1 == world.materials.size() &&
                          world.materials.back().name == ground_name;
   return made_here ? &last : nullptr;
@@ -64,7 +64,7 @@ void take_ground_away(World& world) {
   const std::size_t vertices = plate->first_vertex;
   world.triangles.resize(plate->first_triangle);
   world.triangle_part.erase(world.triangle_part.begin() + first,
-                            world.triangle_part.begin() + first + corners);
+                            world.triangle_part.begin() + first + plate_corners);
   world.positions.resize(vertices);
   world.normals.resize(vertices);
   if (!world.tangents.empty()) world.tangents.resize(vertices);
@@ -98,7 +98,7 @@ std::size_t materials_without_ground(const World& world) {
 }
 
 std::size_t triangles_without_ground(const World& world) {
-  return world.triangles.size() - (plate_of(world) ? corners : 0);
+  return world.triangles.size() - (plate_of(world) ? plate_corners : 0);
 }
 
 MaterialDfrs dfrs_without_ground(const World& world) {
@@ -117,9 +117,9 @@ void put_on_ground(World& world, Ground ground) {
   Part part;
   part.name = ground_name;
   part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
-  part.triangle_count = corners;
+  part.triangle_count = plate_corners;
   part.first_vertex = static_cast<std::uint32_t>(world.positions.size());
-  part.vertex_count = corners + 1;
+  part.vertex_count = plate_corners + 1;
   part.material = static_cast<std::uint32_t>(world.materials.size());
   world.materials.push_back(ground_material(ground));
 
@@ -127,8 +127,8 @@ void put_on_ground(World& world, Ground ground) {
   const double height = lo.y - below_in_radii * scene_radius;
   const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
   add_vertex(world, glm::vec3(middle));
-  for (std::uint32_t i = 0; i < corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
+  for (std::uint32_t i = 0; i < plate_corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / plate_corners;
     const glm::dvec3 outward(std::sin(angle), 0.0, std::cos(angle));
     const glm::vec3 corner(middle + ground_radii * scene_radius * outward);
     add_vertex(world, corner);
@@ -136,9 +136,10 @@ void put_on_ground(World& world, Ground ground) {
   }
   const auto index = static_cast<std::uint32_t>(world.solid_parts());
   const auto first = static_cast<std::ptrdiff_t>(world.triangles.size());
-  world.triangle_part.insert(world.triangle_part.begin() + first, corners, index);
-  for (std::uint32_t i = 0; i < corners; ++i)
-    world.triangles.push_back(part.first_vertex + glm::uvec3(0, 1 + i, 1 + (i + 1) % corners));
+  world.triangle_part.insert(world.triangle_part.begin() + first, plate_corners, index);
+  for (std::uint32_t i = 0; i < plate_corners; ++i)
+    world.triangles.push_back(part.first_vertex +
+                              glm::uvec3(0, 1 + i, 1 + (i + 1) % plate_corners));
   world.bounds.grow(part.bounds);
   world.parts.insert(world.parts.begin() + index, std::move(part));
   shift_strokes(world, 1);

@@ -1,6 +1,7 @@
 #include "renderer/world/world.h"
 
 #include "renderer/geometry/coordinates.h"
+#include "renderer/geometry/finite.h"
 #include "renderer/scene/scene_fault.h"
 #include "renderer/scene/tessellate.h"
 #include "renderer/world/origin.h"
@@ -19,10 +20,6 @@
 namespace asos {
 
 namespace {
-
-bool finite(glm::dvec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 unexpected<Error> refuse(const Scene& scene, std::string reason) {
   return unexpected(

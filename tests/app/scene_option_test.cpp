@@ -73,10 +73,10 @@ TEST_F(SceneOption, InfoListsThemAndDescribesOne) {
   const AsosRun pair = run_asos({"info", file_, "--scene", "1"});
   EXPECT_TRUE(contains(pair.out, "  1: \"pair\", the one described here\n"));
   EXPECT_TRUE(contains(pair.out, "in 2 instances"));
-  const auto json = nlohmann::json::parse(
+  const auto told = nlohmann::json::parse(
       run_asos({"info", file_, "--scene", "pair", "--json"}).out, nullptr, false);
-  EXPECT_EQ(json.at("shown_scene"), 1);
-  EXPECT_EQ(json.at("default_scene"), 0);
+  EXPECT_EQ(told.at("shown_scene"), 1);
+  EXPECT_EQ(told.at("default_scene"), 0);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace asos {
 
 namespace {
 
-constexpr float most_lines = 6.0f;  // before the list scrolls
+constexpr float most_rows = 6.0f;  // before the list scrolls
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void warnings_panel(Controls& controls, const SceneNotes& notes) {
     height +=
         ImGui::CalcTextSize(line.c_str(), nullptr, false, wrap).y + ImGui::GetStyle().ItemSpacing.y;
   }
-  ImGui::BeginChild("warnings", {0.0f, std::min(height, most_lines * spacing)});
+  ImGui::BeginChild("warnings", {0.0f, std::min(height, most_rows * spacing)});
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
   ImGui::PushTextWrapPos(wrap);
   for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());

@@ -1,3 +1,4 @@
+#include "renderer/geometry/finite.h"
 #include "renderer/gltf/export/gltf_writer.h"
 #include "renderer/gltf/light_fault.h"
 #include "renderer/scene/surroundings.h"
@@ -13,22 +14,8 @@ namespace asos::exporting {
 namespace {
 
 template <typename T>
-bool finite(const std::vector<T>& vectors) {
-  return std::all_of(vectors.begin(), vectors.end(), [](const T& v) {
-    for (int i = 0; i < T::length(); ++i) {
-      if (!std::isfinite(v[i])) return false;
-    }
-    return true;
-  });
-}
-
-bool finite(const glm::dmat4& m) {
-  for (int c = 0; c < 4; ++c) {
-    for (int r = 0; r < 4; ++r) {
-      if (!std::isfinite(m[c][r])) return false;
-    }
-  }
-  return true;
+bool all_finite(const std::vector<T>& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const T& v) { return finite(v); });
 }
 
 bool within(double value, double lo, double hi) {
@@ -50,8 +37,9 @@ std::string mesh_fault(const Mesh& mesh, const Scene& scene) {
       !fits(mesh.texcoords[1]) || !fits(mesh.colors)) {
     return "has attributes of different lengths";
   }
-  if (!finite(mesh.positions) || !finite(mesh.normals) || !finite(mesh.tangents) ||
-      !finite(mesh.texcoords[0]) || !finite(mesh.texcoords[1]) || !finite(mesh.colors)) {
+  if (!all_finite(mesh.positions) || !all_finite(mesh.normals) || !all_finite(mesh.tangents) ||
+      !all_finite(mesh.texcoords[0]) || !all_finite(mesh.texcoords[1]) ||
+      !all_finite(mesh.colors)) {
     return "holds a number that is not finite";
   }
   for (const glm::uvec3& t : mesh.triangles) {

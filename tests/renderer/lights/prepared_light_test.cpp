@@ -1,5 +1,6 @@
 #include "renderer/lights/prepared_light.h"
 
+#include "renderer/geometry/finite.h"
 #include "tests/support/sample_lights.h"
 
 #include <gtest/gtest.h>
@@ -16,10 +17,6 @@ using LightShape = PreparedLight::Shape;
 void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-12) {
   EXPECT_LT(glm::length(a - b), tolerance)
       << a.x << ' ' << a.y << ' ' << a.z << " is not " << b.x << ' ' << b.y << ' ' << b.z;
-}
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 TEST(PrepareLight, GivesEachTypeItsShape) {

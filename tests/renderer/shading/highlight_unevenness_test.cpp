@@ -8,11 +8,11 @@
 namespace asos::test {
 namespace {
 
-constexpr glm::vec3 up{0, 0, 1};
+constexpr glm::vec3 ahead{0, 0, 1};
 
 SurfacePoint flat_point() {
   SurfacePoint point;
-  point.geometric_normal = point.shading_normal = up;
+  point.geometric_normal = point.shading_normal = ahead;
   return point;
 }
 
