@@ -18,11 +18,10 @@ float distance_to_line(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
 
 std::optional<EdgeChain> join(std::span<const glm::vec3> positions,
                               std::span<const std::optional<EdgeChain>> parts) {
+  if (!std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); }))
+    return std::nullopt;
   std::vector<EdgeChain> all;
-  for (const auto& part : parts) {
-    if (!part) return std::nullopt;
-    all.push_back(*part);
-  }
+  for (const auto& part : parts) all.push_back(*part);
   std::vector<EdgeChain> left(all.begin() + 1, all.end());
   EdgeChain whole = all.front();
   while (!left.empty()) {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
 #include <numeric>
 #include <span>
 #include <stop_token>
@@ -36,77 +35,15 @@ struct HalfEdge {
   std::uint32_t ascends : 1 = 0;  // the triangle's corners run from the lower end to this one
 };
 
-std::uint64_t mix(std::uint64_t x) {
-  x ^= x >> 33;
-  x *= 0xff51afd7ed558ccdULL;
-  x ^= x >> 33;
-  x *= 0xc4ceb9fe1a85ec53ULL;
-  return x ^ (x >> 33);
-}
-
-/// Places and the first vertex at each. Open addressing, keyed by the coordinates' bits; adding
-/// zero makes -0 equal 0. Any number of threads may add at once: which slot a place gets depends on
-/// them, the vertex in it does not.
-class PlaceTable {
- public:
-  explicit PlaceTable(const std::vector<glm::vec3>& positions)
-      : positions_(positions), slots_(std::bit_ceil(2 * positions.size() + 1), FeatureEdge::none) {}
-
-  void add(std::uint32_t vertex) {
-    std::size_t at = first_slot(vertex);
-    for (;; at = (at + 1) & (slots_.size() - 1)) {
-      std::atomic_ref slot(slots_[at]);
-      std::uint32_t there = slot.load(std::memory_order_relaxed);
-      if (there == FeatureEdge::none &&
-          slot.compare_exchange_strong(there, vertex, std::memory_order_relaxed))
-        return;
-      if (positions_[there] != positions_[vertex]) continue;
-      while (vertex < there &&
-             !slot.compare_exchange_weak(there, vertex, std::memory_order_relaxed)) {
-      }
-      return;
-    }
-  }
-  /// Once all are there.
-  [[nodiscard]] std::uint32_t first_at_place_of(std::uint32_t vertex) const {
-    std::size_t at = first_slot(vertex);
-    while (positions_[slots_[at]] != positions_[vertex]) at = (at + 1) & (slots_.size() - 1);
-    return slots_[at];
-  }
-
- private:
-  [[nodiscard]] std::size_t first_slot(std::uint32_t vertex) const {
-    const glm::vec3 p = positions_[vertex] + 0.0f;
-    const std::uint64_t xy = std::bit_cast<std::uint32_t>(p.x) |
-                             (std::uint64_t{std::bit_cast<std::uint32_t>(p.y)} << 32);
-    return mix(xy ^ mix(std::bit_cast<std::uint32_t>(p.z) + 0x9e3779b97f4a7c15ULL)) &
-           (slots_.size() - 1);
-  }
-
-  const std::vector<glm::vec3>& positions_;
-  std::vector<std::uint32_t> slots_;
-};
-
-// For each vertex the first vertex at the same place.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions,
-                                const std::stop_token& stop) {
-  PlaceTable table(positions);
-  in_parallel(positions.size(), stop, [&](std::uint32_t i) { table.add(i); });
-  std::vector<std::uint32_t> first(positions.size());
-  in_parallel(positions.size(), stop,
-              [&](std::uint32_t i) { first[i] = table.first_at_place_of(i); });
-  return first;
-}
-
 class Extractor {
  public:
   Extractor(const World& world, TextureAt texture_at, const std::stop_token& stop,
-            std::span<const std::uint8_t> hidden_sides)
+            std::span<const std::uint8_t> hidden_sides, std::span<const std::uint32_t> welded)
       : world_(world),
         stop_(stop),
         hidden_sides_(hidden_sides),
         look_(world, texture_at),
-        welded_(weld(world.positions, stop)),
+        welded_(welded),
         sheets_(world.triangles.size()),
         facets_(world.triangles.size()),
         two_sided_(world.triangles.size()) {
@@ -123,7 +60,6 @@ class Extractor {
          first += groups_at_once * group_size)
       classify_groups(first, out);
     release(half_edges_);
-    release(welded_);
     release(bucket_);
     release(two_sided_);
     finish(out);
@@ -337,7 +273,7 @@ class Extractor {
   std::stop_token stop_;
   std::span<const std::uint8_t> hidden_sides_;
   SurfaceLook look_;
-  std::vector<std::uint32_t> welded_;
+  std::span<const std::uint32_t> welded_;  // see welded_vertices
   DisjointSets sheets_;
   DisjointSets facets_;                  // triangles in one plane, joined smoothly
   std::vector<std::uint8_t> two_sided_;  // 1: triangles that show from behind, too
@@ -357,10 +293,10 @@ FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& other) {
   return *this;
 }
 
-ExtractedFeatures extract_features(const World& world, TextureAt texture_at,
-                                   const std::stop_token& stop,
+ExtractedFeatures extract_features(const World& world, std::span<const std::uint32_t> welded,
+                                   TextureAt texture_at, const std::stop_token& stop,
                                    std::span<const std::uint8_t> hidden_sides) {
-  return Extractor(world, texture_at, stop, hidden_sides).run();
+  return Extractor(world, texture_at, stop, hidden_sides, welded).run();
 }
 
 }  // namespace asos

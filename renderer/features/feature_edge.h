@@ -67,15 +67,17 @@ struct ExtractedFeatures {
   FeatureCounts counts;
 };
 
-/// Finds the feature edges of a world: welds vertices by position, pairs the faces of each edge and
-/// drops the edges between coplanar faces that look alike. Relies on the faces' winding for nothing
-/// but for what culling hides: a single-sided face beside one that is wound the other way.
-/// Work is linear in the triangles. Zero-area triangles bound nothing and are passed over; so are
-/// triangles that repeat another one's corners and look; so are edges of which `hidden_sides` says
-/// that all of their faces are cut out there (CutOuts::hidden_sides, or empty). `texture_at` tells
-/// whether a jump of texture coordinates shows; without it every one is a seam.
+/// Finds the feature edges of a world: pairs the faces of each edge of the `welded` mesh
+/// (welded_vertices) and drops the edges between coplanar faces that look alike. Relies on the
+/// faces' winding for nothing but for what culling hides: a single-sided face beside one that is
+/// wound the other way. Work is linear in the triangles. Zero-area triangles bound nothing and are
+/// passed over; so are triangles that repeat another one's corners and look; so are edges of which
+/// `hidden_sides` says that all of their faces are cut out there (CutOuts::hidden_sides, or empty).
+/// `texture_at` tells whether a jump of texture coordinates shows; without it every one is a seam.
 /// Throws SearchStopped once `stop` is requested.
-[[nodiscard]] ExtractedFeatures extract_features(const World& world, TextureAt texture_at = nullptr,
+[[nodiscard]] ExtractedFeatures extract_features(const World& world,
+                                                 std::span<const std::uint32_t> welded,
+                                                 TextureAt texture_at = nullptr,
                                                  const std::stop_token& stop = {},
                                                  std::span<const std::uint8_t> hidden_sides = {});
 

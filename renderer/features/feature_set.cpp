@@ -1,6 +1,8 @@
 #include "renderer/features/feature_set.h"
 
+#include "renderer/features/release.h"
 #include "renderer/features/shape_intersections.h"
+#include "renderer/features/welded_vertices.h"
 #include "renderer/world/needs.h"
 #include "renderer/world/surface_kind.h"
 
@@ -14,17 +16,20 @@ namespace asos {
 FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop)
     : positions_(world.positions) {
   CutOuts cut_outs = find_cut_outs(world, {}, stop);
-  ExtractedFeatures extracted = extract_features(world, texture_at, stop, cut_outs.hidden_sides);
+  std::vector<std::uint32_t> welded = welded_vertices(world.positions, stop);
+  ExtractedFeatures extracted =
+      extract_features(world, welded, texture_at, stop, cut_outs.hidden_sides);
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
   sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
   deviation_of_triangle_ = std::move(extracted.deviation_of_triangle);
   add_shapes(world);
-  add(find_intersections(world, IntersectionBudget::of(world), stop));
+  add(find_intersections(world, welded, IntersectionBudget::of(world), stop));
+  release(welded);
   add_shape_intersections(world);
   add(world, std::move(cut_outs));
-  constexpr std::size_t fewest_in_parallel = std::size_t{1} << 18;
-  hierarchy_ = FeatureHierarchy::build(positions_, edges_, curves_, fewest_in_parallel, stop);
+  hierarchy_ =
+      FeatureHierarchy::build(positions_, edges_, curves_, FeatureHierarchy::few_edges, stop);
 }
 
 // Each face is a sheet of its own.

@@ -7,10 +7,9 @@
 #include "renderer/features/stoppable_loop.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -79,8 +78,9 @@ class Builder {
     bool always = false;
     std::optional<EdgeChain> chain;
   };
-  /// The parts of so large a hierarchy still keep all processors busy one by one.
-  static constexpr std::size_t in_turn = 32;
+  /// The parts of a hierarchy of so many times the fewest edges keep all processors busy one by
+  /// one; by default it has eight million.
+  static constexpr std::size_t in_turn = 4096;
 
   std::vector<EdgeItem> all_items(std::span<const FeatureCurve> curves) const {
     std::vector<EdgeItem> items(edges_.size());
@@ -234,14 +234,14 @@ class Builder {
 
   [[nodiscard]] Summary total_of(std::span<const Summary> below) const {
     Summary total;
-    std::vector<std::optional<EdgeChain>> chains_of_parts;
-    for (const Summary& part : below) {
-      total.box.grow(part.box);
-      total.cone = merge(total.cone, part.cone);
-      total.always |= part.always;
-      chains_of_parts.push_back(part.chain);
+    std::array<std::optional<EdgeChain>, FeatureNode::width> chains;
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      total.box.grow(below[i].box);
+      total.cone = merge(total.cone, below[i].cone);
+      total.always |= below[i].always;
+      chains[i] = below[i].chain;
     }
-    total.chain = join(positions_, chains_of_parts);
+    total.chain = join(positions_, std::span(chains).first(below.size()));
     return total;
   }
 
@@ -258,9 +258,8 @@ class Builder {
       node.hi[k][i] = below.box.hi[k];
       node.axis[k][i] = static_cast<float>(below.cone.axis[k]);
     }
-    const bool bounded = below.cone.angle < 0.5 * std::numbers::pi;
-    node.cone_sine[i] = bounded ? static_cast<float>(std::sin(below.cone.angle)) : 1.0f;
-    node.cone_cosine[i] = bounded ? static_cast<float>(std::cos(below.cone.angle)) : 0.0f;
+    node.cone_sine[i] = static_cast<float>(below.cone.sine);
+    node.cone_cosine[i] = static_cast<float>(below.cone.cosine);
     node.child[i] = child;
     node.edge_count[i] = edge_count;
     node.always[i] = below.always;
@@ -278,20 +277,18 @@ class Builder {
   // Of a leaf, whose edges come from place `first` on in the order.
   [[nodiscard]] Summary summarise(EdgeItems items, std::uint32_t first) {
     Summary s;
-    std::vector<std::optional<EdgeChain>> chains;
-    for (const EdgeItem& item : items) {
+    std::array<std::optional<EdgeChain>, leaf_size> chains;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const EdgeItem& item = items[i];
       order_[first++] = item.edge;
       const FeatureEdge& edge = edges_[item.edge];
-      if (edge.kind == FeatureKind::silhouette || edge.is_curve()) {
-        chains.emplace_back();
-      } else {
-        chains.push_back(EdgeChain{edge.a, edge.b, 0.0f});
-      }
+      if (edge.kind != FeatureKind::silhouette && !edge.is_curve())
+        chains[i] = EdgeChain{edge.a, edge.b, 0.0f};
       s.box.grow(item.box);
       s.always |= edge.kind != FeatureKind::silhouette;
       s.cone = merge(s.cone, cone_of(edge));
     }
-    s.chain = join(positions_, chains);
+    s.chain = join(positions_, std::span(chains).first(items.size()));
     return s;
   }
 
@@ -302,10 +299,8 @@ class Builder {
     const glm::dvec3 along = glm::dvec3(positions_[edge.b]) - a;
     const glm::dvec3 l = glm::normalize(glm::cross(along, glm::dvec3(positions_[edge.left]) - a));
     const glm::dvec3 r = glm::normalize(glm::cross(glm::dvec3(positions_[edge.right]) - a, along));
-    const double between = angle_between(l, r);
     // merge() would turn one of the two over, which is another pair of faces.
-    if (between > 0.5 * std::numbers::pi) return NormalCone::everything();
-    return {glm::normalize(l + r), 0.5 * between};
+    return asos::cone_of(l, r);
   }
 
   // In place, cycle by cycle: a copy of the edges would be the most memory that all of loading

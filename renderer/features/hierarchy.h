@@ -54,6 +54,9 @@ struct NodeChains {
 /// Bounding hierarchy over feature edges (design section 4). Node 0 is the root; empty without
 /// edges. Building reorders `edges` so that each leaf's edges are consecutive.
 struct FeatureHierarchy {
+  /// What is built in a tenth of a millisecond is not worth another thread.
+  static constexpr std::size_t few_edges = 2048;
+
   std::vector<FeatureNode> nodes;
   std::vector<NodeChains> chains;
 
@@ -61,12 +64,11 @@ struct FeatureHierarchy {
   /// proportion to its width). Edges that bound from everywhere and mere candidates have subtrees
   /// of their own, so that cones can reject whole meshes. Deterministic.
   /// Children of nodes with `fewest_in_parallel` edges below or more are built in parallel; what is
-  /// built is the same. Throws SearchStopped once `stop` is
-  /// requested.
+  /// built is the same. Throws SearchStopped once `stop` is requested.
   static FeatureHierarchy build(std::span<const glm::vec3> positions,
                                 std::vector<FeatureEdge>& edges,
                                 std::span<const FeatureCurve> curves = {},
-                                std::size_t fewest_in_parallel = std::size_t{1} << 18,
+                                std::size_t fewest_in_parallel = few_edges,
                                 const std::stop_token& stop = {});
 };
 

@@ -34,8 +34,7 @@ struct Meeting {
   int b = 0;
 };
 
-template <typename Triple>
-Meeting meeting(const Triple& a, const Triple& b) {
+Meeting meeting(glm::uvec3 a, glm::uvec3 b) {
   Meeting m;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
@@ -62,8 +61,10 @@ class Collider {
   /// Of surfaces with each other, or of lines and points with surfaces.
   enum class Of { surfaces, strokes };
 
-  Collider(const World& world, Of of, const IntersectionBudget& budget, const std::stop_token& stop)
+  Collider(const World& world, std::span<const std::uint32_t> welded, Of of,
+           const IntersectionBudget& budget, const std::stop_token& stop)
       : world_(world),
+        welded_(welded),
         of_(of),
         count_(of == Of::strokes ? world.triangles.size() : world.solid_triangles()),
         budget_(budget),
@@ -118,13 +119,17 @@ class Collider {
     if (of_ == Of::strokes && world_.strokes.has_triangle(s) == world_.strokes.has_triangle(t))
       return;
     // Neighbours along an edge meet there and nowhere else, unless they lie in one plane.
-    if (meeting(world_.triangles[s], world_.triangles[t]).count > 1) return;
-    const Corners a = corners_of(world_, s), b = corners_of(world_, t);
-    const Meeting m = meeting(a, b);
+    const Meeting m = meeting(places_of(s), places_of(t));
     if (m.count > 1) return;
+    const Corners a = corners_of(world_, s), b = corners_of(world_, t);
     if (m.count == 1 && (beside(a, b, m.a, m.b) || beside(b, a, m.b, m.a))) return;
     const std::optional<Stretch> line = common_line(in_double(a), in_double(b), world_.origin);
     if (line) local.lines.push_back({glm::vec3(line->p), glm::vec3(line->q), s, t});
+  }
+
+  [[nodiscard]] glm::uvec3 places_of(std::uint32_t triangle) const {
+    const glm::uvec3 t = world_.triangles[triangle];
+    return {welded_[t.x], welded_[t.y], welded_[t.z]};
   }
 
   // Over the budget or not is the same whatever the threads do: every pair is counted once, and
@@ -156,6 +161,7 @@ class Collider {
   static constexpr std::size_t batch = 1024;
 
   const World& world_;
+  std::span<const std::uint32_t> welded_;
   Of of_;
   std::size_t count_;  // of the triangles that are looked at
   IntersectionBudget budget_;
@@ -173,16 +179,16 @@ IntersectionBudget IntersectionBudget::of(const World& world) {
   return {std::max<std::size_t>(10'000, 4 * n), 1'000'000 + 256 * n};
 }
 
-Intersections find_intersections(const World& world, const IntersectionBudget& budget,
-                                 const std::stop_token& stop) {
+Intersections find_intersections(const World& world, std::span<const std::uint32_t> welded,
+                                 const IntersectionBudget& budget, const std::stop_token& stop) {
   Intersections found;
   if (world.solid_triangles() > 1)
-    found = Collider(world, Collider::Of::surfaces, budget, stop).run();
+    found = Collider(world, welded, Collider::Of::surfaces, budget, stop).run();
   if (world.solid_triangles() == 0 || !world.strokes.drawn()) return found;
   // Surfaces do not lose theirs where lines are too many.
   const std::size_t n = world.strokes.triangle_count;
   const IntersectionBudget more{budget.lines + 4 * n, budget.pairs + 256 * n};
-  const Intersections of_strokes = Collider(world, Collider::Of::strokes, more, stop).run();
+  const Intersections of_strokes = Collider(world, welded, Collider::Of::strokes, more, stop).run();
   found.lines.insert(found.lines.end(), of_strokes.lines.begin(), of_strokes.lines.end());
   return found;
 }

@@ -39,11 +39,14 @@ struct Intersections {
 
 /// Finds where surfaces of a world pass through each other (design section 3): no mesh edge marks
 /// these lines. Triangles that only touch or overlap in one plane have none, and neighbours along
-/// an edge are passed over. Pairs are found in a tree of boxes (BoxTree). The
-/// result does not depend on threads. A scene that is nothing but overlaps is given up after a
-/// look at a few of its triangles. So are lines and points, which are looked for where they enter
-/// surfaces; without them the rest stays. Throws SearchStopped once `stop` is requested.
-[[nodiscard]] Intersections find_intersections(const World& world, const IntersectionBudget& budget,
+/// an edge of the `welded` mesh (welded_vertices) are passed over. Pairs are found in a tree of
+/// boxes (BoxTree). The result does not depend on threads. A scene that is nothing but overlaps is
+/// given up after a look at a few of its triangles. So are lines and points, which are looked for
+/// where they enter surfaces; without them the rest stays. Throws SearchStopped once `stop` is
+/// requested.
+[[nodiscard]] Intersections find_intersections(const World& world,
+                                               std::span<const std::uint32_t> welded,
+                                               const IntersectionBudget& budget,
                                                const std::stop_token& stop = {});
 
 }  // namespace asos

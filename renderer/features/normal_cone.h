@@ -2,37 +2,65 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace asos {
 
-/// A double cone around the normals of faces.
+/// A double cone around the normals of faces: all directions within an angle below a right one of
+/// its axis, or of the opposite of that. By the angle's sine and cosine, which sums and halves are
+/// had of without any arc.
 struct NormalCone {
   glm::dvec3 axis{0.0};
-  double angle = -1.0;  ///< radians; negative: of nothing; pi/2 or more: holds every direction
+  double sine = 0.0;
+  double cosine = 2.0;  ///< above 1: of nothing; 0: holds every direction
 
-  static NormalCone everything() { return {{0, 0, 1}, std::numbers::pi}; }
+  static NormalCone everything() { return {{0, 0, 1}, 1.0, 0.0}; }
+  [[nodiscard]] bool holds_nothing() const { return cosine > 1.0; }
+  [[nodiscard]] bool holds_everything() const { return cosine <= 0.0; }
 };
 
-inline double angle_between(glm::dvec3 x, glm::dvec3 y) {
-  return std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y));
+/// The smallest cone that holds two unit normals themselves, and not the opposite of either;
+/// everything where they are farther apart than a right angle, or no normals.
+inline NormalCone cone_of(glm::dvec3 a, glm::dvec3 b) {
+  if (!(glm::dot(a, b) >= 0.0)) return NormalCone::everything();
+  const glm::dvec3 sum = a + b;
+  const double length = glm::length(sum);
+  return {sum / length, 0.5 * glm::length(a - b), 0.5 * length};
 }
 
 /// The smallest cone that holds both, the second one turned over where that is narrower.
 inline NormalCone merge(const NormalCone& x, NormalCone y) {
-  if (x.angle < 0.0) return y;
-  if (y.angle < 0.0) return x;
-  if (glm::dot(x.axis, y.axis) < 0.0) y.axis = -y.axis;
-  const double between = angle_between(x.axis, y.axis);
-  if (between + y.angle <= x.angle) return x;
-  if (between + x.angle <= y.angle) return y;
-  const double angle = 0.5 * (x.angle + y.angle + between);
-  if (angle >= 0.5 * std::numbers::pi) return NormalCone::everything();
+  if (x.holds_nothing()) return y;
+  if (y.holds_nothing()) return x;
+  if (x.holds_everything() || y.holds_everything()) return NormalCone::everything();
+  double between_cosine = glm::dot(x.axis, y.axis);
+  if (between_cosine < 0.0) {
+    y.axis = -y.axis;
+    between_cosine = -between_cosine;
+  }
+  const double between_sine = glm::length(glm::cross(x.axis, y.axis));
+  const auto within = [&](const NormalCone& inner, const NormalCone& outer) {
+    return between_cosine * inner.cosine - between_sine * inner.sine >= outer.cosine;
+  };
+  if (within(y, x)) return x;
+  if (within(x, y)) return y;
+  // The new angle is half of the sum of both and of what lies between.
+  const double both_sine = x.sine * y.cosine + x.cosine * y.sine;
+  const double both_cosine = x.cosine * y.cosine - x.sine * y.sine;
+  const double sum_sine = both_sine * between_cosine + both_cosine * between_sine;
+  const double sum_cosine = both_cosine * between_cosine - both_sine * between_sine;
+  if (sum_sine <= 0.0) return NormalCone::everything();
+  NormalCone whole;
+  whole.cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + sum_cosine)));
+  whole.sine =
+      sum_cosine > 0.0 ? 0.5 * sum_sine / whole.cosine : std::sqrt(0.5 * (1.0 - sum_cosine));
   // Turn x's axis towards y's by what the new cone leaves.
-  const glm::dvec3 side = glm::normalize(y.axis - x.axis * glm::dot(x.axis, y.axis));
-  const double turn = angle - x.angle;
-  return {std::cos(turn) * x.axis + std::sin(turn) * side, angle};
+  const glm::dvec3 side = glm::normalize(y.axis - x.axis * between_cosine);
+  const double turn_sine = whole.sine * x.cosine - whole.cosine * x.sine;
+  const double turn_cosine = whole.cosine * x.cosine + whole.sine * x.sine;
+  whole.axis = turn_cosine * x.axis + turn_sine * side;
+  return whole;
 }
 
 }  // namespace asos

@@ -1,11 +1,12 @@
 // What a scene costs from one moment of its animation to the next: a sheet of triangles that
 // morphs, beside one that stands still where that is asked for. Milliseconds of processor time of
-// all threads, the median over the frames: placing all in the world, the rays' hierarchy, and the
-// boundaries, which ASOS waits for.
+// all threads and of time that passes, medians over the frames: placing all in the world, the rays'
+// hierarchy, and the boundaries, which ASOS waits for.
 //
 //   bench_moving [--triangles N] [--still N] [--frames N]
 
 #include "renderer/features/feature_set.h"
+#include "renderer/features/welded_vertices.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/study/curves.h"
@@ -60,8 +61,35 @@ Scene moment(int triangles, int still, double phase) {
   return scene;
 }
 
-double cpu_ms() {
-  return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+/// What a stage took, frame by frame: milliseconds.
+struct Cost {
+  std::vector<double> processor, passed;
+};
+
+/// Tells what has been spent since it was last asked.
+class Laps {
+ public:
+  void add_to(Cost& stage) {
+    const double processor = processor_ms(), now = now_ms();
+    stage.processor.push_back(processor - std::exchange(processor_, processor));
+    stage.passed.push_back(now - std::exchange(now_, now));
+  }
+
+ private:
+  static double processor_ms() {
+    return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  }
+  static double now_ms() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(now).count();
+  }
+
+  double processor_ = processor_ms();
+  double now_ = now_ms();
+};
+
+void print(const char* name, const Cost& stage) {
+  fmt::print("{:<22} {:8.2f} {:8.2f}\n", name, median(stage.processor), median(stage.passed));
 }
 
 }  // namespace
@@ -76,41 +104,35 @@ int main(int argc, char** argv) {
 
   const auto rest = prepare(moment(triangles, still, 0.0));
   if (!rest) return EXIT_FAILURE;
-  std::vector<double> placing, rays, edges, crossings, boundaries, all, wall;
+  Cost placing, rays, edges, crossings, boundaries, all;
   for (int f = 0; f < frames; ++f) {
     const Scene scene = moment(triangles, still, 0.1 * f);
-    double since = cpu_ms();
-    const auto lap = [&since](std::vector<double>& into) {
-      const double now = cpu_ms();
-      into.push_back(now - std::exchange(since, now));
-    };
+    Laps laps;
     const auto flat = flatten(scene, most_triangles, (*rest)->geometry->stage.origin);
     if (!flat) return EXIT_FAILURE;
-    lap(placing);
+    laps.add_to(placing);
     const auto traced = RayScene::build(flat->world, nullptr);
     if (!traced) return EXIT_FAILURE;
-    lap(rays);
-    const ExtractedFeatures found = extract_features(flat->world);
-    lap(edges);
+    laps.add_to(rays);
+    const std::vector<std::uint32_t> welded = welded_vertices(flat->world.positions);
+    const ExtractedFeatures found = extract_features(flat->world, welded);
+    laps.add_to(edges);
     const Intersections lines =
-        find_intersections(flat->world, IntersectionBudget::of(flat->world));
-    lap(crossings);
+        find_intersections(flat->world, welded, IntersectionBudget::of(flat->world));
+    laps.add_to(crossings);
     const FeatureSet features(flat->world);
-    lap(boundaries);
-    const auto started = std::chrono::steady_clock::now();
+    laps.add_to(boundaries);
     const auto ready = prepare(scene, {}, &(*rest)->geometry->stage).and_then(with_boundaries);
     if (!ready) return EXIT_FAILURE;
-    const std::chrono::duration<double, std::milli> passed =
-        std::chrono::steady_clock::now() - started;
-    wall.push_back(passed.count());
-    lap(all);
+    laps.add_to(all);
   }
-  fmt::print("{} triangles morph, {} stand still; processor milliseconds a frame, medians\n",
-             triangles, still);
-  fmt::print("placing in the world   {:8.2f}\n", median(placing));
-  fmt::print("rays' hierarchy        {:8.2f}\n", median(rays));
-  fmt::print("boundaries             {:8.2f}\n", median(boundaries));
-  fmt::print("  of which edges       {:8.2f}\n", median(edges));
-  fmt::print("  and intersections    {:8.2f}\n", median(crossings));
-  fmt::print("all of it              {:8.2f}, {:.2f} of wall time\n", median(all), median(wall));
+  fmt::print("{} triangles morph, {} stand still; milliseconds a frame, medians\n", triangles,
+             still);
+  fmt::print("{:<22} {:>8} {:>8}\n", "", "of CPUs", "passed");
+  print("placing in the world", placing);
+  print("rays' hierarchy", rays);
+  print("boundaries", boundaries);
+  print("  of which edges", edges);
+  print("  and intersections", crossings);
+  print("all of it", all);
 }

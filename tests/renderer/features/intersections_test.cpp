@@ -1,6 +1,7 @@
 #include "renderer/features/intersections.h"
 
 #include "renderer/features/feature_set.h"
+#include "renderer/features/welded_vertices.h"
 #include "tests/support/polygon_scene.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,10 @@ namespace asos::test {
 namespace {
 
 constexpr IntersectionBudget plenty{100'000, 1'000'000'000};
+
+Intersections intersections_of(const World& world, const IntersectionBudget& budget) {
+  return find_intersections(world, welded_vertices(world.positions), budget);
+}
 
 double total_length(const Intersections& found) {
   double sum = 0.0;
@@ -41,7 +46,7 @@ TEST(Intersections, TwoTrianglesCrossAlongTheLineThatTheyShare) {
   PolygonScene scene;
   scene.add({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
   scene.add({{1, 1, -1}, {1, 1, 1}, {3, 1, 0}});
-  const Intersections found = find_intersections(scene.world, plenty);
+  const Intersections found = intersections_of(scene.world, plenty);
   ASSERT_EQ(found.lines.size(), 1u);
   EXPECT_TRUE(found.complete);
   EXPECT_NEAR(total_length(found), 2.0, 1e-6);
@@ -53,28 +58,28 @@ TEST(Intersections, CrossingRectanglesShareOneLineInPieces) {
   PolygonScene scene;
   scene.add({{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}});
   scene.add({{-1, 0.3f, -2}, {1, 0.3f, -2}, {1, 0.3f, 2}, {-1, 0.3f, 2}});
-  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 2.0, 1e-6);
+  EXPECT_NEAR(total_length(intersections_of(scene.world, plenty)), 2.0, 1e-6);
 }
 
 TEST(Intersections, ABoxThroughAFloorHasTheOutlineOfItsSection) {
   PolygonScene scene;
   scene.add({{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}});
   add_box(scene, {-1, -1, -2}, {1, 3, 2});
-  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 2 * (2 + 4), 1e-5);
+  EXPECT_NEAR(total_length(intersections_of(scene.world, plenty)), 2 * (2 + 4), 1e-5);
 }
 
 TEST(Intersections, ABoxOnAFloorOnlyTouchesIt) {
   PolygonScene scene;
   scene.add({{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}});
   add_box(scene, {-1, 0, -2}, {1, 3, 2});
-  EXPECT_TRUE(find_intersections(scene.world, plenty).lines.empty());
+  EXPECT_TRUE(intersections_of(scene.world, plenty).lines.empty());
 }
 
 TEST(Intersections, NeighboursAndCoplanarOverlapsHaveNone) {
   PolygonScene scene;
   add_box(scene, {0, 0, 0}, {1, 1, 1});
   scene.add({{0.2f, 0.2f, 1}, {0.9f, 0.2f, 1}, {0.2f, 0.9f, 1}});
-  EXPECT_TRUE(find_intersections(scene.world, plenty).lines.empty());
+  EXPECT_TRUE(intersections_of(scene.world, plenty).lines.empty());
 }
 
 TEST(Intersections, MoreThanTheBudgetIsSaidAndLeavesNone) {
@@ -84,10 +89,10 @@ TEST(Intersections, MoreThanTheBudgetIsSaidAndLeavesNone) {
     scene.add({{x, -20, -20}, {x, 20, -20}, {x, 0, 30}});
     scene.add({{-20, x, -20}, {30, x, -20}, {0, x, 30}});
   }
-  const Intersections found = find_intersections(scene.world, {20, 1000});
+  const Intersections found = intersections_of(scene.world, {20, 1000});
   EXPECT_FALSE(found.complete);
   EXPECT_TRUE(found.lines.empty());
-  EXPECT_GT(find_intersections(scene.world, plenty).lines.size(), 20u);
+  EXPECT_GT(intersections_of(scene.world, plenty).lines.size(), 20u);
 }
 
 glm::mat3 random_turn(std::mt19937& random) {
@@ -114,7 +119,7 @@ TEST(Intersections, CoplanarOverlapsHaveNoneHoweverTheyAreTurned) {
         corners.push_back(centre + turn * (o + c));
       scene.add(corners);
     }
-    ASSERT_TRUE(find_intersections(scene.world, plenty).lines.empty()) << "case " << i;
+    ASSERT_TRUE(intersections_of(scene.world, plenty).lines.empty()) << "case " << i;
   }
 }
 
@@ -134,7 +139,7 @@ TEST(Intersections, TJunctionsHaveNoneButAlongTheJunction) {
     scene.add({place(0, 0), place(0, -1), place(1, -1), place(1, 0)});
     scene.add({place(0, 0), place(at, 0), place(at, 1), place(0, 1)});
     scene.add({place(at, 0), place(1, 0), place(1, 1), place(at, 1)});
-    const Intersections found = find_intersections(scene.world, plenty);
+    const Intersections found = intersections_of(scene.world, plenty);
     if (rise == 0.0f) {
       ASSERT_TRUE(found.lines.empty()) << "case " << i;
     }
@@ -153,21 +158,21 @@ TEST(Intersections, ACornerOnAPlaneOnlyTouchesIt) {
   scene.add({{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}});
   scene.add({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});      // stands on its tip
   scene.add({{1, 0, 1}, {1.5f, -1, 1}, {1, -1, 1}});  // hangs from it
-  EXPECT_TRUE(find_intersections(scene.world, plenty).lines.empty());
+  EXPECT_TRUE(intersections_of(scene.world, plenty).lines.empty());
 }
 
 TEST(Intersections, ACornerOnAPlaneBetweenTwoSidesCrossesFromThere) {
   PolygonScene scene;
   scene.add({{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}});
   scene.add({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}});
-  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 1.0, 1e-6);
+  EXPECT_NEAR(total_length(intersections_of(scene.world, plenty)), 1.0, 1e-6);
 }
 
 TEST(Intersections, TrianglesThatShareOneCornerCanCrossFromThere) {
   PolygonScene scene;
   scene.add({{0, 0, 0}, {4, 0, -1}, {4, 0, 1}});
   scene.add({{0, 0, 0}, {3, 1, 0}, {3, -1, 0}});
-  const Intersections found = find_intersections(scene.world, plenty);
+  const Intersections found = intersections_of(scene.world, plenty);
   ASSERT_EQ(found.lines.size(), 1u);
   EXPECT_NEAR(total_length(found), 3.0, 1e-6);
 }
@@ -194,7 +199,7 @@ TEST(Intersections, NeighboursAtACornerHaveNone) {
       world.triangles.emplace_back(at(0, 0), at(1, 1), at(0, 1));
     }
   }
-  EXPECT_TRUE(find_intersections(world, plenty).lines.empty());
+  EXPECT_TRUE(intersections_of(world, plenty).lines.empty());
 }
 
 // A small thing that stands a little in a floor of kilometres.
@@ -202,7 +207,7 @@ TEST(Intersections, TheSizeOfTheOtherTriangleHidesNothing) {
   PolygonScene scene;
   scene.add({{-4000, -1.04f, -4000}, {4000, -1.04f, -4000}, {0, -1.04f, 4000}});
   add_box(scene, {0.001f, -1.0405f, 0.001f}, {0.003f, -1.03f, 0.004f});
-  EXPECT_NEAR(total_length(find_intersections(scene.world, plenty)), 2 * (0.002 + 0.003), 1e-7);
+  EXPECT_NEAR(total_length(intersections_of(scene.world, plenty)), 2 * (0.002 + 0.003), 1e-7);
 }
 
 // All boxes overlap all others: given up after a look at some of them, and always.
@@ -215,7 +220,7 @@ TEST(Intersections, ASceneOfNothingButOverlapsIsGivenUp) {
       world.positions.push_back(c + glm::vec3(unit(random), unit(random), unit(random)));
     world.triangles.push_back(3u * i + glm::uvec3(0, 1, 2));
   }
-  EXPECT_FALSE(find_intersections(world, IntersectionBudget::of(world)).complete);
+  EXPECT_FALSE(intersections_of(world, IntersectionBudget::of(world)).complete);
 }
 
 TEST(Intersections, ThePairsHaveABudgetToo) {
@@ -225,8 +230,8 @@ TEST(Intersections, ThePairsHaveABudgetToo) {
     scene.add({{-1, y, -1}, {1, y + 1, -1}, {0, y, 1}});  // parallel, so without lines
   }
   // All 4,950 pairs overlap.
-  EXPECT_TRUE(find_intersections(scene.world, {0, 4950}).complete);
-  EXPECT_FALSE(find_intersections(scene.world, {0, 4949}).complete);
+  EXPECT_TRUE(intersections_of(scene.world, {0, 4950}).complete);
+  EXPECT_FALSE(intersections_of(scene.world, {0, 4949}).complete);
 }
 
 // Against every pair, on random triangles; and twice the same.
@@ -239,8 +244,8 @@ TEST(Intersections, FindEveryCrossingPair) {
     const glm::vec3 c = 3.0f * vector();
     scene.add({c + vector(), c + vector(), c + vector()});
   }
-  const Intersections found = find_intersections(scene.world, plenty);
-  const Intersections again = find_intersections(scene.world, plenty);
+  const Intersections found = intersections_of(scene.world, plenty);
+  const Intersections again = intersections_of(scene.world, plenty);
   ASSERT_EQ(found.lines.size(), again.lines.size());
   std::size_t pairs = 0;
   for (std::uint32_t s = 0; s < 400; ++s) {

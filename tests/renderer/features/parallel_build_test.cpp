@@ -1,5 +1,6 @@
 #include "renderer/features/box_pairs.h"
 #include "renderer/features/feature_set.h"
+#include "renderer/features/welded_vertices.h"
 #include "renderer/gltf/load.h"
 
 #include <gtest/gtest.h>
@@ -115,7 +116,8 @@ TEST(FeatureSet, IsTheSameWhateverTheThreads) {
 
 TEST(FeatureHierarchy, IsTheSameBuiltInParallel) {
   const World world = built_in_world();
-  const std::vector<FeatureEdge> edges = extract_features(world).edges;
+  const std::vector<FeatureEdge> edges =
+      extract_features(world, welded_vertices(world.positions)).edges;
   std::vector<FeatureEdge> in_turn = edges;
   const FeatureHierarchy expected = FeatureHierarchy::build(
       world.positions, in_turn, {}, std::numeric_limits<std::size_t>::max());

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+namespace asos {
+
+/// For each vertex the first one at the same place, itself where there is none before. 0 and -0 are
+/// the same place. In parallel; throws SearchStopped once `stop` is requested.
+[[nodiscard]] std::vector<std::uint32_t> welded_vertices(const std::vector<glm::vec3>& positions,
+                                                         const std::stop_token& stop = {});
+
+}  // namespace asos
