@@ -1,5 +1,6 @@
 #include "renderer/gltf/surface.h"
 
+#include "renderer/geometry/direction.h"
 #include "renderer/geometry/finite.h"
 
 #include <fmt/format.h>
@@ -10,14 +11,6 @@
 namespace asos::gltf {
 
 namespace {
-
-/// A unit vector along `v`, or `otherwise` where it has no direction. Components are scaled first,
-/// since squares of very large and very small ones do not fit.
-glm::vec3 unit_or(glm::dvec3 v, glm::vec3 otherwise) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(largest > 0.0) || !std::isfinite(largest)) return otherwise;
-  return glm::vec3(glm::normalize(v / largest));
-}
 
 glm::dvec3 face_normal(const VertexData& data, glm::uvec3 t) {
   const glm::dvec3 a(data.positions[t.x]), b(data.positions[t.y]), c(data.positions[t.z]);
@@ -67,11 +60,6 @@ UvFrame uv_frame(const VertexData& data, const std::vector<glm::vec2>& uv, const
   const double sign = d1.x * d2.y - d1.y * d2.x < 0.0 ? -1.0 : 1.0;
   if (d1.x * d2.y - d1.y * d2.x == 0.0) return {};
   return {sign * (d2.y * e1 - d1.y * e2), -sign * (d1.x * e2 - d2.x * e1)};
-}
-
-glm::vec3 any_perpendicular(glm::vec3 n) {
-  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  return glm::normalize(glm::cross(axis, n));
 }
 
 /// The texture use whose u gives a material's tangents.

@@ -1,6 +1,7 @@
 #include "renderer/world/world.h"
 
 #include "renderer/geometry/coordinates.h"
+#include "renderer/geometry/direction.h"
 #include "renderer/geometry/finite.h"
 #include "renderer/scene/scene_fault.h"
 #include "renderer/scene/tessellate.h"
@@ -24,18 +25,6 @@ namespace {
 unexpected<Error> refuse(const Scene& scene, std::string reason) {
   return unexpected(
       Error{scene.source.empty() ? std::string("scene") : scene.source, std::move(reason)});
-}
-
-glm::vec3 any_perpendicular(glm::vec3 n) {
-  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  return glm::normalize(glm::cross(axis, n));
-}
-
-/// A unit vector along `v`, or `fallback` where it has no direction.
-glm::vec3 unit_or(glm::dvec3 v, glm::vec3 fallback) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(largest > 0.0) || !finite(v)) return fallback;
-  return glm::vec3(glm::normalize(v / largest));
 }
 
 /// A matrix brought to a size where products of its entries neither overflow nor vanish.

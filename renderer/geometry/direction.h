@@ -1,0 +1,26 @@
+#pragma once
+
+#include "renderer/geometry/finite.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+
+/// A unit vector along `v`, or `fallback` where it has no direction. Of any length: components are
+/// scaled first, since squares of very large and very small ones do not fit.
+[[nodiscard]] inline glm::vec3 unit_or(glm::dvec3 v, glm::vec3 fallback) {
+  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(most > 0.0) || !finite(v)) return fallback;
+  return glm::vec3(glm::normalize(v / most));
+}
+
+/// A unit vector at right angles to a unit vector.
+[[nodiscard]] inline glm::vec3 any_perpendicular(glm::vec3 n) {
+  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, n));
+}
+
+}  // namespace asos
