@@ -1,22 +1,25 @@
 // What no time takes away of ASOS's error: its picture at a great depth beside one of many Sobol
-// samples, over every scene. A line a scene, worst first: the mean difference of the pictures, and
-// the root of the mean squared one, which holds the reference's own noise.
+// samples, over every scene. A line a scene, worst first: what the mean of the picture is off by,
+// and what the reference's noise makes that stray by; the root of the mean squared error, free of
+// that noise (HalvedReference), with a < where it is less than could be told; the worst pixel.
 //
-//   bench_bias [--size WxH] [--max N] [--samples N] [--sky-shadows] [SCENE...]
+//   bench_bias [--size WxH] [--max N] [--samples N] [--sky-shadows] [--cache DIR] [SCENE...]
 //
 // Differences are of linear radiance clipped to 0..1, as other benchmarks have them, over all
-// pixels and channels. The reference's noise is told by its two halves: the samples of two seeds.
+// pixels and channels. --cache keeps the references in a folder for the next call.
 
 #include "renderer/comparison/method.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/halved_reference.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -29,45 +32,22 @@ struct Settings {
   int max_level = 4;
   int samples = 4096;
   bool sky_shadows = false;
+  std::string cache;  // empty: none
   std::vector<std::string> scenes;
 };
 
 struct Row {
   std::string name;
-  double bias = 0.0;
-  double rmse = 0.0;
-  double noise = 0.0;  ///< of the reference
-  double worst = 0.0;  ///< of a pixel's mean over the channels
-  std::size_t worst_at = 0;
+  KnownError error;
+  Bias bias;
 };
 
-double displayed(float radiance) {
-  return std::clamp(static_cast<double>(radiance), 0.0, 1.0);
-}
-
-Row compared(const std::string& name, const Film& asos, const Film& one, const Film& other) {
-  Row row{name};
-  const std::size_t pixels = asos.radiance.size();
-  for (std::size_t i = 0; i < pixels; ++i) {
-    double off = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      const double a = displayed(one.radiance[i][c]), b = displayed(other.radiance[i][c]);
-      const double difference = displayed(asos.radiance[i][c]) - 0.5 * (a + b);
-      off += difference / 3.0;
-      row.rmse += difference * difference;
-      row.noise += 0.25 * (a - b) * (a - b);
-    }
-    row.bias += off;
-    if (std::abs(off) > std::abs(row.worst)) {
-      row.worst = off;
-      row.worst_at = i;
-    }
-  }
-  const auto count = static_cast<double>(pixels);
-  row.bias /= count;
-  row.rmse = std::sqrt(row.rmse / (3.0 * count));
-  row.noise = std::sqrt(row.noise / (3.0 * count));
-  return row;
+Result<HalvedReference> reference_of(const Settings& settings, const std::string& name,
+                                     const Snapshot& snapshot) {
+  if (settings.cache.empty()) return HalvedReference::rendered(snapshot, settings.samples);
+  return HalvedReference::kept(
+      kept_path(settings.cache, name, settings.size, settings.samples, settings.sky_shadows),
+      snapshot, settings.samples);
 }
 
 Result<Row> measure(const Settings& settings, const NamedScene& named) {
@@ -75,22 +55,20 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   if (!scene) return unexpected(scene.error());
   Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
   snapshot.settings.shadow.sky = settings.sky_shadows;
-  snapshot.settings.method = Method::sobol;
-  snapshot.settings.sampling.spp = settings.samples / 2;
-  snapshot.settings.seed = 12345;
-  const Film one = render_to_end(snapshot).film;
-  snapshot.settings.seed = 54321;
-  const Film other = render_to_end(snapshot).film;
+  const auto reference = reference_of(settings, named.name, snapshot);
+  if (!reference) return unexpected(reference.error());
   snapshot.settings.method = Method::asos;
-  snapshot.settings.seed = 0;
   snapshot.settings.asos.max_level = settings.max_level;
-  return compared(named.name, render_to_end(snapshot).film, one, other);
+  const Film film = render_to_end(snapshot).film;
+  return Row{named.name, reference->error_of(film), reference->bias_of(film)};
 }
 
 void print_row(const Settings& settings, const Row& row) {
   const auto width = static_cast<std::size_t>(settings.size.width);
-  fmt::print("{:<30}{:>11.2e}{:>11.2e}{:>11.2e}{:>11.2e} at {},{}\n", row.name, row.bias, row.rmse,
-             row.noise, row.worst, row.worst_at % width, row.worst_at / width);
+  const Bias& bias = row.bias;
+  fmt::print("{:<30}{:>11.2e}{:>10.1e}{:>2}{:>9.2e}{:>11.2e} at {},{}\n", row.name, bias.off,
+             bias.stray, row.error.known ? "" : "<", row.error.rmse, bias.worst,
+             bias.worst_pixel % width, bias.worst_pixel / width);
   std::fflush(stdout);
 }
 
@@ -103,12 +81,19 @@ int main(int argc, char** argv) {
   options.number("--max", settings.max_level, 0, 8, "MAX of ASOS");
   options.number("--samples", settings.samples, 2, 1 << 20, "of the reference");
   options.flag("--sky-shadows", settings.sky_shadows, "surfaces hide the sky from each other");
+  options.parsed("--cache", "folder of references", [&](const std::string& text) -> Result<void> {
+    settings.cache = text;
+    return {};
+  });
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
 
-  fmt::print("{}x{}, MAX {} less {} samples\n{:<30}{:>11}{:>11}{:>11}{:>11}\n", settings.size.width,
-             settings.size.height, settings.max_level, settings.samples, "", "bias", "RMSE",
-             "its noise", "worst");
+  std::error_code failed;
+  if (!settings.cache.empty()) std::filesystem::create_directories(settings.cache, failed);
+  if (failed) return fail({settings.cache, failed.message()});
+  fmt::print("{}x{}, MAX {} less {} samples\n{:<30}{:>11}{:>10}{:>11}{:>11}\n", settings.size.width,
+             settings.size.height, settings.max_level, settings.samples, "", "bias", "+-", "RMSE",
+             "worst");
   std::vector<Row> rows;
   int code = 0;
   for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
@@ -121,7 +106,7 @@ int main(int argc, char** argv) {
     rows.push_back(*row);
   }
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.rmse > b.rmse; });
+                   [](const Row& a, const Row& b) { return a.error.rmse > b.error.rmse; });
   fmt::print("\nworst first\n");
   for (const Row& row : rows) print_row(settings, row);
   return code;

@@ -77,24 +77,14 @@ struct Ratio {
 constexpr int sobol_spp[] = {4, 16, 64, 256};
 constexpr const char* rival_names[] = {"sobol", "sobol-adaptive"};
 
-/// What the cache has of a scene lies in files that begin like this.
 std::string cache_path(const Settings& settings, const std::string& name) {
-  std::string file = name;
-  std::replace_if(
-      file.begin(), file.end(), [](char c) { return c == '/' || c == ':'; }, '_');
-  return fmt::format("{}/{}-{}x{}-{}{}", settings.cache, file, settings.size.width,
-                     settings.size.height, settings.reference, settings.sky_shadows ? "-sky" : "");
+  return kept_path(settings.cache, name, settings.size, settings.reference, settings.sky_shadows);
 }
 
 Result<HalvedReference> reference_of(const Settings& settings, const std::string& name,
                                      const Snapshot& snapshot) {
-  const std::string path = cache_path(settings, name);
-  if (settings.keep && std::filesystem::exists(path + "-1.exr"))
-    return HalvedReference::read(path, settings.size);
-  HalvedReference reference = HalvedReference::rendered(snapshot, settings.reference);
-  if (settings.keep)
-    if (const auto written = reference.write(path); !written) return unexpected(written.error());
-  return reference;
+  if (!settings.keep) return HalvedReference::rendered(snapshot, settings.reference);
+  return HalvedReference::kept(cache_path(settings, name), snapshot, settings.reference);
 }
 
 MeasuredLadder ladder_of_sobol(RenderSettings settings) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace asos::bench {
@@ -28,6 +29,15 @@ HalvedReference HalvedReference::rendered(Snapshot snapshot, int samples) {
     snapshot.settings.seed = seeds[half];
     reference.halves_[half] = render_to_end(snapshot).film;
   }
+  return reference;
+}
+
+Result<HalvedReference> HalvedReference::kept(const std::string& path, const Snapshot& snapshot,
+                                              int samples) {
+  if (std::filesystem::exists(half_path(path, 0)))
+    return read(path, {snapshot.settings.width, snapshot.settings.height});
+  HalvedReference reference = rendered(snapshot, samples);
+  if (const auto written = reference.write(path); !written) return unexpected(written.error());
   return reference;
 }
 
@@ -66,6 +76,37 @@ KnownError HalvedReference::error_of(const Film& film) const {
   const auto pixels = static_cast<double>(film.radiance.size());
   const double least = 2.0 * std::sqrt(variance) / pixels;
   return {std::sqrt(std::max(sum / pixels, least)), sum / pixels > least};
+}
+
+Bias HalvedReference::bias_of(const Film& film) const {
+  const auto mean_of = [](glm::dvec3 v) { return (v.x + v.y + v.z) / 3.0; };
+  Bias bias;
+  for (std::size_t pixel = 0; pixel < film.radiance.size(); ++pixel) {
+    const double first =
+        mean_of(clipped_difference(film.radiance[pixel], halves_[0].radiance[pixel]));
+    const double second =
+        mean_of(clipped_difference(film.radiance[pixel], halves_[1].radiance[pixel]));
+    const double off = 0.5 * (first + second);
+    bias.off += off;
+    bias.stray += 0.25 * (first - second) * (first - second);
+    if (std::abs(off) > std::abs(bias.worst)) {
+      bias.worst = off;
+      bias.worst_pixel = pixel;
+    }
+  }
+  const auto pixels = static_cast<double>(film.radiance.size());
+  bias.off /= pixels;
+  bias.stray = std::sqrt(bias.stray) / pixels;
+  return bias;
+}
+
+std::string kept_path(const std::string& folder, const std::string& scene, PictureSize size,
+                      int samples, bool sky_shadows) {
+  std::string file = scene;
+  std::replace_if(
+      file.begin(), file.end(), [](char c) { return c == '/' || c == ':'; }, '_');
+  return fmt::format("{}/{}-{}x{}-{}{}", folder, file, size.width, size.height, samples,
+                     sky_shadows ? "-sky" : "");
 }
 
 }  // namespace asos::bench
