@@ -40,7 +40,8 @@ double Geometry::memory_mb() const {
 }
 
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
-                                                 const SceneNeeds& forced, const MipChains* known) {
+                                                 const SceneNeeds& forced, const MipChains* known,
+                                                 HierarchyUse use) {
   auto geometry = std::make_shared<Geometry>();
   geometry->needs = find_needs(world);  // White colours that are asked for are not colours.
   if (!forced.unused_images) release_unused_images(world);
@@ -52,7 +53,7 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
     return MipChains(geometry->world, geometry->needs.with(forced), known);
   });
   geometry->object_spheres = object_spheres(geometry->world);
-  auto rays = RayScene::build(geometry->world, alpha_at, lights, forced, passage_at);
+  auto rays = RayScene::build(geometry->world, alpha_at, lights, forced, passage_at, use);
   geometry->mips = mips.get();
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);

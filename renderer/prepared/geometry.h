@@ -48,10 +48,9 @@ struct Geometry {
 
 /// Builds all that follows from a world but for the boundaries, which go on being looked for;
 /// notes, names and the time are left to the caller. `lights`, `forced` and errors: as
-/// RayScene::build's; `known`: as MipChains's.
-[[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(World world,
-                                                               std::span<const Light> lights,
-                                                               const SceneNeeds& forced,
-                                                               const MipChains* known = nullptr);
+/// RayScene::build's; `known`: as MipChains's; `use`: as RayScene::build's.
+[[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(
+    World world, std::span<const Light> lights, const SceneNeeds& forced,
+    const MipChains* known = nullptr, HierarchyUse use = HierarchyUse::lasting);
 
 }  // namespace asos

@@ -68,7 +68,8 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
 
   // After the emitters: how finely these are sampled depends on whether there are colours.
   auto geometry =
-      build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr);
+      build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr,
+                     scene.time ? HierarchyUse::moment : HierarchyUse::lasting);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
   if (own.lit_by_rig) own.rig = stage ? stage->rig : rig_for(built.world, built.rays);

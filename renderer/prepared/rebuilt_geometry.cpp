@@ -7,7 +7,8 @@ namespace asos {
 Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene, World world) {
   const Geometry& before = *scene.geometry;
   auto geometry =
-      build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips);
+      build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips,
+                     before.time ? HierarchyUse::moment : HierarchyUse::lasting);
   if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
   Geometry& built = **geometry;
   built.name = before.name;

@@ -25,10 +25,11 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  /// Once. Errors: Embree's, and a light whose own part does not exist. `lights`
-  /// and `forced`: as RayScene::build's.
+  /// Once. Errors: Embree's, and a light whose own part does not exist. `lights`,
+  /// `forced` and `use`: as RayScene::build's.
   [[nodiscard]] Result<void> build(const World& world, const Openness& open,
-                                   std::span<const Light> lights, const SceneNeeds& forced);
+                                   std::span<const Light> lights, const SceneNeeds& forced,
+                                   HierarchyUse use);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
   /// By Embree's geometry id.
@@ -57,7 +58,11 @@ class EmbreeScene {
   void place_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
-  void add(unsigned id, const World& world, const SceneNeeds& forced);
+  /// Embree's quick builder may be used: of a single geometry of more than a few triangles. Where
+  /// there are several, it asserts that none collapses to a point, and Debian's Embree keeps its
+  /// assertions.
+  [[nodiscard]] bool quickly_built() const;
+  void add(unsigned id, const World& world, const SceneNeeds& forced, RTCBuildQuality quality);
 
   // Three kinds, then the three of lights' own parts; then the same for faces of shapes; then three
   // kinds of lines and points.

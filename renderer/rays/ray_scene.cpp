@@ -70,10 +70,10 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
-                                 const SceneNeeds& forced, PassageAt passage) {
+                                 const SceneNeeds& forced, PassageAt passage, HierarchyUse use) {
   RayScene built;
   built.impl_ = std::make_unique<Impl>();
-  if (auto done = built.impl_->embree.build(world, {alpha, passage}, lights, forced); !done)
+  if (auto done = built.impl_->embree.build(world, {alpha, passage}, lights, forced, use); !done)
     return unexpected(done.error());
   // Measured (tests/bench/rays_bench.cpp): the widest packets that the processor has are the
   // fastest ones for eye rays and for shadow rays; packets that Embree has to emulate lose.

@@ -106,12 +106,14 @@ int main(int argc, char** argv) {
   if (!rest) return EXIT_FAILURE;
   Cost placing, rays, edges, crossings, boundaries, all;
   for (int f = 0; f < frames; ++f) {
-    const Scene scene = moment(triangles, still, 0.1 * f);
+    Scene scene = moment(triangles, still, 0.1 * f);
+    scene.time = ClipTime{0, 0.1 * f};
     Laps laps;
     const auto flat = flatten(scene, most_triangles, (*rest)->geometry->stage.origin);
     if (!flat) return EXIT_FAILURE;
     laps.add_to(placing);
-    const auto traced = RayScene::build(flat->world, nullptr);
+    const auto traced =
+        RayScene::build(flat->world, nullptr, {}, {}, nullptr, HierarchyUse::moment);
     if (!traced) return EXIT_FAILURE;
     laps.add_to(rays);
     const std::vector<std::uint32_t> welded = welded_vertices(flat->world.positions);

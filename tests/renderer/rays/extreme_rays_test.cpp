@@ -82,41 +82,45 @@ World points(std::size_t count, const Material& material, bool beside_a_square) 
   return world;
 }
 
-TEST(ExtremeRays, SurfacesThatCollapseToOnePointAreMissed) {
-  for (const std::size_t count : {1, 2, 3, 4, 5, 8, 9, 16, 33, 1000, 20'000}) {
-    for (const bool beside : {false, true}) {
-      for (const Material& material :
-           {test::matte(glm::vec3(1)), test::blended(0.5f), test::masked(0.5f)}) {
-        const World world = points(count, material, beside);
-        const RayScene scene = test::build(world);
-        const Ray ray = test::down(0.25f, 0.5f, 3.0f);
-        const Hit hit = scene.closest(ray);
-        EXPECT_EQ(hit.valid(), beside) << count;
-        if (hit.valid()) {
-          EXPECT_FLOAT_EQ(hit.t, 3.0f) << count;
-        }
-        EXPECT_EQ(scene.transmittance(ray).x, beside ? 0.0f : 1.0f) << count;
-      }
-      // The last one is a light's own.
-      const World world = points(count, test::matte(glm::vec3(1)), beside);
-      const auto last = static_cast<std::int32_t>(world.parts.size()) - 1;
-      const RayScene scene = test::build(world, test::factor_alpha, {test::lamp_of(last)});
-      EXPECT_EQ(scene.closest(test::down(0.25f, 0.5f, 3.0f)).valid(), beside) << count;
+void expect_points_missed(std::size_t count, bool beside, HierarchyUse use) {
+  const Ray ray = test::down(0.25f, 0.5f, 3.0f);
+  for (const Material& material :
+       {test::matte(glm::vec3(1)), test::blended(0.5f), test::masked(0.5f)}) {
+    const World world = points(count, material, beside);
+    const RayScene scene = test::build(world, test::factor_alpha, {}, use);
+    const Hit hit = scene.closest(ray);
+    EXPECT_EQ(hit.valid(), beside) << count;
+    if (hit.valid()) {
+      EXPECT_FLOAT_EQ(hit.t, 3.0f) << count;
     }
+    EXPECT_EQ(scene.transmittance(ray).x, beside ? 0.0f : 1.0f) << count;
   }
+  // The last one is a light's own.
+  const World world = points(count, test::matte(glm::vec3(1)), beside);
+  const auto last = static_cast<std::int32_t>(world.parts.size()) - 1;
+  const RayScene scene = test::build(world, test::factor_alpha, {test::lamp_of(last)}, use);
+  EXPECT_EQ(scene.closest(ray).valid(), beside) << count;
+}
+
+TEST(ExtremeRays, SurfacesThatCollapseToOnePointAreMissed) {
+  for (const HierarchyUse use : {HierarchyUse::lasting, HierarchyUse::moment})
+    for (const std::size_t count : {1, 2, 3, 4, 5, 8, 9, 16, 33, 1000, 1500, 20'000})
+      for (const bool beside : {false, true}) expect_points_missed(count, beside, use);
 }
 
 TEST(ExtremeRays, SurfacesOfOneMiddleAreAllMet) {
-  for (const std::size_t count : {2, 3, 8, 9, 33, 1000}) {
+  for (const std::size_t count : {2, 3, 8, 9, 33, 1000, 1500}) {
     World world;
     for (std::size_t i = 0; i < count; ++i) {
       const float size = 1.0f + 0.5f * static_cast<float>(i) / static_cast<float>(count);
       test::add_triangle(world, {-size, -size, 0}, {size, -size, 0}, {0, size, 0},
                          test::blended(0.5f));
     }
-    const RayScene scene = test::build(world);
-    const float left = scene.transmittance(test::down(0.0f, -0.5f)).x;
-    EXPECT_FLOAT_EQ(left, count > 15 ? 0.0f : std::pow(0.5f, static_cast<float>(count))) << count;
+    for (const HierarchyUse use : {HierarchyUse::lasting, HierarchyUse::moment}) {
+      const RayScene scene = test::build(world, test::factor_alpha, {}, use);
+      const float left = scene.transmittance(test::down(0.0f, -0.5f)).x;
+      EXPECT_FLOAT_EQ(left, count > 15 ? 0.0f : std::pow(0.5f, static_cast<float>(count))) << count;
+    }
   }
 }
 

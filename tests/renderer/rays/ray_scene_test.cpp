@@ -73,6 +73,27 @@ TEST(RayScene, AgreesWithBruteForceInDouble) {
   }
 }
 
+// A hierarchy for a moment is another one, of the same surfaces.
+TEST(RayScene, OfAMomentAnswersTheSame) {
+  const World world = random_triangles(4, 5000, 0.1f);
+  const RayScene lasting = build(world);
+  const RayScene moment = build(world, test::factor_alpha, {}, HierarchyUse::moment);
+  std::mt19937 rng(104);
+  std::vector<Ray> rays(4003);
+  for (Ray& ray : rays) ray = random_ray(rng);
+  std::vector<Hit> hits(rays.size()), hits_of_moment(rays.size());
+  lasting.closest(rays, hits);
+  moment.closest(rays, hits_of_moment);
+  int met = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_EQ(hits_of_moment[i].triangle, hits[i].triangle) << i;
+    EXPECT_EQ(hits_of_moment[i].t, hits[i].t) << i;
+    EXPECT_EQ(moment.transmittance(rays[i]), lasting.transmittance(rays[i])) << i;
+    met += hits[i].valid();
+  }
+  EXPECT_GT(met, 500);
+}
+
 TEST(RayScene, BarycentricCoordinatesBelongToTheSecondAndThirdCorner) {
   World world;
   add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte(glm::vec3(1)));

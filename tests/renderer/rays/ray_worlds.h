@@ -21,8 +21,9 @@ inline float factor_alpha(const World& world, std::uint32_t triangle, float, flo
 }
 
 inline RayScene build(const World& world, AlphaAt alpha = factor_alpha,
-                      const std::vector<Light>& lights = {}) {
-  auto built = RayScene::build(world, alpha, lights);
+                      const std::vector<Light>& lights = {},
+                      HierarchyUse use = HierarchyUse::lasting) {
+  auto built = RayScene::build(world, alpha, lights, {}, nullptr, use);
   EXPECT_TRUE(built.has_value());
   return std::move(*built);
 }
