@@ -193,7 +193,20 @@ class Builder {
       all.chains.insert(all.chains.end(), part.chains.begin(), part.chains.end());
       part = Subtree{{}, {}};
     }
+    all.chains = in_order_of_nodes(all);
     return all;
+  }
+
+  // A node filled alone has its chains after those below it, the root of subtrees before them.
+  static std::vector<NodeChains> in_order_of_nodes(FeatureHierarchy& all) {
+    std::vector<NodeChains> ordered;
+    ordered.reserve(all.chains.size());
+    for (FeatureNode& node : all.nodes) {
+      if (node.chains == FeatureNode::no_chains) continue;
+      ordered.push_back(all.chains[node.chains]);
+      node.chains = static_cast<std::uint32_t>(ordered.size() - 1);
+    }
+    return ordered;
   }
 
   // Up to eight parts, made by splitting the largest again and again.

@@ -2,6 +2,7 @@
 #include "renderer/features/feature_set.h"
 #include "renderer/features/welded_vertices.h"
 #include "renderer/gltf/load.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,10 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <string>
 #include <tbb/global_control.h>
 #include <utility>
+#include <vector>
 
 namespace asos::test {
 namespace {
@@ -77,8 +80,15 @@ TEST(BoxTree, StopsWhereTheVisitorHasSeenEnough) {
   EXPECT_EQ(visits, 3);
 }
 
-World built_in_world() {
-  return flatten(*load_scene("builtin:mixed"))->world;
+/// The house has chains of edges. Alone where the thread sanitizer watches: it does not see what
+/// TBB's tasks wait for, and looks into all that one of them reads of another's.
+std::vector<std::string> scenes() {
+  if (sanitized) return {"builtin:house"};
+  return {"builtin:house", "builtin:mixed"};
+}
+
+World built_in_world(const std::string& scene) {
+  return flatten(*load_scene(scene))->world;
 }
 
 template <typename T>
@@ -94,8 +104,7 @@ bool same_edges(std::span<const FeatureEdge> x, std::span<const FeatureEdge> y) 
       });
 }
 
-TEST(FeatureSet, IsTheSameWhateverTheThreads) {
-  const World world = built_in_world();
+void expect_same_whatever_the_threads(const World& world) {
   const auto build = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return FeatureSet(world);
@@ -114,19 +123,33 @@ TEST(FeatureSet, IsTheSameWhateverTheThreads) {
   }
 }
 
-TEST(FeatureHierarchy, IsTheSameBuiltInParallel) {
-  const World world = built_in_world();
+TEST(FeatureSet, IsTheSameWhateverTheThreads) {
+  for (const std::string& scene : scenes()) {
+    SCOPED_TRACE(scene);
+    expect_same_whatever_the_threads(built_in_world(scene));
+  }
+}
+
+void expect_same_built_in_parallel(const World& world) {
   const std::vector<FeatureEdge> edges =
       extract_features(world, welded_vertices(world.positions)).edges;
   std::vector<FeatureEdge> in_turn = edges;
   const FeatureHierarchy expected = FeatureHierarchy::build(
       world.positions, in_turn, {}, std::numeric_limits<std::size_t>::max());
-  ASSERT_GT(expected.nodes.size(), 1000u);
+  ASSERT_GT(expected.nodes.size(), 200u);
   for (const std::size_t fewest : {1, 300, 20'000}) {
     std::vector<FeatureEdge> ordered = edges;
     const FeatureHierarchy built = FeatureHierarchy::build(world.positions, ordered, {}, fewest);
     EXPECT_TRUE(same_bytes<FeatureNode>(built.nodes, expected.nodes)) << fewest;
+    EXPECT_TRUE(same_bytes<NodeChains>(built.chains, expected.chains)) << fewest;
     EXPECT_TRUE(same_edges(ordered, in_turn)) << fewest;
+  }
+}
+
+TEST(FeatureHierarchy, IsTheSameBuiltInParallel) {
+  for (const std::string& scene : scenes()) {
+    SCOPED_TRACE(scene);
+    expect_same_built_in_parallel(built_in_world(scene));
   }
 }
 
