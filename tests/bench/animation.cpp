@@ -4,9 +4,10 @@
 // (max - min) / mean of it, in percent. Unlit surfaces, an orthographic camera: nothing but
 // visibility changes. A pole that ends within the picture moves along with its ends.
 //
-//   bench_animation [--size N] [--steps N] [--csv]
+//   bench animation [--size N] [--steps N] [--csv]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 #include "tests/support/thin_subject.h"
 
@@ -18,10 +19,8 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace asos::bench::animation {
 
-using namespace asos;
-using namespace asos::bench;
 using test::steadiness;
 using test::Steadiness;
 using test::thin_scene;
@@ -95,9 +94,7 @@ Result<void> measure(const ThinSubject& subject, const Settings& settings) {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("Steadiness of thin things that move");
   options.number("--size", settings.size, 16, 512, "pixels, width and height");
@@ -112,3 +109,5 @@ int main(int argc, char** argv) {
     if (const auto done = measure(subject, settings); !done) return fail(done.error());
   return 0;
 }
+
+}  // namespace asos::bench::animation

@@ -3,13 +3,14 @@
 // and what the reference's noise makes that stray by; the root of the mean squared error, free of
 // that noise (HalvedReference), with a < where it is less than could be told; the worst pixel.
 //
-//   bench_bias [--size WxH] [--max N] [--samples N] [--sky-shadows] [--cache DIR] [SCENE...]
+//   bench bias [--size WxH] [--max N] [--samples N] [--sky-shadows] [--cache DIR] [SCENE...]
 //
 // Differences are of linear radiance clipped to 0..1, as other benchmarks have them, over all
 // pixels and channels. --cache keeps the references in a folder for the next call.
 
 #include "renderer/comparison/method.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/halved_reference.h"
 #include "tests/bench/options.h"
 
@@ -22,10 +23,7 @@
 #include <system_error>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::bias {
 
 struct Settings {
   PictureSize size{80, 45};
@@ -72,9 +70,7 @@ void print_row(const Settings& settings, const Row& row) {
   std::fflush(stdout);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("ASOS at a great depth beside many Sobol samples: bias and RMSE of every scene");
   options.size(settings.size);
@@ -111,3 +107,5 @@ int main(int argc, char** argv) {
   for (const Row& row : rows) print_row(settings, row);
   return code;
 }
+
+}  // namespace asos::bench::bias

@@ -3,7 +3,7 @@
 // Work is pyrays plus rays. Twice for each scene: lit, where both methods shade each part at one
 // point of it, and unlit, where every surface has a constant colour and only visibility is left.
 //
-//   bench_convergence [--size WxH] [--look-at ...] [--fov DEG] [--max K] [--worst N] [--csv]
+//   bench convergence [--size WxH] [--look-at ...] [--fov DEG] [--max K] [--worst N] [--csv]
 //                     [SCENE...]
 //
 // For exact leaves also: how many pixels carry 90 % of the squared error, and how that error
@@ -11,6 +11,7 @@
 
 #include "renderer/comparison/method.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -22,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::convergence {
 
 struct Settings {
   PictureSize size{160, 90};
@@ -224,9 +222,7 @@ Result<void> study(const std::string& source, const Settings& settings) {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("Error and work by level, against the exact picture");
   options.size(settings.size);
@@ -242,3 +238,5 @@ int main(int argc, char** argv) {
     if (const auto done = study(scene, settings); !done) return fail(done.error());
   return 0;
 }
+
+}  // namespace asos::bench::convergence

@@ -5,9 +5,10 @@
 //   detect     cones over squares, and the pyrays more that they examine
 //   rule       the published rule over the unresolved one
 //
-//   bench_costs [--size WxH] [--max K] [--runs N] [PART...]
+//   bench costs [--size WxH] [--max K] [--runs N] [PART...]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 #include "tests/support/flat_mesh.h"
 
@@ -22,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::costs {
 
 struct Settings {
   PictureSize size{480, 270};
@@ -235,9 +233,7 @@ Result<void> measure_rule(const Settings& settings) {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   const std::vector<std::pair<std::string, Result<void> (*)(const Settings&)>> parts{
       {"wall", measure_wall},
       {"saturated", measure_saturated},
@@ -258,3 +254,5 @@ int main(int argc, char** argv) {
   }
   return 0;
 }
+
+}  // namespace asos::bench::costs

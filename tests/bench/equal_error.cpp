@@ -5,7 +5,7 @@
 // medians of runs that take turns. The reference's own noise is what the Sobol ladder's last steps
 // let expect of it; errors below twice that are marked with *, for they are hardly known.
 //
-//   bench_equal_error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
+//   bench equal-error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
 //                     [--reference N] [--runs N] [--causes MAX] [--matte] [--key-light]
 //                     [--qualities] [--dfr MIN,MAX,N] [--tr N] [--levels K] SCENE
 //
@@ -20,6 +20,7 @@
 #include "renderer/settings/names.h"
 #include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/error_causes.h"
 #include "tests/bench/options.h"
 
@@ -34,10 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::equal_error {
 
 struct Settings {
   PictureSize size{480, 270};
@@ -239,9 +237,7 @@ Result<void> measure(const Settings& settings) {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   std::string shadows = "on";
   Options options("Time at equal error, ASOS beside stochastic and Sobol sampling");
@@ -265,3 +261,5 @@ int main(int argc, char** argv) {
   const auto done = measure(settings);
   return done ? 0 : fail(done.error());
 }
+
+}  // namespace asos::bench::equal_error

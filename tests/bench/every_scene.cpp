@@ -2,7 +2,7 @@
 // line a scene, then the median and the worst. A change to ASOS is judged by all of them, for one
 // that makes some scenes quicker may make others slower.
 //
-//   bench_every_scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
+//   bench every-scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
 //                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [SCENE...]
 //
 // SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
@@ -24,6 +24,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/study/ladders.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/measured_ladder.h"
 #include "tests/bench/options.h"
 
@@ -40,10 +41,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::every_scene {
 
 struct Settings {
   PictureSize size{240, 135};
@@ -245,9 +243,7 @@ Result<void> read_levels(const std::string& text, std::vector<int>& levels) {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("Time at equal error over every scene, ASOS beside Sobol sampling");
   options.size(settings.size);
@@ -288,3 +284,5 @@ int main(int argc, char** argv) {
       print_summary(settings, rows, rival, level);
   return code;
 }
+
+}  // namespace asos::bench::every_scene

@@ -3,9 +3,10 @@
 // picture any more. Changes come while a render is under way, at moments spread over its first
 // half second. The first coarse picture should be there within 50 ms.
 //
-//   bench_latency [SCENE] [--size WxH] [--changes N] [--threads N]
+//   bench latency [SCENE] [--size WxH] [--changes N] [--threads N]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 #include "ui/previewer.h"
 
@@ -20,10 +21,8 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace asos::bench::latency {
 
-using namespace asos;
-using namespace asos::bench;
 using Clock = std::chrono::steady_clock;
 
 struct Settings {
@@ -116,9 +115,7 @@ int measure(const Settings& settings) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("How long the window's picture takes to follow a change.");
   options.text("SCENE", settings.scene);
@@ -128,3 +125,5 @@ int main(int argc, char** argv) {
   if (const auto code = options.end(argc, argv)) return *code;
   return measure(settings);
 }
+
+}  // namespace asos::bench::latency

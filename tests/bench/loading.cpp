@@ -3,12 +3,13 @@
 // window shows meanwhile, and its boundaries, which ASOS waits for. Seconds are since the start;
 // beside them processor time of all threads.
 //
-//   bench_loading [SCENE] [--size WxH] [--threads N]
+//   bench loading [SCENE] [--size WxH] [--threads N]
 
 #include "app/large_blocks.h"
 #include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -21,10 +22,8 @@
 #include <sys/resource.h>
 #include <thread>
 
-namespace {
+namespace asos::bench::loading {
 
-using namespace asos;
-using namespace asos::bench;
 using Clock = std::chrono::steady_clock;
 
 struct Settings {
@@ -97,9 +96,7 @@ int measure(const Settings& settings) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("How long a scene takes to open, and how much memory.");
   options.text("SCENE", settings.scene);
@@ -109,3 +106,5 @@ int main(int argc, char** argv) {
   give_back_large_blocks();  // as the program does
   return measure(settings);
 }
+
+}  // namespace asos::bench::loading

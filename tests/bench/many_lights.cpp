@@ -2,9 +2,10 @@
 // alone made as bright together, by ASOS and by sampling, with their errors beside a reference of
 // the same lights. Processor time of all threads, the median of runs that take turns.
 //
-//   bench_many_lights [--few N] [--size WxH] [--reference SPP] SCENE...
+//   bench many-lights [--few N] [--size WxH] [--reference SPP] SCENE...
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -14,10 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::many_lights {
 
 double power_of(const PreparedLight& light) {
   const glm::vec3 p = light.power;
@@ -84,9 +82,7 @@ int compare(const std::string& source, std::size_t few, int reference_spp, Pictu
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Options options("What many lights cost beside few of them");
   int few = 2, reference = 1024;
   PictureSize size{160, 90};
@@ -103,3 +99,5 @@ int main(int argc, char** argv) {
     status |= compare(scene, static_cast<std::size_t>(few), reference, size);
   return status;
 }
+
+}  // namespace asos::bench::many_lights

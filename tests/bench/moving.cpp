@@ -3,15 +3,16 @@
 // all threads and of time that passes, medians over the frames: placing all in the world, the rays'
 // hierarchy, and the boundaries, which ASOS waits for.
 //
-//   bench_moving [--triangles N] [--still N] [--frames N]
+//   bench moving [--triangles N] [--still N] [--frames N]
 
 #include "renderer/features/feature_set.h"
 #include "renderer/features/welded_vertices.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/study/curves.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/options.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -21,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
+namespace asos::bench::moving {
 
 /// A square sheet of about so many triangles, bent by a wave that has come so far.
 Mesh sheet(int triangles, double phase) {
@@ -92,15 +91,13 @@ void print(const char* name, const Cost& stage) {
   fmt::print("{:<22} {:8.2f} {:8.2f}\n", name, median(stage.processor), median(stage.passed));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   int triangles = 10'000, still = 0, frames = 24;
-  CLI::App app{"What a scene costs from one moment of its animation to the next"};
-  app.add_option("--triangles", triangles)->check(CLI::Range(2, 10'000'000));
-  app.add_option("--still", still)->check(CLI::Range(0, 10'000'000));
-  app.add_option("--frames", frames)->check(CLI::Range(1, 10'000));
-  CLI11_PARSE(app, argc, argv);
+  Options options("What a scene costs from one moment of its animation to the next");
+  options.number("--triangles", triangles, 2, 10'000'000);
+  options.number("--still", still, 0, 10'000'000);
+  options.number("--frames", frames, 1, 10'000);
+  if (const auto code = options.end(argc, argv)) return *code;
 
   const auto rest = prepare(moment(triangles, still, 0.0));
   if (!rest) return EXIT_FAILURE;
@@ -137,4 +134,7 @@ int main(int argc, char** argv) {
   print("  of which edges", edges);
   print("  and intersections", crossings);
   print("all of it", all);
+  return EXIT_SUCCESS;
 }
+
+}  // namespace asos::bench::moving

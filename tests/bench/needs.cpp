@@ -5,9 +5,10 @@
 // medians; builds' of the fastest, for they take milliseconds in several threads. Pictures are
 // compared to the bit.
 //
-//   bench_needs [SCENE...] [--size WxH] [--repetitions N] [--max K] [--csv]
+//   bench needs [SCENE...] [--size WxH] [--repetitions N] [--max K] [--csv]
 
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -17,10 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::needs {
 
 struct Settings {
   std::vector<std::string> scenes{"builtin:boxes", "builtin:mixed"};
@@ -114,9 +112,7 @@ Result<void> measure_scene(const std::string& source, const Settings& settings) 
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Settings settings;
   Options options("What leaving out saves");
   options.texts("SCENES", settings.scenes);
@@ -133,3 +129,5 @@ int main(int argc, char** argv) {
     if (const auto done = measure_scene(source, settings); !done) return fail(done.error());
   return 0;
 }
+
+}  // namespace asos::bench::needs

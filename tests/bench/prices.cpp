@@ -2,7 +2,7 @@
 // pixels' middles of a picture and each light that something may shade, the time of an exact answer
 // over that of one ray of a sampled one, by one thread: quartiles over all such questions.
 //
-//   bench_prices [--size WxH] SCENE...
+//   bench prices [--size WxH] SCENE...
 
 #include "renderer/pyray/prices.h"
 
@@ -11,6 +11,7 @@
 #include "renderer/shadows/penumbra.h"
 #include "renderer/shadows/shadow.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -20,10 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::prices {
 
 constexpr int block_width = 8;
 
@@ -177,9 +175,7 @@ int measure(const std::string& source, PictureSize size) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Options options("What exact answers of shadows cost in rays");
   PictureSize size{160, 90};
   std::vector<std::string> scenes;
@@ -191,3 +187,5 @@ int main(int argc, char** argv) {
   for (const std::string& scene : scenes) status |= measure(scene, size);
   return status;
 }
+
+}  // namespace asos::bench::prices

@@ -1,18 +1,28 @@
-// The cost of a pyray's in-out test beside a ray's, for each of the primitives of GI'93, table 3:
-// `bench_primitives`. The last column is what this program does instead for curved faces, which is
-// to find their outline in the pyray's square.
+// The cost of a pyray's in-out test beside a ray's, for each of the primitives of GI'93, table 3.
+// The last column is what this program does instead for curved faces, which is to find their
+// outline in the pyray's square.
+//
+//   bench primitives
 
 #include "renderer/study/primitive_costs.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/options.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
-int main() {
-  std::printf("nanoseconds      ray     cone   factor  published  in square\n");
-  for (const asos::PrimitiveCost& cost : asos::primitive_costs(15)) {
-    std::printf("%-9s %8.1f %8.1f %8.2f %10.2f", cost.name, cost.ray_ns, cost.cone_ns,
-                cost.factor(), cost.published);
-    if (cost.square_ns > 0.0) std::printf(" %10.1f", cost.square_ns);
-    std::printf("\n");
+namespace asos::bench::primitives {
+
+int run(int argc, char** argv) {
+  Options options("A pyray's in-out test beside a ray's, by primitives");
+  if (const auto code = options.end(argc, argv)) return *code;
+  fmt::print("nanoseconds      ray     cone   factor  published  in square\n");
+  for (const PrimitiveCost& cost : primitive_costs(15)) {
+    fmt::print("{:<9} {:8.1f} {:8.1f} {:8.2f} {:10.2f}", cost.name, cost.ray_ns, cost.cone_ns,
+               cost.factor(), cost.published);
+    if (cost.square_ns > 0.0) fmt::print(" {:10.1f}", cost.square_ns);
+    fmt::print("\n");
   }
   return 0;
 }
+
+}  // namespace asos::bench::primitives

@@ -2,7 +2,7 @@
 // the time that its eye rays, shadow rays and reflection rays take in packets and nothing else,
 // both the median of runs that take turns. What a sampler that shades for free would take is 1.
 //
-//   bench_rays_alone [--spp N] [--size WxH] SCENE...
+//   bench rays-alone [--spp N] [--size WxH] SCENE...
 //
 // The rays are made one by one, as the light transports do that shade without batches, and kept;
 // the rays behind blended surfaces are not among them.
@@ -11,6 +11,7 @@
 #include "renderer/samples/sobol_places.h"
 #include "renderer/shading/shadow_ray.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -27,10 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::rays_alone {
 
 /// Shadow rays to one light, as RayScene takes them.
 struct ShadowRays {
@@ -231,9 +229,7 @@ int measure(const std::string& source, int spp, PictureSize size) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Options options("The time of sobol over that of its rays alone");
   int spp = 16;
   PictureSize size{320, 180};
@@ -246,3 +242,5 @@ int main(int argc, char** argv) {
   for (const std::string& scene : scenes) status |= measure(scene, spp, size);
   return status;
 }
+
+}  // namespace asos::bench::rays_alone

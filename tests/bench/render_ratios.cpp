@@ -4,13 +4,15 @@
 // pictures included, and from the start of loading to what a window shows first: the picture of one
 // sample a block, and the first tile in which every pixel has a sample of its own.
 //
-//   bench_render_ratios [--csv] [--size WxH] [--threads N] [--max K] [--runs N] [SCENE...]
+//   bench render-ratios [--csv] [--size WxH] [--threads N] [--max K] [--runs N] [SCENE...]
 //
 // Without scenes: the built-in ones that the limits are set for.
 
 #include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
 #include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/options.h"
 
 #include <fmt/format.h>
 
@@ -24,15 +26,11 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-using namespace asos;
-using namespace asos::bench;
+namespace asos::bench::render_ratios {
 
 struct Settings {
   bool csv = false;
-  int width = 1280;
-  int height = 720;
+  PictureSize size{1280, 720};
   int threads = 2;
   int max_level = 3;
   int runs = 5;
@@ -93,7 +91,7 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
   if (!prepared) return tl::unexpected(prepared.error());
   row.triangles = (*prepared)->world().triangles.size();
 
-  Snapshot snapshot = snapshot_of(*prepared, settings.width, settings.height);
+  Snapshot snapshot = snapshot_of(*prepared, settings.size.width, settings.size.height);
   snapshot.settings.threads = settings.threads;
   snapshot.settings.asos.max_level = settings.max_level;
   snapshot.settings.sampling.spp = 1;
@@ -120,7 +118,7 @@ void print_heading(const Settings& settings) {
         "sample_seconds,asos_seconds,ratio,sample_cpu_seconds,asos_cpu_seconds,cpu_ratio\n");
     return;
   }
-  fmt::print("{}x{}, {} threads, MAX {}, median of {}\n", settings.width, settings.height,
+  fmt::print("{}x{}, {} threads, MAX {}, median of {}\n", settings.size.width, settings.size.height,
              settings.threads, settings.max_level, settings.runs);
   fmt::print("{:>9} {:>7} {:>7} {:>9} {:>8} | {:>8} {:>8} {:>6} | {:>9} {:>8} {:>6}\n", "triangles",
              "load s", "build s", "picture s", "pixels s", "1 spp s", "asos s", "ratio",
@@ -145,53 +143,25 @@ void print_row(const Settings& settings, const Row& row) {
   std::fflush(stdout);
 }
 
-// Whether the words make sense.
-bool read_words(int argc, char** argv, Settings& settings) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto number = [&](int& value) {
-      return ++i < argc && std::sscanf(argv[i], "%d", &value) == 1 && value > 0;
-    };
-    if (word == "--csv") {
-      settings.csv = true;
-    } else if (word == "--size") {
-      if (++i >= argc || std::sscanf(argv[i], "%dx%d", &settings.width, &settings.height) != 2)
-        return false;
-    } else if (word == "--threads") {
-      if (!number(settings.threads)) return false;
-    } else if (word == "--max") {
-      if (!number(settings.max_level)) return false;
-    } else if (word == "--runs") {
-      if (!number(settings.runs)) return false;
-    } else if (word.starts_with("--")) {
-      return false;
-    } else {
-      settings.scenes.push_back(word);
-    }
-  }
+int run(int argc, char** argv) {
+  Settings settings;
+  Options options("Time over that of one stochastic sample a pixel");
+  options.flag("--csv", settings.csv);
+  options.size(settings.size);
+  options.number("--threads", settings.threads, 1, 1024);
+  options.number("--max", settings.max_level, 1, max_level_limit);
+  options.number("--runs", settings.runs, 1, 99);
+  options.texts("SCENE", settings.scenes);
+  if (const auto code = options.end(argc, argv)) return *code;
   if (settings.scenes.empty())
     settings.scenes = {"builtin:boxes", "builtin:mixed", "builtin:dense"};
-  return settings.width > 0 && settings.height > 0 && settings.max_level <= max_level_limit;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  Settings settings;
-  if (!read_words(argc, argv, settings)) {
-    fmt::print(stderr,
-               "usage: bench_render_ratios [--csv] [--size WxH] [--threads N] [--max K] [--runs N] "
-               "[SCENE...]\n");
-    return 2;
-  }
   print_heading(settings);
   for (const std::string& scene : settings.scenes) {
     const auto row = measure(scene, settings);
-    if (!row) {
-      fmt::print(stderr, "bench_render_ratios: {}\n", row.error().message());
-      return 1;
-    }
+    if (!row) return fail(row.error());
     print_row(settings, *row);
   }
   return 0;
 }
+
+}  // namespace asos::bench::render_ratios

@@ -1,0 +1,26 @@
+#pragma once
+
+// The benchmarks of `bench NAME ...`, a file each. They take a command line whose first word is
+// their name, print what they measured, and return the exit code.
+
+// clang-format off
+namespace asos::bench {
+
+namespace animation { int run(int argc, char** argv); }
+namespace bias { int run(int argc, char** argv); }
+namespace convergence { int run(int argc, char** argv); }
+namespace costs { int run(int argc, char** argv); }
+namespace equal_error { int run(int argc, char** argv); }
+namespace every_scene { int run(int argc, char** argv); }
+namespace latency { int run(int argc, char** argv); }
+namespace loading { int run(int argc, char** argv); }
+namespace many_lights { int run(int argc, char** argv); }
+namespace moving { int run(int argc, char** argv); }
+namespace needs { int run(int argc, char** argv); }
+namespace prices { int run(int argc, char** argv); }
+namespace primitives { int run(int argc, char** argv); }
+namespace rays_alone { int run(int argc, char** argv); }
+namespace render_ratios { int run(int argc, char** argv); }
+
+}  // namespace asos::bench
+// clang-format on
