@@ -15,16 +15,16 @@ namespace {
 // than the larger of a share of the way to the mirrored view and the lobe.
 struct Widest {
   float cell;
+  float share_of_way;
   float share_of_lobe;
 };
 constexpr Widest widest_of(Reflectance reflectance) {
-  return reflectance == Reflectance::high ? Widest{0.4f, 1.4f} : Widest{1.0f, 2.0f};
+  return reflectance == Reflectance::high ? Widest{0.3f, 0.4f, 1.4f} : Widest{1.0f, 0.7f, 2.0f};
 }
-constexpr float share_of_way = 0.7f;
 // The integrand bends at the horizon.
 constexpr float share_across_horizon = 0.4f;
 constexpr int deepest = 10;
-constexpr int most_cells = 1024;
+constexpr int most_cells = 2048;
 
 }  // namespace
 
@@ -43,6 +43,7 @@ LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer,
   // At grazing angles the lobe is narrower across the plane of view.
   const Widest widest = widest_of(reflectance);
   widest_ = widest.cell;
+  share_of_way_ = widest.share_of_way;
   narrowest_ = widest.share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
   sheen_ = static_cast<float>(sheen);
   if (stretched_.wider()) across_ridge_ = glm::normalize(glm::cross(normal_, stretch));
@@ -84,7 +85,7 @@ void LightQuadrature::add_patch(const LightPatch& patch, const LightPatch::Squar
       above += glm::dot(corner, normal_) > 0.0f;
     }
   }
-  const float way = share_of_way * way_to_peak(middle);
+  const float way = share_of_way_ * way_to_peak(middle);
   float most = std::min(widest_, std::max(narrowest_, way));
   if (above % 4 != 0) most *= share_across_horizon;
   if (reach2 > most * most && depth < deepest && cells_ < most_cells) {
@@ -195,7 +196,7 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
   double from = begin;
   while (from < end) {
     double part = std::min(end - from, static_cast<double>(widest_));
-    const double way = static_cast<double>(share_of_way * way_to_peak(glm::vec3(direction(from))));
+    const double way = static_cast<double>(share_of_way_ * way_to_peak(glm::vec3(direction(from))));
     const double least = static_cast<double>(narrowest_);
     // No part may jump over the peak.
     part = std::min(part, std::max(least, 0.5 * way));

@@ -29,8 +29,9 @@ enum class Reflectance {
 /// Sums of the BRDF itself over lights that have a size, by the physical rule, above both of a
 /// receiver's horizons. A light is divided until its parts are small beside their angle to the
 /// mirrored view, or beside the lobe there, and is summed up there at Gauss and Legendre's nodes:
-/// up to 75 degrees of view within 0.2 % on average over lights in all places. At 85 degrees lobes
-/// of roughness 0.1, bent and cut by the horizon, are off by up to 2 % on average.
+/// up to 75 degrees of view within 0.02 % on average over lights in all places, 0.2 % for a
+/// dielectric. At 85 degrees lobes of roughness 0.1, bent and cut by the horizon, are off by up to
+/// 2 % on average.
 class LightQuadrature {
  public:
   /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine.
@@ -61,7 +62,8 @@ class LightQuadrature {
   float alpha2_;
   float viewer_root_;  // of Smith's term
   float widest_;       // cells may span
-  float narrowest_;    // the lobe's width
+  float share_of_way_;
+  float narrowest_;  // the lobe's width
   float sheen_;
   PatchLobe stretched_;           // where it is wider()
   glm::vec3 across_ridge_{0.0f};  // unit, square to the stretch; 0: round
