@@ -111,8 +111,9 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
   }
-  if ((highlight_unsure(leaf, transport) || light_misplaced(leaf, transport)) &&
-      add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, enough_samples)) {
+  std::uint32_t fewest = light_misplaced(leaf, transport) ? enough_samples : 0;
+  if (highlight_unsure(leaf, transport)) fewest = enough_for(leaf, transport.unsure_highlights());
+  if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest)) {
     drop(share, sky_share);
     return radiance;
   }
@@ -145,6 +146,16 @@ bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& tr
   const Budget& budget = eye_->budget;
   return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
          !leaf.sampled && transport.unsure_highlights() > budget.tolerance;
+}
+
+// How many samples tell such a highlight: of few samples none may see what is left of the light,
+// and agree. Half of those that are likely to be needed.
+std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) const {
+  constexpr double most = 256.0;
+  const double likely =
+      eye_->budget.samples_of_uneven(leaf.weight, static_cast<double>(highlights));
+  return std::max(enough_samples,
+                  std::bit_floor(static_cast<std::uint32_t>(std::min(0.5 * likely, most))));
 }
 
 // Whether what the leaf mirrors has to be sampled, for a bright light would be shown elsewhere.

@@ -64,6 +64,7 @@ class LeafShader {
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;
   [[nodiscard]] bool light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::span<const SharedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
