@@ -70,10 +70,11 @@ struct WeighedVisibility {
       const Visibility off = lit[q] - part.mean * all[q];
       squares += off * off;
     }
-    // That all samples agree does not prove that all of the light does.
+    // That all samples agree does not prove that all of the light does: one more might not. To end
+    // sooner favours what most of them saw.
     part.standard_error =
         std::max(std::sqrt(4.0 / 3.0 * std::max({squares.x, squares.y, squares.z})) / whole,
-                 0.25 / static_cast<double>(weights.size()));
+                 1.0 / static_cast<double>(weights.size()));
     return part;
   }
 };
