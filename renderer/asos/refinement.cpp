@@ -6,6 +6,7 @@
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/dfr.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/unevenness.h"
 
@@ -26,6 +27,16 @@ float brightest(const Material& material) {
   const glm::vec3 diffuse = diffuse_share(material) * glm::vec3(material.base_color);
   const glm::vec3 c = glm::clamp(diffuse + material.sheen.color, 0.0f, 1.0f);
   return std::max({c.x, c.y, c.z});
+}
+
+/// The angle that a mirror blurs over at least, whatever its textures say: what is blurred more
+/// than that is not told apart by rays that spread less.
+double least_blur(const EyeContext& eye, const Hit& hit) {
+  const Material& material = eye.scene->world().material_of(hit.triangle);
+  if (eye.viewer.shader.settings().dfr || eye.scene->dfr_of(hit.triangle) ||
+      material.metallic_roughness_texture.used() || material.coat.roughness_texture.used())
+    return 0.0;
+  return lobe_width(static_cast<double>(least_mirror_roughness(material)));
 }
 
 }  // namespace
@@ -195,7 +206,8 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
   const double widest = glm::radians(settings.widest_angle_deg);
   const double strictness = eye_->scene->world().is_face(hit.triangle) ? 1.0 : strictness_of_meshes;
-  const double mirrored = mirror ? strictness * reflected_angle(pyray, surface) / widest : 0.0;
+  const double allowed = std::max(widest / strictness, least_blur(*eye_, hit));
+  const double mirrored = mirror ? reflected_angle(pyray, surface) / allowed : 0.0;
   if (!refracts) return mirrored;
   const auto boundary =
       VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample), viewer.passage);

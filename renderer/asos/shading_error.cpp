@@ -18,8 +18,10 @@ double ShadingError::price_of_splitting(const Budget& budget, double wide, doubl
          std::max(leaf * std::min(1.0, excess / splits_much), highlight);
 }
 
+// Sixteen samples are off by half of this share of the contrast. What bounds the means' errors is
+// met by few of a pixel's finest cells, and the samples' errors by all of them.
 bool ShadingError::better_sampled(const Budget& budget) const {
-  constexpr float of_few_samples = 0.044f;
+  constexpr float of_few_samples = 0.088f;
   const float usual = static_cast<float>(Budget::usual_contrast);
   const float noise = of_few_samples * (usual + highlights.contrast);
   return error > budget.tolerance || highlights.error > std::max(noise, budget.tolerance);

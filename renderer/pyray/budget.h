@@ -69,9 +69,9 @@ struct Budget {
   }
   static constexpr int enough_levels = 5;  ///< that no finest cell shows
 
-  /// How far the middle of a root may be off its mean before it is looked at more closely: a
-  /// sixteenth of what would split it; 1: however far.
-  [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 16.0f); }
+  /// How far the middle of a root may be off its mean before it is looked at more closely: a 64th
+  /// of what would split it, for errors of neighbours are alike; 1: however far.
+  [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 64.0f); }
 
   /// The standard error that a sampled part may have: half the tolerance, and more by the root of
   /// its weight, since the errors of a root's parts are independent.

@@ -10,6 +10,10 @@
 namespace asos {
 namespace {
 
+// Of what a highlight shows, however dark: the middle may be off by so much of it. Looking at more
+// of a patch costs next to nothing beside finding what hides the light.
+constexpr float negligible_share = 1.0f / 1024.0f;
+
 /// How far a light is, as its highlight goes.
 float distance_of(const PreparedLight& light, glm::vec3 position) {
   using LightShape = PreparedLight::Shape;
@@ -145,7 +149,8 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   // No verdict asks for broad lobes to be split, so that nothing but their mean makes them better.
   const bool broad = point_.material.roughness >= least_broad_roughness;
   const float negligible = (broad ? 0.1f : 1.0f) * bend_->negligible;
-  if (error * largest(share.reflected * irradiance) > negligible) {
+  const float radiance = largest(share.reflected * irradiance);
+  if (error * radiance > std::min(negligible, negligible_share * radiance)) {
     const glm::vec3 found = mean(light, *parts);
     for (int c = 0; c < 3; ++c) {
       if (irradiance[c] > 0.0f) share.reflected[c] = found[c] / irradiance[c];
