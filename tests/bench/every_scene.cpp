@@ -3,14 +3,17 @@
 // that makes some scenes quicker may make others slower.
 //
 //   bench every-scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
-//                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [SCENE...]
+//                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [--threads N]
+//                     [SCENE...]
 //
 // SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
 // scenes and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1
 // against --reference Sobol samples of two other seeds, free of their noise (HalvedReference);
 // times are processor time, medians of runs that take turns. "x" is how much longer Sobol sampling
 // takes to ASOS's error, read off its ladder with both axes logarithmic: `e` where that lies beyond
-// the ladder's ends, `*` where ASOS's error is hardly known, and x is at least that.
+// the ladder's ends, `*` where ASOS's error is hardly known, and x is at least that. What is far
+// brighter than white and smaller than a pixel needs references of thousands of samples: the halves
+// of smaller ones, clipped, agree about it by chance.
 //
 // --adaptive has a second rival, sobol-adaptive over its ladder of EPS (renderer/study/ladders.h);
 // where ASOS's error is larger than that of its first step, that step's time counts, marked `e`.
@@ -47,6 +50,7 @@ struct Settings {
   PictureSize size{240, 135};
   std::vector<int> levels{2, 3};
   int reference = 1024;
+  int threads = 2;
   int runs = 1;
   std::string cache = ".";
   std::string only = "both";
@@ -120,6 +124,7 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   if (!scene) return unexpected(scene.error());
   Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
   snapshot.settings.shadow.sky = settings.sky_shadows;
+  snapshot.settings.threads = settings.threads;
   const auto reference = reference_of(settings, named.name, snapshot);
   if (!reference) return unexpected(reference.error());
 
@@ -251,6 +256,7 @@ int run(int argc, char** argv) {
                  [&](const std::string& text) { return read_levels(text, settings.levels); });
   options.number("--reference", settings.reference, 256, 65536, "samples");
   options.number("--runs", settings.runs, 1, 99);
+  options.number("--threads", settings.threads, 1, 1024);
   options.parsed("--cache", "folder of references and ladders",
                  [&](const std::string& text) -> Result<void> {
                    settings.cache = text;
