@@ -245,7 +245,8 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
 // The standard error that the part's weight deserves, and twice that where noise is all there is:
 // what is noisiest has most of a picture's error, so that samples are better spent there. One for
 // each finest cell at least, and four at most, eight of noise, or sixteen of what may be far
-// brighter than white.
+// brighter than white; of noise eight times as many where it is worst: a few pixels that show
+// something tiny and bright have most of a picture's error.
 RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sampled what) const {
   const bool reflected = eye_->viewer.bounces > 0;
   if (reflected) fewest = few_samples;
@@ -256,6 +257,7 @@ RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sam
   goal.share = budget.share * weight;
   goal.least = budget.samples(weight, 1.0, fewest);
   goal.most = budget.samples(weight, reflected ? 16.0 : noisy ? 8.0 : 4.0, fewest);
+  if (noisy && !reflected) goal.at_worst = 8;
   return goal;
 }
 

@@ -87,9 +87,7 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
       if (waiting.done) continue;
       found_[i] = estimate(waiting);
       found_[i].standard_error = standard_error(waiting, found_[i].mean);
-      waiting.done =
-          2 * waiting.taken > waiting.goal.most ||
-          (found_[i].samples > 0 && found_[i].standard_error <= waiting.goal.standard_error);
+      waiting.done = suffices(waiting, found_[i]);
       left -= waiting.done;
     }
   }
@@ -98,6 +96,16 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
   counts += sums_.statistics();
   sums_.statistics() = {};
   return found_;
+}
+
+bool RegionSampler::suffices(const Waiting& waiting, const Estimate& found) const {
+  const Goal& goal = waiting.goal;
+  const bool met = found.samples > 0 && found.standard_error <= goal.standard_error;
+  if (met || 2 * waiting.taken <= goal.most) return met;
+  constexpr double worth = 9.0;
+  const double times = static_cast<double>(waiting.taken) / goal.least;
+  return 2 * waiting.taken > goal.at_worst * goal.most ||
+         found.standard_error <= std::sqrt(worth * times) * goal.standard_error;
 }
 
 // As many samples as there are so far.
@@ -113,6 +121,11 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
   const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
   const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
+  if (end > waiting.goal.most) {
+    // There is room for the sums of that many.
+    sums_.add_pairs(waiting.first_sum, waiting.taken / waiting.per_sum);
+    waiting.per_sum *= 2;
+  }
   places_.start_pixel(x, y);
   for (std::uint32_t i = waiting.taken; i < end && !stop_.stop_requested(); ++i) {
     const auto index = static_cast<int>(first + i);

@@ -35,6 +35,10 @@ class RegionSampler {
     std::uint32_t most = 16;   ///< samples in the region, about; a power of two, at least 16
     std::uint32_t least = 16;  ///< the same, at most `most`: so few tell nothing of themselves
     double share = 0.0;        ///< of its pixel; 0: too little to make it white
+    /// What is off by far more than the goal by then takes up to so many times as many, a power of
+    /// two: while another sample takes nine times as much off the squared error as it would
+    /// where `least` met the goal.
+    std::uint32_t at_worst = 1;
   };
   struct Estimate {
     glm::dvec3 mean{0.0};         ///< linear radiance
@@ -76,6 +80,7 @@ class RegionSampler {
     return {waiting.square, std::span(borders_).subspan(waiting.first_edge, waiting.edges)};
   }
   void add_round(Waiting& waiting, const BlurKernel* kernel);
+  [[nodiscard]] bool suffices(const Waiting& waiting, const Estimate& found) const;
   [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
   [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
 

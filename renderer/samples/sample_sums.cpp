@@ -82,6 +82,16 @@ void SampleSums::resize(std::size_t count) {
   hit_.resize(count);
 }
 
+void SampleSums::add_pairs(std::size_t first, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = first + 2 * i;
+    const bool any = 2 * i < count;
+    const Sum one = any ? sum(from) : Sum{}, other = any ? sum(from + 1) : Sum{};
+    radiance_[first + i] = one.radiance + other.radiance;
+    count_[first + i] = one.count + other.count;
+  }
+}
+
 void SampleSums::trace() {
   const std::span rays = std::span(rays_).first(used_);
   const std::span hits = std::span(hits_).first(used_);

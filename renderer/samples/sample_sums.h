@@ -65,6 +65,9 @@ class SampleSums {
   void trace();
 
   [[nodiscard]] Sum sum(std::size_t target) const { return {radiance_[target], count_[target]}; }
+  /// Adds up `count` sums from `first` on, an even number, two at a time: the first half of them
+  /// hold all, and the others are empty. None of their samples may wait for `trace`.
+  void add_pairs(std::size_t first, std::size_t count);
   /// The first hit of the ray of a sum's latest sample.
   [[nodiscard]] const Hit& hit(std::size_t target) const { return hit_[target]; }
   [[nodiscard]] RenderStatistics& statistics() { return statistics_; }

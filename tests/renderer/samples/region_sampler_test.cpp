@@ -31,6 +31,19 @@ class TwoColours : public testing::Test {
     World world;
     add_quad(world, {-50, -50, 0}, {50.3f, 0, 0}, {0, 100, 0}, glowing(left));
     add_quad(world, {0.3f, -50, 0}, {50, 0, 0}, {0, 100, 0}, glowing(right));
+    show(std::move(world));
+  }
+
+  /// A strip on black, from x = 0.3 on.
+  void show_strip(float width, glm::vec3 color) {
+    World world;
+    add_quad(world, {-50, -50, 0}, {50.3f, 0, 0}, {0, 100, 0}, glowing(glm::vec3(0.0f)));
+    add_quad(world, {0.3f, -50, 0}, {width, 0, 0}, {0, 100, 0}, glowing(color));
+    add_quad(world, {0.3f + width, -50, 0}, {50, 0, 0}, {0, 100, 0}, glowing(glm::vec3(0.0f)));
+    show(std::move(world));
+  }
+
+  void show(World world) {
     scene_ = make_render_scene(std::move(world));
     settings_.width = settings_.height = 8;
     Camera camera = look_at({0, 0, 4}, {0, 0, 0}, 2.0 * std::atan(1.0));
@@ -74,6 +87,23 @@ TEST_F(TwoColours, StopOnceTheGoalIsMet) {
   EXPECT_LT(rough.samples, fine.samples);
   EXPECT_NEAR(rough.mean.x, 0.3, 3.0 * 0.05);
   EXPECT_NEAR(fine.mean.x, 0.3, 3.0 * 0.005);
+}
+
+// A bright strip of a twentieth of the pixel, which one sample more or less tells.
+TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
+  show_strip(0.05f, glm::vec3(60.0f));
+  RegionSampler::Goal goal{0.004, 512, 64};
+  const auto usual = sample({crossed, {}}, goal);
+  goal.at_worst = 8;
+  const auto worst = sample({crossed, {}}, goal);
+  EXPECT_EQ(usual.samples, 512u);
+  EXPECT_EQ(worst.samples, 4096u);
+  EXPECT_LT(std::abs(worst.mean.x - 3.0), 0.03);
+  EXPECT_GT(worst.standard_error, 0.0);
+  EXPECT_LT(worst.standard_error, 0.5 * usual.standard_error) << "told by all samples";
+  // What is off by no more than several times the goal is not worth it.
+  goal.standard_error = usual.standard_error / 6.0;
+  EXPECT_EQ(sample({crossed, {}}, goal).samples, 512u);
 }
 
 // Samples that agree by chance end what is not known yet: that is to be rare.
