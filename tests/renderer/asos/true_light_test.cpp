@@ -62,7 +62,7 @@ TEST(TrueLight, OnAMetalSphere) {
 }
 
 TEST(TrueLight, OnASphere) {
-  expect_true(Subject::sphere, 0.0, {0.0025, 0.0010, 0.0016, 0.0010, 0.0012, 0.0017});
+  expect_true(Subject::sphere, 0.0, {0.0025, 0.0010, 0.0016, 0.0010, 0.0012, 0.0016});
 }
 
 TEST(TrueLight, OnAMetalPlane) {
