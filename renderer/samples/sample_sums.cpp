@@ -83,12 +83,14 @@ void SampleSums::resize(std::size_t count) {
 }
 
 void SampleSums::add_pairs(std::size_t first, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t from = first + 2 * i;
-    const bool any = 2 * i < count;
-    const Sum one = any ? sum(from) : Sum{}, other = any ? sum(from + 1) : Sum{};
-    radiance_[first + i] = one.radiance + other.radiance;
-    count_[first + i] = one.count + other.count;
+  for (std::size_t i = 0; i < count / 2; ++i) {
+    const std::size_t pair = first + 2 * i;
+    radiance_[first + i] = radiance_[pair] + radiance_[pair + 1];
+    count_[first + i] = count_[pair] + count_[pair + 1];
+  }
+  for (std::size_t i = first + count / 2; i < first + count; ++i) {
+    radiance_[i] = glm::dvec3(0.0);
+    count_[i] = 0;
   }
 }
 
