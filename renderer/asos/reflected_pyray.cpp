@@ -240,7 +240,8 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
     // Through the leaf's own sample, or anywhere in the lobe.
     glm::vec2 at = glm::clamp((leaf.at - part.lo) / (part.hi - part.lo), 0.0f, 1.0f);
     if (mask.blur)
-      at = BlurKernel(mask.blur->far_share).warped(random_place(leaf.seed), whole_square);
+      at = BlurKernel(mask.blur->far_share)
+               .warped(random_place(leaf.seed), {{0.0f, 0.0f}, {1.0f, 1.0f}});
     const PyrayLeaf whole{0, caster.probe({&at, 1}), 1.0, {whole_square, {}, true}};
     caster.sends_one_ray();
     caster.take({&whole, 1});

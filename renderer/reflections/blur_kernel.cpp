@@ -103,15 +103,15 @@ Bounds2 BlurKernel::uniform_like(const Bounds2& part) const {
   return {glm::vec2(glm::dvec2(u.x, v.x)), glm::vec2(glm::dvec2(u.y, v.y))};
 }
 
-glm::vec2 BlurKernel::warped(glm::vec2 p, const Square& square) const {
-  const auto warp = [&](const Trapezoid& t, float x, float start) {
-    const auto lo = static_cast<double>(start);
-    const auto side = static_cast<double>(square.side);
-    const double share = (static_cast<double>(x) - lo) / side;
-    const double from = t.up_to(lo), to = t.up_to(lo + side);
-    return static_cast<float>(std::clamp(t.where(from + share * (to - from)), lo, lo + side));
+glm::vec2 BlurKernel::warped(glm::vec2 p, const Bounds2& part) const {
+  const auto warp = [](const Trapezoid& t, float x, float start, float end) {
+    const auto lo = static_cast<double>(start), hi = static_cast<double>(end);
+    if (!(lo < hi)) return start;
+    const double share = (static_cast<double>(x) - lo) / (hi - lo);
+    const double from = t.up_to(lo), to = t.up_to(hi);
+    return static_cast<float>(std::clamp(t.where(from + share * (to - from)), lo, hi));
   };
-  return {warp(u_, p.x, square.u), warp(v_, p.y, square.v)};
+  return {warp(u_, p.x, part.lo.x, part.hi.x), warp(v_, p.y, part.lo.y, part.hi.y)};
 }
 
 }  // namespace asos

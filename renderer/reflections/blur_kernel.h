@@ -25,9 +25,9 @@ class BlurKernel {
   /// two boxes' squares. Where the kernel is 0 all over it, the same rectangle.
   [[nodiscard]] Bounds2 uniform_like(const Bounds2& part) const;
 
-  /// Where a point that is uniform in a square would be if it were distributed as the kernel is
-  /// within that square.
-  [[nodiscard]] glm::vec2 warped(glm::vec2 p, const Square& square) const;
+  /// Where a point that is uniform in a rectangle would be if it were distributed as the kernel is
+  /// within that rectangle.
+  [[nodiscard]] glm::vec2 warped(glm::vec2 p, const Bounds2& part) const;
 
  private:
   /// One coordinate's trapezoid: rising up to `ramp`, falling from 1 - `ramp`.

@@ -132,9 +132,9 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
     places_.start_sample(index);
     const PixelPoint p = places_.in_pixel();
     glm::vec2 at = glm::mix(bounds.lo, bounds.hi, glm::vec2(p.x, p.y));
+    if (kernel) at = kernel->warped(at, bounds);
     if (!part.holds(at)) continue;
     ++waiting.in_region;
-    if (kernel && part.border.empty()) at = kernel->warped(at, part.square);
     if (mask_ && !mask_->holds(at)) {
       ++waiting.masked;
       continue;

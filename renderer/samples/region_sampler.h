@@ -53,7 +53,7 @@ class RegionSampler {
   /// until the next call. A round has as many samples as all before it, until the eighths of a
   /// region's tell that its goal is met; the rays of all regions in a round share packets. The
   /// samples are a function of the region, and of the pixel that its square starts in: squares
-  /// within a pixel have other samples of one sequence. With a `kernel`, squares are sampled as it
+  /// within a pixel have other samples of one sequence. With a `kernel`, regions are sampled as it
   /// is distributed there.
   std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
   /// One region alone.

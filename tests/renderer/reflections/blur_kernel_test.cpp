@@ -76,15 +76,17 @@ TEST_P(EveryShare, OfAHalfPlaneIsItsClosedForm) {
 
 TEST_P(EveryShare, WarpsUniformPointsToItsOwnDistribution) {
   const BlurKernel kernel({GetParam(), 0.1});
-  const Square part{0.25f, 0.5f, 0.5f};
-  const LeafRegion left{{0.25f, 0.5f, 0.25f}, {}}, left_below{{0.25f, 0.75f, 0.25f}, {}};
-  const double expected =
-      (kernel.integral(left) + kernel.integral(left_below)) / kernel.integral({part, {}});
+  const LeafRegion left{{0.25f, 0.5f, 0.25f}, {}}, right{{0.5f, 0.5f, 0.25f}, {}};
+  const double expected = kernel.integral(left) / (kernel.integral(left) + kernel.integral(right));
+  const Bounds2 both{{0.25f, 0.5f}, {0.75f, 0.75f}};
   constexpr int n = 4096;
   int found = 0;
   for (int i = 0; i < n; ++i) {
-    const float u = part.u + part.side * (static_cast<float>(i) + 0.5f) / n;
-    found += kernel.warped({u, 0.6f}, part).x < 0.5f;
+    const float u = 0.25f + 0.5f * (static_cast<float>(i) + 0.5f) / n;
+    const glm::vec2 at = kernel.warped({u, 0.6f}, both);
+    EXPECT_GE(at.y, both.lo.y);
+    EXPECT_LE(at.y, both.hi.y);
+    found += at.x < 0.5f;
   }
   EXPECT_NEAR(found / static_cast<double>(n), expected, 1.0 / n);
 }

@@ -125,6 +125,29 @@ TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
   EXPECT_LE(far_off, 4);
 }
 
+// What a mirror blurs counts most in its middle, in whatever a boundary leaves of a square, too.
+TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
+  const BlurKernel kernel({0.4, 0.4});
+  const Square all{0.0f, 0.0f, 1.0f};
+  const float edge = 4.3f / 8.0f;  // where red ends
+  const auto rectangle = [](float u0, float u1) {
+    return std::array<BorderEdge, 4>{
+        {{{u0, 0}, {u1, 0}}, {{u1, 0}, {u1, 1}}, {{u1, 1}, {u0, 1}}, {{u0, 1}, {u0, 0}}}};
+  };
+  for (const float u1 : {1.0f, 0.7f}) {
+    const auto border = rectangle(0.05f, u1), red = rectangle(0.05f, edge);
+    const double expected = kernel.integral({all, red}) / kernel.integral({all, border});
+    ASSERT_GT(std::abs(expected - (edge - 0.05) / (u1 - 0.05)), 0.02) << "told from an even one";
+    RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
+    const auto found = sampler.sample({all, border}, {-1.0, 4096}, counts_, &kernel);
+    EXPECT_NEAR(found.mean.x, expected, 1.0 / 64.0) << u1;
+  }
+  const double squared = kernel.integral({all, rectangle(0.0f, edge)});
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
+  EXPECT_NEAR(sampler.sample({all, {}}, {-1.0, 4096}, counts_, &kernel).mean.x, squared,
+              1.0 / 64.0);
+}
+
 // Whoever turns a knob waits for no block of samples to be done.
 TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
   std::stop_source stop;
