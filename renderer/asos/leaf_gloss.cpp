@@ -8,7 +8,6 @@
 #include "renderer/shading/unevenness.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace asos {
 
@@ -38,11 +37,8 @@ ShadingError LeafGloss::error(SampleId sample, double share, const Patch& patch)
   const bool by_dfr = eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle);
   if (material.unlit || !(by_dfr || may_be_glossy(material))) return {};
   const SurfacePoint point = samples_->point(sample);
-  const PixelSpacing& spacing = eye_->viewer.spacing;
-  GlossyPatch glossy{
-      point, normal_turn(scene.world(), hit, patch, point.shading_normal), patch,
-      -samples_->ray(sample).direction,
-      spacing.perspective ? spacing.start + hit.t : std::numeric_limits<float>::infinity()};
+  GlossyPatch glossy{point, normal_turn(scene.world(), hit, patch, point.shading_normal), patch,
+                     -samples_->ray(sample).direction, eye_->viewer.spacing.distance(hit.t)};
   const bool highlights =
       extended_lights_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
   if (!highlights && !turns(glossy)) return {};

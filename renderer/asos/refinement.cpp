@@ -130,9 +130,10 @@ ShadingError Refinement::shading_error(SampleId sample, double share,
   const Ray& ray = samples_->ray(sample);
   const Patch patch = samples_->patch(sample, share);
   ShadingError found = gloss_.error(sample, share, patch_around(sample, region));
-  found.error += midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
-                                eye_->settings->shadow.light_rule) +
-                 normal_error(sample, region) + light_error(sample, region);
+  found.error +=
+      midpoint_error(eye_->scene->world(), eye_->scene->lights(), ray, hit, patch,
+                     eye_->viewer.spacing.distance(hit.t), eye_->settings->shadow.light_rule) +
+      normal_error(sample, region) + light_error(sample, region);
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 // The extent that a sample stands for: a square of the picture, and the patch of surface that it
 // shows.
@@ -26,6 +27,11 @@ struct PixelSpacing {
   float start = 0.0f;  ///< of the rays from the eye: View::start
 
   [[nodiscard]] static PixelSpacing of(const View& view);
+
+  /// From where the rays' lines meet to what is `t` along one of them; infinite where they do not.
+  [[nodiscard]] float distance(float t) const {
+    return perspective ? start + t : std::numeric_limits<float>::infinity();
+  }
 };
 
 /// The shape of the part of the picture that a sample stands for, beside a square of the same area

@@ -251,7 +251,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
     view.patch = shaped(patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
                                        point.geometric_normal, viewed_ray.side),
                         viewed_ray.shape);
-    if (spacing.perspective) view.distance = spacing.start + layer.hit.t;
+    view.distance = spacing.distance(layer.hit.t);
   }
   const MirroredLights mirrored =
       mirrors ? mirrored_lights(point.triangle, blur) : MirroredLights::none;

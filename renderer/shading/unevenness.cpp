@@ -3,33 +3,46 @@
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
+#include "renderer/shading/lobe.h"
 #include "renderer/shading/texture.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asos {
 namespace {
 
-// The unit shading normal, and how far it turns along the patch's edges, squared and summed.
+/// How a patch's normals differ, and from where it is seen.
 struct Bend {
-  glm::vec3 normal{0, 0, 1};
-  float turn2 = 0.0f;
+  glm::vec3 normal{0, 0, 1};  // the shading normal, unit, on the viewer's side
+  NormalSpread spread;
+  Patch patch;
+  float viewer_distance = std::numeric_limits<float>::infinity();
+
+  /// How far they turn along its edges, squared and summed. An even turn along an edge has a
+  /// twelfth of its square for a variance.
+  [[nodiscard]] static float turn2(const NormalSpread& spread) {
+    return glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down) +
+           12.0f * spread.variance;
+  }
+  /// The same about the half vector of a light, which turns as well.
+  [[nodiscard]] float turn2_about_half(glm::vec3 to_viewer, glm::vec3 to_light,
+                                       float light_distance) const {
+    return turn2(
+        spread_about_half(spread, patch, {to_viewer, viewer_distance, to_light, light_distance}));
+  }
 };
 
-Bend bend_of(const World& world, const Hit& hit, const Patch& patch) {
+Bend bend_of(const World& world, const Hit& hit, const Patch& patch, glm::vec3 to_viewer,
+             float viewer_distance) {
   const auto [n0, n1, n2] = corner_normals(world, hit);
-  if (n0 == n1 && n1 == n2) return {n0, 0.0f};
-  const Steps<glm::vec3> steps(footprint_on(world, hit, patch), n0, n1, n2);
-  const glm::vec3 n = (1.0f - hit.b1 - hit.b2) * n0 + hit.b1 * n1 + hit.b2 * n2;
-  const float length2 = glm::dot(n, n);
-  if (!(length2 > 0.0f)) return {};
-  const auto along = [&](glm::vec3 step) {
-    const glm::vec3 across = step - n * (glm::dot(n, step) / length2);
-    return glm::dot(across, across) / length2;
-  };
-  return {n / std::sqrt(length2), along(steps.right) + along(steps.down)};
+  const glm::vec3 mixed = (1.0f - hit.b1 - hit.b2) * n0 + hit.b1 * n1 + hit.b2 * n2;
+  const float length = glm::length(mixed);
+  if (!(length > 0.0f)) return {{0, 0, 1}, {}, patch, viewer_distance};
+  const glm::vec3 normal = (glm::dot(mixed, to_viewer) < 0.0f ? -1.0f : 1.0f) / length * mixed;
+  return {normal, normal_turn(world, hit, patch, normal), patch, viewer_distance};
 }
 
 /// The gloss of a surface where it was hit, by its textures.
@@ -67,11 +80,13 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
                       glm::vec3 to_viewer, const LobeStretch& stretch = {},
                       float stretch_turn2 = 0.0f) {
   glm::vec3 to_light = -glm::vec3(light.direction);
+  float distance = std::numeric_limits<float>::infinity();
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
   if (light.type != Light::Type::directional) {
     const glm::vec3 d = glm::vec3(light.position) - position;
-    irradiance /= glm::dot(d, d);
-    to_light = glm::normalize(d);
+    distance = glm::length(d);
+    irradiance /= distance * distance;
+    to_light = d / distance;
   }
   const float least_roughness = std::max(gloss.roughness, roughness_floor);
   const float alpha = least_roughness * least_roughness;
@@ -85,10 +100,9 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   const float peak =
       irradiance * fresnel /
       (4.0f * std::numbers::pi_v<float> * a2 * std::sqrt(along * along * (1.0f - a2) + a2));
-  const glm::vec3 normal = glm::dot(bend.normal, to_viewer) < 0.0f ? -bend.normal : bend.normal;
   // How far the patch's nearest normal is from the half vector, and the lobe there.
-  const float away = away_from_peak(normal, half, stretch, least_roughness);
-  float turn2 = bend.turn2;
+  const float away = away_from_peak(bend.normal, half, stretch, least_roughness);
+  float turn2 = bend.turn2_about_half(to_viewer, to_light, distance);
   if (stretch_turn2 > 0.0f) {
     // A ridge that turns sweeps over what lies along it.
     const float aside = glm::dot(half, glm::normalize(stretch.along));
@@ -127,17 +141,17 @@ float nearness2(std::span<const Light> lights, glm::vec3 position, const Patch& 
 }  // namespace
 
 float midpoint_error(const World& world, std::span<const Light> lights, const Ray& ray,
-                     const Hit& hit, const Patch& patch, LightRule rule) {
+                     const Hit& hit, const Patch& patch, float viewer_distance, LightRule rule) {
   const Material& material = world.material_of(hit.triangle);
   const glm::vec3 size = glm::abs(patch.right) + glm::abs(patch.down);
   if (material.unlit || !std::isfinite(size.x + size.y + size.z)) return 0.0f;
   const glm::vec3 c =
       diffuse_share(material) * glm::vec3(material.base_color) + material.sheen.color;
   const float reflected = std::clamp(std::max({c.x, c.y, c.z}), 0.0f, 1.0f);
-  const Bend bend = bend_of(world, hit, patch);
+  const Bend bend = bend_of(world, hit, patch, -ray.direction, viewer_distance);
   const glm::vec3 position = ray.at(hit.t);
-  float error = reflected * (bend.turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
-  if (!(bend.turn2 > 0.0f)) return std::min(1.0f, error);
+  const float turn2 = Bend::turn2(bend.spread);
+  float error = reflected * (turn2 + 6.0f * nearness2(lights, position, patch)) / 24.0f;
   const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch,
                                   float stretch_turn2) {
     if (lobe.roughness >= least_broad_roughness) return;
@@ -163,8 +177,7 @@ float glint_error(std::span<const Light> lights, const Material& material, float
   if (material.unlit || roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
   const glm::vec3 c = glm::vec3(material.base_color);
   const Gloss gloss{glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic), roughness};
-  // An even turn along an edge has a twelfth of its square for a variance.
-  const Bend bend{point.shading_normal, 12.0f * variance};
+  const Bend bend{point.shading_normal, {{}, {}, variance}, {}};
   float error = 0.0f;
   for (const Light& light : lights)
     error += highlight_error(light, gloss, bend, point.position, to_viewer);

@@ -14,14 +14,16 @@ namespace asos {
 /// its middle, where a hit lies: the midpoint rule's error, to second order, of what shading does
 /// across the patch. The shading normal turns (its cosine to a light errs by turn^2 / 24 along each
 /// edge), near a light the inverse square of the distance falls off (6 / 24 of the squared ratio of
-/// edge to distance), both times what the material reflects at most; and a bent, smooth surface may
-/// hold a light's highlight, narrower than the patch (by the physical rule that of a light without
-/// a size; of others see highlight_error). The ray's direction is unit. Surfaces beyond a boundary,
-/// shadows and textures are not looked at. 0 for flat shading under distant lights, for unlit
-/// materials, and for patches that are not finite, which splitting would not make so.
+/// edge to distance), both times what the material reflects at most; and a smooth surface may hold
+/// a light's highlight, narrower than the patch, where it is bent or the half vector turns across
+/// it (by the physical rule that of a light without a size; of others see highlight_error). The
+/// ray's direction is unit; `viewer_distance` in world units, infinite for parallel rays. Surfaces
+/// beyond a boundary, shadows and textures are not looked at. 0 for flat shading under distant
+/// lights, for unlit materials, and for patches that are not finite, which splitting would not make
+/// so.
 [[nodiscard]] float midpoint_error(const World& world, std::span<const Light> lights,
                                    const Ray& ray, const Hit& hit, const Patch& patch,
-                                   LightRule rule = LightRule::physical);
+                                   float viewer_distance, LightRule rule = LightRule::physical);
 
 /// The same for what the lights' highlights do across a patch whose normals have the variance of
 /// the point's spread about its shading normal, as those of a normal map have: 0 for materials

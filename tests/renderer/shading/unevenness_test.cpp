@@ -31,6 +31,7 @@ World bent(float turn) {
 
 const Hit middle{0, 1.0f, 0.25f, 0.5f};  // at the origin
 constexpr glm::vec3 up{0, 0, 1};
+constexpr float far = std::numeric_limits<float>::infinity();
 const Ray from_above{.origin = up, .direction = -up};
 
 Patch square(float side) {
@@ -38,7 +39,7 @@ Patch square(float side) {
 }
 
 TEST(MidpointError, FlatShadingUnderDistantLightsHasNone) {
-  EXPECT_EQ(midpoint_error(bent(0.0f), {}, from_above, middle, square(1.0f)), 0.0f);
+  EXPECT_EQ(midpoint_error(bent(0.0f), {}, from_above, middle, square(1.0f), far), 0.0f);
 }
 
 // The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of that in the middle.
@@ -46,15 +47,15 @@ TEST(MidpointError, OfATurningNormalIsThatOfACosine) {
   for (const float turn : {0.05f, 0.2f, 0.5f}) {
     const float truth = 1.0f - std::sin(0.5f * turn) / (0.5f * turn);
     // The chord of the normals is shorter than their arc by turn^2 / 6 in the whole triangle.
-    EXPECT_NEAR(midpoint_error(bent(turn), {}, from_above, middle, square(1.0f)), truth,
+    EXPECT_NEAR(midpoint_error(bent(turn), {}, from_above, middle, square(1.0f), far), truth,
                 truth * turn * turn);
   }
 }
 
 TEST(MidpointError, FallsWithTheSquareOfTheSize) {
   const World world = bent(0.3f);
-  EXPECT_NEAR(midpoint_error(world, {}, from_above, middle, square(0.5f)),
-              midpoint_error(world, {}, from_above, middle, square(1.0f)) / 4.0f, 1e-7f);
+  EXPECT_NEAR(midpoint_error(world, {}, from_above, middle, square(0.5f), far),
+              midpoint_error(world, {}, from_above, middle, square(1.0f), far) / 4.0f, 1e-7f);
 }
 
 // Along the line to the light: 1 / (r - x)^2 over an edge of length h has the mean
@@ -66,19 +67,19 @@ TEST(MidpointError, NearALightIsThatOfTheInverseSquare) {
   light.position = {0, 0, 2};
   const float side = 0.2f;
   const Patch edge{{side, 0, 0}, {0, 0, 0}};
-  EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, edge),
+  EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, edge, far),
               side * side / (4.0f * 4.0f), 1e-6f);
   light.type = Light::Type::directional;
-  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, edge), 0.0f);
+  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, edge, far), 0.0f);
 }
 
 TEST(MidpointError, IsNoMoreThanWhatTheMaterialReflects) {
   World world = bent(1.0f);
   world.materials.front().base_color = glm::vec4(0.0f, 0.1f, 0.05f, 1.0f);
-  EXPECT_NEAR(midpoint_error(world, {}, from_above, middle, square(1.0f)),
-              0.1f * midpoint_error(bent(1.0f), {}, from_above, middle, square(1.0f)), 1e-7f);
+  EXPECT_NEAR(midpoint_error(world, {}, from_above, middle, square(1.0f), far),
+              0.1f * midpoint_error(bent(1.0f), {}, from_above, middle, square(1.0f), far), 1e-7f);
   world.materials.front().unlit = true;
-  EXPECT_EQ(midpoint_error(world, {}, from_above, middle, square(1.0f)), 0.0f);
+  EXPECT_EQ(midpoint_error(world, {}, from_above, middle, square(1.0f), far), 0.0f);
 }
 
 // A mirror-like cylinder under a light behind the viewer: the highlight lies where the normal
@@ -92,22 +93,49 @@ TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   light.type = Light::Type::directional;
   light.direction = {0, 0, -1};
   light.intensity = 3.0f;
-  const float diffuse = midpoint_error(bent(0.1f), {}, from_above, middle, square(1.0f));
-  EXPECT_GT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)), 0.5f);
+  const float diffuse = midpoint_error(bent(0.1f), {}, from_above, middle, square(1.0f), far);
+  EXPECT_GT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f), far), 0.5f);
   light.direction = glm::normalize(glm::vec3(-1, 0, -1));
-  EXPECT_LT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)),
+  EXPECT_LT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f), far),
             diffuse + 1.0f / 1024.0f);
   light.direction = {0, 0, -1};
   world.materials.front().roughness = 1.0f;
-  EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)), diffuse, 1e-7f);
+  EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f), far), diffuse,
+              1e-7f);
+}
+
+// A flat surface shows a near viewer, or one of a near light, another half vector at each end.
+TEST(MidpointError, KnowsWhereAHighlightOnAFlatSurfaceIsNarrow) {
+  World world = bent(0.0f);
+  Material& material = world.materials.front();
+  material.metallic = 1.0f;
+  material.roughness = 0.2f;
+  Light light;
+  light.type = Light::Type::directional;
+  light.direction = {0, 0, -1};
+  light.intensity = 3.0f;
+  const auto error = [&](float side, float viewer_distance) {
+    return midpoint_error(world, {&light, 1}, from_above, middle, square(side), viewer_distance);
+  };
+  EXPECT_EQ(error(0.01f, far), 0.0f);
+  const float near = error(0.01f, 1.0f);
+  EXPECT_GT(near, 0.0f);
+  // The half vector turns by half of what the viewer's direction does.
+  EXPECT_NEAR(error(0.01f, 2.0f), near / 4.0f, 1e-3f * near);
+  light.type = Light::Type::point;
+  light.position = {0, 0, 2};
+  light.intensity *= 4.0f;
+  const float falls_off = 2.0f * 0.01f * 0.01f / (4.0f * 4.0f);  // with the squared distance
+  EXPECT_NEAR(error(0.01f, far), near / 4.0f + falls_off, 1e-3f * near);
+  EXPECT_GT(error(0.3f, 1.0f), 0.1f);
 }
 
 TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
   const World world = bent(0.5f);
   const Light light;  // at the very point
-  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f)), 1.0f);
+  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f), far), 1.0f);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(nan)), 0.0f);
+  EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(nan), far), 0.0f);
 }
 
 TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
