@@ -12,7 +12,7 @@ double ShadingError::price_of_splitting(const Budget& budget, double wide, doubl
   const auto tolerance = static_cast<double>(budget.tolerance);
   if (!(wide > 1.0) && !(error > budget.tolerance))
     return std::sqrt(static_cast<double>(all()) / tolerance) * (leaf + 5.0 * highlight);
-  constexpr double splits_much = 8.0;
+  constexpr double splits_much = 12.0;
   const double excess = std::max(static_cast<double>(error) / tolerance, wide * wide);
   return budget.leaves_of_uneven() *
          std::max(leaf * std::min(1.0, excess / splits_much), highlight);

@@ -58,11 +58,11 @@ void expect_true(Subject subject, double metallic, const Bounds& bounds) {
 }
 
 TEST(TrueLight, OnAMetalSphere) {
-  expect_true(Subject::sphere, 1.0, {0.0025, 0.0005, 0.0016, 0.0011, 0.0018, 0.0020});
+  expect_true(Subject::sphere, 1.0, {0.0005, 0.0005, 0.0016, 0.0011, 0.0018, 0.0019});
 }
 
 TEST(TrueLight, OnASphere) {
-  expect_true(Subject::sphere, 0.0, {0.0025, 0.0010, 0.0016, 0.0010, 0.0012, 0.0016});
+  expect_true(Subject::sphere, 0.0, {0.0005, 0.0008, 0.0016, 0.0010, 0.0012, 0.0016});
 }
 
 TEST(TrueLight, OnAMetalPlane) {
