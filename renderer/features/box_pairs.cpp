@@ -1,11 +1,11 @@
 #include "renderer/features/box_pairs.h"
 
 #include "renderer/features/stoppable_loop.h"
+#include "renderer/tasks.h"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <tbb/parallel_sort.h>
 
 // Vectors are handed to functions that are inlined only: no calling convention is concerned.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> along_morton_curve(const World& world, std::size_t n,
     const glm::dvec3 middle = 0.5 * (glm::dvec3(box.lo) + glm::dvec3(box.hi));
     keyed[t] = {morton_code(middle, world.bounds), t};
   });
-  tbb::parallel_sort(keyed.begin(), keyed.end(), [](const Keyed& x, const Keyed& y) {
+  sort_in_tasks(keyed.begin(), keyed.end(), [](const Keyed& x, const Keyed& y) {
     return x.code != y.code ? x.code < y.code : x.triangle < y.triangle;
   });
   std::vector<std::uint32_t> triangles(n);

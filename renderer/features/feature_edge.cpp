@@ -4,6 +4,7 @@
 #include "renderer/features/disjoint_sets.h"
 #include "renderer/features/release.h"
 #include "renderer/features/stoppable_loop.h"
+#include "renderer/tasks.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 #include <numeric>
 #include <span>
 #include <stop_token>
-#include <tbb/parallel_for.h>
 #include <tuple>
 
 namespace asos {
@@ -80,7 +80,7 @@ class Extractor {
   // whoever found it. All groups at once would hold all edges twice.
   void classify_groups(std::size_t first, ExtractedFeatures& out) {
     std::array<Found, groups_at_once> found;
-    tbb::parallel_for(std::size_t{0}, groups_at_once, [&](std::size_t i) {
+    in_tasks(groups_at_once, [&](std::size_t i) {
       check_stop(stop_);
       const std::size_t begin = std::min(first + i * group_size, world_.positions.size());
       const std::size_t end = std::min(begin + group_size, world_.positions.size());

@@ -5,14 +5,13 @@
 #include "renderer/features/normal_cone.h"
 #include "renderer/features/release.h"
 #include "renderer/features/stoppable_loop.h"
+#include "renderer/tasks.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <optional>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace asos {
 namespace {
@@ -132,13 +131,8 @@ class Builder {
     const std::vector<Run> runs = runs_of(parts, first);
     std::vector<Summary> below(parts.size());
     std::vector<Subtrees> built(parts.size());
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, parts.size(), 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i)
-            below[i] = build_part(built[i], parts[i], runs[i].first);
-        },
-        tbb::simple_partitioner());
+    in_tasks(parts.size(),
+             [&](std::size_t i) { below[i] = build_part(built[i], parts[i], runs[i].first); });
     return assemble(out, runs, below, built);
   }
 

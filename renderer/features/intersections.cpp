@@ -3,6 +3,7 @@
 #include "renderer/features/box_pairs.h"
 #include "renderer/features/stoppable_loop.h"
 #include "renderer/features/triangle_line.h"
+#include "renderer/tasks.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@
 #include <numeric>
 #include <optional>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace asos {
@@ -73,7 +73,7 @@ class Collider {
 
   Intersections run() {
     if (hopeless()) return {{}, false};
-    tbb::parallel_for(std::size_t{0}, boxes_.leaf_count(), [this](std::size_t leaf) {
+    in_tasks(boxes_.leaf_count(), [this](std::size_t leaf) {
       check_stop(stop_);
       if (over_budget_.load(std::memory_order_relaxed)) return;
       Local& local = found_.local();
@@ -99,7 +99,7 @@ class Collider {
     const std::size_t leaves = boxes_.leaf_count();
     if (n * (n - 1) / 2 <= survey_slack * budget_.pairs) return false;
     std::vector<std::size_t> pairs(std::clamp<std::size_t>((std::size_t{1} << 26) / n, 32, 256));
-    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+    in_tasks(pairs.size(), [&](std::size_t i) {
       const std::uint64_t step = (i + 1) * 0x9e3779b97f4a7c15ULL;
       boxes_.visit_pairs((step >> 32) % leaves, [&](std::uint32_t, std::uint32_t) {
         ++pairs[i];

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "renderer/tasks.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stop_token>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace asos {
 
@@ -22,11 +22,10 @@ inline void check_stop(const std::stop_token& stop) {
 template <typename Visit>
 void in_parallel(std::size_t count, const std::stop_token& stop, const Visit& visit) {
   constexpr std::size_t calls_between_checks = 4096;
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, count), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end();) {
+  in_task_ranges(count, 1, [&](std::size_t i, std::size_t last) {
+    while (i < last) {
       check_stop(stop);
-      const std::size_t end = std::min(range.end(), i + calls_between_checks);
+      const std::size_t end = std::min(last, i + calls_between_checks);
       for (; i < end; ++i) visit(static_cast<std::uint32_t>(i));
     }
   });

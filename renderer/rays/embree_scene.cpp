@@ -1,6 +1,7 @@
 #include "renderer/rays/embree_scene.h"
 
 #include "renderer/rays/face_geometry.h"
+#include "renderer/task_order.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +33,7 @@ bool all_filtered(const SceneNeeds& forced) {
 
 /// What Embree reports to have allocated, on any of its threads.
 bool count_bytes(void* counter, ssize_t bytes, bool) {
+  const TaskOrder::Task task;
   static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
 }
@@ -84,7 +86,10 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
                                       : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(scene_, quality);
   for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
-  rtcCommitScene(scene_);
+  {
+    const TaskOrder::Sending sending;
+    rtcCommitScene(scene_);
+  }
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
   return {};
 }

@@ -1,6 +1,7 @@
 #include "renderer/rays/face_geometry.h"
 
 #include "renderer/geometry/face_crossings.h"
+#include "renderer/task_order.h"
 
 #include <cmath>
 #include <limits>
@@ -21,6 +22,7 @@ float above(double x) {
 }
 
 void bound_face(const RTCBoundsFunctionArguments* args) {
+  const TaskOrder::Task task;
   const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
   const FaceBounds box = bounds_of(face_of(group, args->primID));
   const double scale = group.scale;

@@ -1,11 +1,11 @@
 #include "renderer/shading/mip_chain.h"
 
 #include "renderer/shading/texture.h"
+#include "renderer/tasks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace asos {
@@ -89,7 +89,8 @@ MipLevel halved(int width, int height, TexelKind kind, const TexelAt& texel) {
   level.height = std::max(1, height / 2);
   level.rgba.resize(4 * static_cast<std::size_t>(level.width) *
                     static_cast<std::size_t>(level.height));
-  tbb::parallel_for(0, level.height, [&](int y) {
+  in_tasks(static_cast<std::size_t>(level.height), [&](std::size_t row) {
+    const auto y = static_cast<int>(row);
     const TexelSpan rows(y, height, level.height);
     std::uint16_t* out =
         level.rgba.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width);
