@@ -16,18 +16,22 @@ constexpr float footprint_share = 0.25f;
 // By how many parts of its samples a region's error is told: quarters agree by chance too often,
 // and end noise that is not known yet.
 constexpr std::uint32_t parts = 8;
+// So many sums has a region at most: with more samples there are more in each.
+constexpr std::uint32_t most_sums = 2 * parts;
 
 /// Which `count` samples of its pixel those of a square are: squares of one pixel have others of
 /// the same sequence, or their errors would be the same and add up. Z-order, so that neighbours'
-/// are well distributed together; `count` is a power of two.
+/// are well distributed together; `count` is a power of two. There are not numbers for more of each
+/// than `enough`.
 std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
+  constexpr std::uint32_t enough = 1u << 14;
   constexpr double cells = 256.0;  // a side, of a pixel
   const glm::dvec2 at = cells * (middle - glm::floor(middle));
   const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
   std::uint32_t number = 0;
   for (std::uint32_t bit = 0; bit < 8; ++bit)
     number |= ((x >> bit & 1u) << (2 * bit)) | ((y >> bit & 1u) << (2 * bit + 1));
-  return number * count;
+  return number * std::min(count, enough);
 }
 
 /// How many times larger than a region the rectangle around it is, which its samples are spread
@@ -69,13 +73,9 @@ std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
 std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& counts,
                                                             const BlurKernel* kernel) {
   // Make room for their sums.
-  std::size_t sums = 0;
-  for (Waiting& waiting : waiting_) {
-    waiting.first_sum = sums;
-    sums += std::max(1u, waiting.goal.most / waiting.per_sum);
-  }
+  for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].first_sum = most_sums * i;
   sums_.resize(0);
-  sums_.resize(sums);
+  sums_.resize(most_sums * waiting_.size());
   found_.assign(waiting_.size(), {});
   // Sample in rounds all of which the goals are not met.
   for (std::size_t left = waiting_.size(); left > 0 && !stop_.stop_requested();) {
@@ -100,12 +100,9 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
 
 bool RegionSampler::suffices(const Waiting& waiting, const Estimate& found) const {
   const Goal& goal = waiting.goal;
-  const bool met = found.samples > 0 && found.standard_error <= goal.standard_error;
-  if (met || 2 * waiting.taken <= goal.most) return met;
-  constexpr double worth = 9.0;
+  if (2 * waiting.taken > goal.most) return true;
   const double times = static_cast<double>(waiting.taken) / goal.least;
-  return 2 * waiting.taken > goal.at_worst * goal.most ||
-         found.standard_error <= std::sqrt(worth * times) * goal.standard_error;
+  return found.samples > 0 && found.standard_error <= std::sqrt(times) * goal.standard_error;
 }
 
 // As many samples as there are so far.
@@ -121,8 +118,7 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
   const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
   const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
-  if (end > waiting.goal.most) {
-    // There is room for the sums of that many.
+  if (end > most_sums * waiting.per_sum) {
     sums_.add_pairs(waiting.first_sum, waiting.taken / waiting.per_sum);
     waiting.per_sum *= 2;
   }

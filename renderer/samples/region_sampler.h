@@ -29,16 +29,15 @@ class RegionSampler {
 
   /// How far to go.
   struct Goal {
-    /// Of the mean, in display intensity; of its own value where that alone makes the pixel whiter
-    /// than white. Negative: take `most`.
+    /// Of the mean where `least` samples tell it, and more by the root of the number of samples
+    /// where these are more: another sample takes as much off the squared error of a picture
+    /// wherever it is taken then, and all that are taken do the most (Neyman 1934). In display
+    /// intensity; of its own value where that alone makes the pixel whiter than white. Negative:
+    /// take `most`.
     double standard_error = 0.0;
     std::uint32_t most = 16;   ///< samples in the region, about; a power of two, at least 16
     std::uint32_t least = 16;  ///< the same, at most `most`: so few tell nothing of themselves
     double share = 0.0;        ///< of its pixel; 0: too little to make it white
-    /// What is off by far more than the goal by then takes up to so many times as many, a power of
-    /// two: while another sample takes nine times as much off the squared error as it would
-    /// where `least` met the goal.
-    std::uint32_t at_worst = 1;
   };
   struct Estimate {
     glm::dvec3 mean{0.0};         ///< linear radiance
