@@ -1,31 +1,15 @@
 #include "renderer/asos/leaf_gloss.h"
 
+#include "renderer/asos/highlight_rays.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
-#include "renderer/shading/shadow_ray.h"
 #include "renderer/shading/unevenness.h"
 
 #include <algorithm>
 
 namespace asos {
-
-// Whether nothing lies before the point of a light that a highlight shows most of.
-bool LeafGloss::shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const {
-  const PreparedLight& prepared = eye_->viewer.shader.lights()[light];
-  if (!prepared.casts_shadows) return true;
-  const SurfacePoint& point = glossy.point;
-  const glm::dvec3 mirrored(glm::reflect(-glossy.to_viewer, point.shading_normal));
-  const Highlight nearest = highlight_of(prepared, glm::dvec3(point.position), mirrored);
-  if (!(nearest.distance > 0.0f)) return true;
-  eye_->counts->count_shadow_ray(light);
-  LightSample sample;
-  sample.direction = glm::dvec3(nearest.direction);
-  sample.distance = static_cast<double>(nearest.distance);
-  return eye_->scene->rays().transmittance(shadow_ray(point, sample), prepared.own_part) !=
-         glm::vec3(0.0f);
-}
 
 // What glossy surfaces mirror, and the highlights of lights that have a size, but for those that a
 // reflection shows.
@@ -73,7 +57,9 @@ HighlightError LeafGloss::highlights_error(const GlossyPatch& glossy) const {
   for (std::size_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
     if (weak_lights_->holds(i)) continue;
     const HighlightError one = highlight_error(lights[i], glossy);
-    if (one.error > negligible && !shows_highlight(static_cast<std::uint32_t>(i), glossy)) continue;
+    if (one.error > negligible &&
+        !shows_highlight(*eye_, static_cast<std::uint32_t>(i), glossy.point, glossy.to_viewer))
+      continue;
     all.error += one.error;
     all.contrast += one.contrast;
   }

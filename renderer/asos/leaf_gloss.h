@@ -28,7 +28,6 @@ class LeafGloss {
 
  private:
   [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;
-  [[nodiscard]] bool shows_highlight(std::uint32_t light, const GlossyPatch& glossy) const;
 
   const EyeContext* eye_;
   const EyeSamples* samples_;

@@ -1,5 +1,6 @@
 #include "renderer/asos/leaf_transport.h"
 
+#include "renderer/asos/highlight_rays.h"
 #include "renderer/asos/light_counts.h"
 #include "renderer/asos/reflected_pyray.h"
 #include "renderer/geometry/largest.h"
@@ -35,9 +36,21 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   } else {
     hidden_ += glm::vec3(1.0 - visibility) * all;
   }
-  unsure_highlights_ += largest(glm::min(seen, 1.0f - seen)) * lit.highlight;
+  unsure_highlights_ += unsure_share(lit, seen) * lit.highlight;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
+}
+
+// How much of a highlight may be seen or hidden beside what is seen of the light: the lesser of the
+// two where what it shows is seen or hidden as the greater is, or else the greater.
+float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const {
+  const float lesser = largest(glm::min(seen, 1.0f - seen));
+  const float tolerance = eye_->budget.tolerance;
+  const bool may_matter = lesser > 0.0f && (1.0f - lesser) * lit.highlight > tolerance;
+  if (!may_matter || lesser * lit.highlight > tolerance || !lit.lit || eye_->mask) return lesser;
+  const auto [sent, arrived] = rays_to_highlight(
+      *eye_, lit.index, lit.point, lit.lit->view.to_viewer, lit.lit->material.roughness);
+  return arrived == (largest(seen) > 0.5f ? sent : 0) ? lesser : 1.0f - lesser;
 }
 
 bool LeafTransport::add_sky(const SkyLitPoint& point, glm::vec3& radiance,

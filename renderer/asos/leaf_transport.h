@@ -47,6 +47,8 @@ class LeafTransport final : public LightTransport {
   [[nodiscard]] glm::vec3 inexact() const { return hidden_ - exact_; }
 
  private:
+  [[nodiscard]] float unsure_share(const Illumination& lit, glm::vec3 seen) const;
+
   const EyeContext* eye_;
   const ShadowContext* shadows_;
   const LeafContext* leaf_;

@@ -47,6 +47,50 @@ TEST(UnsureHighlight, HasTheSkysLightOnce) {
   EXPECT_NEAR(mean_of(asos.film), mean_of(truth.film), 5e-4);
 }
 
+// A bar hides a twenty-fifth of a panel, and all that a smooth floor mirrors of it in its middle: a
+// highlight goes with what it shows of the light, and not with how much of the light is seen.
+TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
+  World world;
+  Material floor = matte(glm::vec3(0.2f));
+  floor.roughness = 0.08f;
+  add_quad(world, {-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, floor);
+  Light panel;
+  panel.type = Light::Type::rectangle;
+  panel.position = {0, 2.5, -2.5};
+  panel.direction = glm::normalize(glm::dvec3(0, -1, 0.6));
+  panel.half_u = {0.8, 0, 0};
+  panel.half_v = 0.4 * glm::normalize(glm::cross(panel.direction, panel.half_u));
+  panel.intensity = 2.0f;
+  const glm::vec3 along(2.2 * panel.half_v);
+  const glm::vec3 middle(panel.position + 0.1 * panel.direction);
+  Material dark = matte(glm::vec3(0.0f));
+  dark.double_sided = true;
+  add_quad(world, middle - 0.5f * along - glm::vec3(0.03f, 0, 0), {0.06f, 0, 0}, along, dark);
+  const auto scene = make_render_scene(std::move(world), {panel});
+  RenderSettings settings;
+  settings.width = settings.height = 24;
+  settings.mirror.bounces = 0;
+  const Camera camera = look_at({0, 1.2, 2.5}, {0, 0, 0.88}, 0.1);
+  const Picture asos = render_picture(*scene, camera, settings);
+  settings.method = Method::sobol;
+  settings.sampling.spp = 4096;
+  const Picture truth = render_picture(*scene, camera, settings);
+  // Of each column, along the bar.
+  double most = 0.0, darkest = 1.0, brightest = 0.0;
+  for (int x = 0; x < settings.width; ++x) {
+    double expected = 0.0, found = 0.0;
+    for (int y = 0; y < settings.height; ++y) {
+      expected += static_cast<double>(truth.film.radiance[truth.film.index(x, y)].y);
+      found += static_cast<double>(asos.film.radiance[asos.film.index(x, y)].y);
+    }
+    expected /= settings.height, found /= settings.height;
+    darkest = std::min(darkest, expected), brightest = std::max(brightest, expected);
+    most = std::max(most, std::abs(found - expected));
+  }
+  ASSERT_GT(brightest - darkest, 8.0 * settings.asos.eps) << "the bar is mirrored";
+  EXPECT_LT(most, 0.75 * settings.asos.eps) << darkest << " to " << brightest;
+}
+
 // Arrows whose heads hide most of a panel from their shafts: of the few samples that see what is
 // left of it there may be none among the first, which agree then.
 TEST(UnsureHighlight, IsNotTakenForNoneByItsFirstSamples) {
