@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/gltf/tinygltf.h"
 #include "renderer/gltf/warnings.h"
 
 #include <nlohmann/json.hpp>
@@ -7,7 +8,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tiny_gltf.h>
 #include <vector>
 
 // What KHR_animation_pointer moves beside nodes: numbers of materials, cameras and punctual lights,
