@@ -22,6 +22,11 @@ bool same_side(glm::dvec2 p, glm::dvec2 q) {
   return (p.x == q.x && (p.x == 0.0 || p.x == 1.0)) || (p.y == q.y && (p.y == 0.0 || p.y == 1.0));
 }
 
+// Whether x / whole lies between 0 and 1: most do not, and need no division.
+bool is_between(double x, double whole) {
+  return whole > 0.0 ? x > 0.0 && x < whole : x < 0.0 && x > whole;
+}
+
 // Connected components of nodes, to tell islands from what holds them: each node's is the lowest
 // node that it is connected with.
 template <typename Edges>
@@ -178,20 +183,23 @@ void CellPartition::split_pieces() {
       const glm::dvec2 e = pieces_[j].q - pieces_[j].p;
       const glm::dvec2 between = pieces_[j].p - pieces_[i].p;
       const double det = cross(d, e);
-      const double t = cross(between, e) / det;
-      const double s = cross(between, d) / det;
-      if (t > 0.0 && t < 1.0 && s > 0.0 && s < 1.0) (void)node_at(snapped(pieces_[i].p + t * d));
+      const double along_d = cross(between, e), along_e = cross(between, d);
+      if (is_between(along_d, det) && is_between(along_e, det))
+        (void)node_at(snapped(pieces_[i].p + (along_d / det) * d));
     }
   }
   // Join the nodes along each piece, in their order.
   for (const Piece& piece : pieces_) {
     const glm::dvec2 d = piece.q - piece.p;
     const double length = glm::length(d);
+    const double far = 3.0 * snap * length;
     order_.clear();
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       const glm::dvec2 to = nodes_[i] - piece.p;
+      const double area = std::abs(cross(d, to));
+      if (area > far) continue;
       const double t = glm::dot(to, d) / (length * length);
-      const double away = std::abs(cross(d, to)) / length;
+      const double away = area / length;
       if (away < 2.0 * snap && t > -2.0 * snap / length && t < 1.0 + 2.0 * snap / length)
         order_.emplace_back(t, i);
     }

@@ -12,15 +12,36 @@ namespace {
 // So little, in cells, lies between the end of a piece and what it goes on to.
 constexpr double widest_gap = 1.0 / 64.0;
 
-// Whether a piece's end bounds nothing: no other begins or passes there.
-bool dangles(glm::dvec2 end, std::span<const glm::dvec2> nodes,
-             std::span<const PartitionEdge> edges) {
-  if (on_border(end)) return false;
-  const auto meets = [&](const PartitionEdge& e) {
-    return are_one(nodes[e.from], end) || are_one(nodes[e.to], end);
-  };
-  return std::count_if(edges.begin(), edges.end(), meets) == 1;
-}
+/// The nodes of a cell, and what joins them.
+class Graph {
+ public:
+  Graph(std::span<const glm::dvec2> nodes, std::span<const PartitionEdge> edges)
+      : nodes_(nodes), edges_(edges), edges_at_(nodes.size(), 0) {
+    for (const PartitionEdge& e : edges) ++edges_at_[e.from], ++edges_at_[e.to];
+  }
+
+  /// Whether a piece's end bounds nothing: no other begins or passes there.
+  [[nodiscard]] bool dangles(glm::dvec2 end) const {
+    if (on_border(end)) return false;
+    int found = 0, edges = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!are_one(nodes_[i], end)) continue;
+      ++found;
+      edges = edges_at_[i];
+    }
+    if (found <= 1) return edges == 1;
+    // Near both of two nodes, an edge between which is one.
+    const auto meets = [&](const PartitionEdge& e) {
+      return are_one(nodes_[e.from], end) || are_one(nodes_[e.to], end);
+    };
+    return std::count_if(edges_.begin(), edges_.end(), meets) == 1;
+  }
+
+ private:
+  std::span<const glm::dvec2> nodes_;
+  std::span<const PartitionEdge> edges_;
+  std::vector<int> edges_at_;
+};
 
 // Where a piece goes on to from its end: to the next line ahead, or else to the nearest end of
 // another, if that is near enough.
@@ -63,12 +84,13 @@ std::optional<glm::dvec2> beyond_gap(std::span<const PartitionPiece> pieces, std
 
 bool close_gaps(std::vector<PartitionPiece>& pieces, std::span<const glm::dvec2> nodes,
                 std::span<const PartitionEdge> edges) {
+  const Graph graph(nodes, edges);
   const std::size_t count = pieces.size();
   for (std::size_t i = 0; i < count; ++i) {
     const auto [p, q] = pieces[i];
     const glm::dvec2 along = glm::normalize(q - p);
     for (const auto& [end, ahead] : {std::pair(p, -along), std::pair(q, along)}) {
-      if (!dangles(end, nodes, edges)) continue;
+      if (!graph.dangles(end)) continue;
       if (const auto to = beyond_gap(pieces, i, end, ahead)) pieces.push_back({end, *to});
     }
   }
