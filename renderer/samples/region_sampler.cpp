@@ -87,8 +87,13 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
       if (waiting.done) continue;
       found_[i] = estimate(waiting);
       found_[i].standard_error = standard_error(waiting, found_[i].mean);
-      waiting.done = suffices(waiting, found_[i]);
-      left -= waiting.done;
+    }
+    // All that are told by others as well, before any of them ends.
+    suffices_.clear();
+    for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i));
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+      left -= !waiting_[i].done && suffices_[i];
+      waiting_[i].done = waiting_[i].done || suffices_[i];
     }
   }
   waiting_.clear();
@@ -98,11 +103,38 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
   return found_;
 }
 
-bool RegionSampler::suffices(const Waiting& waiting, const Estimate& found) const {
+bool RegionSampler::suffices(std::size_t number) const {
+  const Waiting& waiting = waiting_[number];
   const Goal& goal = waiting.goal;
-  if (2 * waiting.taken > goal.most) return true;
+  if (waiting.done || 2 * waiting.taken > goal.most) return true;
   const double times = static_cast<double>(waiting.taken) / goal.least;
-  return found.samples > 0 && found.standard_error <= std::sqrt(times) * goal.standard_error;
+  const double allowed = std::sqrt(times) * goal.standard_error;
+  const Estimate& found = found_[number];
+  return found.samples > 0 && found.standard_error <= allowed && expected_error(number) <= allowed;
+}
+
+// A region's error, and a part of what its neighbours' samples vary by, the mean over those that
+// fill most of the eight pixels around, if as many are taken. Few samples may all miss what is
+// bright and seldom met, and agree: where neighbours have met it, it is likely to be there.
+double RegionSampler::expected_error(std::size_t number) const {
+  constexpr double most_of_a_pixel = 0.5, near = 1.5, part = 0.25;
+  const Waiting& own = waiting_[number];
+  const double error = found_[number].standard_error;
+  if (!(own.goal.share > most_of_a_pixel)) return error;
+  const double reach = near / static_cast<double>(block_.width);
+  double squares = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const Waiting& other = waiting_[i];
+    if (i == number || !(other.goal.share > most_of_a_pixel) || found_[i].samples == 0 ||
+        std::abs(own.square.centre_u() - other.square.centre_u()) > reach ||
+        std::abs(own.square.centre_v() - other.square.centre_v()) > reach)
+      continue;
+    const double off = found_[i].standard_error;
+    squares += off * off * other.taken / own.taken;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(error * error + part * squares / count) : error;
 }
 
 // As many samples as there are so far.

@@ -50,10 +50,11 @@ class RegionSampler {
   std::size_t add(const LeafRegion& region, const Goal& goal);
   /// Samples all regions that wait, and none waits then. Their estimates, by number, are valid
   /// until the next call. A round has as many samples as all before it, until the eighths of a
-  /// region's tell that its goal is met; the rays of all regions in a round share packets. The
-  /// samples are a function of the region, and of the pixel that its square starts in: squares
-  /// within a pixel have other samples of one sequence. With a `kernel`, regions are sampled as it
-  /// is distributed there.
+  /// region's tell that its goal is met, and those of regions in the pixels around that it is
+  /// likely to be; the rays of all regions in a round share packets. The samples themselves are a
+  /// function of the region, and of the pixel that its square starts in: squares within a pixel
+  /// have other samples of one sequence. With a `kernel`, regions are sampled as it is distributed
+  /// there.
   std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
   /// One region alone.
   [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
@@ -79,7 +80,8 @@ class RegionSampler {
     return {waiting.square, std::span(borders_).subspan(waiting.first_edge, waiting.edges)};
   }
   void add_round(Waiting& waiting, const BlurKernel* kernel);
-  [[nodiscard]] bool suffices(const Waiting& waiting, const Estimate& found) const;
+  [[nodiscard]] bool suffices(std::size_t number) const;
+  [[nodiscard]] double expected_error(std::size_t number) const;
   [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
   [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
 
@@ -92,6 +94,7 @@ class RegionSampler {
   std::vector<Waiting> waiting_;
   std::vector<BorderEdge> borders_;
   std::vector<Estimate> found_;
+  std::vector<bool> suffices_;
 };
 
 }  // namespace asos

@@ -110,6 +110,26 @@ TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
   EXPECT_GT(sample({crossed, {}}, {0.99 * goal, 4096, 64}).samples, 512u);
 }
 
+// What a few samples may miss alike is likely where those of the pixel beside have met it.
+TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
+  show_strip(0.1f, glm::vec3(60.0f));
+  RegionSampler::Goal goal{0.02, 1024};
+  goal.share = 1.0;
+  // How many samples a black pixel takes beside that of the strip, `columns` to the left of it.
+  const auto samples_of = [&](float columns) {
+    const Square black{crossed.u - columns * crossed.side, crossed.v, crossed.side};
+    RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
+    sampler.add({black, {}}, goal);
+    sampler.add({crossed, {}}, goal);
+    return sampler.run(counts_).front().samples;
+  };
+  EXPECT_EQ(samples_of(2.0f), 16u);
+  EXPECT_GT(samples_of(1.0f), 64u);
+  // What fills little of a pixel says nothing of others.
+  goal.share = 0.25;
+  EXPECT_EQ(samples_of(1.0f), 16u);
+}
+
 // Samples that agree by chance end what is not known yet: that is to be rare.
 TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
   constexpr double goal = 0.02;
