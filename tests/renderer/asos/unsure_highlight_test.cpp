@@ -19,6 +19,18 @@ double mean_of(const Film& film) {
   return sum / static_cast<double>(film.radiance.size());
 }
 
+/// Behind and above the middle of a floor, tilted towards it.
+Light panel_of(float intensity) {
+  Light panel;
+  panel.type = Light::Type::rectangle;
+  panel.position = {0, 2.5, -2.5};
+  panel.direction = glm::normalize(glm::dvec3(0, -1, 0.6));
+  panel.half_u = {0.8, 0, 0};
+  panel.half_v = 0.4 * glm::normalize(glm::cross(panel.direction, panel.half_u));
+  panel.intensity = intensity;
+  return panel;
+}
+
 TEST(UnsureHighlight, HasTheSkysLightOnce) {
   // A shining floor under a panel, half of which a board hides.
   World world;
@@ -27,13 +39,7 @@ TEST(UnsureHighlight, HasTheSkysLightOnce) {
   floor.specular = 1.0f;
   add_quad(world, {-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, floor);
   add_quad(world, {-0.2f, 1.0f, -2.5f}, {3, 0, 0}, {0, 0, 2.0f}, matte(glm::vec3(0.1f)));
-  Light panel;
-  panel.type = Light::Type::rectangle;
-  panel.position = {0, 2.5, -2.5};
-  panel.direction = glm::normalize(glm::dvec3(0, -1, 0.6));
-  panel.half_u = {0.8, 0, 0};
-  panel.half_v = 0.4 * glm::normalize(glm::cross(panel.direction, panel.half_u));
-  panel.intensity = 6.0f;
+  const Light panel = panel_of(6.0f);
   const auto scene = make_render_scene(std::move(world), {panel});
   RenderSettings settings;
   settings.width = settings.height = 32;
@@ -54,13 +60,7 @@ TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
   Material floor = matte(glm::vec3(0.2f));
   floor.roughness = 0.08f;
   add_quad(world, {-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, floor);
-  Light panel;
-  panel.type = Light::Type::rectangle;
-  panel.position = {0, 2.5, -2.5};
-  panel.direction = glm::normalize(glm::dvec3(0, -1, 0.6));
-  panel.half_u = {0.8, 0, 0};
-  panel.half_v = 0.4 * glm::normalize(glm::cross(panel.direction, panel.half_u));
-  panel.intensity = 2.0f;
+  const Light panel = panel_of(2.0f);
   const glm::vec3 along(2.2 * panel.half_v);
   const glm::vec3 middle(panel.position + 0.1 * panel.direction);
   Material dark = matte(glm::vec3(0.0f));
