@@ -89,7 +89,7 @@ SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, d
   if (!eye_.budget.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
-  std::uint32_t fewest = LeafShader::enough_samples;
+  std::uint32_t fewest = enough_samples;
   if (may_glare(eye_, square))
     fewest = std::max(fewest, std::bit_ceil(static_cast<std::uint32_t>(samples_of_glare * weight)));
   const bool sampled = leaf_shader_.add_samples(root, sample, {square, {}}, weight, fewest);

@@ -15,10 +15,6 @@
 namespace asos {
 namespace {
 
-// So few samples are right where there are many such parts, or the part is only one of what a
-// mirror shows.
-constexpr std::uint32_t few_samples = 4;
-
 // Cut leaves have their colours averaged over so many parts along each side, but for small ones.
 constexpr int parts_along = 3;
 constexpr double least_in_parts = 1.0 / 64.0;
@@ -33,6 +29,7 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& r
       refinement_(&refinement),
       weak_lights_(&weak_lights),
       sky_(eye),
+      lobes_(eye),
       shadows_(&shadows),
       sums_(sums),
       blurred_(&blurred),
@@ -104,6 +101,8 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     drop(share, sky_share);
     return radiance;
   }
+  const bool by_lobe = transport.lobes() != glm::vec3(0.0f);
+  if (by_lobe && eye_->mask) radiance += lobes_.at_once(leaf, transport.lobes());
   if (eye_->mask && eye_->mask->blur) {
     const auto light = viewer.sees_bare_lights() ? viewer.shader.nearest_light_without_geometry(ray)
                                                  : std::nullopt;
@@ -118,8 +117,10 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     return radiance;
   }
   sum.add(glm::dvec3(radiance), leaf.weight);
+  std::optional<std::uint32_t> lobe_share;
+  if (by_lobe && !eye_->mask) lobe_share = lobes_.add(leaf, transport.lobes());
   note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
-                  radiance + transport.inexact(), share, sky_share});
+                  radiance + transport.inexact(), share, sky_share, lobe_share});
   return radiance;
 }
 
@@ -227,7 +228,7 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
     sampler_.emplace(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block, eye_->seed,
                      eye_->mask, eye_->stop);
   }
-  const RegionSampler::Goal goal = goal_of(weight, fewest, what);
+  const RegionSampler::Goal goal = sample_goal(*eye_, weight, fewest, what);
   const PyrayLeaf leaf{root, sample, weight, region, 0, true};
   if (!eye_->mask) {
     sampler_->add(region, goal);
@@ -240,24 +241,6 @@ bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegi
   if (eye_->mask->blur) kernel = eye_->mask->blur->at(static_cast<double>(samples_->hit(0).t));
   return add_estimate(leaf,
                       sampler_->sample(region, goal, *eye_->counts, kernel ? &*kernel : nullptr));
-}
-
-// The standard error that the part's weight deserves, and twice that where noise is all there is,
-// or rather, as measured, 0.85 of that: more is allowed of what takes many samples. One for each
-// finest cell at least, and at most four, or sixteen of what may be far brighter than white in a
-// mirror. Of noise that the camera sees sixty-four: a few pixels that show something tiny and
-// bright have most of a picture's error.
-RegionSampler::Goal LeafShader::goal_of(double weight, std::uint32_t fewest, Sampled what) const {
-  const bool reflected = eye_->viewer.bounces > 0;
-  if (reflected) fewest = few_samples;
-  const bool noisy = what != Sampled::smooth;
-  const Budget budget = eye_->budget.for_samples();
-  RegionSampler::Goal goal;
-  goal.standard_error = 0.85 * (noisy ? 2.0 : 1.0) * budget.standard_error(weight);
-  goal.share = budget.share * weight;
-  goal.least = budget.samples(weight, 1.0, fewest);
-  goal.most = budget.samples(weight, reflected ? 16.0 : noisy ? 64.0 : 4.0, fewest);
-  return goal;
 }
 
 // Adds the mean of a part to its root, for the share of it that the mask holds.
@@ -305,6 +288,7 @@ void LeafShader::sample_uneven() {
     const PyrayLeaf& leaf = shaded.leaf;
     sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);
     drop(shaded.weak_lights, shaded.sky);
+    if (shaded.lobes) lobes_.drop(*shaded.lobes);
     add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, few_samples);
   }
 }
@@ -325,10 +309,10 @@ void LeafShader::add_weak_lights() {
   }
 }
 
-// Adds what leaves get of the sky.
-void LeafShader::add_sky() {
-  if (eye_->stop.stop_requested()) return;
-  for (const SkyShares::Share& share : sky_.run()) {
+// Adds what leaves get of the sky, or by their lobes.
+template <class Share>
+void LeafShader::add_shares(std::span<const Share> shares) {
+  for (const Share& share : shares) {
     if (share.sample == no_sample) continue;
     RootSum& sum = sums_[share.root];
     sum.radiance += share.radiance;
@@ -342,7 +326,9 @@ void LeafShader::finish() {
   sample_uneven();
   sample_put_off();
   add_weak_lights();
-  add_sky();
+  if (eye_->stop.stop_requested()) return;
+  add_shares(sky_.run());
+  add_shares(lobes_.run());
 }
 
 void LeafShader::sample_put_off() {

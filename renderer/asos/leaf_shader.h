@@ -4,8 +4,10 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/leaf_variation.h"
+#include "renderer/asos/lobe_shares.h"
 #include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
+#include "renderer/asos/sample_goal.h"
 #include "renderer/asos/sky_shares.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/samples/region_sampler.h"
@@ -31,17 +33,11 @@ class LeafShader {
 
   void shade(std::span<const PyrayLeaf> leaves);
 
-  /// What is sampled, which says how well: what splitting would make even as well, as that would;
-  /// noise, such as bumpy and bent mirrors and tangles are full of, as it can be afforded.
-  enum class Sampled { smooth, noisy };
   /// Samples a part of a root as a whole, evenly over it and over each light together: at least
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.
   bool add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region, double weight,
                    std::uint32_t fewest, Sampled what = Sampled::noisy);
-  /// So many tell how far their mean may be off.
-  static constexpr std::uint32_t enough_samples = 16;
-
   /// Samples what was put off. Sums are complete after it.
   void finish();
 
@@ -54,12 +50,11 @@ class LeafShader {
   void sample_put_off();
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
   void add_weak_lights();
-  void add_sky();
+  template <class Share>
+  void add_shares(std::span<const Share> shares);
   void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
-  [[nodiscard]] RegionSampler::Goal goal_of(double weight, std::uint32_t fewest,
-                                            Sampled what) const;
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
@@ -74,6 +69,7 @@ class LeafShader {
   Refinement* refinement_;
   WeakLights* weak_lights_;
   SkyShares sky_;
+  LobeShares lobes_;
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;
   BlurredSum* blurred_;

@@ -65,6 +65,10 @@ bool LeafTransport::add_sky(const SkyLitPoint& point, glm::vec3& radiance,
 
 bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
                             RenderStatistics& counts) {
+  if (reflection.lobe) {
+    lobes_ = glm::max(lobes_, reflection.reflected);
+    return true;
+  }
   const Mirrored mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
   if (!mirrored.followed) return false;
   radiance += mirrored.radiance;

@@ -37,6 +37,10 @@ class LeafTransport final : public LightTransport {
   /// Whether bent mirrors, one in the other, may show a bright light elsewhere.
   [[nodiscard]] bool misplaces_light() const { return misplaces_light_; }
 
+  /// The most that a lobe returns of what it mirrors, which is for samples to find out; 0: none
+  /// mirrors.
+  [[nodiscard]] glm::vec3 lobes() const { return lobes_; }
+
   /// By how much highlights may be off, in radiance: of a light that is seen in part they show as
   /// much as the irradiance does, whichever part it is.
   [[nodiscard]] float unsure_highlights() const { return unsure_highlights_; }
@@ -59,6 +63,7 @@ class LeafTransport final : public LightTransport {
   glm::vec3 hidden_{0.0f};  // light that does not reach it
   glm::vec3 exact_{0.0f};
   glm::vec3 at_once_{0.0f};
+  glm::vec3 lobes_{0.0f};
   float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct ShadedLeaf {
   glm::vec3 shading{0.0f};        ///< the same but for what is exact: shadows and flat mirrors
   std::uint32_t weak_lights = 0;  ///< number of its share of the weak lights
   std::uint32_t sky = 0;          ///< and of the sky
+  std::optional<std::uint32_t> lobes = {};  ///< and of what lobes mirror, if any does
 };
 
 /// What the leaves of a root tell about each other: where those of one surface differ, their one

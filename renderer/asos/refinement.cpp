@@ -6,7 +6,6 @@
 #include "renderer/pyray/prices.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/brdf.h"
-#include "renderer/shading/dfr.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/unevenness.h"
 
@@ -29,14 +28,12 @@ float brightest(const Material& material) {
   return std::max({c.x, c.y, c.z});
 }
 
-/// The angle that a mirror blurs over at least, whatever its textures say: what is blurred more
-/// than that is not told apart by rays that spread less.
-double least_blur(const EyeContext& eye, const Hit& hit) {
+/// Whether samples of its lobes tell all that a surface mirrors and lets through, whatever its
+/// textures say: no pyray does.
+bool by_lobes_only(const EyeContext& eye, const Hit& hit) {
   const Material& material = eye.scene->world().material_of(hit.triangle);
-  if (eye.viewer.shader.settings().dfr || eye.scene->dfr_of(hit.triangle) ||
-      material.metallic_roughness_texture.used() || material.coat.roughness_texture.used())
-    return 0.0;
-  return lobe_width(static_cast<double>(least_mirror_roughness(material)));
+  return !material.metallic_roughness_texture.used() && !material.coat.roughness_texture.used() &&
+         eye.viewer.shader.mirrors_by_lobe(hit.triangle, least_mirror_roughness(material));
 }
 
 }  // namespace
@@ -196,7 +193,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   const bool mirror = eye_->scene->dfr_of(hit.triangle) ||
                       static_cast<double>(least_mirror_roughness(material)) <= settings.roughest;
   const bool refracts = bounds_volume(material);
-  if (!(mirror || refracts) || material.unlit) return 0.0;
+  if (!(mirror || refracts) || material.unlit || by_lobes_only(*eye_, hit)) return 0.0;
   const SurfacePoint point = samples_->point(sample);
   const float side = region.square.side * static_cast<float>(eye_->block.width);
   const IncidentPyray pyray = pyray_around(viewer.spacing, samples_->ray(sample), hit.t, side);
@@ -207,8 +204,7 @@ double Refinement::mirrored_width(SampleId sample, const LeafRegion& region) con
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
   const double widest = glm::radians(settings.widest_angle_deg);
   const double strictness = eye_->scene->world().is_face(hit.triangle) ? 1.0 : strictness_of_meshes;
-  const double allowed = std::max(widest / strictness, least_blur(*eye_, hit));
-  const double mirrored = mirror ? reflected_angle(pyray, surface) / allowed : 0.0;
+  const double mirrored = mirror ? strictness * reflected_angle(pyray, surface) / widest : 0.0;
   if (!refracts) return mirrored;
   const auto boundary =
       VolumeBoundary::met(eye_->scene->world(), hit, samples_->ray(sample), viewer.passage);

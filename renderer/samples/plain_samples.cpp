@@ -104,8 +104,7 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& point
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
   glm::vec3 later(0.0f);
-  if (!viewer_.shader.reflect(seen, point, roughness, arrays_->materials.specular.at(i), transport,
-                              later, counts))
+  if (!viewer_.shader.reflect(seen, point, viewed_material(i, points), transport, later, counts))
     return false;
   points.set_mirrored(i, viewer_.shader.mirrored_lights(arrays_->hit[i].triangle, roughness));
   return true;
@@ -123,8 +122,7 @@ glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bo
          reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
-void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
-                           LightTransport& transport, RenderStatistics& counts) const {
+ViewedMaterial PlainSamples::viewed_material(std::size_t i, const LitBatch& points) const {
   const glm::vec3 f0 = points.f0.at(i);
   ViewedMaterial seen{};
   seen.diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
@@ -133,6 +131,12 @@ void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
   seen.f0 = f0;
   seen.f90 = glm::vec3(points.f90_less_f0.x[i] + f0.x);
   seen.roughness = arrays_->materials.roughness[i];
+  return seen;
+}
+
+void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
+                           LightTransport& transport, RenderStatistics& counts) const {
+  const ViewedMaterial seen = viewed_material(i, points);
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
   const ViewedPoint view{point, points.to_viewer.at(i), points.n_dot_v[i]};

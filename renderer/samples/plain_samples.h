@@ -72,6 +72,7 @@ class PlainSamples {
     std::array<std::size_t, LitBatch::size> looked_up;  // the points whose materials are
     std::size_t looked_up_count = 0;
   };
+  [[nodiscard]] ViewedMaterial viewed_material(std::size_t i, const LitBatch& points) const;
   void look_up_material(std::size_t i, LitBatch& points);
 
   const World& world_;

@@ -48,13 +48,14 @@ std::uint32_t times_larger_around(const LeafRegion& region) {
 
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
                              const RenderSettings& settings, PixelRect block, int seed,
-                             const MirroredMask* mask, std::stop_token stop)
+                             const MirroredMask* mask, std::stop_token stop,
+                             SampleSums::Shows shows)
     : block_(block),
       mask_(mask),
       stop_(std::move(stop)),
       white_(1.0 / std::clamp(static_cast<double>(viewer.throughput), 1e-3, 1.0)),
       places_(seed),
-      sums_(scene, viewer, settings, places_) {}
+      sums_(scene, viewer, settings, places_, shows) {}
 
 std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
   Waiting& waiting = waiting_.emplace_back();

@@ -25,7 +25,7 @@ class RegionSampler {
   /// asked for, estimates are of what was sampled by then.
   RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
                 PixelRect block, int seed, const MirroredMask* mask = nullptr,
-                std::stop_token stop = {});
+                std::stop_token stop = {}, SampleSums::Shows shows = SampleSums::Shows::all);
 
   /// How far to go.
   struct Goal {

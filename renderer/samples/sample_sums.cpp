@@ -51,6 +51,31 @@ class OneSample final : public LightTransport {
   glm::vec3 weight_;
 };
 
+/// Gathers of one sample what the lobes of its first surfaces show, and nothing else.
+class OneLobeSample final : public LightTransport {
+ public:
+  OneLobeSample(SampledReflections& reflections, const Shader& shader, const PointSample& sample)
+      : reflections_(reflections), shader_(shader), sample_(sample) {}
+
+  TakenLights gather(const LitPoint& /*point*/) override { return {.all = true}; }
+  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
+           RenderStatistics& /*counts*/) override {}
+  bool add_sky(const SkyLitPoint& /*point*/, glm::vec3& /*radiance*/,
+               RenderStatistics& /*counts*/) override {
+    return true;
+  }
+  bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
+               RenderStatistics& /*counts*/) override {
+    if (reflection.lobe) reflections_.add(reflection, sample_, glm::vec3(1.0f), shader_);
+    return true;
+  }
+
+ private:
+  SampledReflections& reflections_;
+  const Shader& shader_;
+  const PointSample& sample_;
+};
+
 }  // namespace
 
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
@@ -66,7 +91,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       faces_(culling_of(settings)) {}
 
 SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
-                       const RenderSettings& settings, SamplePlaces& places)
+                       const RenderSettings& settings, SamplePlaces& places, Shows shows)
     : viewer_(viewer),
       scene_(&scene),
       places_(&places),
@@ -74,7 +99,8 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       reflections_(scene.world(), places),
       bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
-      faces_(culling_of(settings)) {}
+      faces_(culling_of(settings)),
+      shows_(shows) {}
 
 void SampleSums::resize(std::size_t count) {
   radiance_.resize(count, glm::dvec3(0.0));
@@ -103,11 +129,51 @@ void SampleSums::trace() {
     pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
   pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
-  shade_batch();
+  if (shows_ == Shows::lobes) {
+    gather_lobes();
+  } else {
+    shade_batch();
+  }
   follow_reflections();
   bounced_.follow(lights_.take_sky_rays(), lights_, radiance_, statistics_);
   lights_.trace(radiance_, statistics_);
   used_ = 0;
+}
+
+// Of the samples that wait, what the lobes show of what their rays met.
+void SampleSums::gather_lobes() {
+  plain_.clear();
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < used_; ++i) {
+    hit_[samples_[i].target] = hits_[i];
+    ++count_[samples_[i].target];
+    if (hits_[i].valid() && !plain_.add(i, rays_[i], hits_[i], samples_[i].side))
+      alone_[alone++] = i;
+  }
+  const Shader& shader = viewer_.shader;
+  const auto gather = [&](std::size_t i, const auto& reflect) {
+    const PointSample& sample = samples_[i];
+    places_->start_pixel(sample.x, sample.y);
+    places_->start_sample(sample.index);
+    OneLobeSample transport(reflections_, shader, sample);
+    reflect(viewer_.viewed(rays_[i], hits_[i], sample.side), transport);
+  };
+  LitBatch& points = lights_.first_points().points;
+  const bool plain = plain_.count() > 0 && plain_.shade(points);
+  for (std::size_t k = 0; k < plain_.count(); ++k) {
+    if (!plain) {
+      alone_[alone++] = plain_.index(k);
+    } else if (plain_.may_mirror(k)) {
+      gather(plain_.index(k), [&](const ViewedRay& seen, OneLobeSample& transport) {
+        (void)plain_.reflect(k, seen, points, transport, statistics_);
+      });
+    }
+  }
+  for (std::size_t k = 0; k < alone; ++k) {
+    gather(alone_[k], [&](const ViewedRay& seen, OneLobeSample& transport) {
+      (void)shader.radiance(seen, transport, statistics_);
+    });
+  }
 }
 
 // The samples that wait, of what their rays met.

@@ -35,9 +35,12 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
+  /// What samples are summed up of: all of their radiance, or what the lobes of the first surfaces
+  /// mirror, and no other part of it.
+  enum class Shows { all, lobes };
   /// For who looks at the scene in its own way; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
-             SamplePlaces& places);
+             SamplePlaces& places, Shows shows = Shows::all);
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
 
@@ -79,6 +82,7 @@ class SampleSums {
  private:
   static constexpr std::size_t batch = 256;
 
+  void gather_lobes();
   void shade_batch();
   [[nodiscard]] bool shade_plain();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
@@ -93,6 +97,7 @@ class SampleSums {
   BouncedLight bounced_;
   PlainSamples plain_;
   Culling faces_;
+  Shows shows_ = Shows::all;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;
   std::vector<Hit> hit_;

@@ -4,6 +4,7 @@
 #include "renderer/reflections/horizon.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/mirrored_pyray.h"
+#include "renderer/shading/lobe_directions.h"
 
 #include <cmath>
 #include <numbers>
@@ -24,11 +25,30 @@ ViewedRay ReflectedSample::viewed(const Hit& hit) const {
   return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, {}, false, passage};
 }
 
+// A direction of the lobe, for the one that a smooth surface has. False: it leads below the
+// surface.
+bool SampledReflections::turn_by_lobe(const Reflection& reflection, glm::dvec2 place,
+                                      glm::dvec3& direction, glm::vec3& weight) {
+  const SurfacePoint& point = reflection.point;
+  const LobeDirections lobe(*reflection.lobe, point.spread.variance, point.shading_normal,
+                            -reflection.seen.ray.direction);
+  if (reflection.ratio > 0.0f) {
+    const auto found = lobe.refracted(place, reflection.ratio);
+    if (found && glm::dot(*found, point.geometric_normal) < 0.0f) direction = glm::dvec3(*found);
+    return true;
+  }
+  const auto found = lobe.mirrored(place);
+  if (!found || !(glm::dot(found->unit, point.geometric_normal) > 0.0f)) return false;
+  direction = glm::dvec3(found->unit);
+  weight *= found->weight;
+  return true;
+}
+
 void SampledReflections::add(const Reflection& reflection, const PointSample& sample,
                              glm::vec3 weight, const Shader& shader) {
   ReflectedSample start;
   start.sample = sample;
-  start.weight = weight * reflection.reflected;
+  start.weight = weight;
   start.side = reflection.seen.side > 0.0f ? reflection.seen.side : 1.0f;
   start.bounces = reflection.seen.bounces + 1;
   start.throughput = reflection.throughput();
@@ -60,7 +80,7 @@ float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight)
 
 void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSample& start,
                                  float width, glm::vec3 colours, const Shader& shader) {
-  const float goes_on = chance(reflection, start.weight * colours);
+  const float goes_on = chance(reflection, start.weight * reflection.reflected * colours);
   if (!(goes_on > 0.0f)) return;
   const ViewedRay& seen = reflection.seen;
   const PixelSpacing& spacing = seen.spacing ? *seen.spacing : shader.spacing();
@@ -70,11 +90,13 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   const auto picture = mirrored(pyray, surface, {});
   if (!picture) return;
   ReflectedSample next = start;
-  next.weight *= colours / goes_on;
+  next.weight *= (reflection.lobe ? reflection.share : reflection.reflected) * colours / goes_on;
   next.width = seen.width + width;
   next.spacing = spacing_of(*picture, start.side);
   glm::dvec3 direction = mirrored_direction(surface, pyray.axis);
-  if (width > 0.0f) {
+  if (reflection.lobe) {
+    if (!turn_by_lobe(reflection, places_->in_lobe(seen.bounces), direction, next.weight)) return;
+  } else if (width > 0.0f) {
     const MirrorLobe lobe =
         lobe_around(surface, direction, pyray.right, static_cast<double>(width));
     const glm::dvec3 right = lobe.width * lobe.right, down = lobe.width * lobe.down;

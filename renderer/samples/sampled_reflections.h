@@ -61,6 +61,8 @@ class SampledReflections {
   [[nodiscard]] std::vector<ReflectedSample> take() { return std::exchange(pending_, {}); }
 
  private:
+  [[nodiscard]] static bool turn_by_lobe(const Reflection& reflection, glm::dvec2 place,
+                                         glm::dvec3& direction, glm::vec3& weight);
   [[nodiscard]] float chance(const Reflection& reflection, glm::vec3 weight) const;
   void add_ray(const Reflection& reflection, const ReflectedSample& start, float width,
                glm::vec3 colours, const Shader& shader);

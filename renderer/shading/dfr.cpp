@@ -59,10 +59,4 @@ double lobe_width(double roughness) {
   return 2.0 * std::sqrt(2.0 * std::numbers::pi) * roughness * roughness;
 }
 
-double dfr_of_roughness(double roughness, double half_tangent) {
-  const double half_width = 0.5 * lobe_width(roughness);
-  if (half_width == 0.0) return 1.0;
-  return in_range(half_tangent / std::hypot(half_tangent, half_width));
-}
-
 }  // namespace asos

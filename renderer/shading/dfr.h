@@ -34,16 +34,12 @@ inline constexpr double least_dfr = 1.0 / 1024.0;
 /// 100 (gamma - beta) / beta, the degree of fuzziness of table 1 and figure 7; beta above 0.
 [[nodiscard]] double percentage_increase(double beta_rad, double dfr);
 
-/// Full width, as twice the tangent of its half angle, of the square of directions around the
-/// mirrored one that is taken for the GGX lobe of this perceptual roughness, 0 to 1. With alpha =
+/// Full width, as twice the tangent of its half angle, of a square of directions around the
+/// mirrored one that is as wide as the GGX lobe of this perceptual roughness, 0 to 1. With alpha =
 /// roughness^2, facets of a slope up to r reflect the share r^2 / (alpha^2 + r^2) of the light,
 /// half of it up to r = alpha, which mirrors to the tangent 2 alpha. A uniform disk holds half of
 /// its light within 1 / sqrt(2) of its radius: of the radius sqrt(8) alpha, it is as wide as the
 /// lobe, and so is the square of its area, 2 sqrt(2 pi) alpha wide.
 [[nodiscard]] double lobe_width(double roughness);
-
-/// The ratio that widens a pyray of this tan(beta / 2) by the lobe of a roughness: the variances of
-/// two uniform squares add up. 1 for roughness 0.
-[[nodiscard]] double dfr_of_roughness(double roughness, double half_tangent);
 
 }  // namespace asos

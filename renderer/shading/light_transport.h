@@ -69,8 +69,8 @@ struct TakenLights {
   [[nodiscard]] bool holds(std::size_t light) const { return !taken.empty() && taken[light] != 0; }
 };
 
-/// The part of the scene that a surface mirrors, or shows through it: the mean radiance over a
-/// square of directions around the mirrored or refracted one.
+/// The part of the scene that a surface mirrors, or shows through it: what its GGX lobe shows, or
+/// the mean radiance over a square of directions around the mirrored or refracted one.
 struct Reflection {
   const ViewedRay& seen;      ///< that meets the surface
   const SurfacePoint& point;  ///< where it does so
@@ -80,7 +80,9 @@ struct Reflection {
   int layer = 0;              ///< surfaces that are seen through before the point
   bool shows_lights = true;   ///< also those that shine evenly
   float ratio = 0.0f;  ///< of the indices before and behind a surface that refracts; 0: mirrors
-  VolumePath passage = {};  ///< of the ray that leaves
+  VolumePath passage = {};               ///< of the ray that leaves
+  const ViewedMaterial* lobe = nullptr;  ///< whose lobe blurs it; null: the square does, if any
+  glm::vec3 share{1.0f};                 ///< of what the lobe shows in the ray's radiance
 
   /// ViewedRay's, of what is mirrored.
   [[nodiscard]] float throughput() const {

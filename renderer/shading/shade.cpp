@@ -19,6 +19,9 @@ namespace {
 // The share of a layer behind others below which no display shows it, even at +8 stops.
 constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
 
+// Lobes that are less rough are as narrow as a mirror's edge is sharp.
+constexpr float least_lobe_roughness = 1.0f / 64.0f;
+
 /// A volume's boundary that no light leaves at this angle.
 SurfaceMaterial total_reflector(SurfaceMaterial material) {
   material.f0 = glm::vec3(1.0f);
@@ -120,16 +123,27 @@ MirroredLights Shader::mirrored_lights(std::uint32_t triangle, float roughness) 
   return by_roughness ? MirroredLights::patterned : MirroredLights::all;
 }
 
-bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point, float roughness,
-                          const Layer& layer, glm::vec3 specular, LightTransport& transport,
-                          glm::vec3& radiance, RenderStatistics& counts) const {
+bool Shader::mirrors_by_lobe(std::uint32_t triangle, float roughness) const {
+  return !settings_.dfr && !own_dfr(triangle) && roughness >= least_lobe_roughness &&
+         settings_.light_rule == LightRule::physical;
+}
+
+bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
+                          const ViewedMaterial& material, const Layer& layer,
+                          LightTransport& transport, glm::vec3& radiance,
+                          RenderStatistics& counts) const {
   if (settings_.reflections == 0) return false;
-  const glm::vec3 reflected = layer.share * specular;
+  const float roughness = round_roughness(material);
+  const glm::vec3 reflected = layer.share * material.specular;
   const auto width = mirror_width(seen, point, roughness, reflected);
   if (!width) return false;
   const bool shows_lights = mirrored_lights(point.triangle, roughness) == MirroredLights::all;
   Reflection reflection{seen, point, layer.hit, *width, reflected, layer.number, shows_lights};
   reflection.passage = layer.passage;
+  if (mirrors_by_lobe(point.triangle, roughness)) {
+    reflection.lobe = &material;
+    reflection.share = layer.share;
+  }
   return transport.reflect(reflection, radiance, counts);
 }
 
@@ -139,6 +153,8 @@ glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point
   const double alpha = static_cast<double>(roughness * roughness);
   const double bumps = static_cast<double>(point.spread.variance);
   const auto mirrored = static_cast<float>(lobe_width(std::sqrt(std::sqrt(alpha * alpha + bumps))));
+  ViewedMaterial facets{};
+  facets.roughness = roughness;
   const auto follow = [&](float ratio, float width, const VolumePath& passage, int colour,
                           glm::vec3 share) {
     if (layer.passage.straight || !follows(seen, share)) return false;
@@ -147,6 +163,10 @@ glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point
     refraction.ratio = ratio;
     refraction.passage = passage;
     refraction.passage.colour = colour;
+    if (roughness >= least_lobe_roughness) {
+      refraction.lobe = &facets;
+      refraction.share = share;
+    }
     return transport.reflect(refraction, radiance, counts);
   };
   const int only = layer.passage.colour;
@@ -236,8 +256,8 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   const float blur = round_roughness(seen);
   const bool drawn_out = !seen.stretch.none() && !own_dfr(point.triangle) &&
                          widest_roughness(seen) > settings_.roughest_mirror;
-  const bool mirrors = !drawn_out && add_mirrored(viewed_ray, point, blur, layer, seen.specular,
-                                                  transport, radiance, counts);
+  const bool mirrors =
+      !drawn_out && add_mirrored(viewed_ray, point, seen, layer, transport, radiance, counts);
   const SkyLitPoint under_sky{settings_.sky, view, seen, mirrors, layer.share};
   if (!settings_.sky_shadows || !transport.add_sky(under_sky, radiance, counts)) {
     ViewedMaterial by_sky = seen;

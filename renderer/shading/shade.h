@@ -99,9 +99,8 @@ class Shader {
                                                       const SurfacePoint& point, float roughness,
                                                       glm::vec3 reflected) const;
 
-  /// What the reflection of a material shows of lights. Where it blurs by the material's roughness,
-  /// lobes have highlights that follow the rendering equation, which a square of directions does
-  /// not: they show the lights, down to roughness_floor. By a defocusing ratio, and by the
+  /// What the reflection of a material shows of lights. Those of a lobe are its highlights, which
+  /// are summed up over the light, down to roughness_floor. By a defocusing ratio, and by the
   /// published rule, highlights are the mirrored lights (CGF'98 section 5.1).
   [[nodiscard]] MirroredLights mirrored_lights(std::uint32_t triangle, float roughness) const;
 
@@ -110,14 +109,16 @@ class Shader {
     return !(hides_lights && lighting_.shows_even_light[world_.triangle_part[triangle]] != 0);
   }
 
-  /// Hands what the nearest surface on a ray mirrors to `transport`, where it is followed;
-  /// `specular` is ViewedMaterial's.
-  [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point, float roughness,
-                             glm::vec3 specular, LightTransport& transport, glm::vec3& radiance,
-                             RenderStatistics& counts) const {
-    return add_mirrored(seen, point, roughness, {glm::vec3(1.0f), 0, seen.hit, seen.passage},
-                        specular, transport, radiance, counts);
+  /// Hands what the nearest surface on a ray mirrors to `transport`, where it is followed.
+  [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point,
+                             const ViewedMaterial& material, LightTransport& transport,
+                             glm::vec3& radiance, RenderStatistics& counts) const {
+    return add_mirrored(seen, point, material, {glm::vec3(1.0f), 0, seen.hit, seen.passage},
+                        transport, radiance, counts);
   }
+  /// Whether what such a surface mirrors is what its lobe shows, and not the mean over a square of
+  /// directions, as a defocusing ratio makes it (CGF'98 section 5.1).
+  [[nodiscard]] bool mirrors_by_lobe(std::uint32_t triangle, float roughness) const;
 
   /// The scene's, by the rule of the settings.
   [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }
@@ -147,9 +148,10 @@ class Shader {
   void add_lit(const ViewedRay& seen, const ViewedPoint& point, const ViewedMaterial& material,
                const Layer& layer, LightTransport& transport, glm::vec3& radiance,
                RenderStatistics& counts) const;
-  [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point, float roughness,
-                                  const Layer& layer, glm::vec3 specular, LightTransport& transport,
-                                  glm::vec3& radiance, RenderStatistics& counts) const;
+  [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
+                                  const ViewedMaterial& material, const Layer& layer,
+                                  LightTransport& transport, glm::vec3& radiance,
+                                  RenderStatistics& counts) const;
   /// Hands what shines through a volume's boundary, or blurred through a rough thin wall, to
   /// `transport`, where it is followed; `through` is its share of the ray's radiance. Returns what
   /// is left of that. A thin wall's lobe is the mirrored one, on its other side

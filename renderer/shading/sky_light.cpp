@@ -4,6 +4,7 @@
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/lobe.h"
+#include "renderer/shading/lobe_directions.h"
 #include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sky.h"
 
@@ -14,29 +15,6 @@
 
 namespace asos {
 namespace {
-
-/// A tangent frame of any direction (Duff et al. 2017).
-struct Tangents {
-  explicit Tangents(glm::vec3 n) : normal(n) {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1.0f / (sign + n.z);
-    const float b = n.x * n.y * a;
-    right = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
-    up = {b, sign + n.y * n.y * a, -n.y};
-  }
-  /// Its first direction is that of a stretched lobe.
-  Tangents(glm::vec3 n, const LobeStretch& stretch) : Tangents(n) {
-    if (stretch.none()) return;
-    right = glm::normalize(stretch.along);
-    up = glm::cross(n, right);
-  }
-  [[nodiscard]] glm::vec3 world(glm::vec3 v) const { return v.x * right + v.y * up + v.z * normal; }
-  [[nodiscard]] glm::vec3 local(glm::vec3 v) const {
-    return {glm::dot(v, right), glm::dot(v, up), glm::dot(v, normal)};
-  }
-
-  glm::vec3 normal, right{}, up{};
-};
 
 /// Squared roughness along both tangents.
 glm::vec2 alpha_of(const ViewedMaterial& material) {
@@ -74,22 +52,6 @@ float mean_schlick(float n_dot_v) {
   const float at = std::clamp(n_dot_v, 0.0f, 1.0f) * steps;
   const auto below = static_cast<std::size_t>(std::min(at, steps - 1.0f));
   return glm::mix(table[below], table[below + 1], at - static_cast<float>(below));
-}
-
-/// A normal of the lobe as a viewer in direction `v` sees it (Heitz 2018, appendix A).
-glm::vec3 visible_normal(glm::vec3 v, glm::vec2 alpha, glm::vec2 place) {
-  const glm::vec3 stretched = glm::normalize(glm::vec3(alpha.x * v.x, alpha.y * v.y, v.z));
-  const float r = std::sqrt(place.x);
-  const float angle = 2.0f * std::numbers::pi_v<float> * place.y;
-  const float x = r * std::cos(angle);
-  const float s = 0.5f * (1.0f + stretched.z);
-  const float length = std::hypot(stretched.x, stretched.y);
-  const glm::vec3 t1 = length > 0.0f ? glm::vec3(-stretched.y, stretched.x, 0.0f) / length
-                                     : glm::vec3(1.0f, 0.0f, 0.0f);
-  const glm::vec3 t2 = glm::cross(stretched, t1);
-  const float y = glm::mix(std::sqrt(std::max(0.0f, 1.0f - x * x)), r * std::sin(angle), s);
-  const glm::vec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0f, 1.0f - x * x - y * y)) * stretched;
-  return glm::normalize(glm::vec3(alpha.x * n.x, alpha.y * n.y, std::max(0.0f, n.z)));
 }
 
 /// D * V of a stretched lobe, of directions in its own frame.

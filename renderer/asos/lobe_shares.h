@@ -1,0 +1,54 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/samples/region_sampler.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// What the lobes of rough mirrors show to the leaves of a block: by samples of the leaf, each with
+/// a direction of its own, of which nothing else is asked. A lobe sees all of the half-space, where
+/// boundaries mostly do not matter; lights with a size are its highlights, and no part of it. The
+/// rays of all leaves share packets.
+class LobeShares {
+ public:
+  /// `eye` has to outlive this.
+  explicit LobeShares(const EyeContext& eye) : eye_(&eye) {}
+
+  /// What a leaf of a root gets.
+  struct Share {
+    std::uint32_t root = 0;
+    SampleId sample = no_sample;  ///< the leaf's; none: dropped
+    double weight = 1.0;          ///< the leaf's
+    glm::dvec3 radiance{0.0};     ///< times its weight
+    std::uint64_t rays = 0;
+  };
+  /// Puts a leaf off until `run`; the number of its share. `reflected`: the most that its lobes
+  /// return of what they mirror.
+  std::uint32_t add(const PyrayLeaf& leaf, glm::vec3 reflected);
+  /// Leaves a share out.
+  void drop(std::uint32_t share) { shares_[share].sample = no_sample; }
+  /// What the lobes of a leaf show at once; it does not wait.
+  [[nodiscard]] glm::vec3 at_once(const PyrayLeaf& leaf, glm::vec3 reflected);
+
+  /// Samples all that was put off. Valid until the next leaf; none waits then.
+  std::span<const Share> run();
+
+ private:
+  [[nodiscard]] RegionSampler& sampler();
+  [[nodiscard]] RegionSampler::Goal goal_of(double weight, glm::vec3 reflected) const;
+
+  const EyeContext* eye_;
+  std::optional<RegionSampler> sampler_;  // made when first needed
+  std::vector<Share> shares_;             // in its order
+  std::vector<Share> done_;
+};
+
+}  // namespace asos
