@@ -19,6 +19,10 @@ namespace {
 constexpr int parts_along = 3;
 constexpr double least_in_parts = 1.0 / 64.0;
 
+// Samples of a root whose mirrors may show a bright light elsewhere than pyrays do: of few none may
+// meet it, and agree.
+constexpr double samples_of_light = 256.0;
+
 }  // namespace
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& refinement,
@@ -110,7 +114,11 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
                   light ? std::min(light->t, hit.t) : hit.t);
     return radiance;
   }
-  std::uint32_t fewest = light_misplaced(leaf, transport) ? enough_samples : 0;
+  std::uint32_t fewest = 0;
+  if (light_misplaced(leaf, transport)) {
+    const auto samples = static_cast<std::uint32_t>(samples_of_light * leaf.weight);
+    fewest = std::max(enough_samples, std::bit_ceil(samples));
+  }
   if (highlight_unsure(leaf, transport)) fewest = enough_for(leaf, transport.unsure_highlights());
   if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest)) {
     drop(share, sky_share);

@@ -39,5 +39,27 @@ TEST(MirroredLight, OfABentMirrorInAnotherIsWhereItIs) {
   EXPECT_GE(shown, 4);
 }
 
+// A hundredth of the pixel, and brighter than white in all of it: 16 samples, or 64, see none.
+TEST(MirroredLight, IsMetWhereFewSamplesMissIt) {
+  const auto scene = *prepare(*builtin_scene("solids"));
+  const Camera camera = first_camera(scene->world(), 320.0 / 180.0);
+  for (const int x : {140, 162}) {
+    RenderSettings settings;
+    settings.width = 320;
+    settings.height = 180;
+    settings.crop = {x, 64, 1, 1};
+    settings.sampling.spp = 4096;
+    const auto red = [&](Method method, int seed) {
+      settings.method = method;
+      settings.seed = seed;
+      const Film film = render_picture(*scene, camera, settings).film;
+      return film.radiance[film.index(x, 64)].x;
+    };
+    const float truth = red(Method::sobol, 0);
+    for (const int seed : {0, 1, 2, 3})
+      EXPECT_NEAR(red(Method::asos, seed), truth, 0.1f) << x << ", seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace asos::test
