@@ -69,6 +69,10 @@ struct Budget {
   }
   static constexpr int enough_levels = 5;  ///< that no finest cell shows
 
+  /// What a soft shadow's edges may vary a patch by, as they are found: its bound is for an edge
+  /// all along a patch, and at the worst place. Pictures are as exact by twice the tolerance.
+  [[nodiscard]] float penumbra_tolerance() const { return 2.0f * tolerance; }
+
   /// How far the middle of a root may be off its mean before it is looked at more closely: a 64th
   /// of what would split it, for errors of neighbours are alike; 1: however far.
   [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 64.0f); }

@@ -44,7 +44,7 @@ bool uneven_at_last(const ShadowContext& block, const ShadowQuery& query,
       block,
       {lit.light, lit.index, lit.point, shown, reflected, query.leaf.level(), query.leaf.weight},
       counts);
-  return penumbra.error > block.rules.budget.tolerance;
+  return penumbra.error > block.rules.budget.penumbra_tolerance();
 }
 
 // The mean over n x n parts of the patch: pyrays from points of each, or extended ones.

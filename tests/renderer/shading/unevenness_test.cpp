@@ -42,14 +42,21 @@ TEST(MidpointError, FlatShadingUnderDistantLightsHasNone) {
   EXPECT_EQ(midpoint_error(bent(0.0f), {}, from_above, middle, square(1.0f), far), 0.0f);
 }
 
-// The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of that in the middle.
-TEST(MidpointError, OfATurningNormalIsThatOfACosine) {
+// The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of that in the middle. Where the
+// middle is at a right angle to the light, the half beyond it is dark.
+TEST(MidpointError, OfATurningNormalIsBetweenThoseOfALitAndAGrazedCosine) {
+  const auto error = [](float turn) {
+    return midpoint_error(bent(turn), {}, from_above, middle, square(1.0f), far);
+  };
+  const auto grazed = [](float turn) { return (1.0f - std::cos(0.5f * turn)) / turn; };
   for (const float turn : {0.05f, 0.2f, 0.5f}) {
-    const float truth = 1.0f - std::sin(0.5f * turn) / (0.5f * turn);
+    const float lit = 1.0f - std::sin(0.5f * turn) / (0.5f * turn);
     // The chord of the normals is shorter than their arc by turn^2 / 6 in the whole triangle.
-    EXPECT_NEAR(midpoint_error(bent(turn), {}, from_above, middle, square(1.0f), far), truth,
-                truth * turn * turn);
+    EXPECT_NEAR(error(turn), 8.0f * lit, 8.0f * lit * turn * turn) << turn;
+    EXPECT_GT(8.0f * grazed(turn), error(turn)) << turn;
   }
+  EXPECT_GT(error(0.4f), grazed(0.4f));
+  EXPECT_GT(error(0.8f), grazed(0.8f));
 }
 
 TEST(MidpointError, FallsWithTheSquareOfTheSize) {
