@@ -318,9 +318,8 @@ void LeafShader::add_weak_lights() {
 }
 
 // Adds what leaves get of the sky, or by their lobes.
-template <class Share>
-void LeafShader::add_shares(std::span<const Share> shares) {
-  for (const Share& share : shares) {
+void LeafShader::add_shares(std::span<const LeafShare> shares) {
+  for (const LeafShare& share : shares) {
     if (share.sample == no_sample) continue;
     RootSum& sum = sums_[share.root];
     sum.radiance += share.radiance;

@@ -50,8 +50,7 @@ class LeafShader {
   void sample_put_off();
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
   void add_weak_lights();
-  template <class Share>
-  void add_shares(std::span<const Share> shares);
+  void add_shares(std::span<const LeafShare> shares);
   void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);

@@ -42,7 +42,7 @@ glm::vec3 LobeShares::at_once(const PyrayLeaf& leaf, glm::vec3 reflected) {
   return glm::vec3(sampler().sample(leaf.region, goal, *eye_->counts).mean);
 }
 
-std::span<const LobeShares::Share> LobeShares::run() {
+std::span<const LeafShare> LobeShares::run() {
   done_.clear();
   if (shares_.empty()) return done_;
   const std::uint64_t before = eye_->counts->rays();
@@ -51,7 +51,7 @@ std::span<const LobeShares::Share> LobeShares::run() {
   double samples = 0.0;
   for (std::size_t i = 0; i < shares_.size(); ++i) samples += found[i].samples;
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    Share& share = shares_[i];
+    LeafShare& share = shares_[i];
     share.radiance = share.weight * found[i].mean;
     if (samples > 0.0)
       share.rays = static_cast<std::uint64_t>(std::llround(rays * found[i].samples / samples));

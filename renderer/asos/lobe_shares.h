@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/asos/eye_context.h"
+#include "renderer/asos/leaf_share.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/samples/region_sampler.h"
 
@@ -22,14 +23,6 @@ class LobeShares {
   /// `eye` has to outlive this.
   explicit LobeShares(const EyeContext& eye) : eye_(&eye) {}
 
-  /// What a leaf of a root gets.
-  struct Share {
-    std::uint32_t root = 0;
-    SampleId sample = no_sample;  ///< the leaf's; none: dropped
-    double weight = 1.0;          ///< the leaf's
-    glm::dvec3 radiance{0.0};     ///< times its weight
-    std::uint64_t rays = 0;
-  };
   /// Puts a leaf off until `run`; the number of its share. `reflected`: the most that its lobes
   /// return of what they mirror.
   std::uint32_t add(const PyrayLeaf& leaf, glm::vec3 reflected);
@@ -39,7 +32,7 @@ class LobeShares {
   [[nodiscard]] glm::vec3 at_once(const PyrayLeaf& leaf, glm::vec3 reflected);
 
   /// Samples all that was put off. Valid until the next leaf; none waits then.
-  std::span<const Share> run();
+  std::span<const LeafShare> run();
 
  private:
   [[nodiscard]] RegionSampler& sampler();
@@ -47,8 +40,8 @@ class LobeShares {
 
   const EyeContext* eye_;
   std::optional<RegionSampler> sampler_;  // made when first needed
-  std::vector<Share> shares_;             // in its order
-  std::vector<Share> done_;
+  std::vector<LeafShare> shares_;         // in its order
+  std::vector<LeafShare> done_;
 };
 
 }  // namespace asos

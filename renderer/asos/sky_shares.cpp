@@ -227,7 +227,7 @@ void SkyShares::share_surfaces() {
   }
 }
 
-std::span<const SkyShares::Share> SkyShares::run() {
+std::span<const LeafShare> SkyShares::run() {
   for (std::size_t i = 0; i < lit_.size(); ++i) {
     const auto part = static_cast<std::uint32_t>(first_rays * shares_[lit_[i].share].weight);
     if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));
@@ -240,7 +240,7 @@ std::span<const SkyShares::Share> SkyShares::run() {
   trace();
   for (const SkyLit& lit : lit_) {
     if (!held(lit)) continue;
-    Share& share = shares_[lit.share];
+    LeafShare& share = shares_[lit.share];
     share.radiance += share.weight * lit.mean();
     share.rays += lit.rays;
   }

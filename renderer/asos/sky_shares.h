@@ -2,6 +2,7 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf_share.h"
 #include "renderer/asos/sky_courses.h"
 #include "renderer/asos/sky_lit.h"
 #include "renderer/geometry/bounds2.h"
@@ -38,14 +39,6 @@ class SkyShares {
   SkyShares(const SkyShares&) = delete;
   SkyShares& operator=(const SkyShares&) = delete;
 
-  /// What a leaf of a root gets.
-  struct Share {
-    std::uint32_t root = 0;
-    SampleId sample = no_sample;  ///< the leaf's; none: dropped
-    double weight = 1.0;          ///< the leaf's
-    glm::dvec3 radiance{0.0};     ///< times its weight
-    std::uint64_t rays = 0;
-  };
   /// Begins the share of a leaf; its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
   /// Adds a surface of the leaf to its share.
@@ -57,7 +50,7 @@ class SkyShares {
   [[nodiscard]] glm::vec3 at_once(const SkyLitPoint& point, const LeafContext& leaf);
 
   /// Traces all that was added. Valid until the next leaf; none waits then.
-  std::span<const Share> run();
+  std::span<const LeafShare> run();
 
  private:
   struct Sent {
@@ -91,8 +84,8 @@ class SkyShares {
   [[nodiscard]] SkyCourses::Expected expected(const SkyLit& lit, double of_neighbours) const;
 
   const EyeContext* eye_;
-  std::vector<Share> shares_;
-  std::vector<Share> done_;
+  std::vector<LeafShare> shares_;
+  std::vector<LeafShare> done_;
   std::vector<SkyLit> lit_;
   std::vector<BorderEdge> borders_;
   std::vector<SkyCourses::Expected> expected_;  // of each
