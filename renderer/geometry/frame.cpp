@@ -1,7 +1,5 @@
 #include "renderer/geometry/frame.h"
 
-#include <cmath>
-
 namespace asos {
 
 Frame::Frame(bool parallel, glm::dvec3 apex, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b,
@@ -29,12 +27,7 @@ glm::dvec3 Frame::world(FramePoint p) const {
 }
 
 std::optional<glm::dvec3> Frame::on_plane(glm::dvec2 uv, const HalfSpace& plane) const {
-  const glm::dvec3 across = uv.x * a_ + uv.y * b_;
-  const glm::dvec3 start = parallel_ ? apex_ + across : apex_;
-  const glm::dvec3 along = parallel_ ? direction_ : across + c_;
-  const double t = -plane.height(start) / glm::dot(plane.normal, along);
-  if (!std::isfinite(t) || (!parallel_ && t <= 0.0)) return std::nullopt;
-  return start + t * along;
+  return PlaneCrossings(*this, plane).at(uv);
 }
 
 }  // namespace asos

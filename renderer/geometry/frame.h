@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <optional>
 
 namespace asos {
@@ -69,6 +70,36 @@ class Frame {
   glm::dvec3 direction_;
   glm::dvec3 a_, b_, c_;              // columns
   glm::dvec3 row_u_, row_v_, row_w_;  // rows of the inverse of [a b c]
+};
+
+/// Where the lines through the points of a frame's square meet a plane, for who asks for many.
+class PlaneCrossings {
+ public:
+  PlaneCrossings(const Frame& frame, const HalfSpace& plane)
+      : parallel_(frame.parallel()),
+        apex_(frame.apex()),
+        along_(parallel_ ? frame.direction() : frame.base_corner()),
+        a_(frame.base_u()),
+        b_(frame.base_v()),
+        height_(plane.height(apex_)),
+        rise_(glm::dot(plane.normal, along_)),
+        rise_u_(glm::dot(plane.normal, a_)),
+        rise_v_(glm::dot(plane.normal, b_)) {}
+
+  /// Where the line through (u, v) meets it: not behind the apex. Nothing where it does not.
+  [[nodiscard]] std::optional<glm::dvec3> at(glm::dvec2 uv) const {
+    const glm::dvec3 across = uv.x * a_ + uv.y * b_;
+    const double rise = uv.x * rise_u_ + uv.y * rise_v_;
+    const double t = parallel_ ? -(height_ + rise) / rise_ : -height_ / (rise_ + rise);
+    if (!std::isfinite(t) || (!parallel_ && t <= 0.0)) return std::nullopt;
+    return parallel_ ? apex_ + across + t * along_ : apex_ + t * (across + along_);
+  }
+
+ private:
+  bool parallel_;
+  glm::dvec3 apex_, along_, a_, b_;
+  double height_;                  // of the apex above the plane
+  double rise_, rise_u_, rise_v_;  // towards it, along c and the edges
 };
 
 }  // namespace asos

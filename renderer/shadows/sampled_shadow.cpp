@@ -84,37 +84,37 @@ bool flat(const ShadowContext& block, const SurfacePoint& point) {
   return block.scene->features.deviation(point.triangle) <= 0.0f;
 }
 
-// Receivers on the patch for the points with the given numbers; those without a place get none.
+// Receivers on the patch for those of the points with the given numbers that lie on it.
 void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const SobolPixel& points,
                    std::uint32_t first, std::uint32_t end, RenderStatistics& counts) {
   ShadowWorkspace& work = *block.work;
   const SurfacePoint& point = query.lit.point;
-  const Bounds2 box = bounds_of(query.leaf.region);
   const Receiver middle = receiver_above(point, query.lit.light);
-  work.receivers.assign(end - first, std::nullopt);
+  work.receivers.clear();
   if (!has_patch(block, query.lit)) {
-    for (auto& receiver : work.receivers) receiver = middle;
+    for (std::uint32_t i = first; i < end; ++i) work.receivers.push_back({i, middle});
     return;
   }
   // Place the points in the leaf.
+  const Bounds2 box = bounds_of(query.leaf.region);
   work.places.clear();
   work.place_of.clear();
   for (std::uint32_t i = first; i < end; ++i) {
     const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(points.pixel(i)));
     if (!query.leaf.region.holds(at)) continue;
     work.places.push_back(at);
-    work.place_of.push_back(i - first);
+    work.place_of.push_back(i);
   }
   if (flat(block, point)) {
     // Where the viewer sees the patch; the rays start clear of it.
     const glm::dvec3 lift = middle.position - glm::dvec3(point.position);
-    const HalfSpace plane = HalfSpace::through(glm::dvec3(point.position), middle.geometric);
+    const PlaneCrossings plane(*block.frame,
+                               HalfSpace::through(glm::dvec3(point.position), middle.geometric));
     for (std::size_t k = 0; k < work.places.size(); ++k) {
-      const auto on_plane = block.frame->on_plane(glm::dvec2(work.places[k]), plane);
+      const auto on_plane = plane.at(glm::dvec2(work.places[k]));
       if (!on_plane) continue;
-      Receiver receiver = middle;
-      receiver.position = *on_plane + lift;
-      work.receivers[work.place_of[k]] = receiver;
+      work.receivers.push_back({work.place_of[k], middle});
+      work.receivers.back().receiver.position = *on_plane + lift;
     }
     return;
   }
@@ -124,20 +124,19 @@ void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const S
   for (std::size_t k = 0; k < work.places.size(); ++k) {
     const SurfacePoint& seen = work.seen[k];
     if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet) continue;
-    work.receivers[work.place_of[k]] = receiver_above(seen, query.lit.light);
+    work.receivers.push_back({work.place_of[k], receiver_above(seen, query.lit.light)});
   }
 }
 
 // Rays from all over the patch, in rounds until their mean is known as well as the leaf's weight
-// deserves. `aim(place on the light, receiver)`: the ray of a sample, unless it looks past the
-// light.
+// deserves. `aim(points, number, receiver)`: the ray of the point of that number, unless it looks
+// past the light.
 template <typename Aim>
 Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
                               RenderStatistics& counts, double rays_a_finest_cell, Aim aim) {
   ShadowWorkspace& work = *block.work;
   const Budget budget = block.rules.budget.for_samples();
   const LeafContext& leaf = query.leaf;
-  const std::uint32_t light = query.lit.index;
   // Find how many rays the leaf is worth, and the error to reach.
   const double intensity = query.intensity();
   const bool few = budget.rays_suffice(leaf.weight, intensity, Prices::light_window);
@@ -149,7 +148,8 @@ Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& que
   const std::uint32_t most =
       few ? first_round : budget.samples(leaf.weight, rays_a_finest_cell, first_round);
   const double error = budget.standard_error(leaf.weight, intensity);
-  const SobolPixel points{static_cast<int>(leaf.seed >> 32), static_cast<int>(leaf.seed), light};
+  const SobolPixel points{static_cast<int>(leaf.seed >> 32), static_cast<int>(leaf.seed),
+                          query.lit.index};
   work.weights.clear();
   work.transmittances.clear();
   WeighedVisibility found;
@@ -162,10 +162,8 @@ Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& que
       const std::uint32_t first = drawn;
       drawn += wanted - static_cast<std::uint32_t>(work.weights.size());
       look_at_patch(block, query, points, first, drawn, counts);
-      for (std::uint32_t i = first; i < drawn; ++i) {
-        const auto& from = work.receivers[i - first];
-        if (!from) continue;
-        const std::optional<WeighedRay> ray = aim(points.light(i, light), *from);
+      for (const NumberedReceiver& from : work.receivers) {
+        const std::optional<WeighedRay> ray = aim(points, from.number, from.receiver);
         if (!ray || !(ray->weight > 0.0)) continue;
         work.rays.push_back(ray->ray);
         work.weights.push_back(ray->weight);
@@ -189,7 +187,9 @@ Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& que
 Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
                                const LightWindow& window, const Receiver& receiver,
                                RenderStatistics& counts) {
-  const auto aim = [&](glm::dvec2 on_light, const Receiver& from) -> std::optional<WeighedRay> {
+  const auto aim = [&](const SobolPixel& points, std::uint32_t number,
+                       const Receiver& from) -> std::optional<WeighedRay> {
+    const glm::dvec2 on_light = points.light(number, query.lit.index);
     if (!window.holds(glm::vec2(on_light))) return std::nullopt;
     if (window.round() && glm::length(on_light - 0.5) > 0.5) return std::nullopt;
     glm::dvec3 target = window.towards(on_light);
@@ -208,11 +208,15 @@ Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& qu
                                RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const bool parallel = light.shape == PreparedLight::Shape::distant;
-  const auto aim = [&](glm::dvec2, const Receiver& from) -> std::optional<WeighedRay> {
+  const auto aim = [&](const SobolPixel&, std::uint32_t,
+                       const Receiver& from) -> std::optional<WeighedRay> {
     const glm::dvec3 target = parallel ? light.towards : light.position - from.position;
     WeighedRay found;
     found.weight = std::max(0.0, glm::dot(from.normal, target));
-    if (!parallel) found.weight /= std::pow(glm::dot(target, target), 1.5);
+    if (!parallel) {
+      const double d2 = glm::dot(target, target);
+      found.weight /= d2 * std::sqrt(d2);
+    }
     found.ray.origin = glm::vec3(from.position);
     found.ray.direction = glm::vec3(target);
     if (!parallel) found.ray.t_far = most_of_the_way;

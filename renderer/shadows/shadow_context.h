@@ -30,6 +30,12 @@ struct ShadowRules {
   bool see_through = true;
 };
 
+/// Where the ray of a sample starts.
+struct NumberedReceiver {
+  std::uint32_t number;
+  Receiver receiver;
+};
+
 /// Memory of shadow pyrays that is worth keeping. Holds no result.
 struct ShadowWorkspace {
   Tracer tracer;
@@ -42,7 +48,7 @@ struct ShadowWorkspace {
   std::vector<glm::vec2> places;
   std::vector<std::uint32_t> place_of;
   std::vector<SurfacePoint> seen;
-  std::vector<std::optional<Receiver>> receivers;
+  std::vector<NumberedReceiver> receivers;
   std::vector<double> weights;
   std::vector<glm::vec3> transmittances;
 };
