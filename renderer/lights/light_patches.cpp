@@ -16,6 +16,7 @@ constexpr std::array<float, LightPatch::nodes> gauss_nodes{0.0694318442f, 0.3300
                                                            0.6699905218f, 0.9305681558f};
 constexpr std::array<float, LightPatch::nodes> gauss_weights{0.1739274226f, 0.3260725774f,
                                                              0.3260725774f, 0.1739274226f};
+constexpr std::array<float, 2> two_nodes{0.2113248654f, 0.7886751346f};  // a half each
 
 /// Places of a patch at one v: origin + u * step, each worth `area` times what `by_u` says.
 struct Row {
@@ -128,28 +129,48 @@ glm::vec3 LightPatch::direction(float u, float v) const {
   return offset / std::max(1e-30f, glm::length(offset));
 }
 
+namespace {
+
+// A node at (u, the row's v), and what its area or solid angle is to be taken times.
+void set_node(const LightPatch& patch, const Row& row, float u, float share, LightPatch::Cell& cell,
+              std::size_t at) {
+  if (patch.kind == LightPatch::Kind::cap) {
+    const CapPlace place = cap_place(patch, row, u);
+    cell.x[at] = place.direction.x, cell.y[at] = place.direction.y, cell.z[at] = place.direction.z;
+    cell.solid_angle[at] = share * place.solid_angle;
+    return;
+  }
+  cell.x[at] = row.origin.x + u * row.step.x, cell.y[at] = row.origin.y + u * row.step.y;
+  cell.z[at] = row.origin.z + u * row.step.z;
+  cell.solid_angle[at] = share * (patch.kind == LightPatch::Kind::sector ? u : 1.0f);
+}
+
+}  // namespace
+
 LightPatch::Cell LightPatch::cell(const Square& square) const {
   Cell cell;
   const float side2 = square.side * square.side;
   for (std::size_t k = 0; k < nodes; ++k) {
     const Row row = row_of(*this, square.v + square.side * gauss_nodes[k]);
     const float share = side2 * gauss_weights[k] * row.area;
-    for (std::size_t i = 0; i < nodes; ++i) {
-      const std::size_t at = nodes * k + i;
-      const float u = square.u + square.side * gauss_nodes[i];
-      if (kind == Kind::cap) {
-        const CapPlace place = cap_place(*this, row, u);
-        cell.x[at] = place.direction.x, cell.y[at] = place.direction.y;
-        cell.z[at] = place.direction.z;
-        cell.solid_angle[at] = share * gauss_weights[i] * place.solid_angle;
-      } else {
-        cell.x[at] = row.origin.x + u * row.step.x, cell.y[at] = row.origin.y + u * row.step.y;
-        cell.z[at] = row.origin.z + u * row.step.z;
-        cell.solid_angle[at] = share * gauss_weights[i] * (kind == Kind::sector ? u : 1.0f);
-      }
-    }
+    for (std::size_t i = 0; i < nodes; ++i)
+      set_node(*this, row, square.u + square.side * gauss_nodes[i], share * gauss_weights[i], cell,
+               nodes * k + i);
   }
   if (kind != Kind::cap) look_at_places(cell);
+  return cell;
+}
+
+LightPatch::Cell LightPatch::cell_of_quarters(std::span<const LightPatch, 4> quarters) {
+  Cell cell;
+  std::size_t at = 0;
+  for (const LightPatch& quarter : quarters) {
+    for (const float v : two_nodes) {
+      const Row row = row_of(quarter, v);
+      for (const float u : two_nodes) set_node(quarter, row, u, 0.25f * row.area, cell, at++);
+    }
+  }
+  if (quarters[0].kind != Kind::cap) quarters[0].look_at_places(cell);
   return cell;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace asos {
@@ -43,6 +44,9 @@ struct LightPatch {
   [[nodiscard]] glm::vec3 direction(float u, float v) const;
   /// By Gauss and Legendre's nodes. What does not face the receiver has no solid angle.
   [[nodiscard]] Cell cell(const Square& square) const;
+
+  /// All of a round light, of whose quarters each has four nodes.
+  [[nodiscard]] static Cell cell_of_quarters(std::span<const LightPatch, 4> quarters);
 
  private:
   void look_at_places(Cell& cell) const;

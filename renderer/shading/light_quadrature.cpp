@@ -23,6 +23,8 @@ constexpr Widest widest_of(Reflectance reflectance) {
 }
 // The integrand bends at the horizon.
 constexpr float share_across_horizon = 0.4f;
+// A round light that reaches no further than this share of what a cell may is one.
+constexpr float share_of_small = 0.35f;
 constexpr int deepest = 10;
 constexpr int most_cells = 2048;
 
@@ -63,7 +65,8 @@ ReflectedIntegral LightQuadrature::operator()(const PreparedLight& light) {
     add_segment(light);
   } else {
     find_light_patches(light, receiver_, patches_);
-    for (const LightPatch& patch : patches_) add_patch(patch, {}, 0);
+    if (!add_as_one_cell())
+      for (const LightPatch& patch : patches_) add_patch(patch);
   }
   double left = 1.0;
   if (light.shape == PreparedLight::Shape::ball) left = attenuation(light, receiver_.position);
@@ -71,30 +74,56 @@ ReflectedIntegral LightQuadrature::operator()(const PreparedLight& light) {
           left * static_cast<double>(sums_.scattered)};
 }
 
-void LightQuadrature::add_patch(const LightPatch& patch, const LightPatch::Square& square,
-                                int depth) {
+void LightQuadrature::add_patch(const LightPatch& patch) {
+  add_square(patch, {},
+             {patch.direction(0.0f, 0.0f), patch.direction(1.0f, 0.0f), patch.direction(0.0f, 1.0f),
+              patch.direction(1.0f, 1.0f)},
+             0);
+}
+
+float LightQuadrature::widest_at(glm::vec3 middle) const {
+  return std::min(widest_, std::max(narrowest_, share_of_way_ * way_to_peak(middle)));
+}
+
+// Parts share their corners: directions cost as much as a cell.
+void LightQuadrature::add_square(const LightPatch& patch, const LightPatch::Square& square,
+                                 const Corners& corners, int depth) {
   const float half = 0.5f * square.side;
   const glm::vec3 middle = patch.direction(square.u + half, square.v + half);
   float reach2 = 0.0f;
   int above = 0;
-  for (const float u : {square.u, square.u + square.side}) {
-    for (const float v : {square.v, square.v + square.side}) {
-      const glm::vec3 corner = patch.direction(u, v);
-      const glm::vec3 across = corner - middle;
-      reach2 = std::max(reach2, glm::dot(across, across));
-      above += glm::dot(corner, normal_) > 0.0f;
-    }
+  for (const glm::vec3& corner : corners) {
+    const glm::vec3 across = corner - middle;
+    reach2 = std::max(reach2, glm::dot(across, across));
+    above += glm::dot(corner, normal_) > 0.0f;
   }
-  const float way = share_of_way_ * way_to_peak(middle);
-  float most = std::min(widest_, std::max(narrowest_, way));
+  float most = widest_at(middle);
   if (above % 4 != 0) most *= share_across_horizon;
   if (reach2 > most * most && depth < deepest && cells_ < most_cells) {
-    for (const float v : {square.v, square.v + half}) {
-      for (const float u : {square.u, square.u + half}) add_patch(patch, {u, v, half}, depth + 1);
-    }
+    const float u = square.u, v = square.v, side = square.side;
+    const glm::vec3 foot = patch.direction(u + half, v), top = patch.direction(u + half, v + side);
+    const glm::vec3 left = patch.direction(u, v + half),
+                    right = patch.direction(u + side, v + half);
+    add_square(patch, {u, v, half}, {corners[0], foot, left, middle}, depth + 1);
+    add_square(patch, {u + half, v, half}, {foot, corners[1], middle, right}, depth + 1);
+    add_square(patch, {u, v + half, half}, {left, middle, corners[2], top}, depth + 1);
+    add_square(patch, {u + half, v + half, half}, {middle, right, top, corners[3]}, depth + 1);
     return;
   }
   add_cell(patch.cell(square));
+}
+
+bool LightQuadrature::add_as_one_cell() {
+  if (patches_.empty() || patches_.front().kind == LightPatch::Kind::trapezoid) return false;
+  const glm::vec3 middle = patches_.front().direction(0.0f, 0.0f);
+  const float most = share_of_small * widest_at(middle);
+  for (const LightPatch& quarter : patches_) {
+    const glm::vec3 rim = quarter.direction(1.0f, 0.0f);
+    const glm::vec3 across = rim - middle;
+    if (glm::dot(across, across) > most * most || !(glm::dot(rim, normal_) > 0.0f)) return false;
+  }
+  add_cell(LightPatch::cell_of_quarters(std::span<const LightPatch, 4>(patches_)));
+  return true;
 }
 
 void LightQuadrature::add_cell(const LightPatch::Cell& cell) {

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <vector>
 
 namespace asos {
@@ -50,9 +51,16 @@ class LightQuadrature {
   struct Sums {
     float lobe = 0.0f, fresnel = 0.0f, scattered = 0.0f;
   };
-  void add_patch(const LightPatch& patch, const LightPatch::Square& square, int depth);
+  using Corners = std::array<glm::vec3, 4>;  ///< u from 0 to 1, and again at the larger v
+  void add_patch(const LightPatch& patch);
+  void add_square(const LightPatch& patch, const LightPatch::Square& square, const Corners& corners,
+                  int depth);
+  /// Where patches_ are the quarters of a round light that is small beside the lobe.
+  bool add_as_one_cell();
   void add_cell(const LightPatch::Cell& cell);
   void add_segment(const PreparedLight& light);
+  /// How far a cell may reach whose middle this is.
+  [[nodiscard]] float widest_at(glm::vec3 middle) const;
   /// How far a direction is from where the lobe is brightest: a point, or a ridge.
   [[nodiscard]] float way_to_peak(glm::vec3 direction) const;
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,59 @@ TEST(LightQuadrature, AgreesWithAFinerOne) {
       EXPECT_LT(cells, 2048) << at << ": ends early";
     }
   }
+}
+
+// A round light that is small beside the lobe is one cell, and summed up as well.
+TEST(LightQuadrature, ASmallRoundLightIsOneCell) {
+  const glm::dvec3 up(0, 0, 1);
+  const Receiver receiver{glm::dvec3(0.0), up, up};
+  for (const char* kind : {"disk", "ball", "sun"}) {
+    for (const double roughness : {0.3, 0.45, 0.6, 1.0}) {
+      for (const double aside : {0.0, 0.2, 0.7}) {
+        const glm::dvec3 v = direction(0.6, std::numbers::pi);
+        const PreparedLight light = light_at(kind, direction(0.6 + aside, 0.0), 30.0, 0.3);
+        LightQuadrature quadrature(receiver, v, roughness);
+        const double found = quadrature(light).lobe;
+        EXPECT_EQ(quadrature.cells(), 1) << kind << ' ' << roughness << ' ' << aside;
+        const double truth =
+            reflected_radiance(light, {glm::dvec3(1.0), 1.0, roughness}, {glm::dvec3(0.0), up, v})
+                .x;
+        EXPECT_NEAR(found, truth, 2e-4 * truth) << kind << ' ' << roughness << ' ' << aside;
+      }
+    }
+  }
+}
+
+// Closed forms: a cone's solid angle, and the projected one of a disk seen square on.
+TEST(LightQuadrature, ACellOfQuartersIsAllOfALight) {
+  std::vector<LightPatch> patches;
+  const Receiver receiver{glm::dvec3(0.0), {0, 0, 1}, {0, 0, 1}};
+  const PreparedLight sun = light_at("sun", direction(0.0, 0.0), 10.0, 1.0);
+  find_light_patches(sun, receiver, patches);
+  ASSERT_EQ(patches.size(), 4u);
+  double cone = 0.0;
+  for (const float solid_angle :
+       LightPatch::cell_of_quarters(std::span<const LightPatch, 4>(patches)).solid_angle)
+    cone += static_cast<double>(solid_angle);
+  const double whole = 2.0 * std::numbers::pi * (1.0 - std::cos(std::atan(0.1)));
+  EXPECT_NEAR(cone, whole, 1e-5 * whole);
+
+  Light round;
+  round.type = Light::Type::disk;
+  round.color = glm::vec3(1.0f);
+  round.position = {0, 0, 10};
+  round.direction = {0, 0, -1};
+  round.half_u = {1, 0, 0};
+  round.half_v = {0, -1, 0};
+  round.radius = 1.0;
+  find_light_patches(prepare_light(round), receiver, patches);
+  ASSERT_EQ(patches.size(), 4u);
+  const LightPatch::Cell cell =
+      LightPatch::cell_of_quarters(std::span<const LightPatch, 4>(patches));
+  double form = 0.0;
+  for (std::size_t i = 0; i < LightPatch::cell_nodes; ++i)
+    form += static_cast<double>(cell.z[i] * cell.solid_angle[i]);
+  EXPECT_NEAR(form, std::numbers::pi / 101.0, 1e-5 * std::numbers::pi / 101.0);
 }
 
 // At grazing angles narrow lobes are bent, and cut by the horizon.
