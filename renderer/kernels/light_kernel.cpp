@@ -104,7 +104,10 @@ HWY_INLINE RayLanes ray_to(const LitBatch& points, const ReceiverLanes& receiver
   const auto along = dot(receiver.geometric, sample.direction);
   const auto cosine = hn::Abs(along);
   const auto infinite = hn::Eq(sample.distance, hn::Inf(FloatTag()));
-  const auto way = hn::IfThenElseZero(infinite, hn::Div(clear, hn::Max(cosine, all_lanes(0.25f))));
+  const auto to_edge = loaded(points.to_edge, i);
+  const auto steep = hn::Div(clear, hn::Max(cosine, all_lanes(0.25f)));
+  const auto way =
+      hn::IfThenElseZero(infinite, hn::IfThenElse(hn::Gt(steep, to_edge), to_edge, steep));
   const auto rest = hn::Sub(clear, hn::Mul(way, cosine));
   const auto up = hn::IfThenElse(hn::Lt(along, zero), hn::Neg(rest), rest);
   const Vectors origin =

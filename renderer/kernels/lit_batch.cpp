@@ -14,6 +14,7 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   normal.set(i, point.shading_normal);
   to_viewer.set(i, lit.view.to_viewer);
   clear_height[i] = asos::clear_height(point);
+  to_edge[i] = point.to_edge;
   n_dot_v[i] = lit.view.n_dot_v;
 
   const glm::vec3 share = weight * lit.share;
@@ -57,8 +58,9 @@ void LitBatch::gather(const LitBatch& from, std::span<const std::uint32_t> indic
        {&LitBatch::position, &LitBatch::geometric, &LitBatch::normal, &LitBatch::to_viewer,
         &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
     take3(field);
-  for (const auto field : {&LitBatch::clear_height, &LitBatch::n_dot_v, &LitBatch::falloff,
-                           &LitBatch::alpha, &LitBatch::shows_lights, &LitBatch::turns})
+  for (const auto field :
+       {&LitBatch::clear_height, &LitBatch::to_edge, &LitBatch::n_dot_v, &LitBatch::falloff,
+        &LitBatch::alpha, &LitBatch::shows_lights, &LitBatch::turns})
     take(field);
   for (std::size_t k = 0; k < indices.size(); ++k) any_turns |= turns[k] != 0.0f;
   if (!any_turns) return;

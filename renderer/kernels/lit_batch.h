@@ -29,6 +29,7 @@ struct LitBatch {
   Vectors normal;     ///< shading normal
   Vectors to_viewer;
   Floats clear_height{};
+  Floats to_edge{};
   Floats n_dot_v{};
   // The surface's radiance per irradiance is, with s = (1 - v.h)^5, diffuse (1 - falloff s) +
   // (f0 + (f90 - f0) s) lobe; all but falloff are multiplied by the point's weight in its sum.

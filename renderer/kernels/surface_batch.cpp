@@ -10,6 +10,7 @@ SurfacePoint surface_at(const TriangleBatch& hits, const SurfaceRest& rest, cons
   point.geometric_normal = points.geometric.at(i);
   point.shading_normal = points.normal.at(i);
   point.extent = rest.extent[i];
+  point.to_edge = points.to_edge[i];
   point.triangle = triangle;
   point.footprint = footprint_at(hits, rest, i);
   point.spread = {points.spread_right.at(i), points.spread_down.at(i), points.spread_variance[i]};

@@ -53,6 +53,7 @@ void find_geometric_normals(const TriangleBatch& hits, LitBatch& points) {
     store_floats(hn::IfThenElseZero(some, hn::Div(across.x, divisor)), &points.geometric.x[i]);
     store_floats(hn::IfThenElseZero(some, hn::Div(across.y, divisor)), &points.geometric.y[i]);
     store_floats(hn::IfThenElseZero(some, hn::Div(across.z, divisor)), &points.geometric.z[i]);
+    store_floats(length, &points.to_edge[i]);  // times the area yet
   }
 }
 
@@ -126,7 +127,8 @@ HWY_INLINE Vectors turn_along(const Lanes& b1, const Lanes& b2, const Vectors& b
   return divided(step - scaled(dot(step, normal), normal), length);
 }
 
-/// Points i and on: position, its error, and the height above the surface that clears it.
+/// Points i and on: position, its error, the height above the surface that clears it, and at least
+/// how far it goes on, after find_geometric_normals.
 HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
                              SurfaceRest& rest, LitBatch& points, std::size_t i) {
   const Vectors p0 = loaded(hits.corner_0, i), p1 = loaded(hits.corner_1, i),
@@ -145,6 +147,9 @@ HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const 
   const auto along_normal = dot(absolute(geometric), error);
   const auto by_test = hn::Mul(all_lanes(gamma_bound(12)), extent);
   store(hn::Mul(all_lanes(2.0f), hn::Add(along_normal, by_test)), points.clear_height, i);
+  const auto least = hn::Min(w.b0, hn::Min(w.b1, w.b2));
+  const auto longest = hn::Mul(all_lanes(longest_side), extent);
+  store(hn::Div(hn::Mul(least, loaded(points.to_edge, i)), longest), points.to_edge, i);
 }
 
 /// The interpolated normal of points i and on.

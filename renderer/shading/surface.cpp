@@ -115,6 +115,8 @@ void place_on_triangle(const World& world, const Triangle& t, SurfacePoint& poin
       glm::cross(glm::dvec3(p1) - glm::dvec3(p0), glm::dvec3(p2) - glm::dvec3(p0));
   const double length = glm::length(cross);
   if (length > 0.0) point.geometric_normal = glm::vec3(cross / length);
+  point.to_edge =
+      std::min({t.b0, t.b1, t.b2}) * static_cast<float>(length) / (longest_side * point.extent);
 }
 
 /// On a face of an analytic shape: only the last rounding, to single precision, moves the point off

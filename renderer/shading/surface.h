@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace asos {
 
@@ -22,6 +23,8 @@ struct SurfacePoint {
   glm::vec3 geometric_normal{0.0f};  ///< unit, towards the viewer; 0 for a zero-area triangle
   glm::vec3 shading_normal{0.0f};    ///< unit, in the geometric normal's half-space
   float extent = 0.0f;               ///< largest side of the triangle's box
+  /// At least how far its triangle goes on in all directions; of analytic shapes without a bound.
+  float to_edge = std::numeric_limits<float>::infinity();
   std::uint32_t triangle = Hit::none;
   Footprint footprint;
   NormalSpread spread;  ///< of the shading normals across the footprint
@@ -144,18 +147,25 @@ void map_normal(const World& world, const Hit& hit, const MipChains* mips, float
 [[nodiscard]] NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch,
                                        glm::vec3 normal);
 
+/// A triangle's longest side is no longer than this times its extent. By it and twice the
+/// triangle's area, which is longest side times least height, the least of a place's weights tells
+/// `to_edge`.
+inline constexpr float longest_side = 1.7320509f;
+
 /// How far above the surface a ray starts or ends without meeting it, along its normal.
 [[nodiscard]] float clear_height(const SurfacePoint& point);
 
 /// The way by which something leaves a surface with the unit normal `n` towards the unit direction
 /// `d`, until it is `height` above it or, for a `d` below it, under it: along `d`, so that what
 /// lies that way is not seen from beside; of one that grazes, at most four times the height, and
-/// the rest along the normal.
+/// no further than the surface goes on, `to_edge`, for a wall may stand there. The rest is along
+/// the normal.
 template <typename Vector, typename Number>
-[[nodiscard]] Vector clear_way(Number height, const Vector& n, const Vector& d) {
+[[nodiscard]] Vector clear_way(Number height, Number to_edge, const Vector& n, const Vector& d) {
   constexpr Number least_cosine = Number(0.25);
   const Number along = glm::dot(n, d), cosine = std::abs(along);
-  const Number way = height / std::max(cosine, least_cosine);
+  const Number steep = height / std::max(cosine, least_cosine);
+  const Number way = steep > to_edge ? to_edge : steep;
   const Number rest = height - way * cosine;
   return way * d + (along < Number(0) ? -rest : rest) * n;
 }

@@ -30,8 +30,9 @@ Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light) {
   const bool far = light.shape == Kind::distant || light.shape == Kind::sun;
   // The middle of a sun that stands partly above the horizon may lie below it.
   const bool risen = far && glm::dot(receiver.geometric, light.towards) > 0.0;
-  receiver.position +=
-      risen ? clear_way(height, receiver.geometric, light.towards) : height * receiver.geometric;
+  receiver.position += risen ? clear_way(height, static_cast<double>(point.to_edge),
+                                         receiver.geometric, light.towards)
+                             : height * receiver.geometric;
   return receiver;
 }
 

@@ -102,6 +102,25 @@ TEST(LightLeak, AClosedRoomStaysDarkWhateverShinesOutside) {
   expect_dark_room(all_lights(), Camera::Type::orthographic);
 }
 
+// A sun's ray begins on its own way, but not behind the wall that stands where its floor ends: of
+// many samples some come as near to it as rays clear a surface by.
+TEST(LightLeak, NoneOfManySamplesMeetsASunBehindTheWalls) {
+  World room;
+  add_box(room, {-1, 0, -1}, {1, 1, 1}, false);
+  RenderSettings settings = small(24, 16);
+  settings.method = Method::sobol;
+  settings.sampling.spp = 4096;
+  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
+  for (const glm::dvec3 target : {glm::dvec3(0, 0, 1), glm::dvec3(-1, 1, -1)}) {
+    Camera camera = look_at({0.5, 0.6, -0.7}, target, 1.2);
+    camera.type = Camera::Type::orthographic;
+    camera.height = 0.4;
+    const Picture lit = render_picture(*make_render_scene(room, {sun_light()}), camera, settings);
+    const Picture dark = render_picture(*make_render_scene(room), camera, settings);
+    EXPECT_LE(excess(lit, dark), 0.0) << target.x;
+  }
+}
+
 TEST(LightLeak, AClosedRoomStaysDarkUnderDirectionalLight) {
   expect_dark_room({distant_light()}, Camera::Type::perspective);
 }

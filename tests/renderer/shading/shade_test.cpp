@@ -338,7 +338,7 @@ TEST(ShadowRay, ToASunBeginsOnItsOwnWay) {
   for (const float side : {1.0f, -1.0f}) {
     for (const float tangent : {0.0f, 0.5f, 2.0f, 3.5f, 20.0f, 1e6f}) {
       const glm::vec3 d = glm::normalize(glm::vec3(tangent, side, 0.5f * tangent));
-      const glm::vec3 way = clear_way(height, glm::vec3(0, 1, 0), d);
+      const glm::vec3 way = clear_way(height, p.to_edge, glm::vec3(0, 1, 0), d);
       EXPECT_NEAR(side * way.y, height, 1e-6f * height + 1e-7f) << tangent;
       EXPECT_LE(glm::length(way), 5.0f * height) << tangent;
       if (std::abs(d.y) < 0.25f) continue;
