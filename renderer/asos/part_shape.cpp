@@ -42,6 +42,13 @@ struct Moments {
 
 // A side as it is drawn in to a rectangle: what is beyond runs along it, there and back.
 void add_drawn_in(glm::dvec2 p, glm::dvec2 q, glm::dvec2 lo, glm::dvec2 hi, Moments& sum) {
+  // Where it is all beyond one side of the rectangle, or all within.
+  const glm::dvec2 low = glm::min(p, q), high = glm::max(p, q);
+  const bool beyond = low.x >= hi.x || low.y >= hi.y || high.x <= lo.x || high.y <= lo.y;
+  if (beyond || (glm::clamp(low, lo, hi) == low && glm::clamp(high, lo, hi) == high)) {
+    sum.add(glm::clamp(p, lo, hi), glm::clamp(q, lo, hi));
+    return;
+  }
   const glm::dvec2 d = q - p;
   // Where it crosses the rectangle's four lines; else at one of its ends.
   std::array<double, 4> at{};
