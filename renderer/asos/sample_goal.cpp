@@ -4,9 +4,8 @@ namespace asos {
 
 // The standard error that the part's weight deserves, and twice that where noise is all there is,
 // or rather, as measured, 0.85 of that: more is allowed of what takes many samples. One for each
-// finest cell at least, and at most four, or sixteen of what may be far brighter than white in a
-// mirror. Of noise that the camera sees sixty-four: a few pixels that show something tiny and
-// bright have most of a picture's error.
+// finest cell at least, and at most sixteen. Of noise that the camera sees sixty-four: a few pixels
+// that show something tiny and bright have most of a picture's error.
 RegionSampler::Goal sample_goal(const EyeContext& eye, double weight, std::uint32_t fewest,
                                 Sampled what) {
   const bool reflected = eye.viewer.bounces > 0;
@@ -17,7 +16,7 @@ RegionSampler::Goal sample_goal(const EyeContext& eye, double weight, std::uint3
   goal.standard_error = 0.85 * (noisy ? 2.0 : 1.0) * budget.standard_error(weight);
   goal.share = budget.share * weight;
   goal.least = budget.samples(weight, 1.0, fewest);
-  goal.most = budget.samples(weight, reflected ? 16.0 : noisy ? 64.0 : 4.0, fewest);
+  goal.most = budget.samples(weight, noisy && !reflected ? 64.0 : 16.0, fewest);
   return goal;
 }
 

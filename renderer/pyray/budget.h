@@ -114,14 +114,14 @@ struct Budget {
     constexpr double error_of_one = 0.35, contrast = 0.5;
     return std::pow(error_of_one * contrast / (2.0 * standard_error(weight)), 4.0 / 3.0);
   }
-  /// Whether these, one for each finest cell at least, cost no more than the things one by one, at
+  /// Whether these, four for each finest cell at least, cost no more than the things one by one, at
   /// that price in all. Where a few are enough, so is one for each of the finest cells.
   [[nodiscard]] bool samples_suffice_for_parts(double weight, double price) const {
-    constexpr double few = 16.0;
+    constexpr double few = 16.0, a_cell = 4.0;
     if (!refines() || steep * eps < invisible) return false;
     const Budget budget = for_samples();
     const double samples = budget.samples_of_tangle(weight);
-    return samples >= few && std::max(samples, budget.finest_cells(weight)) <= price;
+    return samples >= few && std::max(samples, a_cell * budget.finest_cells(weight)) <= price;
   }
   /// Leaves of a part that is split until it is even: their error falls with their number.
   [[nodiscard]] double leaves_of_uneven() const {

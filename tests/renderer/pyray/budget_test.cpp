@@ -74,25 +74,25 @@ TEST(Budget, WhatMirrorsSampleErrsAsAWholePixelDoes) {
 TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   RenderSettings settings;
   settings.asos.max_level = 3;
-  const auto suffice = [&](double eps, double price) {
+  const auto suffice = [&](double eps, double price, double weight = 1.0) {
     settings.asos.eps = eps;
-    return Budget::of(settings).samples_suffice_for_parts(1.0, price);
+    return Budget::of(settings).samples_suffice_for_parts(weight, price);
   };
-  // 0.175 / EPS to the power 4/3.
-  const double samples = std::pow(0.175 * 256.0, 4.0 / 3.0);
-  EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples));
-  EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples));
+  // 0.175 / EPS to the power 4/3, of a 16th of a pixel by 16 to the power 2/3 less.
+  const double samples = std::pow(0.175 * 256.0, 4.0 / 3.0) / std::pow(16.0, 2.0 / 3.0);
+  EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples, 1.0 / 16.0));
+  EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples, 1.0 / 16.0));
   EXPECT_FALSE(suffice(1.0 / 16.0, 1e9)) << "few are enough";
-  settings.asos.max_level = 1;
-  EXPECT_TRUE(suffice(1.0 / 256.0, 1.01 * samples)) << "held to EPS, for cuts are exact";
-  EXPECT_FALSE(suffice(1.0 / 256.0, 0.99 * samples));
-  settings.asos.max_level = 4;
-  EXPECT_FALSE(suffice(1.0 / 256.0, 255.0)) << "one for each finest cell";
+  EXPECT_FALSE(suffice(1.0 / 256.0, 255.0)) << "four for each finest cell";
   EXPECT_TRUE(suffice(1.0 / 256.0, 257.0));
+  settings.asos.max_level = 1;
+  EXPECT_FALSE(suffice(1.0 / 256.0, 255.0)) << "held to EPS, for cuts are exact";
+  EXPECT_TRUE(suffice(1.0 / 256.0, 257.0));
+  settings.asos.max_level = 4;
+  EXPECT_FALSE(suffice(1.0 / 256.0, 1023.0));
+  EXPECT_TRUE(suffice(1.0 / 256.0, 1025.0));
   settings.asos.max_level = 5;
   EXPECT_FALSE(suffice(0.0, 1e9)) << "MAX alone decides";
-  EXPECT_FALSE(suffice(1.0 / 1024.0, 6.0 * samples));
-  EXPECT_TRUE(suffice(1.0 / 1024.0, 7.0 * samples)) << "16 to the power 2/3, 6.35";
   settings.asos.refine_shading = false;
   EXPECT_FALSE(suffice(1.0 / 256.0, 1e9)) << "nothing is sampled then";
 }
