@@ -70,8 +70,13 @@ struct Budget {
   static constexpr int enough_levels = 5;  ///< that no finest cell shows
 
   /// What a soft shadow's edges may vary a patch by, as they are found: its bound is for an edge
-  /// all along a patch, and at the worst place. Pictures are as exact by twice the tolerance.
-  [[nodiscard]] float penumbra_tolerance() const { return 2.0f * tolerance; }
+  /// all along a patch, and at the worst place. Pictures are as exact by twice the tolerance, but
+  /// not by twice MAX 1's.
+  [[nodiscard]] float penumbra_tolerance() const {
+    constexpr float of_max_2 = 1.0f / 64.0f;
+    if (!refines() || max_level == 0) return 2.0f * tolerance;
+    return 2.0f * std::max(static_cast<float>(eps), std::min(tolerance, of_max_2));
+  }
 
   /// How far the middle of a root may be off its mean before it is looked at more closely: a 64th
   /// of what would split it, for errors of neighbours are alike; 1: however far.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace asos::test::budget_test {
 namespace {
@@ -95,6 +96,23 @@ TEST(Budget, SamplesTakeThePlaceOfManyParts) {
   EXPECT_FALSE(suffice(0.0, 1e9)) << "MAX alone decides";
   settings.asos.refine_shading = false;
   EXPECT_FALSE(suffice(1.0 / 256.0, 1e9)) << "nothing is sampled then";
+}
+
+// MAX 1 splits penumbrae as MAX 2 does; EPS and MAX 0 say what they say.
+TEST(Budget, PenumbraeAreHeldToWhatMaxTwoAllowsAtLeast) {
+  RenderSettings settings;
+  const auto held_to = [&](int max_level, double eps) {
+    settings.asos.max_level = max_level;
+    settings.asos.eps = eps;
+    return static_cast<double>(Budget::of(settings).penumbra_tolerance());
+  };
+  EXPECT_EQ(held_to(3, 1.0 / 256.0), 2.0 / 256.0);
+  EXPECT_EQ(held_to(2, 1.0 / 256.0), 2.0 / 64.0);
+  EXPECT_EQ(held_to(1, 1.0 / 256.0), 2.0 / 64.0);
+  EXPECT_EQ(held_to(1, 1.0 / 32.0), 2.0 / 32.0);
+  EXPECT_EQ(held_to(0, 1.0 / 256.0), 2.0 / 4.0);
+  settings.asos.refine_shading = false;
+  EXPECT_EQ(held_to(1, 1.0 / 256.0), std::numeric_limits<double>::infinity());
 }
 
 // Each level leaves a quarter of what a bent part's middle is off by.
