@@ -75,7 +75,7 @@ struct Budget {
   [[nodiscard]] float penumbra_tolerance() const {
     constexpr float of_max_2 = 1.0f / 64.0f;
     if (!refines() || max_level == 0) return 2.0f * tolerance;
-    return 2.0f * std::max(static_cast<float>(eps), std::min(tolerance, of_max_2));
+    return 2.0f * std::min(tolerance, std::max(static_cast<float>(eps), of_max_2));
   }
 
   /// How far the middle of a root may be off its mean before it is looked at more closely: a 64th
