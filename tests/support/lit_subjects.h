@@ -77,6 +77,7 @@ struct LitSubject {
   s.point->position = glm::vec3(scale * place + offset);
   s.point->error = 3e-7f * glm::abs(s.point->position);
   s.point->extent = static_cast<float>(scale);
+  if (kind % 3 == 0) s.point->to_edge = 0.0f;
   s.point->shading_normal = glm::vec3(at.normal);
   s.point->geometric_normal = glm::vec3(at.geometric);
   glm::dvec3 to_viewer = space.direction();

@@ -142,6 +142,7 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
         EXPECT_EQ(point.position, expected.position);
         EXPECT_EQ(point.error, expected.error);
         EXPECT_EQ(point.extent, expected.extent);
+        EXPECT_EQ(point.to_edge, expected.to_edge);
         EXPECT_EQ(point.geometric_normal, expected.geometric_normal);
         EXPECT_EQ(point.shading_normal, expected.shading_normal);
         EXPECT_EQ(point.footprint.right, expected.footprint.right);
@@ -250,8 +251,8 @@ TEST(SurfaceKernel, AllInstructionSetsGiveTheSameBits) {
              &p.patch_right, &p.patch_down, &found->materials.specular, &r.error})
       append(bits, *v, p.count);
     for (const LitBatch::Floats* f :
-         {&p.clear_height, &p.n_dot_v, &p.alpha, &p.turns, &p.viewer_nearness, &r.extent,
-          &r.normal_side, &r.right_b1, &r.right_b2, &r.down_b1, &r.down_b2})
+         {&p.clear_height, &p.to_edge, &p.n_dot_v, &p.alpha, &p.turns, &p.viewer_nearness,
+          &r.extent, &r.normal_side, &r.right_b1, &r.right_b2, &r.down_b1, &r.down_b2})
       append(bits, *f, p.count);
     if (first.empty()) first = bits;
     EXPECT_EQ(first, bits);
