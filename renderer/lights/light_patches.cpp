@@ -46,6 +46,20 @@ CapPlace cap_place(const LightPatch& patch, const Row& row, float u) {
           2.0f * u * patch.one_less_cosine};
 }
 
+// A node at (u, the row's v), and what its area or solid angle is to be taken times.
+void set_node(const LightPatch& patch, const Row& row, float u, float share, LightPatch::Cell& cell,
+              std::size_t at) {
+  if (patch.kind == LightPatch::Kind::cap) {
+    const CapPlace place = cap_place(patch, row, u);
+    cell.x[at] = place.direction.x, cell.y[at] = place.direction.y, cell.z[at] = place.direction.z;
+    cell.solid_angle[at] = share * place.solid_angle;
+    return;
+  }
+  cell.x[at] = row.origin.x + u * row.step.x, cell.y[at] = row.origin.y + u * row.step.y;
+  cell.z[at] = row.origin.z + u * row.step.z;
+  cell.solid_angle[at] = share * (patch.kind == LightPatch::Kind::sector ? u : 1.0f);
+}
+
 /// A patch whose vectors come in units of `unit`.
 LightPatch patch_of(const PreparedLight& light, glm::dvec3 position) {
   const glm::dvec3 to_middle = light.position - position;
@@ -128,24 +142,6 @@ glm::vec3 LightPatch::direction(float u, float v) const {
   const glm::vec3 offset = row.origin + u * row.step;
   return offset / std::max(1e-30f, glm::length(offset));
 }
-
-namespace {
-
-// A node at (u, the row's v), and what its area or solid angle is to be taken times.
-void set_node(const LightPatch& patch, const Row& row, float u, float share, LightPatch::Cell& cell,
-              std::size_t at) {
-  if (patch.kind == LightPatch::Kind::cap) {
-    const CapPlace place = cap_place(patch, row, u);
-    cell.x[at] = place.direction.x, cell.y[at] = place.direction.y, cell.z[at] = place.direction.z;
-    cell.solid_angle[at] = share * place.solid_angle;
-    return;
-  }
-  cell.x[at] = row.origin.x + u * row.step.x, cell.y[at] = row.origin.y + u * row.step.y;
-  cell.z[at] = row.origin.z + u * row.step.z;
-  cell.solid_angle[at] = share * (patch.kind == LightPatch::Kind::sector ? u : 1.0f);
-}
-
-}  // namespace
 
 LightPatch::Cell LightPatch::cell(const Square& square) const {
   Cell cell;
