@@ -77,10 +77,11 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
   const auto x_axis = broadcast(d, u_axis), y_axis = broadcast(d, v_axis);
   const auto z_axis = broadcast(d, glm::cross(u_axis, v_axis));
   const auto towards = broadcast(d, light.towards);
+  const auto thickness = hn::Set(d, light.thickness);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
     const Vec3<DoubleLanes> middle = to_middle(points, i, light.position);
     const auto height = hn::Neg(dot(middle, towards));
-    const auto seen = light.two_sided ? hn::Ne(height, zero) : hn::Gt(height, zero);
+    const auto seen = hn::Gt(light.two_sided ? hn::Abs(height) : height, thickness);
     const auto x = dot(middle, x_axis), y = dot(middle, y_axis), z = dot(middle, z_axis);
     auto x0 = hn::Sub(x, u_length), x1 = hn::Add(x, u_length);
     auto y0 = hn::Sub(y, v_length), y1 = hn::Add(y, v_length);

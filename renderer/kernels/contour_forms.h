@@ -84,6 +84,7 @@ inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, 
   const auto zero = hn::Zero(d);
   const std::vector<glm::dvec3>& outline = light.outlines.front();
   const auto towards = broadcast(d, light.towards);
+  const auto thickness = hn::Set(d, light.thickness);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
     const Vec3<DoubleLanes> normal = doubles(points.normal, i);
     const Vec3<DoubleLanes> geometric = doubles(points.geometric, i);
@@ -99,7 +100,7 @@ inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, 
     }
     const auto height = hn::Neg(dot(to_middle(points, i, light.position), towards));
     const auto dark = hn::Or(hn::Or(hn::Le(highest_normal, zero), hn::Le(highest_geometric, zero)),
-                             light.two_sided ? hn::Eq(height, zero) : hn::Le(height, zero));
+                             hn::Le(light.two_sided ? hn::Abs(height) : height, thickness));
     auto form = zero;
     const auto cut = hn::AndNot(dark, hn::Lt(lowest, zero));
     if (!hn::AllFalse(d, cut)) form = cut_form(points, outline, normal, geometric, i);

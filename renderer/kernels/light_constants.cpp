@@ -59,6 +59,7 @@ LightConstants::LightConstants(const PreparedLight& prepared)
       u_length(static_cast<float>(glm::length(prepared.half_u))),
       v_length(static_cast<float>(glm::length(prepared.half_v))),
       area(static_cast<float>(prepared.area)),
+      thickness(static_cast<float>(prepared.thickness)),
       two_sided(prepared.two_sided),
       shown_from(least_mirror(prepared)),
       lambertian(prepared.rule == LightRule::physical),

@@ -29,6 +29,7 @@ struct LightConstants {
   float v_length = 0.0f;
   float area = 0.0f;              ///< polygon, disk
   float highlight_radius = 0.0f;  ///< of what stands for it in a highlight
+  float thickness = 0.0f;         ///< polygon, disk
   bool two_sided = false;
   float shown_from =
       0.0f;  ///< in a reflection of LitBatch::shows_lights at least this; infinite: in none

@@ -84,11 +84,14 @@ HWY_INLINE Offset towards_point(const Vectors& offset) {
 HWY_INLINE SampleLanes area_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                    const Vectors& offset) {
   Offset at = towards_point(offset);
-  const auto cosine = hn::Neg(dot(at.sample.direction, all_lanes(light.towards)));
-  const auto seen = light.two_sided ? hn::Abs(cosine) : hn::Max(cosine, hn::Zero(FloatTag()));
+  const auto below = dot(offset, all_lanes(light.towards));
+  const auto height = light.two_sided ? hn::Abs(below) : hn::Neg(below);
+  const auto faces = hn::Gt(height, all_lanes(light.thickness));
+  const auto seen = hn::Mul(height, at.nearness);
   const auto facing =
       hn::Mul(hn::Mul(all_lanes(light.area), seen), cosine_above(at.sample.direction, receiver));
-  at.sample.form = hn::IfThenElseZero(at.apart, hn::Mul(hn::Mul(facing, at.nearness), at.nearness));
+  at.sample.form = hn::IfThenElseZero(hn::And(at.apart, faces),
+                                      hn::Mul(hn::Mul(facing, at.nearness), at.nearness));
   return at.sample;
 }
 

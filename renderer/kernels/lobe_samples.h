@@ -140,8 +140,9 @@ HWY_INLINE MetLight meet_flat(const LightConstants& light, const Vectors& middle
   const Vectors towards = all_lanes(light.towards);
   const auto cosine = hn::Neg(dot(direction, towards));
   const auto height = hn::Neg(dot(middle, towards));
-  auto met = light.two_sided ? hn::Gt(hn::Mul(cosine, height), zero)
-                             : hn::And(hn::Gt(cosine, zero), hn::Gt(height, zero));
+  const auto along = light.two_sided ? hn::Mul(cosine, height) : cosine;
+  const auto beside = light.two_sided ? hn::Abs(height) : height;
+  auto met = hn::And(hn::Gt(along, zero), hn::Gt(beside, all_lanes(light.thickness)));
   if (hn::AllFalse(d, met)) return none_met();
   const auto distance = hn::Div(height, hn::IfThenElse(met, cosine, one));
   const Vectors hit = scaled(distance, direction) - middle;

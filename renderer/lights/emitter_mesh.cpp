@@ -11,7 +11,6 @@ namespace {
 // A region's triangles face the same way within half a degree, and their corners lie within this
 // share of its largest triangle's longest edge from that one's plane.
 constexpr double least_cosine = 0.99996;
-constexpr double flatness = 1e-4;
 // The largest distance of positions rounded to single precision from their plane, in their own
 // size.
 constexpr double rounding = 4.0 * std::numeric_limits<float>::epsilon();
@@ -40,7 +39,7 @@ struct RegionPlane {
   explicit RegionPlane(const EmitterTriangle& seed)
       : point(seed.corner[0]),
         normal(seed.normal),
-        height(flatness * longest_edge(seed)),
+        height(flatness_of_emitters * longest_edge(seed)),
         rounding_height(rounding * size_of(seed)) {}
 
   [[nodiscard]] bool holds(const EmitterTriangle& t) const {

@@ -12,6 +12,10 @@
 
 namespace asos {
 
+/// Triangles of one flat light lie this close to its plane, in the longest edge of the largest of
+/// them, and as far again by rounding.
+inline constexpr double flatness_of_emitters = 1e-4;
+
 /// A triangle that emits, of positive area. Vertices at the same position have the same number.
 struct EmitterTriangle {
   std::array<glm::dvec3, 3> corner;

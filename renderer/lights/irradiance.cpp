@@ -31,7 +31,7 @@ double middle_form(const PreparedLight& light, const Receiver& receiver) {
 
 double outlines_form(const PreparedLight& light, const Receiver& receiver) {
   const double height = glm::dot(receiver.position - light.position, light.towards);
-  if (height == 0.0 || (height < 0.0 && !light.two_sided)) return 0.0;
+  if (!light.faces(height)) return 0.0;
   double form = 0.0;
   for (const std::vector<glm::dvec3>& outline : light.outlines)
     form += polygon_form(outline, receiver);
@@ -42,7 +42,8 @@ double flat_form(const PreparedLight& light, const Receiver& receiver) {
   if (light.rule == LightRule::published) return middle_form(light, receiver);
   if (light.shape == LightShape::polygon) return outlines_form(light, receiver);
   const double height = glm::dot(receiver.position - light.position, light.towards);
-  const bool behind = light.two_sided && height < 0.0;
+  if (!light.faces(height)) return 0.0;
+  const bool behind = height < 0.0;
   return disk_form(light.position, behind ? -light.towards : light.towards, light.radius, receiver);
 }
 

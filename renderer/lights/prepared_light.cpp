@@ -1,10 +1,12 @@
 #include "renderer/lights/prepared_light.h"
 
+#include "renderer/lights/emitter_mesh.h"
 #include "renderer/lights/light_math.h"
 #include "renderer/lights/prepare_polygon.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asos {
@@ -90,8 +92,7 @@ bool prepare_disk(const Light& light, glm::dvec3 direction, PreparedLight& prepa
   return true;
 }
 
-bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
-  prepared.two_sided = light.two_sided;
+bool prepare_shape(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
   if (light.type == Light::Type::disk) {
     prepared.shape = LightShape::disk;
     return prepare_disk(light, direction, prepared);
@@ -99,6 +100,24 @@ bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepa
   prepared.shape = LightShape::polygon;
   if (light.type == Light::Type::rectangle) return prepare_rectangle(light, direction, prepared);
   return prepare_polygon(light.outlines, direction, prepared);
+}
+
+/// Of the light's surface, and of what is rounded to single precision in it.
+double thickness_of(const PreparedLight& light) {
+  constexpr double single_precision = 4.0 * std::numeric_limits<float>::epsilon();
+  const glm::dvec3 reach =
+      glm::abs(light.position) + glm::abs(light.half_u) + glm::abs(light.half_v);
+  const double rounded = single_precision * std::max({reach.x, reach.y, reach.z});
+  if (light.own_part < 0) return rounded;
+  const double longest = 2.0 * (glm::length(light.half_u) + glm::length(light.half_v));
+  return rounded + flatness_of_emitters * longest;
+}
+
+bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepared) {
+  prepared.two_sided = light.two_sided;
+  if (!prepare_shape(light, direction, prepared)) return false;
+  prepared.thickness = thickness_of(prepared);
+  return true;
 }
 
 }  // namespace

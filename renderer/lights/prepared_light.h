@@ -47,6 +47,9 @@ struct PreparedLight {
   double area = 0.0;                              ///< polygon, disk: of one side
   PolygonRows rows;        ///< polygon but a rectangle: in units of length along half_u, half_v
   bool rectangle = false;  ///< polygon: the outline is the rectangle position +- half_u +- half_v
+  /// Polygon, disk: how far from its plane its own surface may lie, by rounding and by what is
+  /// taken for flat where a mesh shines. What is no farther lies in it, and gets nothing of it.
+  double thickness = 0.0;
   bool two_sided = false;
   bool casts_shadows = true;
   double inverse_range = 0.0;
@@ -59,6 +62,10 @@ struct PreparedLight {
 
   /// Whether it has a size, so that its shadows have penumbrae.
   [[nodiscard]] bool extended() const { return shape != Shape::point && shape != Shape::distant; }
+  /// Whether what is so high above a flat light's plane, or below it, sees a side that shines.
+  [[nodiscard]] bool faces(double height) const {
+    return height > thickness || (two_sided && height < -thickness);
+  }
 };
 
 /// A light of no size (a ball of radius 0, a disk, polygon or segment without extent) gives a point

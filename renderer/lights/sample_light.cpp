@@ -48,9 +48,9 @@ LightSample no_light(glm::dvec3 to_point) {
 /// A point of a flat light, for a measure of area.
 LightSample area_sample(const PreparedLight& light, const Receiver& receiver, glm::dvec3 to_point) {
   LightSample sample = no_light(to_point);
-  if (!(sample.distance > 0.0)) return sample;
-  const double cosine = -glm::dot(sample.direction, light.towards);
-  const double seen = light.two_sided ? std::abs(cosine) : std::max(0.0, cosine);
+  const double height = -glm::dot(to_point, light.towards);
+  if (!(sample.distance > 0.0) || !light.faces(height)) return sample;
+  const double seen = std::abs(height) / sample.distance;
   const double form = light.area * seen * cosine_above(sample.direction, receiver) /
                       (sample.distance * sample.distance);
   sample.irradiance = irradiance_of(light.power, form);
@@ -61,8 +61,7 @@ LightSample rectangle_sample(const PreparedLight& light, const Receiver& receive
                              double v) {
   const glm::dvec3 middle = light.position - receiver.position;
   const double height = -glm::dot(middle, light.towards);
-  const bool seen = light.two_sided ? height != 0.0 : height > 0.0;
-  if (seen) {
+  if (light.faces(height)) {
     const std::array horizons{receiver.geometric, receiver.normal};
     const SphericalRectangle rectangle(middle, light.half_u, light.half_v, horizons);
     // A smaller one has too few digits, and from afar the area does as well.

@@ -1,12 +1,15 @@
 #include "tests/support/true_light.h"
 
 #include "renderer/prepared/own_lights.h"
+#include "tests/support/random_space.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -104,6 +107,44 @@ TEST(TrueLight, ShowsAPanelThatShinesOnce) {
     const Picture picture = render_picture(*scene, camera_for(Subject::plane), settings);
     const Errors e = errors_of(picture.film, exact);
     EXPECT_LT(e.rmse, method == Method::asos ? 0.003 : 0.05) << "bias " << e.bias;
+  }
+}
+
+// What shines and is flat sends its own light nowhere that it sees: it is as bright as it shines,
+// however it lies and is rounded.
+TEST(TrueLight, DoesNotFallOnWhatShinesItself) {
+  RandomSpace space(11);
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 normal(space.direction());
+    const glm::vec3 u(space.perpendicular(glm::dvec3(normal)));
+    const glm::vec3 v = glm::cross(normal, u);
+    const glm::vec3 middle = 3.0f * glm::vec3(space.direction());
+    World world;
+    Material shining = matte(glm::vec3(0.9f));
+    shining.emissive = glm::vec3(0.25f);
+    shining.double_sided = true;
+    // Of two triangles a rectangle, of four a polygon.
+    std::vector<TinyVertex> corners;
+    const int count = i % 2 == 0 ? 4 : 6;
+    for (int k = 0; k < count; ++k) {
+      const auto angle = static_cast<float>(2.0 * std::numbers::pi * k / count);
+      corners.push_back({middle + 2.0f * (std::cos(angle) * u + std::sin(angle) * v), normal, {}});
+    }
+    std::vector<glm::uvec3> triangles;
+    for (int k = 2; k < count; ++k)
+      triangles.emplace_back(0, static_cast<std::uint32_t>(k - 1), static_cast<std::uint32_t>(k));
+    add_part(world, corners, triangles, shining);
+    std::vector<Light> lights = lights_of_meshes(world);
+    ASSERT_EQ(lights.size(), 1u);
+    const auto scene = make_render_scene(std::move(world), std::move(lights));
+    const Camera camera =
+        look_at(glm::dvec3(middle + 4.0f * normal + 0.5f * u), glm::dvec3(middle), 0.3);
+    for (const Method method : {Method::asos, Method::sobol}) {
+      RenderSettings settings = settings_for(method);
+      settings.sampling.spp = 16;
+      const Film film = render_picture(*scene, camera, settings).film;
+      for (const glm::vec3& radiance : film.radiance) ASSERT_NEAR(radiance.x, 0.25, 1e-5) << i;
+    }
   }
 }
 

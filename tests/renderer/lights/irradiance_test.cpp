@@ -15,6 +15,7 @@ namespace asos::irradiance_test {
 namespace {
 
 using std::numbers::pi;
+using test::RandomSpace;
 
 const glm::dvec3 up(0, 1, 0);
 
@@ -93,6 +94,48 @@ TEST(Irradiance, OfOneSidedLightsStopsAtTheirPlane) {
       both.two_sided = true;
       EXPECT_FLOAT_EQ(irradiance(both, below, rule), irradiance(light, below, rule)) << light.name;
       EXPECT_FLOAT_EQ(irradiance(both, above, rule), irradiance(light, below, rule)) << light.name;
+    }
+  }
+}
+
+/// A flat light of that type that is turned and placed anywhere.
+Light turned_light(Light::Type type, RandomSpace& space) {
+  Light light = test::rectangle_light();
+  light.type = type;
+  light.position = 7.0 * space.direction();
+  light.direction = space.direction();
+  light.half_u = 0.8 * space.perpendicular(light.direction);
+  light.half_v = 0.5 / 0.8 * glm::cross(light.direction, light.half_u);
+  light.radius = 0.6;
+  light.two_sided = true;
+  light.outlines = {{}};
+  for (int k = 0; k < 5; ++k) {
+    const double angle = 0.4 * pi * k;
+    light.outlines[0].push_back(light.position + std::cos(angle) * light.half_u +
+                                std::sin(angle) * light.half_v);
+  }
+  return light;
+}
+
+// What shines lies in its own light's plane, but for rounding: that light would fill half of all
+// directions, or none, by which side it is rounded to.
+TEST(Irradiance, IsNothingInTheLightsOwnPlane) {
+  RandomSpace space(7);
+  for (const Light::Type type : {Light::Type::rectangle, Light::Type::polygon, Light::Type::disk}) {
+    for (int i = 0; i < 200; ++i) {
+      const Light light = turned_light(type, space);
+      const PreparedLight prepared = prepare_light(light);
+      const glm::dvec3 at = light.position + space.between(-0.3, 0.3) * light.half_u +
+                            space.between(-0.3, 0.3) * light.half_v;
+      const double side = i % 2 == 0 ? 1.0 : -1.0;
+      const glm::dvec3 normal = side * prepared.towards;
+      const Receiver in_it{glm::dvec3(glm::vec3(at)), normal, normal};
+      EXPECT_EQ(unshadowed_irradiance(prepared, in_it), glm::vec3(0.0f)) << i;
+      for (const glm::dvec2 p : {glm::dvec2(0.1, 0.9), glm::dvec2(0.5, 0.5)})
+        EXPECT_EQ(sample_light(prepared, in_it, p.x, p.y).irradiance, glm::vec3(0.0f)) << i;
+      // A millimetre beneath a metre of it, it is nearly all of the sky.
+      const Receiver beside{at - 1e-3 * normal, normal, normal};
+      EXPECT_GT(unshadowed_irradiance(prepared, beside).r, 0.99 * pi * 5.0) << i;
     }
   }
 }
