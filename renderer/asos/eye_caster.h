@@ -46,7 +46,8 @@ class EyeCaster final : public Caster {
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     // Cuts of what is mirrored, which has few levels left, cost less than it deserves.
     return shades_parts_ && (!eye_.mask || eye_.budget.held_to_eps()) &&
-           eye_.budget.samples_suffice_for_parts(weight, Prices::part * static_cast<double>(parts));
+           eye_.budget.samples_suffice_for_parts(
+               weight, refinement_.part_price() * static_cast<double>(parts));
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;

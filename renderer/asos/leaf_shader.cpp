@@ -54,6 +54,7 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
     sums_[leaf.root].misplaced |= refinement_->may_misplace_light(leaf.sample, leaf.region);
 
   // Leaves that splitting would not make even are sampled.
+  const std::uint32_t enough = enough_samples_for(eye_->budget, leaf.weight);
   std::uint32_t fewest = 0;
   Sampled what = Sampled::noisy;
   if (refinement_->glints(leaf.sample, leaf.weight)) {
@@ -61,12 +62,12 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   } else if (leaf.sampled) {
     // So few that agree by chance are not to be believed.
     const double likely = eye_->budget.samples_of_uneven(leaf.weight, 0.0);
-    fewest = std::max(enough_samples, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
+    fewest = std::max(enough, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
     if (!may_be_glossy(material_of(leaf))) what = Sampled::smooth;
   } else if (refinement_->cut_out(leaf.sample, leaf.region)) {
-    fewest = enough_samples;
+    fewest = enough;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
-    fewest = enough_samples;
+    fewest = enough;
   }
   if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest, what))
     return;

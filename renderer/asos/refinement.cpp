@@ -36,6 +36,21 @@ bool by_lobes_only(const EyeContext& eye, const Hit& hit) {
          eye.viewer.shader.mirrors_by_lobe(hit.triangle, least_mirror_roughness(material));
 }
 
+/// Whether a patch reaches far beyond the triangle that was hit, which tells of its own bend only.
+bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch) {
+  constexpr float far = 0.5f;  // of the triangle
+  const Footprint seen = footprint_on(world, hit, patch);
+  const auto reach = [](glm::vec2 edge) {
+    return std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.x + edge.y)});
+  };
+  return std::max(reach(seen.right), reach(seen.down)) > far;
+}
+
+/// What a leaf of the material costs, in samples: those of mirrors are pyrays of their own.
+double leaf_price(const Material& material) {
+  return may_be_glossy(material) ? Prices::glossy_leaf : Prices::leaf;
+}
+
 }  // namespace
 
 Refinement::Refinement(const EyeContext& eye, const EyeSamples& samples,
@@ -78,7 +93,7 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
                                                    static_cast<double>(found.highlights.contrast));
   };
   const bool shading = wide > 1.0 || found.all() > tolerance;
-  const double leaf = leaf_price(sample);
+  const double leaf = leaf_price(eye_->scene->world().material_of(samples_->hit(sample).triangle));
   if (shading && sampled(found.price_of_splitting(eye_->budget, wide, leaf, highlights_price())))
     return {Unevenness::shading, 0, true};
   LeafVerdict verdict;
@@ -97,10 +112,8 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   return verdict;
 }
 
-// What a leaf of the surface costs, in samples: those of mirrors are pyrays of their own.
-double Refinement::leaf_price(SampleId sample) const {
-  const Material& material = eye_->scene->world().material_of(samples_->hit(sample).triangle);
-  return may_be_glossy(material) ? Prices::glossy_leaf : Prices::leaf;
+double Refinement::part_price() const {
+  return Prices::part + shadows_.price();
 }
 
 // What their highlights add to it: each light is summed up over.
@@ -271,24 +284,19 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
   if (!shadows_.any() || material.unlit) return false;
   if (scene.needs.normal_maps && has_normal_map(material)) return true;
   return scene.features().deviation(hit.triangle) > 0.0f &&
-         gloss_.error(sample, share, patch_around(sample, region)).highlights.contrast <= bright;
+         (reaches_beyond_triangle(scene.world(), hit, samples_->patch(sample, share)) ||
+          gloss_.error(sample, share, patch_around(sample, region)).highlights.contrast <= bright);
 }
 
 // Whether a leaf reaches far beyond its triangle on a bent mesh with textures, which need not go on
 // there as they do on the triangle.
 bool Refinement::textured_by_several(SampleId sample, double share) const {
-  constexpr float far = 0.5f;  // of the triangle
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = samples_->hit(sample);
-  if (eye_->settings->texture.filter == TextureFilter::point ||
-      !is_textured(scene.world().material_of(hit.triangle), scene.needs) ||
-      !(scene.features().deviation(hit.triangle) > 0.0f))
-    return false;
-  const Footprint seen = footprint_on(scene.world(), hit, samples_->patch(sample, share));
-  const auto reach = [](glm::vec2 edge) {
-    return std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.x + edge.y)});
-  };
-  return std::max(reach(seen.right), reach(seen.down)) > far;
+  return eye_->settings->texture.filter != TextureFilter::point &&
+         is_textured(scene.world().material_of(hit.triangle), scene.needs) &&
+         scene.features().deviation(hit.triangle) > 0.0f &&
+         reaches_beyond_triangle(scene.world(), hit, samples_->patch(sample, share));
 }
 
 bool Refinement::is_finest(const LeafRegion& region) const {

@@ -49,12 +49,15 @@ class Refinement {
     return samples_->cut_out(sample) && !region.marginal && eye_->budget.refines() &&
            eye_->budget.max_level > 0;
   }
-  /// Whether a leaf is of a bent or bumpy mesh under lights of some size, without bright
-  /// highlights: its middle's normal stands for none of its other points', and where these look
-  /// past their own surface's horizon at a light is for rays to say, so that as many samples tell
-  /// more of it. Or of one whose texture several triangles bring to it, each in its own way.
+  /// Whether a leaf is of a bent or bumpy mesh under lights of some size, and without bright
+  /// highlights, unless it shows several triangles of one: its middle's normal stands for none of
+  /// its other points', and where these look past their own surface's horizon at a light is for
+  /// rays to say, so that as many samples tell more of it. Or of one whose texture several
+  /// triangles bring to it, each in its own way.
   [[nodiscard]] bool better_sampled_at_once(SampleId sample, double share,
                                             const LeafRegion& region) const;
+  /// What each of many parts of a cell costs, in samples.
+  [[nodiscard]] double part_price() const;
   /// Whether a leaf would be split further for its shading, were there any levels left.
   [[nodiscard]] bool uneven_at_last(SampleId sample, double share, const LeafRegion& region) const;
 
@@ -72,7 +75,6 @@ class Refinement {
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] bool textured_by_several(SampleId sample, double share) const;
-  [[nodiscard]] double leaf_price(SampleId sample) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] glm::ivec2 pixel_of(const LeafRegion& region) const;

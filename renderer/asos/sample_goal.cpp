@@ -1,6 +1,17 @@
 #include "renderer/asos/sample_goal.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace asos {
+
+std::uint32_t enough_samples_for(const Budget& budget, double weight) {
+  constexpr double of_a_pixel = 256.0;
+  constexpr std::uint32_t fewest = 2;
+  const double share = of_a_pixel * budget.share * weight;
+  return std::bit_ceil(static_cast<std::uint32_t>(
+      std::clamp(share, static_cast<double>(fewest), static_cast<double>(enough_samples))));
+}
 
 // The standard error that the part's weight deserves, and twice that where noise is all there is,
 // or rather, as measured, 0.85 of that: more is allowed of what takes many samples. One for each

@@ -19,7 +19,9 @@ enum class Sampled { smooth, noisy };
 /// So few samples are right where there are many such parts, or the part is only one of what a
 /// mirror shows.
 inline constexpr std::uint32_t few_samples = 4;
-/// So many tell how far their mean may be off.
+/// So many tell how far their mean may be off, which matters for what is no small part of its
+/// pixel: a smaller one takes as many as it would have of a pixel's 256, however they agree.
 inline constexpr std::uint32_t enough_samples = 16;
+[[nodiscard]] std::uint32_t enough_samples_for(const Budget& budget, double weight);
 
 }  // namespace asos

@@ -132,9 +132,11 @@ std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weig
   return static_cast<std::uint32_t>(shares_.size() - 1);
 }
 
-// So many that their rays tell what the leaf deserves to know.
+// So many that their rays tell what the leaf deserves to know. Rays to lights that are picked by
+// estimates differ by more than those to one light.
 std::uint32_t WeakLights::points_of(double weight, const Expected& expected) const {
-  const double rays = eye_->budget.rays(weight, expected.intensity);
+  constexpr double of_picks = 2.0;
+  const double rays = eye_->budget.rays(weight, of_picks * expected.intensity);
   return std::bit_ceil(static_cast<std::uint32_t>(
       std::clamp(std::ceil(rays / expected.rays_of_point), 1.0, static_cast<double>(most_points))));
 }

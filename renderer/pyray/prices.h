@@ -18,7 +18,8 @@ namespace asos {
 /// long by samples at 1/256; a glossy leaf sums up the BRDF over each light, or traces what it
 /// mirrors. Soft shadows at 0: boxes and primitives a fifth better at equal error, but scenes of
 /// many small parts before three panels take twice as long. Of cells that boundaries cut into many
-/// parts, each of these counts as `part`: at 20 the errors of trees and roofs grow by a tenth.
+/// parts, each of these counts as `part`, at 20 the errors of trees and roofs in the sun grow by a
+/// tenth, and as its soft shadows.
 struct Prices {
   static constexpr double light_window = 20.0;   ///< a light cut along what stands before it
   static constexpr double search = 4.0;          ///< for what bounds a patch's hard shadow

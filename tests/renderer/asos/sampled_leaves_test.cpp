@@ -31,12 +31,12 @@ auto penumbra() {
   return make_render_scene(std::move(world), {ball});
 }
 
-Picture picture_of(const RenderScene& scene, int max_level, double eps) {
+Picture picture_of(const RenderScene& scene, int max_level, double eps, double height = 4.0) {
   RenderSettings settings;
   settings.width = settings.height = side;
   settings.asos.max_level = max_level;
   settings.asos.eps = eps;
-  return render_picture(scene, orthographic(4.0), settings);
+  return render_picture(scene, orthographic(height), settings);
 }
 
 TEST(SampledLeaves, OfAPenumbraAreAsExactAsEpsAsks) {
@@ -119,6 +119,70 @@ TEST(SampledLeaves, OfATextureOnSmallTrianglesAreAsExactAsEpsAsks) {
   }
   EXPECT_GT(std::sqrt(spread), 0.1) << "there is something to see";
   EXPECT_LT(std::sqrt(squares), 1.0 / 256.0);
+}
+
+/// A rough sheet of metal in the light of a panel, some ninety triangles to a pixel.
+auto rough_metal() {
+  constexpr int cells = 160;
+  constexpr float width = 4.0f, step = width / cells;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> off(-0.25f * step, 0.25f * step);
+  std::vector<TinyVertex> vertices;
+  for (int y = 0; y <= cells; ++y)
+    for (int x = 0; x <= cells; ++x)
+      vertices.push_back(
+          {{static_cast<float>(x) * step - 2.0f, static_cast<float>(y) * step - 2.0f, off(random)},
+           glm::vec3(0.0f),
+           {}});
+  std::vector<glm::uvec3> triangles;
+  for (std::uint32_t y = 0; y < cells; ++y) {
+    for (std::uint32_t x = 0; x < cells; ++x) {
+      const std::uint32_t a = y * (cells + 1) + x, b = a + cells + 1;
+      triangles.emplace_back(a, a + 1, b + 1);
+      triangles.emplace_back(a, b + 1, b);
+    }
+  }
+  for (const glm::uvec3& t : triangles) {
+    const glm::vec3 a = vertices[t.x].position;
+    const glm::vec3 n = glm::cross(vertices[t.y].position - a, vertices[t.z].position - a);
+    for (int k = 0; k < 3; ++k) vertices[t[k]].normal += n;
+  }
+  for (TinyVertex& v : vertices) v.normal = glm::normalize(v.normal);
+  World world;
+  Material metal = matte(glm::vec3(0.8f));
+  metal.metallic = 1.0f;
+  metal.roughness = 0.4f;
+  add_part(world, vertices, triangles, metal);
+  Light panel;
+  panel.type = Light::Type::rectangle;
+  panel.position = {0.5, 0.3, 4.0};
+  panel.direction = {0, 0, -1};
+  panel.half_u = {1.0, 0, 0};
+  panel.half_v = {0, 0.6, 0};
+  panel.intensity = 2.0f;
+  return make_render_scene(std::move(world), {panel});
+}
+
+// One triangle tells of its own bend, and not of the ninety that a pixel shows.
+TEST(SampledLeaves, ShowTheHighlightsOfAFineMesh) {
+  const auto scene = rough_metal();
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  const Picture truth = render_picture(*scene, orthographic(3.5), settings);
+  const Picture found = picture_of(*scene, 2, 1.0 / 256.0, 3.5);
+  double squares = 0.0, mean = 0.0;
+  for (std::size_t i = 0; i < found.film.radiance.size(); ++i) {
+    const auto d = static_cast<double>(found.film.radiance[i].x - truth.film.radiance[i].x);
+    squares += d * d;
+    mean += static_cast<double>(truth.film.radiance[i].x);
+  }
+  const auto count = static_cast<double>(found.film.radiance.size());
+  EXPECT_GT(mean / count, 0.1);
+  EXPECT_LT(std::sqrt(squares / count), 0.003);
+  const double samples = static_cast<double>(found.statistics.eye_rays) / count;
+  EXPECT_LT(samples, 256.0) << "and a pixel takes no more than it deserves";
 }
 
 }  // namespace
