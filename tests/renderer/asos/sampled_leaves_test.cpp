@@ -62,6 +62,19 @@ TEST(SampledLeaves, OfAPenumbraAreAsExactAsEpsAsks) {
   EXPECT_LT(std::abs(off / count), 0.5 / 256.0 / std::sqrt(count) * 3.0) << "and in no direction";
 }
 
+/// The triangles of a sheet of cells x cells squares, whose corners are in rows.
+std::vector<glm::uvec3> grid_of(std::uint32_t cells) {
+  std::vector<glm::uvec3> triangles;
+  for (std::uint32_t y = 0; y < cells; ++y) {
+    for (std::uint32_t x = 0; x < cells; ++x) {
+      const std::uint32_t a = y * (cells + 1) + x, b = a + cells + 1;
+      triangles.emplace_back(a, a + 1, b);
+      triangles.emplace_back(a + 1, b + 1, b);
+    }
+  }
+  return triangles;
+}
+
 /// A rumpled sheet across the view, some two triangles to a pixel, each of which has its own scale
 /// of a texture of random squares; unlit.
 auto rumpled() {
@@ -81,7 +94,6 @@ auto rumpled() {
                              }),
                   Wrap::repeat, Filter::linear);
   std::vector<TinyVertex> vertices;
-  std::vector<glm::uvec3> triangles;
   for (int y = 0; y <= cells; ++y) {
     for (int x = 0; x <= cells; ++x) {
       const glm::vec2 at(x, y);
@@ -90,13 +102,7 @@ auto rumpled() {
       vertices.push_back({{place.x, place.y, 0.1f * off(random)}, {0, 0, 1}, uv});
     }
   }
-  const auto index = [](int x, int y) { return static_cast<std::uint32_t>(y * (cells + 1) + x); };
-  for (int y = 0; y < cells; ++y) {
-    for (int x = 0; x < cells; ++x) {
-      triangles.emplace_back(index(x, y), index(x + 1, y), index(x, y + 1));
-      triangles.emplace_back(index(x + 1, y), index(x + 1, y + 1), index(x, y + 1));
-    }
-  }
+  const std::vector<glm::uvec3> triangles = grid_of(cells);
   add_part(world, vertices, triangles, material);
   return make_render_scene(std::move(world));
 }
@@ -134,14 +140,7 @@ auto rough_metal() {
           {{static_cast<float>(x) * step - 2.0f, static_cast<float>(y) * step - 2.0f, off(random)},
            glm::vec3(0.0f),
            {}});
-  std::vector<glm::uvec3> triangles;
-  for (std::uint32_t y = 0; y < cells; ++y) {
-    for (std::uint32_t x = 0; x < cells; ++x) {
-      const std::uint32_t a = y * (cells + 1) + x, b = a + cells + 1;
-      triangles.emplace_back(a, a + 1, b + 1);
-      triangles.emplace_back(a, b + 1, b);
-    }
-  }
+  const std::vector<glm::uvec3> triangles = grid_of(cells);
   for (const glm::uvec3& t : triangles) {
     const glm::vec3 a = vertices[t.x].position;
     const glm::vec3 n = glm::cross(vertices[t.y].position - a, vertices[t.z].position - a);
