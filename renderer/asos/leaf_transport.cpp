@@ -4,6 +4,7 @@
 #include "renderer/asos/light_counts.h"
 #include "renderer/asos/reflected_pyray.h"
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/reflected_light.h"
 #include "renderer/shadows/shadow.h"
 
 #include <algorithm>
@@ -45,6 +46,8 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
 // two where what it shows is seen or hidden as the greater is, or else the greater.
 float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const {
   const float lesser = largest(glm::min(seen, 1.0f - seen));
+  // What a broad lobe shows of what is seen is found with its shadow (area_shadow).
+  if (is_broad(lit)) return 0.0f;
   const float tolerance = eye_->budget.tolerance;
   const bool may_matter = lesser > 0.0f && (1.0f - lesser) * lit.highlight > tolerance;
   if (!may_matter || lesser * lit.highlight > tolerance || !lit.lit || eye_->mask) return lesser;

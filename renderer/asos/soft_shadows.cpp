@@ -26,7 +26,7 @@ bool SoftShadows::casts(std::uint32_t light) const {
 SoftShadows::Verdict SoftShadows::judge(const SurfacePoint& point, const Patch& patch,
                                         float reflected, int level, double share) {
   const auto lights = eye_->viewer.shader.lights();
-  const float tolerance = eye_->budget.penumbra_tolerance();
+  const float tolerance = eye_->budget.penumbra_tolerance(lights.size());
   // Add up the errors of the lights until they exceed the tolerance.
   float error = 0.0f;
   std::vector<std::uint32_t> saturated;

@@ -170,6 +170,26 @@ class CutLight {
   std::vector<Piece> sides_;
 };
 
+double distance_to_segment(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
+  const glm::dvec3 d = b - a;
+  const double length2 = glm::dot(d, d);
+  const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + t * d);
+}
+
+double distance_to_triangle(glm::dvec3 p, const std::array<glm::vec3, 3>& corners) {
+  const glm::dvec3 a(corners[0]), b(corners[1]), c(corners[2]);
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const auto inside_of = [&](glm::dvec3 from, glm::dvec3 to) {
+    return glm::dot(glm::cross(to - from, p - from), normal) >= 0.0;
+  };
+  const double size = glm::length(normal);
+  if (size > 0.0 && inside_of(a, b) && inside_of(b, c) && inside_of(c, a))
+    return std::abs(glm::dot(p - a, normal)) / size;
+  return std::min(
+      {distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+}
+
 std::array<glm::vec3, 3> corners_of(const World& world, std::size_t triangle) {
   const glm::uvec3 t = world.triangles[triangle];
   return {world.positions[t.x], world.positions[t.y], world.positions[t.z]};
@@ -206,6 +226,26 @@ LightIntersections find_light_intersections(const World& world,
       cuts[k].clear();
   }
   return cuts;
+}
+
+std::vector<bool> find_entered_balls(const World& world, std::span<const PreparedLight> lights) {
+  std::vector<bool> entered(lights.size(), false);
+  std::vector<std::size_t> balls;
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (lights[k].shape == LightShape::ball && lights[k].casts_shadows) balls.push_back(k);
+  for (std::size_t i = 0; i < world.triangles.size() && !balls.empty(); ++i) {
+    const Box box = box_of(world, i);
+    for (const std::size_t k : balls) {
+      const PreparedLight& light = lights[k];
+      if (entered[k] || light.own_part == static_cast<std::int32_t>(world.triangle_part[i]))
+        continue;
+      const double radius = (1.0 - touching) * light.radius;
+      const glm::dvec3 nearest = glm::clamp(light.position, glm::dvec3(box.lo), glm::dvec3(box.hi));
+      if (glm::distance(nearest, light.position) < radius)
+        entered[k] = distance_to_triangle(light.position, corners_of(world, i)) < radius;
+    }
+  }
+  return entered;
 }
 
 }  // namespace asos

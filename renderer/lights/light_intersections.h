@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace asos {
 
@@ -17,6 +18,11 @@ namespace asos {
 /// and a run of triangles.
 [[nodiscard]] LightIntersections find_light_intersections(const World& world,
                                                           std::span<const PreparedLight> lights);
+
+/// Which of the lights are balls that triangles of the world which are not their own part reach
+/// into. From there on these hide nothing of the ball; but where a ray enters it no plane tells.
+[[nodiscard]] std::vector<bool> find_entered_balls(const World& world,
+                                                   std::span<const PreparedLight> lights);
 
 /// More than any shadow pyray cuts along: it then samples the light.
 inline constexpr std::size_t most_light_intersections = 512;

@@ -50,9 +50,12 @@ Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
   // Where the intersections are does not depend on the rule.
   const LightIntersections intersections =
       find_light_intersections(world, lighting.prepared(LightRule::physical));
+  const std::vector<bool> entered =
+      find_entered_balls(world, lighting.prepared(LightRule::physical));
   for (std::vector<PreparedLight>& prepared : lighting.by_rule) {
     for (std::size_t i = 0; i < prepared.size(); ++i) {
       prepared[i].intersections = intersections[i];
+      prepared[i].entered = entered[i];
       prepared[i].patterned = patterned(world, lights[i]);
     }
   }

@@ -58,7 +58,8 @@ struct PreparedLight {
   std::int32_t own_part = -1;
   bool patterned = false;  ///< its own part does not shine evenly: it is the mean
   std::vector<LightIntersection>
-      intersections;  ///< polygon, disk: where surfaces of the world pass through it
+      intersections;     ///< polygon, disk: where surfaces of the world pass through it
+  bool entered = false;  ///< ball: a surface of the world that is not its own reaches into it
 
   /// Whether it has a size, so that its shadows have penumbrae.
   [[nodiscard]] bool extended() const { return shape != Shape::point && shape != Shape::distant; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -71,11 +72,12 @@ struct Budget {
 
   /// What a soft shadow's edges may vary a patch by, as they are found: its bound is for an edge
   /// all along a patch, and at the worst place. Pictures are as exact by twice the tolerance, but
-  /// not by twice MAX 1's.
-  [[nodiscard]] float penumbra_tolerance() const {
-    constexpr float of_max_2 = 1.0f / 64.0f;
+  /// not by twice MAX 1's; and of many lights, whose errors add up, not by twice MAX 2's.
+  [[nodiscard]] float penumbra_tolerance(std::size_t lights) const {
+    constexpr float of_max_2 = 1.0f / 64.0f, few = 4.0f;
     if (!refines() || max_level == 0) return 2.0f * tolerance;
-    return 2.0f * std::min(tolerance, std::max(static_cast<float>(eps), of_max_2));
+    const float of_each = of_max_2 * std::min(1.0f, few / static_cast<float>(lights));
+    return 2.0f * std::min(tolerance, std::max(static_cast<float>(eps), of_each));
   }
 
   /// How far the middle of a root may be off its mean before it is looked at more closely: a 64th

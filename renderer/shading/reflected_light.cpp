@@ -102,6 +102,24 @@ glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample) {
                                          static_cast<float>(sample.distance));
 }
 
+bool is_broad(const Illumination& lit) {
+  return lit.lit && lit.lit->material.roughness >= least_broad_roughness;
+}
+
+float spread_over(const Illumination& lit) {
+  const Receiver receiver = receiver_at(lit.point);
+  float least = std::numeric_limits<float>::infinity(), most = 0.0f;
+  constexpr double low = 0.05, high = 0.95;
+  for (const glm::dvec2 p : {glm::dvec2(0.5), {low, low}, {low, high}, {high, low}, {high, high}}) {
+    const LightSample at = sample_light(lit.light, receiver, p.x, p.y);
+    if (at.irradiance == glm::vec3(0.0f)) continue;
+    const float radiance = largest(reflected_from(lit, at) * lit.unshadowed);
+    least = std::min(least, radiance);
+    most = std::max(most, radiance);
+  }
+  return most > least ? most - least : 0.0f;
+}
+
 std::optional<MirroredLights> shown_from(const PreparedLight& light) {
   using LightShape = PreparedLight::Shape;
   if (light.patterned) return MirroredLights::patterned;
@@ -202,8 +220,7 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
   constexpr double most = std::numeric_limits<float>::max();
   const glm::vec3 shine(glm::clamp(specular * per_irradiance, 0.0, most));
   share.reflected += shine;
-  if (seen.roughness < least_broad_roughness)
-    share.highlight = largest(point_.share * shine * irradiance);
+  share.highlight = largest(point_.share * shine * irradiance);
   return share;
 }
 

@@ -29,6 +29,15 @@ namespace asos {
 /// of the whole light.
 [[nodiscard]] glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample);
 
+/// Whether the lobe that makes its highlight is too broad for one: it goes on over all of the
+/// light, and beyond.
+[[nodiscard]] bool is_broad(const Illumination& lit);
+
+/// By how much the radiance that all of a light would make, were it where its middle is or where
+/// one of its corners is, differs: what is seen of it in part may make so much more or less of what
+/// is hidden.
+[[nodiscard]] float spread_over(const Illumination& lit);
+
 /// The least that a reflection shows for the light to be among it; nothing for a light without a
 /// surface: lines and points are too thin, and suns too bright.
 [[nodiscard]] std::optional<MirroredLights> shown_from(const PreparedLight& light);

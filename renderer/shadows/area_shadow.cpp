@@ -1,6 +1,7 @@
 #include "renderer/shadows/area_shadow.h"
 
 #include "renderer/pyray/prices.h"
+#include "renderer/shadows/broad_lobe.h"
 #include "renderer/shadows/extended_shadow.h"
 #include "renderer/shadows/penumbra.h"
 #include "renderer/shadows/sampled_shadow.h"
@@ -44,7 +45,7 @@ bool uneven_at_last(const ShadowContext& block, const ShadowQuery& query,
       block,
       {lit.light, lit.index, lit.point, shown, reflected, query.leaf.level(), query.leaf.weight},
       counts);
-  return penumbra.error > block.rules.budget.penumbra_tolerance();
+  return penumbra.error > block.rules.budget.penumbra_tolerance(block.lights);
 }
 
 // The mean over n x n parts of the patch: pyrays from points of each, or extended ones.
@@ -83,6 +84,27 @@ Visibility divided_shadow(const ShadowContext& block, const ShadowQuery& query,
                    : point_area_shadow(block, query, middle, counts);
 }
 
+// By rays where they cost less, or tell more, than a pyray from the patch's middle.
+Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
+                          const Receiver& middle, RenderStatistics& counts) {
+  const PreparedLight& light = query.lit.light;
+  const bool by_rays =
+      block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(), Prices::light_window) ||
+      light.entered || is_saturated(query) || uneven_at_last(block, query, counts);
+  const auto rays = [&]() -> std::optional<Visibility> {
+    if (const auto window = LightWindow::of(light, middle))
+      return sampled_area_shadow(block, query, *window, middle, counts);
+    if (light.shape == PreparedLight::Shape::ball)
+      return sampled_shadow_around(block, query, counts);
+    return std::nullopt;
+  };
+  if (by_rays) {
+    if (const auto seen = rays()) return *seen;
+  }
+  const Visibility seen = point_area_shadow(block, query, middle, counts);
+  return lobe_tells_apart(block, query.lit, seen) ? rays().value_or(seen) : seen;
+}
+
 }  // namespace
 
 Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
@@ -100,13 +122,7 @@ Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
   }
   switch (block.rules.quality) {
     case ShadowQuality::refined:
-      if (block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(),
-                                          Prices::light_window) ||
-          is_saturated(query) || uneven_at_last(block, query, counts)) {
-        if (const auto window = LightWindow::of(query.lit.light, middle))
-          return sampled_area_shadow(block, query, *window, middle, counts);
-      }
-      break;
+      return refined_shadow(block, query, middle, counts);
     case ShadowQuality::centre:
       break;
     case ShadowQuality::supersampling:

@@ -218,4 +218,15 @@ double LightWindow::round_form(const LeafRegion& region) const {
   return sum;
 }
 
+float way_to_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards) {
+  constexpr double most = 1.0 - before_light;
+  if (light.shape != PreparedLight::Shape::ball) return static_cast<float>(most);
+  const glm::dvec3 to_middle = light.position - from;
+  const double length2 = glm::dot(towards, towards);
+  const double along = glm::dot(to_middle, towards) / length2;
+  const glm::dvec3 beside = to_middle - along * towards;
+  const double within2 = light.radius * light.radius - glm::dot(beside, beside);
+  return static_cast<float>(most * (along - std::sqrt(std::max(0.0, within2) / length2)));
+}
+
 }  // namespace asos

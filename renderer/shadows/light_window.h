@@ -71,4 +71,9 @@ class LightWindow {
   int horizon_count_ = 0;
 };
 
+/// How much of the way that a ray goes along `towards`, to a light's window, it may go until it is
+/// at the light: up to the window's plane, or to where it enters a ball, whose window is at its
+/// rim.
+[[nodiscard]] float way_to_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards);
+
 }  // namespace asos

@@ -209,7 +209,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
 Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
                        RenderStatistics& counts) {
   // Nothing lies between, or it does not matter.
-  const float tolerance = block.rules.budget.penumbra_tolerance();
+  const float tolerance = block.rules.budget.penumbra_tolerance(block.lights);
   if (block.rules.quality != ShadowQuality::refined) return {};
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return {};

@@ -2,6 +2,7 @@
 
 #include "renderer/pyray/prices.h"
 #include "renderer/sampling/sobol_points.h"
+#include "renderer/shadows/broad_lobe.h"
 #include "renderer/shadows/shadow.h"
 
 #include <algorithm>
@@ -187,6 +188,7 @@ Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& que
 Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
                                const LightWindow& window, const Receiver& receiver,
                                RenderStatistics& counts) {
+  const bool by_lobe = lobe_tells_apart(block, query.lit, Visibility(0.5));
   const auto aim = [&](const SobolPixel& points, std::uint32_t number,
                        const Receiver& from) -> std::optional<WeighedRay> {
     const glm::dvec2 on_light = points.light(number, query.lit.index);
@@ -196,9 +198,28 @@ Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& qu
     if (!window.infinitely_far()) target += receiver.position - from.position;
     WeighedRay found;
     found.weight = weight_of(query.lit.light, from, target);
+    if (by_lobe && found.weight > 0.0) found.weight *= lobe_towards(query.lit, target);
     found.ray.origin = glm::vec3(from.position);
     found.ray.direction = glm::vec3(target);
-    if (!window.infinitely_far()) found.ray.t_far = most_of_the_way;
+    if (!window.infinitely_far())
+      found.ray.t_far = way_to_light(query.lit.light, from.position, target);
+    return found;
+  };
+  return sampled_visibility(block, query, counts, rays_to_all, aim);
+}
+
+Visibility sampled_shadow_around(const ShadowContext& block, const ShadowQuery& query,
+                                 RenderStatistics& counts) {
+  const auto aim = [&](const SobolPixel& points, std::uint32_t number,
+                       const Receiver& from) -> std::optional<WeighedRay> {
+    const glm::dvec2 on_light = points.light(number, query.lit.index);
+    const LightSample sample = sample_light(query.lit.light, from, on_light.x, on_light.y);
+    if (sample.irradiance == glm::vec3(0.0f)) return std::nullopt;
+    WeighedRay found;
+    found.weight = 1.0;
+    found.ray.origin = glm::vec3(from.position);
+    found.ray.direction = glm::vec3(sample.direction);
+    found.ray.t_far = most_of_the_way * static_cast<float>(sample.distance);
     return found;
   };
   return sampled_visibility(block, query, counts, rays_to_all, aim);

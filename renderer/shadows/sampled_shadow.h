@@ -15,6 +15,10 @@ namespace asos {
                                              const LightWindow& window, const Receiver& receiver,
                                              RenderStatistics& counts);
 
+/// The same of a ball that the patch lies in: light comes from everywhere.
+[[nodiscard]] Visibility sampled_shadow_around(const ShadowContext& block, const ShadowQuery& query,
+                                               RenderStatistics& counts);
+
 /// The same of a light without a size, over a patch whose plane is not its surface.
 [[nodiscard]] Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
                                              RenderStatistics& counts);

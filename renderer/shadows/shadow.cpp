@@ -70,8 +70,10 @@ Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
     middle.region = {even.square, {}};
     middle.weight = std::pow(even.square.side / leaf.root_side, 2.0f);
     middle.saturated = even.saturated;
-    visibility = leaf_visibility(
-        block, {lit.light, lit.index, even.middle, there, lit.reflected, 0}, middle, counts);
+    // Its lobe is that of the leaf, which is nearby.
+    const Illumination of_middle{lit.light, lit.index, even.middle,  there,        lit.reflected,
+                                 lit.layer, lit.lit,   lit.of_patch, lit.highlight};
+    visibility = leaf_visibility(block, of_middle, middle, counts);
   }
   return holds_for_all() ? visibility : leaf_visibility(block, lit, leaf, counts);
 }

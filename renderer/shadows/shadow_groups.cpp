@@ -61,6 +61,7 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
                                           glm::length(patch.right) + glm::length(patch.down));
     group.answers.resize(lights_);
     for (Answer& answer : group.answers) answer.known = false;
+    group.stood_upon.reset();
   }
   Group& group = groups_[i];
   // Grow it by the patch, half as far again as that goes to first order.
@@ -130,6 +131,7 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
   search_shaft(scene_.features, shaft, own_part_ignored(scene_.world, light), most_nodes,
                answer.search);
   if (!group.planar || !answer.search.complete || !answer.search.cut.empty()) return;
+  if (stood_upon(group)) return;
   if (nothing_between(light, shaft)) {
     answer.passage = Passage::lit;
     return;
@@ -150,6 +152,24 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
       return;
     }
   }
+}
+
+// Whether something stands on the group, or passes through it: shade that begins there has no
+// boundary above the plane, and the block may show both sides of it, for the eye looks through the
+// backs of single-sided surfaces, and through holes.
+bool ShadowGroups::stood_upon(Group& group) const {
+  if (!group.stood_upon) {
+    const FeatureSet& features = scene_.features;
+    // The edges of the group's own surface, beside which it does not go on.
+    const auto its_border = [&](const FeatureEdge& e) {
+      const bool own = e.left_sheet == group.sheet || e.right_sheet == group.sheet;
+      const bool of_several = e.kind == FeatureKind::open && e.right_sheet != FeatureEdge::none;
+      return own && e.kind != FeatureKind::intersection && !of_several;
+    };
+    group.stood_upon = any_edge(features, Shaft(group.box, group.box),
+                                [&](const FeatureEdge& edge) { return !its_border(edge); });
+  }
+  return *group.stood_upon;
 }
 
 // Whether the boxes of the scene's parts prove it. With very many parts a ray costs less.

@@ -10,6 +10,7 @@
 #include "renderer/world/world.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,11 +56,13 @@ class ShadowGroups {
     bool planar = true;
     double tolerance = 0;  // how far from the plane points may lie by rounding
     std::vector<Answer> answers;
+    std::optional<bool> stood_upon;  // once it is asked
   };
 
   [[nodiscard]] Group* group_of(const SurfacePoint& point, const Box& patch);
   void find(const PreparedLight& light, const SurfacePoint& point, Group& group, Answer& answer,
             std::uint64_t& rays_cast);
+  [[nodiscard]] bool stood_upon(Group& group) const;
   [[nodiscard]] bool nothing_between(const PreparedLight& light, const Shaft& shaft) const;
   [[nodiscard]] Box light_box(const PreparedLight& light, const Box& from) const;
 

@@ -162,4 +162,29 @@ void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBo
   std::erase_if(cut, [](const CutNode& part) { return part.children == 0; });
 }
 
+bool any_edge(const FeatureSet& features, const Shaft& shaft,
+              const std::function<bool(const FeatureEdge&)>& asked_for) {
+  if (features.nodes().empty()) return false;
+  const auto met = [&](const FeatureEdge& e) {
+    if (!asked_for(e)) return false;
+    if (e.is_curve()) return shaft.meets(features.curves()[e.curve()].box);
+    return shaft.meets(features.positions()[e.a], features.positions()[e.b]);
+  };
+  std::vector<std::uint32_t> left{0};
+  while (!left.empty()) {
+    const FeatureNode& node = features.nodes()[left.back()];
+    left.pop_back();
+    for (unsigned met_ones = shaft.met_children(node); met_ones != 0; met_ones &= met_ones - 1) {
+      const auto c = static_cast<unsigned>(__builtin_ctz(met_ones));
+      if (node.edge_count[c] == FeatureNode::inner) {
+        left.push_back(node.child[c]);
+        continue;
+      }
+      const auto edges = features.edges().subspan(node.child[c], node.edge_count[c]);
+      if (std::any_of(edges.begin(), edges.end(), met)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace asos

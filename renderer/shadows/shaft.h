@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace asos {
@@ -51,5 +52,9 @@ struct ShaftSearch {
 /// Edges that `ignored` ignores do not count.
 void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBounds& ignored,
                   std::size_t most, ShaftSearch& found);
+
+/// Whether some edge that meets a shaft is one of those asked for.
+[[nodiscard]] bool any_edge(const FeatureSet& features, const Shaft& shaft,
+                            const std::function<bool(const FeatureEdge&)>& asked_for);
 
 }  // namespace asos

@@ -15,7 +15,8 @@ std::optional<Ray> WindowCaster::ray_at(glm::vec2 p) const {
   Ray ray;
   ray.origin = glm::vec3(window_->frame().apex());
   ray.direction = glm::vec3(window_->towards(p));
-  if (!window_->infinitely_far()) ray.t_far = most_of_the_way;
+  if (!window_->infinitely_far())
+    ray.t_far = way_to_light(*light_, window_->frame().apex(), window_->towards(p));
   return ray;
 }
 

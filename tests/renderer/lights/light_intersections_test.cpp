@@ -122,5 +122,27 @@ TEST(LightIntersections, AreNotKeptBeyondWhatIsCutAlong) {
   EXPECT_EQ(cuts_of(world, ceiling_light()).size(), most_light_intersections);
 }
 
+TEST(EnteredBalls, AreThoseThatATriangleOfAnotherPartReachesInto) {
+  Light ball;
+  ball.type = Light::Type::point;
+  ball.radius = 1.0;
+  const auto entered = [&](glm::vec3 corner, std::int32_t own_part) -> bool {
+    World world;
+    add_triangle(world, corner, corner + glm::vec3(4, 0, 0), corner + glm::vec3(0, 4, 0),
+                 matte(glm::vec3(0.5f)));
+    PreparedLight prepared = prepare_light(ball);
+    prepared.own_part = own_part;
+    return find_entered_balls(world, {&prepared, 1}).at(0);
+  };
+  EXPECT_TRUE(entered({-1, -1, 0.5f}, -1)) << "its face, all around the ball";
+  EXPECT_FALSE(entered({-1, -1, 1.01f}, -1));
+  EXPECT_TRUE(entered({0.5f, -1, 0}, -1)) << "an edge";
+  EXPECT_FALSE(entered({0.72f, 0.72f, 0}, -1)) << "its box alone";
+  EXPECT_TRUE(entered({0.70f, 0.70f, 0}, -1)) << "a corner";
+  EXPECT_FALSE(entered({-1, -1, 0.5f}, 0)) << "its own";
+  ball.radius = 0.0;
+  EXPECT_FALSE(entered({-1, -1, 0}, -1)) << "a point";
+}
+
 }  // namespace
 }  // namespace asos::test::light_intersections_test

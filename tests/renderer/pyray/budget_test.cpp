@@ -104,13 +104,22 @@ TEST(Budget, PenumbraeAreHeldToWhatMaxTwoAllowsAtLeast) {
   const auto held_to = [&](int max_level, double eps) {
     settings.asos.max_level = max_level;
     settings.asos.eps = eps;
-    return static_cast<double>(Budget::of(settings).penumbra_tolerance());
+    return static_cast<double>(Budget::of(settings).penumbra_tolerance(2));
   };
   EXPECT_EQ(held_to(3, 1.0 / 256.0), 2.0 / 256.0);
   EXPECT_EQ(held_to(2, 1.0 / 256.0), 2.0 / 64.0);
   EXPECT_EQ(held_to(1, 1.0 / 256.0), 2.0 / 64.0);
   EXPECT_EQ(held_to(1, 1.0 / 32.0), 2.0 / 32.0);
   EXPECT_EQ(held_to(0, 1.0 / 256.0), 2.0 / 4.0);
+  // Errors of many lights add up.
+  const auto of_many = [&](std::size_t lights) {
+    settings.asos.max_level = 2;
+    settings.asos.eps = 1.0 / 256.0;
+    return static_cast<double>(Budget::of(settings).penumbra_tolerance(lights));
+  };
+  EXPECT_EQ(of_many(4), 2.0 / 64.0);
+  EXPECT_EQ(of_many(8), 2.0 / 128.0);
+  EXPECT_EQ(of_many(1000), 2.0 / 256.0) << "EPS is enough";
   settings.asos.refine_shading = false;
   EXPECT_EQ(held_to(1, 1.0 / 256.0), std::numeric_limits<double>::infinity());
 }

@@ -1,0 +1,157 @@
+#include "tests/support/render_picture.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+// Lights that are seen in part, in ways that no boundary between a patch and the light tells.
+
+namespace asos::test::partly_seen_light_test {
+namespace {
+
+constexpr int side = 48;
+
+RenderSettings settings_of(int max_level) {
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  settings.asos.max_level = max_level;
+  return settings;
+}
+
+Picture picture_of(const RenderScene& scene, const Camera& camera, int max_level) {
+  return render_picture(scene, camera, settings_of(max_level));
+}
+
+Picture sampled(const RenderScene& scene, const Camera& camera, int samples) {
+  RenderSettings settings = settings_of(3);
+  settings.method = Method::sobol;
+  settings.sampling.spp = samples;
+  return render_picture(scene, camera, settings);
+}
+
+struct Difference {
+  double largest = 0.0;
+  double bias = 0.0;
+  double mean = 0.0;  // of the second
+};
+
+Difference difference(const Picture& a, const Picture& b) {
+  Difference found;
+  const auto count = static_cast<double>(a.film.radiance.size());
+  for (std::size_t i = 0; i < a.film.radiance.size(); ++i) {
+    const auto d = static_cast<double>(a.film.radiance[i].x - b.film.radiance[i].x);
+    found.largest = std::max(found.largest, std::abs(d));
+    found.bias += d / count;
+    found.mean += static_cast<double>(b.film.radiance[i].x) / count;
+  }
+  return found;
+}
+
+Light panel(glm::dvec3 middle, double half_u, double half_v, float intensity = 4.0f) {
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = middle;
+  light.direction = {0, -1, 0};
+  light.half_u = {half_u, 0, 0};
+  light.half_v = {0, 0, half_v};
+  light.intensity = intensity;
+  return light;
+}
+
+void add_floor(World& world, const Material& material) {
+  add_quad(world, glm::vec3(-40, 0, 40), glm::vec3(80, 0, 0), glm::vec3(0, 0, -80), material);
+}
+
+// The eye looks through the back of a wall that stands in a floor, and over its foot: in one block
+// of pixels the light is seen, and hidden by a wall that has no edge nearby.
+TEST(PartlySeenLight, EndsAtTheFootOfAWallThatTheEyeLooksThrough) {
+  for (const float slope : {0.0f, 0.3f}) {
+    World world;
+    add_floor(world, matte(glm::vec3(0.8f)));
+    add_quad(world, glm::vec3(slope * 200.0f, -50.0f, 200.0f), glm::vec3(0, 500, 0),
+             glm::vec3(-400.0f * slope, 0, -400.0f), matte(glm::vec3(0.5f)));
+    const auto scene = make_render_scene(std::move(world), {panel({-6, 6, 0}, 0.5, 0.5, 200.0f)});
+    const Camera camera = look_at({4, 6, 1}, {0, 0, 0}, 0.4);
+    const Picture truth = sampled(*scene, camera, 256);
+    for (const int max_level : {1, 3}) {
+      const Difference off = difference(picture_of(*scene, camera, max_level), truth);
+      EXPECT_GT(off.mean, 0.05);
+      EXPECT_LT(off.largest, 0.02) << slope << ' ' << max_level;
+    }
+  }
+}
+
+// What lies within a ball that shines hides nothing of it, wherever pyrays to its rim go.
+TEST(PartlySeenLight, IsAllOfABallThatSomethingLiesIn) {
+  Light ball;
+  ball.type = Light::Type::point;
+  ball.position = {0, 3, 0};
+  ball.radius = 1.0;
+  ball.intensity = 20.0f;
+  const Camera camera = look_at({0, 4, 9}, {0, 0, 0}, 0.4);
+  const auto with = [&](bool plate) {
+    World world;
+    add_floor(world, matte(glm::vec3(0.8f)));
+    // The ball's cross-section there is 0.8 wide to either side of its middle.
+    if (plate)
+      add_quad(world, glm::vec3(-0.5f, 2.4f, 0.5f), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1),
+               matte(glm::vec3(0.5f)));
+    const auto scene = make_render_scene(std::move(world), {ball});
+    return picture_of(*scene, camera, 3);
+  };
+  const Difference off = difference(with(true), with(false));
+  EXPECT_GT(off.mean, 0.1);
+  EXPECT_LT(off.largest, 1e-3 * off.mean);
+}
+
+// Within a ball light comes from everywhere, and a wall hides some of it.
+TEST(PartlySeenLight, IsWhatAWallLeavesOfABallAround) {
+  Light ball;
+  ball.type = Light::Type::point;
+  ball.radius = 3.0;
+  ball.intensity = 20.0f;
+  World world;
+  add_quad(world, glm::vec3(-1, 0, 1), glm::vec3(2, 0, 0), glm::vec3(0, 0, -2),
+           matte(glm::vec3(0.8f)));
+  add_quad(world, glm::vec3(1.2f, 0, 2), glm::vec3(0, 2, 0), glm::vec3(0, 0, -4),
+           matte(glm::vec3(0.0f)));
+  const auto scene = make_render_scene(std::move(world), {ball});
+  const Camera camera = look_at({0.0, 2.0, 0.01}, {0, 0, 0}, 0.5);
+  const Difference off = difference(picture_of(*scene, camera, 3), sampled(*scene, camera, 1024));
+  EXPECT_GT(off.mean, 0.1);
+  EXPECT_LT(std::abs(off.bias), 1e-3);
+  EXPECT_LT(off.largest, 0.02);
+}
+
+// Rough metal shows one end of a large light brighter than the other: half of a panel that is
+// covered shines as the other half would alone.
+TEST(PartlySeenLight, OfRoughMetalIsTheHalfThatIsSeen) {
+  Material metal = matte(glm::vec3(0.9f));
+  metal.metallic = 1.0f;
+  const Camera camera = look_at({-6, 1.5, 0}, {0, 0, 0}, 0.5);
+  const auto picture = [&](bool covered, int max_level) {
+    World world;
+    add_floor(world, metal);
+    if (covered)
+      add_quad(world, glm::vec3(-8.0f, 2.9995f, 8.0f), glm::vec3(8, 0, 0), glm::vec3(0, 0, -16),
+               matte(glm::vec3(0.0f)));
+    const Light light = covered ? panel({0, 3, 0}, 3, 3) : panel({1.5, 3, 0}, 1.5, 3);
+    const auto scene = make_render_scene(std::move(world), {light});
+    return picture_of(*scene, camera, max_level);
+  };
+  for (const int max_level : {2, 3}) {
+    const Difference off = difference(picture(true, max_level), picture(false, max_level));
+    EXPECT_GT(off.mean, 0.1);
+    EXPECT_LT(std::abs(off.bias), 0.004 * off.mean) << max_level;
+    EXPECT_LT(off.largest, 0.02) << max_level;
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::partly_seen_light_test
