@@ -281,7 +281,10 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
     return false;
   if (textured_by_several(sample, share)) return true;
   const Material& material = scene.world().material_of(hit.triangle);
-  if (!shadows_.any() || material.unlit) return false;
+  if (material.unlit) return false;
+  // No mean of what a texture turns is what its highlights are the mean of.
+  if (scene.needs.textures && material.anisotropy.texture.used()) return true;
+  if (!shadows_.any()) return false;
   if (scene.needs.normal_maps && has_normal_map(material)) return true;
   return scene.features().deviation(hit.triangle) > 0.0f &&
          (reaches_beyond_triangle(scene.world(), hit, samples_->patch(sample, share)) ||

@@ -1,0 +1,69 @@
+#include "tests/support/render_picture.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+
+// KHR_materials_anisotropy whose texture turns the lobe from texel to texel: what a pixel shows is
+// the mean of highlights that lie along each, and no highlight along their mean.
+
+namespace asos::test::turned_lobe_test {
+namespace {
+
+TEST(TurnedLobe, IsTheMeanOfItsTexelsHighlights) {
+  constexpr int side = 40;
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> any(0.0, 6.283185307179586);
+  World world;
+  Material metal = matte(glm::vec3(0.9f));
+  metal.metallic = 1.0f;
+  metal.roughness = 0.25f;
+  metal.anisotropy.strength = 0.9f;
+  metal.anisotropy.texture.texture =
+      add_texture(world,
+                  make_image(96, 96,
+                             [&](int, int) {
+                               const double angle = any(rng);
+                               const auto byte = [](double x) {
+                                 return static_cast<std::uint8_t>(std::lround(127.5 + 127.0 * x));
+                               };
+                               return Texel{byte(std::cos(angle)), byte(std::sin(angle)), 255, 255};
+                             }),
+                  Wrap::repeat, Filter::linear);
+  add_quad(world, glm::vec3(-2, 0, 2), glm::vec3(4, 0, 0), glm::vec3(0, 0, -4), metal);
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = {0, 3, -3};
+  light.direction = {0, -0.7071067811865476, 0.7071067811865476};
+  light.half_u = {1.5, 0, 0};
+  light.half_v = {0, 0.3, 0.3};
+  light.intensity = 4.0f;
+  const auto scene = make_render_scene(std::move(world), {light});
+  const Camera camera = look_at({0, 3, 3}, {0, 0, 0}, 0.6);
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  const Picture found = render_picture(*scene, camera, settings);
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  settings.texture.filter = TextureFilter::point;
+  const Picture truth = render_picture(*scene, camera, settings);
+  double squares = 0.0, mean = 0.0;
+  for (std::size_t i = 0; i < found.film.radiance.size(); ++i) {
+    const auto d = static_cast<double>(found.film.radiance[i].x - truth.film.radiance[i].x);
+    squares += d * d;
+    mean += static_cast<double>(truth.film.radiance[i].x);
+  }
+  const auto count = static_cast<double>(found.film.radiance.size());
+  EXPECT_GT(mean / count, 0.1);
+  EXPECT_LT(std::sqrt(squares / count), 0.02 * mean / count);
+}
+
+}  // namespace
+}  // namespace asos::test::turned_lobe_test
