@@ -77,4 +77,12 @@ glm::vec4 bilinear(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
                   glm::mix(level.at(p.left, p.bottom), level.at(p.right, p.bottom), p.fx), p.fy);
 }
 
+/// The direction that a normal map's value, as unsigned as its bytes, stands for; of no length
+/// where it has none.
+inline glm::vec3 unit_normal(glm::vec4 texel) {
+  const glm::vec3 n = 2.0f * glm::vec3(texel) - 1.0f;
+  const float length = glm::length(n);
+  return length > 0.0f ? n / length : n;
+}
+
 }  // namespace asos

@@ -1,5 +1,6 @@
 #include "renderer/shading/mip_chain.h"
 
+#include "renderer/shading/bilinear.h"
 #include "renderer/shading/texture.h"
 #include "renderer/tasks.h"
 
@@ -10,6 +11,34 @@
 
 namespace asos {
 namespace {
+
+/// The k-th of n x n places all over a texel.
+glm::vec2 place_in_texel(const Texels& texels, int x, int y, int k, int n) {
+  const glm::vec2 in_texel = (glm::vec2(k % n, k / n) + 0.5f) / static_cast<float>(n);
+  return (glm::vec2(x, y) + in_texel) / glm::vec2(texels.width, texels.height);
+}
+
+/// The mean of a texel's unit normals at n x n places all over it; of borders as those of a clamped
+/// texture are, which every wrapping one has but at its very edge.
+glm::vec3 mean_normal(const Texels& texels, int x, int y, int n) {
+  glm::vec3 sum(0.0f);
+  for (int k = 0; k < n * n; ++k) {
+    sum += unit_normal(bilinear(texels, place_in_texel(texels, x, y, k, n), Wrap::clamp_to_edge,
+                                Wrap::clamp_to_edge));
+  }
+  return sum / static_cast<float>(n * n);
+}
+
+/// What is seen of a texel of a normal map: its mean and its variance. Between texels lie no
+/// mixtures of their normals, but normals of their own.
+glm::vec4 normals_of_texel(const Image& image, int x, int y) {
+  constexpr int few = 2, many = 4;
+  constexpr float even = 1.0f - 1e-3f;  // cosine to the texel's own of those that are like it
+  const Texels texels(image, Encoding::linear);
+  glm::vec3 mean = mean_normal(texels, x, y, few);
+  if (glm::dot(mean, unit_normal(texels.at(x, y))) < even) mean = mean_normal(texels, x, y, many);
+  return {0.5f + 0.5f * mean, std::max(0.0f, 1.0f - glm::dot(mean, mean))};
+}
 
 glm::vec4 first_level_texel(const Image& image, TexelKind kind, int x, int y) {
   const std::uint8_t* p =
@@ -23,11 +52,8 @@ glm::vec4 first_level_texel(const Image& image, TexelKind kind, int x, int y) {
               bytes.a};
     case TexelKind::data:
       break;
-    case TexelKind::normal: {
-      const glm::vec3 n = 2.0f * glm::vec3(bytes) - 1.0f;
-      const float length = glm::length(n);
-      return {0.5f + 0.5f * (length > 0.0f ? n / length : n), 0.0f};
-    }
+    case TexelKind::normal:
+      return normals_of_texel(image, x, y);
   }
   return bytes;
 }

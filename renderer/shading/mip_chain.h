@@ -30,7 +30,8 @@ struct MipLevel {
   std::vector<std::uint16_t> rgba;  ///< linear, of 65535; see MipChain for normals
 
   /// For normals (x, y, z) as in the map, unsigned like its bytes, and the variance around them:
-  /// the mean squared distance from the mean, 0 to 1.
+  /// the mean squared distance from the mean, 0 to 1; both of what a bilinear look-up shows, as
+  /// unit normals.
   [[nodiscard]] glm::vec4 at(int x, int y) const {
     const std::uint16_t* p = texel(x, y);
     return glm::vec4(p[0], p[1], p[2], p[3]) * unit;

@@ -182,23 +182,43 @@ bool by_points(const TexelPatch& patch) {
   return patch.longest() <= longest_by_points && aslant(patch);
 }
 
-/// The mean over such a patch of the bilinear texture, by a grid of points half a texel apart.
-glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
-                         const Texture& texture) {
-  const glm::vec2 size(texels.width, texels.height);
-  const auto count = [](glm::vec2 edge) { return 1 + static_cast<int>(2.0f * glm::length(edge)); };
+/// Visits a grid of points of a patch, half a texel apart, by how far they lie from its middle in
+/// a texture of that size; how many they are.
+template <typename Visit>
+int for_each_point(const TexelPatch& patch, glm::vec2 size, const Visit& visit) {
+  const auto count = [](glm::vec2 edge) {
+    return std::max(2, 1 + static_cast<int>(2.0f * glm::length(edge)));
+  };
   const int across = count(patch.right), along = count(patch.down);
-  glm::vec4 sum(0.0f);
   for (int y = 0; y < along; ++y) {
     for (int x = 0; x < across; ++x) {
       const auto middle = [](int i, int n) {
         return (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
       };
-      const glm::vec2 off = middle(x, across) * patch.right + middle(y, along) * patch.down;
-      sum += bilinear(texels, uv + off / size, texture.wrap_u, texture.wrap_v);
+      visit((middle(x, across) * patch.right + middle(y, along) * patch.down) / size);
     }
   }
-  return sum / static_cast<float>(across * along);
+  return across * along;
+}
+
+/// The mean over such a patch of the bilinear texture.
+glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
+                         const Texture& texture) {
+  glm::vec4 sum(0.0f);
+  const int count = for_each_point(
+      patch, glm::vec2(texels.width, texels.height),
+      [&](glm::vec2 off) { sum += bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v); });
+  return sum / static_cast<float>(count);
+}
+
+/// The same patch of the finest level, in the next one.
+LevelPatch coarser(const LevelPatch& patch, const MipChain& chain, const Texels& finest) {
+  const MipLevel& texels = chain.front();
+  const glm::vec2 scale(static_cast<float>(texels.width) / static_cast<float>(finest.width),
+                        static_cast<float>(texels.height) / static_cast<float>(finest.height));
+  return {1, bounded({less_of_texels(scale * patch.patch.right, 2.0f),
+                      less_of_texels(scale * patch.patch.down, 2.0f)},
+                     thinnest, TexelBudget().most)};
 }
 
 LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse& use,
@@ -260,17 +280,49 @@ struct Moments {
   }
 };
 
+// Up to so many texels what is no mean of texels is looked at by points: between them lie no
+// mixtures of their normals, nor of what alpha shows of them, but normals and colours of their own.
+constexpr float longest_normals_by_points = 4.0f;
+constexpr float longest_seen_by_points = 16.0f;
+
+/// The mean colour of what is seen of a bilinear texture over such a patch, by points half a texel
+/// apart, and the mean alpha; nothing is seen: the mean of all.
+glm::vec4 mean_of_seen(const Texels& texels, const TexelUse& use, glm::vec2 uv,
+                       const TexelPatch& patch, const Texture& texture) {
+  glm::vec4 sum(0.0f), seen(0.0f);
+  const int count =
+      for_each_point(patch, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
+        const glm::vec4 texel = bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v);
+        const float share = use.cutoff ? (texel.a >= *use.cutoff ? 1.0f : 0.0f) : texel.a;
+        sum += texel;
+        seen += share * glm::vec4(glm::vec3(texel), 1.0f);
+      });
+  const float alpha = sum.a / static_cast<float>(count);
+  const glm::vec3 colour =
+      seen.a > 0.0f ? glm::vec3(seen) / seen.a : glm::vec3(sum) / static_cast<float>(count);
+  return {colour, alpha};
+}
+
+/// The mean of a bilinear map's unit normals over such a patch, by points half a texel apart, and
+/// the variance about it.
+MeanNormal mean_of_normals(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
+                           const Texture& texture) {
+  glm::vec3 sum(0.0f);
+  const int count =
+      for_each_point(patch, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
+        sum += unit_normal(bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v));
+      });
+  const glm::vec3 mean = sum / static_cast<float>(count);
+  return {0.5f + 0.5f * mean, std::max(0.0f, 1.0f - glm::dot(mean, mean))};
+}
+
 /// The finest level's, each of length 1.
 struct UnitNormals {
   Texels texels;
   int width = texels.width;
   int height = texels.height;
 
-  [[nodiscard]] glm::vec4 at(int x, int y) const {
-    const glm::vec3 n = 2.0f * glm::vec3(texels.at(x, y)) - 1.0f;
-    const float length = glm::length(n);
-    return {length > 0.0f ? n / length : n, 1.0f};
-  }
+  [[nodiscard]] glm::vec4 at(int x, int y) const { return {unit_normal(texels.at(x, y)), 1.0f}; }
 };
 
 const MipChain& chain_of(const World& world, const MipChains& mips, const TextureUse& use,
@@ -297,8 +349,11 @@ glm::vec4 filtered_texture(const World& world, const MipChains& mips, const Text
   if (found.level > 0)
     return mean_of(chain[found.level - 1], texels, uv, found.patch, shape, texture);
   const Texels finest(*image_of(world, use.texture), encoding);
-  const bool tents = shape == TexelShape::tent && texels.kind != TexelKind::cover;
-  if (tents && by_points(found.patch)) return mean_of_points(finest, uv, found.patch, texture);
+  const bool tents = shape == TexelShape::tent;
+  if (tents && texels.kind == TexelKind::cover && found.patch.longest() <= longest_seen_by_points)
+    return mean_of_seen(finest, texels, uv, found.patch, texture);
+  if (tents && texels.kind != TexelKind::cover && by_points(found.patch))
+    return mean_of_points(finest, uv, found.patch, texture);
   return mean_of(finest, texels, uv, found.patch, shape, texture);
 }
 
@@ -306,10 +361,17 @@ MeanNormal filtered_normal(const World& world, const MipChains& mips, const Text
                            const TexturePlace& place) {
   const glm::vec2 uv = lookup_uv(world, use, place);
   const MipChain& chain = chain_of(world, mips, use, TexelKind::normal);
-  const LevelPatch found = patch_for(world, chain, use, place);
+  LevelPatch found = patch_for(world, chain, use, place);
   if (found.point())
     return {glm::vec3(sample_texture(world, use.texture, uv, Encoding::linear)), 0.0f};
   const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
+  if (found.level == 0 && texture.filter != Filter::nearest) {
+    const Texels finest(*image_of(world, use.texture), Encoding::linear);
+    if (found.patch.longest() <= longest_normals_by_points)
+      return mean_of_normals(finest, uv, found.patch, texture);
+    // The next level knows what lies between the texels of this one.
+    found = coarser(found, chain, finest);
+  }
   const TexelShape shape = shape_of(texture, found.level);
   const glm::vec4 moments =
       found.level > 0
