@@ -1,5 +1,6 @@
 #include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
+#include "renderer/samples/sample_block.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
 
@@ -123,7 +124,7 @@ class SamplesUntilEps {
     const std::uint64_t rays_before = sums_.statistics().rays();
     sums_.resize(0);
     sums_.resize(parts * active_.size());
-    const auto side = static_cast<float>(width_ / std::sqrt(end));
+    const float side = sample_side(width_, end);
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const auto pixel = static_cast<int>(active_[k]);
       const int x = block_.x + pixel % block_.width;

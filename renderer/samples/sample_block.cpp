@@ -34,12 +34,18 @@ int grid_side(int spp) {
   return n;
 }
 
+float sample_side(double width, int samples) {
+  constexpr int few = 4;
+  const double side = width / std::sqrt(samples);
+  return static_cast<float>(samples > few ? 0.5 * side : side);
+}
+
 BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples) {
   const PixelRect& block = job.block;
   SampleSums sums(job.scene, job.view, job.settings, places);
   sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
   const double width = job.settings.filter_width;
-  const auto side = static_cast<float>(width / std::sqrt(samples));
+  const float side = sample_side(width, samples);
   std::array<PixelPoint, points_at_a_time> points;
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {

@@ -40,6 +40,12 @@ inline constexpr int points_at_a_time = 16;
 /// The side of the first square of at least `spp` samples.
 [[nodiscard]] int grid_side(int spp);
 
+/// The side, in pixels, of the footprint of one of so many samples of a pixel, whose filter is
+/// `width` wide. Where they are more than a few it is half of the square that a sample stands for:
+/// they are scattered all over it as it is, and a lobe that is widened by a patch of normals has
+/// tails that the patch has not.
+[[nodiscard]] float sample_side(double width, int samples);
+
 /// A block of pixels as the mean of `samples` point samples each, through packets of rays. A sample
 /// stands for its share of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
