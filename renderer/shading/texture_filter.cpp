@@ -182,12 +182,12 @@ bool by_points(const TexelPatch& patch) {
   return patch.longest() <= longest_by_points && aslant(patch);
 }
 
-/// Visits a grid of points of a patch, half a texel apart, by how far they lie from its middle in
-/// a texture of that size; how many they are.
+/// Visits a grid of points of a patch, half a texel apart and `fewest` along each edge at least, by
+/// how far they lie from its middle in a texture of that size; how many they are.
 template <typename Visit>
-int for_each_point(const TexelPatch& patch, glm::vec2 size, const Visit& visit) {
-  const auto count = [](glm::vec2 edge) {
-    return std::max(2, 1 + static_cast<int>(2.0f * glm::length(edge)));
+int for_each_point(const TexelPatch& patch, int fewest, glm::vec2 size, const Visit& visit) {
+  const auto count = [fewest](glm::vec2 edge) {
+    return std::max(fewest, 1 + static_cast<int>(2.0f * glm::length(edge)));
   };
   const int across = count(patch.right), along = count(patch.down);
   for (int y = 0; y < along; ++y) {
@@ -206,7 +206,7 @@ glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& p
                          const Texture& texture) {
   glm::vec4 sum(0.0f);
   const int count = for_each_point(
-      patch, glm::vec2(texels.width, texels.height),
+      patch, 1, glm::vec2(texels.width, texels.height),
       [&](glm::vec2 off) { sum += bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v); });
   return sum / static_cast<float>(count);
 }
@@ -281,7 +281,8 @@ struct Moments {
 };
 
 // Up to so many texels what is no mean of texels is looked at by points: between them lie no
-// mixtures of their normals, nor of what alpha shows of them, but normals and colours of their own.
+// mixtures of their normals, nor of what alpha shows of them, but normals and colours of their own,
+// which bend, so that one point is not their mean.
 constexpr float longest_normals_by_points = 4.0f;
 constexpr float longest_seen_by_points = 16.0f;
 
@@ -291,7 +292,7 @@ glm::vec4 mean_of_seen(const Texels& texels, const TexelUse& use, glm::vec2 uv,
                        const TexelPatch& patch, const Texture& texture) {
   glm::vec4 sum(0.0f), seen(0.0f);
   const int count =
-      for_each_point(patch, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
+      for_each_point(patch, 2, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
         const glm::vec4 texel = bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v);
         const float share = use.cutoff ? (texel.a >= *use.cutoff ? 1.0f : 0.0f) : texel.a;
         sum += texel;
@@ -309,7 +310,7 @@ MeanNormal mean_of_normals(const Texels& texels, glm::vec2 uv, const TexelPatch&
                            const Texture& texture) {
   glm::vec3 sum(0.0f);
   const int count =
-      for_each_point(patch, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
+      for_each_point(patch, 2, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
         sum += unit_normal(bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v));
       });
   const glm::vec3 mean = sum / static_cast<float>(count);
