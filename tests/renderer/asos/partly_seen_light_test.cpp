@@ -1,12 +1,11 @@
+#include "tests/support/picture_difference.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -33,24 +32,6 @@ Picture sampled(const RenderScene& scene, const Camera& camera, int samples) {
   settings.method = Method::sobol;
   settings.sampling.spp = samples;
   return render_picture(scene, camera, settings);
-}
-
-struct Difference {
-  double largest = 0.0;
-  double bias = 0.0;
-  double mean = 0.0;  // of the second
-};
-
-Difference difference(const Picture& a, const Picture& b) {
-  Difference found;
-  const auto count = static_cast<double>(a.film.radiance.size());
-  for (std::size_t i = 0; i < a.film.radiance.size(); ++i) {
-    const auto d = static_cast<double>(a.film.radiance[i].x - b.film.radiance[i].x);
-    found.largest = std::max(found.largest, std::abs(d));
-    found.bias += d / count;
-    found.mean += static_cast<double>(b.film.radiance[i].x) / count;
-  }
-  return found;
 }
 
 Light panel(glm::dvec3 middle, double half_u, double half_v, float intensity = 4.0f) {
