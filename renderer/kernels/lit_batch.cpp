@@ -4,6 +4,30 @@
 #include <numbers>
 
 namespace asos {
+namespace {
+
+/// Calls `one` for each field of a number a point and `three` for each of a vector: for those of
+/// points whose lobes turn only where any does.
+template <typename One, typename Three>
+void for_each_field(bool any_turns, One one, Three three) {
+  for (const auto field :
+       {&LitBatch::position, &LitBatch::geometric, &LitBatch::normal, &LitBatch::to_viewer,
+        &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
+    three(field);
+  for (const auto field :
+       {&LitBatch::clear_height, &LitBatch::to_edge, &LitBatch::n_dot_v, &LitBatch::falloff,
+        &LitBatch::alpha, &LitBatch::shows_lights, &LitBatch::turns})
+    one(field);
+  if (!any_turns) return;
+  for (const auto field : {&LitBatch::stretch, &LitBatch::patch_right, &LitBatch::patch_down,
+                           &LitBatch::spread_right, &LitBatch::spread_down})
+    three(field);
+  for (const auto field :
+       {&LitBatch::sheen, &LitBatch::viewer_nearness, &LitBatch::spread_variance})
+    one(field);
+}
+
+}  // namespace
 
 void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   const std::size_t i = count++;
@@ -41,35 +65,37 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   spread_variance[i] = point.spread.variance;
 }
 
+void LitBatch::repeat_first(std::size_t times) {
+  count = times;
+  for_each_field(
+      turns[0] != 0.0f,
+      [&](Floats LitBatch::*field) {
+        Floats& values = this->*field;
+        std::fill_n(values.begin() + 1, times - 1, values[0]);
+      },
+      [&](Vectors LitBatch::*field) {
+        Vectors& values = this->*field;
+        for (Floats* axis : {&values.x, &values.y, &values.z})
+          std::fill_n(axis->begin() + 1, times - 1, (*axis)[0]);
+      });
+}
+
 void LitBatch::gather(const LitBatch& from, std::span<const std::uint32_t> indices) {
   count = indices.size();
-  bool any_turns = false;
-  const auto take = [&](Floats LitBatch::*field) {
-    const Floats& values = from.*field;
-    Floats& taken = this->*field;
-    for (std::size_t k = 0; k < indices.size(); ++k) taken[k] = values[indices[k]];
-  };
-  const auto take3 = [&](Vectors LitBatch::*field) {
-    const Vectors& values = from.*field;
-    Vectors& taken = this->*field;
-    for (std::size_t k = 0; k < indices.size(); ++k) taken.set(k, values.at(indices[k]));
-  };
-  for (const auto field :
-       {&LitBatch::position, &LitBatch::geometric, &LitBatch::normal, &LitBatch::to_viewer,
-        &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
-    take3(field);
-  for (const auto field :
-       {&LitBatch::clear_height, &LitBatch::to_edge, &LitBatch::n_dot_v, &LitBatch::falloff,
-        &LitBatch::alpha, &LitBatch::shows_lights, &LitBatch::turns})
-    take(field);
-  for (std::size_t k = 0; k < indices.size(); ++k) any_turns |= turns[k] != 0.0f;
-  if (!any_turns) return;
-  for (const auto field : {&LitBatch::stretch, &LitBatch::patch_right, &LitBatch::patch_down,
-                           &LitBatch::spread_right, &LitBatch::spread_down})
-    take3(field);
-  for (const auto field :
-       {&LitBatch::sheen, &LitBatch::viewer_nearness, &LitBatch::spread_variance})
-    take(field);
+  const bool any_turns = std::any_of(indices.begin(), indices.end(),
+                                     [&](std::uint32_t i) { return from.turns[i] != 0.0f; });
+  for_each_field(
+      any_turns,
+      [&](Floats LitBatch::*field) {
+        const Floats& values = from.*field;
+        Floats& taken = this->*field;
+        for (std::size_t k = 0; k < indices.size(); ++k) taken[k] = values[indices[k]];
+      },
+      [&](Vectors LitBatch::*field) {
+        const Vectors& values = from.*field;
+        Vectors& taken = this->*field;
+        for (std::size_t k = 0; k < indices.size(); ++k) taken.set(k, values.at(indices[k]));
+      });
 }
 
 }  // namespace asos

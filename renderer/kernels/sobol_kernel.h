@@ -16,6 +16,7 @@ namespace asos {
 class SobolBatch {
  public:
   void clear();
+  [[nodiscard]] bool empty() const { return count_ == 0; }
   /// The next sample of the batch, of which there are at most LitBatch::size. Those of a pixel that
   /// follow each other share its seeds.
   void add(const SobolPixel& pixel, std::uint32_t index);

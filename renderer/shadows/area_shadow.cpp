@@ -91,18 +91,9 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   const bool by_rays =
       block.rules.budget.rays_suffice(query.leaf.weight, query.intensity(), Prices::light_window) ||
       light.entered || is_saturated(query) || uneven_at_last(block, query, counts);
-  const auto rays = [&]() -> std::optional<Visibility> {
-    if (const auto window = LightWindow::of(light, middle))
-      return sampled_area_shadow(block, query, *window, middle, counts);
-    if (light.shape == PreparedLight::Shape::ball)
-      return sampled_shadow_around(block, query, counts);
-    return std::nullopt;
-  };
-  if (by_rays) {
-    if (const auto seen = rays()) return *seen;
-  }
+  if (by_rays) return sampled_shadow(block, query, counts);
   const Visibility seen = point_area_shadow(block, query, middle, counts);
-  return lobe_tells_apart(block, query.lit, seen) ? rays().value_or(seen) : seen;
+  return lobe_tells_apart(block, query.lit, seen) ? sampled_shadow(block, query, counts) : seen;
 }
 
 }  // namespace
@@ -116,9 +107,8 @@ Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
     // No verdict looks behind a surface, so that nothing tells that one pyray does.
     const bool by_rays =
         block.rules.quality == ShadowQuality::refined && has_patch(block, query.lit);
-    const auto window = by_rays ? LightWindow::of(query.lit.light, middle) : std::nullopt;
-    return window ? sampled_area_shadow(block, query, *window, middle, counts)
-                  : point_area_shadow(block, query, middle, counts);
+    return by_rays ? sampled_shadow(block, query, counts)
+                   : point_area_shadow(block, query, middle, counts);
   }
   switch (block.rules.quality) {
     case ShadowQuality::refined:
@@ -166,7 +156,7 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
   const bool saturated =
       trace.given_up || caster.gives_up() || trace.outcome.unresolved_area > rules.budget.eps;
-  return saturated ? sampled_area_shadow(block, query, *window, receiver, counts)
+  return saturated ? sampled_shadow(block, query, counts)
                    : caster.visibility().value_or(Visibility(0.0));
 }
 

@@ -15,12 +15,4 @@ bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit, const
   return share * lit.highlight > tolerance && share * spread_over(lit) > tolerance;
 }
 
-double lobe_towards(const Illumination& lit, glm::dvec3 to_light) {
-  LightSample sample;
-  sample.distance = glm::length(to_light);
-  sample.direction = to_light / sample.distance;
-  const glm::vec3 made = reflected_from(lit, sample);
-  return static_cast<double>(made.x + made.y + made.z) / 3.0;
-}
-
 }  // namespace asos

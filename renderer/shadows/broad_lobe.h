@@ -12,8 +12,4 @@ namespace asos {
 [[nodiscard]] bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit,
                                     const Visibility& seen);
 
-/// What the surface makes of the light that comes from there, per irradiance, in the mean of the
-/// colours. `to_light` is of any length.
-[[nodiscard]] double lobe_towards(const Illumination& lit, glm::dvec3 to_light);
-
 }  // namespace asos

@@ -37,7 +37,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   const auto rays_suffice = [&](double price) {
     return refined && budget.rays_suffice(query.leaf.weight, query.intensity(), price);
   };
-  if (rays_suffice(Prices::search)) return sampled_hard_shadow(block, query, counts);
+  if (rays_suffice(Prices::search)) return sampled_shadow(block, query, counts);
 
   // Search between the patch and the light.
   const double off_plane = deviation(block, lit.point, patch);
@@ -52,7 +52,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   // Nothing bounds the shadow: the visibility from its sample is that from all of the leaf.
   if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
   if (rays_suffice(Prices::patch) || (refined && bent(patch, off_plane)))
-    return sampled_hard_shadow(block, query, counts);
+    return sampled_shadow(block, query, counts);
 
   // Trace, with the leaf's own border.
   if (parallel) {
@@ -72,7 +72,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
                parallel ? block.frame : nullptr, lit.light.own_part);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
   if (refined && trace.outcome.unresolved_area > rules.budget.eps)
-    return sampled_hard_shadow(block, query, counts);
+    return sampled_shadow(block, query, counts);
   const auto visibility = caster.visibility();
   return visibility ? *visibility : ray_visibility(block, query, counts);
 }

@@ -1,9 +1,10 @@
 #include "renderer/shadows/sampled_shadow.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
-#include "renderer/sampling/sobol_points.h"
-#include "renderer/shadows/broad_lobe.h"
+#include "renderer/shadows/lit_patch.h"
 #include "renderer/shadows/shadow.h"
+#include "renderer/shadows/shadow_context.h"
 
 #include <algorithm>
 #include <array>
@@ -28,22 +29,7 @@ constexpr double rays_to_one = 4.0;
 // Points drawn at most for each ray that is asked for: where parts and lights fill less of their
 // boxes, what was found stands.
 constexpr std::uint32_t most_points_a_ray = 16;
-
-// The cosines of both ends over the squared distance, as far as they change across the window.
-double weight_of(const PreparedLight& light, const Receiver& receiver, glm::dvec3 to_light) {
-  const double d2 = glm::dot(to_light, to_light);
-  const double here = glm::dot(receiver.normal, to_light);
-  if (!(here > 0.0) || !(glm::dot(receiver.geometric, to_light) > 0.0)) return 0.0;
-  const bool flat =
-      light.shape == PreparedLight::Shape::polygon || light.shape == PreparedLight::Shape::disk;
-  const double there = flat ? std::abs(glm::dot(light.towards, to_light)) : std::sqrt(d2);
-  return here * there / (d2 * d2);
-}
-
-struct WeighedRay {
-  Ray ray;
-  double weight = 0.0;
-};
+constexpr std::uint32_t most_at_a_time = LitBatch::size;
 
 /// The mean visibility of weighted samples, and how well it is known: by quarters of the samples,
 /// each of which is as well distributed as its size allows.
@@ -80,62 +66,20 @@ struct WeighedVisibility {
   }
 };
 
-// Whether the plane of a point's triangle is its surface for as far as a leaf goes.
-bool flat(const ShadowContext& block, const SurfacePoint& point) {
-  return block.scene->features.deviation(point.triangle) <= 0.0f;
+// The light, with as much power as is safe to sum up.
+LightConstants constants_of(const PreparedLight& light) {
+  LightConstants constants(light);
+  constants.power /= largest(constants.power);
+  return constants;
 }
 
-// Receivers on the patch for those of the points with the given numbers that lie on it.
-void look_at_patch(const ShadowContext& block, const ShadowQuery& query, const SobolPixel& points,
-                   std::uint32_t first, std::uint32_t end, RenderStatistics& counts) {
-  ShadowWorkspace& work = *block.work;
-  const SurfacePoint& point = query.lit.point;
-  const Receiver middle = receiver_above(point, query.lit.light);
-  work.receivers.clear();
-  if (!has_patch(block, query.lit)) {
-    for (std::uint32_t i = first; i < end; ++i) work.receivers.push_back({i, middle});
-    return;
-  }
-  // Place the points in the leaf.
-  const Bounds2 box = bounds_of(query.leaf.region);
-  work.places.clear();
-  work.place_of.clear();
-  for (std::uint32_t i = first; i < end; ++i) {
-    const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(points.pixel(i)));
-    if (!query.leaf.region.holds(at)) continue;
-    work.places.push_back(at);
-    work.place_of.push_back(i);
-  }
-  if (flat(block, point)) {
-    // Where the viewer sees the patch; the rays start clear of it.
-    const glm::dvec3 lift = middle.position - glm::dvec3(point.position);
-    const PlaneCrossings plane(*block.frame,
-                               HalfSpace::through(glm::dvec3(point.position), middle.geometric));
-    for (std::size_t k = 0; k < work.places.size(); ++k) {
-      const auto on_plane = plane.at(glm::dvec2(work.places[k]));
-      if (!on_plane) continue;
-      work.receivers.push_back({work.place_of[k], middle});
-      work.receivers.back().receiver.position = *on_plane + lift;
-    }
-    return;
-  }
-  // The plane of a bent surface leaves it within the patch.
-  const std::uint32_t sheet = block.scene->features.sheet(point.triangle);
-  block.view->look(work.places, work.seen, counts);
-  for (std::size_t k = 0; k < work.places.size(); ++k) {
-    const SurfacePoint& seen = work.seen[k];
-    if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet) continue;
-    work.receivers.push_back({work.place_of[k], receiver_above(seen, query.lit.light)});
-  }
-}
+}  // namespace
 
 // Rays from all over the patch, in rounds until their mean is known as well as the leaf's weight
-// deserves. `aim(points, number, receiver)`: the ray of the point of that number, unless it looks
-// past the light.
-template <typename Aim>
-Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& query,
-                              RenderStatistics& counts, double rays_a_finest_cell, Aim aim) {
-  ShadowWorkspace& work = *block.work;
+// deserves.
+Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
+                          RenderStatistics& counts) {
+  const PreparedLight& light = query.lit.light;
   const Budget budget = block.rules.budget.for_samples();
   const LeafContext& leaf = query.leaf;
   // Find how many rays the leaf is worth, and the error to reach.
@@ -146,104 +90,53 @@ Visibility sampled_visibility(const ShadowContext& block, const ShadowQuery& que
   const std::uint32_t first_round = std::bit_ceil(
       std::max(few ? fewest_rays : least_rays, static_cast<std::uint32_t>(first_rays)));
   // So few all count: to end once they agree would favour what most of them see.
+  const double rays_a_finest_cell = light.extended() ? rays_to_all : rays_to_one;
   const std::uint32_t most =
       few ? first_round : budget.samples(leaf.weight, rays_a_finest_cell, first_round);
   const double error = budget.standard_error(leaf.weight, intensity);
-  const SobolPixel points{static_cast<int>(leaf.seed >> 32), static_cast<int>(leaf.seed),
-                          query.lit.index};
-  work.weights.clear();
-  work.transmittances.clear();
+  const LightConstants constants = constants_of(light);
+  LitPatch& patch = block.work->patch;
+  SampledRays& sampled = block.work->sampled;
+  patch.start(block, query);
+  sampled.clear();
   WeighedVisibility found;
   std::uint32_t drawn = 0;
   for (std::uint32_t wanted = first_round; wanted <= most; wanted *= 2) {
-    // Aim the round's rays, and others instead of those that miss the patch or the light: a mean
+    // Send the round's rays, and others instead of those that miss the patch or the light: a mean
     // over those of a fixed number of points that hit would favour the parts that they hit surely.
-    work.rays.clear();
-    while (work.weights.size() < wanted && drawn < most_points_a_ray * wanted) {
+    while (sampled.count() < wanted && drawn < most_points_a_ray * wanted) {
       const std::uint32_t first = drawn;
-      drawn += wanted - static_cast<std::uint32_t>(work.weights.size());
-      look_at_patch(block, query, points, first, drawn, counts);
-      for (const NumberedReceiver& from : work.receivers) {
-        const std::optional<WeighedRay> ray = aim(points, from.number, from.receiver);
-        if (!ray || !(ray->weight > 0.0)) continue;
-        work.rays.push_back(ray->ray);
-        work.weights.push_back(ray->weight);
-      }
+      drawn += std::min(static_cast<std::uint32_t>(wanted - sampled.count()), most_at_a_time);
+      const LitBatch& points = patch.look(block, query, first, drawn, counts);
+      if (points.count == 0) continue;
+      shade_batch(points, constants, patch.on_light(query.lit.index), sampled.rays);
+      sampled.trace(block.scene->rays, light.own_part);
+      counts.shadow_rays += sampled.rays.count;
     }
-    // Trace them.
-    const std::size_t before = work.transmittances.size();
-    work.transmittances.resize(before + work.rays.size());
-    block.scene->rays.transmittance(work.rays, std::span(work.transmittances).subspan(before),
-                                    query.lit.light.own_part);
-    counts.shadow_rays += work.rays.size();
     // End once the mean is known well enough, or too few points hit.
-    found = WeighedVisibility::of(work.weights, work.transmittances);
-    if (found.standard_error <= error || work.weights.size() < wanted) break;
+    found = WeighedVisibility::of(sampled.weights, sampled.transmittances);
+    if (found.standard_error <= error || sampled.count() < wanted) break;
   }
-  return work.weights.empty() ? ray_visibility(block, query, counts) : found.mean;
+  return sampled.weights.empty() ? ray_visibility(block, query, counts) : found.mean;
 }
 
-}  // namespace
-
-Visibility sampled_area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                               const LightWindow& window, const Receiver& receiver,
-                               RenderStatistics& counts) {
-  const bool by_lobe = lobe_tells_apart(block, query.lit, Visibility(0.5));
-  const auto aim = [&](const SobolPixel& points, std::uint32_t number,
-                       const Receiver& from) -> std::optional<WeighedRay> {
-    const glm::dvec2 on_light = points.light(number, query.lit.index);
-    if (!window.holds(glm::vec2(on_light))) return std::nullopt;
-    if (window.round() && glm::length(on_light - 0.5) > 0.5) return std::nullopt;
-    glm::dvec3 target = window.towards(on_light);
-    if (!window.infinitely_far()) target += receiver.position - from.position;
-    WeighedRay found;
-    found.weight = weight_of(query.lit.light, from, target);
-    if (by_lobe && found.weight > 0.0) found.weight *= lobe_towards(query.lit, target);
-    found.ray.origin = glm::vec3(from.position);
-    found.ray.direction = glm::vec3(target);
-    if (!window.infinitely_far())
-      found.ray.t_far = way_to_light(query.lit.light, from.position, target);
-    return found;
-  };
-  return sampled_visibility(block, query, counts, rays_to_all, aim);
+void SampledRays::clear() {
+  weights.clear();
+  transmittances.clear();
 }
 
-Visibility sampled_shadow_around(const ShadowContext& block, const ShadowQuery& query,
-                                 RenderStatistics& counts) {
-  const auto aim = [&](const SobolPixel& points, std::uint32_t number,
-                       const Receiver& from) -> std::optional<WeighedRay> {
-    const glm::dvec2 on_light = points.light(number, query.lit.index);
-    const LightSample sample = sample_light(query.lit.light, from, on_light.x, on_light.y);
-    if (sample.irradiance == glm::vec3(0.0f)) return std::nullopt;
-    WeighedRay found;
-    found.weight = 1.0;
-    found.ray.origin = glm::vec3(from.position);
-    found.ray.direction = glm::vec3(sample.direction);
-    found.ray.t_far = most_of_the_way * static_cast<float>(sample.distance);
-    return found;
+void SampledRays::trace(const RayScene& scene, std::int32_t own_part) {
+  const std::size_t before = weights.size();
+  for (std::size_t i = 0; i < rays.count; ++i)
+    weights.push_back(
+        (static_cast<double>(rays.carried[0][i]) + rays.carried[1][i] + rays.carried[2][i]) / 3.0);
+  transmittances.resize(weights.size());
+  const auto arrays = [](const auto& of) {
+    return std::array<const float*, 3>{of[0].data(), of[1].data(), of[2].data()};
   };
-  return sampled_visibility(block, query, counts, rays_to_all, aim);
-}
-
-Visibility sampled_hard_shadow(const ShadowContext& block, const ShadowQuery& query,
-                               RenderStatistics& counts) {
-  const PreparedLight& light = query.lit.light;
-  const bool parallel = light.shape == PreparedLight::Shape::distant;
-  const auto aim = [&](const SobolPixel&, std::uint32_t,
-                       const Receiver& from) -> std::optional<WeighedRay> {
-    const glm::dvec3 target = parallel ? light.towards : light.position - from.position;
-    WeighedRay found;
-    found.weight = std::max(0.0, glm::dot(from.normal, target));
-    if (!parallel) {
-      const double d2 = glm::dot(target, target);
-      found.weight /= d2 * std::sqrt(d2);
-    }
-    found.ray.origin = glm::vec3(from.position);
-    found.ray.direction = glm::vec3(target);
-    if (!parallel) found.ray.t_far = most_of_the_way;
-    return found;
-  };
-  return sampled_visibility(block, query, counts, rays_to_one, aim);
+  scene.transmittance(
+      RayArrays{rays.count, arrays(rays.origin), arrays(rays.direction), rays.t_far.data()},
+      std::span(transmittances).subspan(before), own_part);
 }
 
 }  // namespace asos

@@ -7,8 +7,10 @@
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/extended_caster.h"
 #include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/lit_patch.h"
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/patch_view.h"
+#include "renderer/shadows/sampled_rays.h"
 #include "renderer/shadows/shadow_groups.h"
 #include "renderer/shadows/window_caster.h"
 
@@ -30,12 +32,6 @@ struct ShadowRules {
   bool see_through = true;
 };
 
-/// Where the ray of a sample starts.
-struct NumberedReceiver {
-  std::uint32_t number;
-  Receiver receiver;
-};
-
 /// Memory of shadow pyrays that is worth keeping. Holds no result.
 struct ShadowWorkspace {
   Tracer tracer;
@@ -44,13 +40,8 @@ struct ShadowWorkspace {
   ExtendedCaster extended_caster;
   std::vector<BorderEdge> border;
   std::vector<double> ends;
-  std::vector<Ray> rays;
-  std::vector<glm::vec2> places;
-  std::vector<std::uint32_t> place_of;
-  std::vector<SurfacePoint> seen;
-  std::vector<NumberedReceiver> receivers;
-  std::vector<double> weights;
-  std::vector<glm::vec3> transmittances;
+  LitPatch patch;
+  SampledRays sampled;
 };
 
 /// The surroundings that the shadows of one viewer's block share. Keeps pointers.

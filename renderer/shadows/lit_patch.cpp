@@ -1,0 +1,120 @@
+#include "renderer/shadows/lit_patch.h"
+
+#include "renderer/shading/reflected_light.h"
+#include "renderer/shadows/shadow_context.h"
+
+#include <limits>
+
+namespace asos {
+namespace {
+
+// Whether the plane of a point's triangle is its surface for as far as a leaf goes.
+bool flat(const ShadowContext& block, const SurfacePoint& point) {
+  return block.scene->features.deviation(point.triangle) <= 0.0f;
+}
+
+// What returns as much of whatever falls on it.
+ViewedMaterial matte() {
+  ViewedMaterial white{};
+  white.diffuse = glm::vec3(1.0f);
+  white.f90 = glm::vec3(0.0f);
+  white.roughness = 1.0f;
+  return white;
+}
+
+}  // namespace
+
+void LitPatch::start(const ShadowContext& block, const ShadowQuery& query) {
+  const std::uint64_t seed = query.leaf.seed;
+  sobol_.emplace(static_cast<int>(seed >> 32), static_cast<int>(seed), query.lit.index);
+  on_pixel_.forget();
+  by_lobe_ = block.rules.budget.refines() && query.lit.light.rule == LightRule::physical &&
+             is_broad(query.lit);
+}
+
+const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& query,
+                               std::uint32_t first, std::uint32_t end, RenderStatistics& counts) {
+  const SurfacePoint& point = query.lit.point;
+  points_.count = 0;
+  numbers_.clear();
+  if (!has_patch(block, query.lit)) {
+    for (std::uint32_t i = first; i < end; ++i) add_number(i);
+    add(query, point);
+    points_.repeat_first(end - first);
+    return points_;
+  }
+  place(query.leaf.region, first, end);
+  if (!flat(block, point)) {
+    // The plane of a bent surface leaves it within the patch.
+    const std::uint32_t sheet = block.scene->features.sheet(point.triangle);
+    block.view->look(places_, seen_, counts);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const SurfacePoint& seen = seen_[k];
+      if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet)
+        continue;
+      add_number(number_of_[k]);
+      add(query, seen);
+    }
+    return points_;
+  }
+  // Where the viewer sees the patch.
+  const PlaneCrossings plane(*block.frame, HalfSpace::through(glm::dvec3(point.position),
+                                                              glm::dvec3(point.geometric_normal)));
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const auto on_plane = plane.at(glm::dvec2(places_[k]));
+    if (!on_plane) continue;
+    if (found == 0) {
+      add(query, point);
+      points_.repeat_first(places_.size());
+    }
+    add_number(number_of_[k]);
+    points_.position.set(found++, glm::vec3(*on_plane));
+  }
+  points_.count = found;
+  return points_;
+}
+
+const LightPlaceBatch& LitPatch::on_light(std::uint32_t light) {
+  numbers_.on_light(light, on_light_);
+  return on_light_;
+}
+
+// The points' places in the leaf.
+void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_t end) {
+  const Bounds2 box = bounds_of(region);
+  places_.clear();
+  number_of_.clear();
+  for (std::uint32_t i = first; i < end; ++i) {
+    const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(on_pixel_.at(*sobol_, i)));
+    if (!region.holds(at)) continue;
+    places_.push_back(at);
+    number_of_.push_back(i);
+  }
+}
+
+void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
+  if (by_lobe_) {
+    const LitPoint& lit = *query.lit.lit;
+    // The points are all over the patch, and do not stand for it.
+    const ViewedPoint view = viewed_point(at, lit.view.to_viewer);
+    points_.add({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
+                glm::vec3(1.0f));
+    return;
+  }
+  const ViewedMaterial white = matte();
+  const ViewedPoint view{at, at.shading_normal, 1.0f};
+  points_.add({{}, view, white}, glm::vec3(1.0f));
+  // No light has a highlight there.
+  points_.shows_lights[points_.count - 1] = std::numeric_limits<float>::infinity();
+}
+
+void LitPatch::add_number(std::uint32_t number) {
+  if (numbers_.empty()) {
+    numbers_.add(*sobol_, number);
+  } else {
+    numbers_.add(number);
+  }
+}
+
+}  // namespace asos
