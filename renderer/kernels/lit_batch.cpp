@@ -6,39 +6,54 @@
 namespace asos {
 namespace {
 
-/// Calls `one` for each field of a number a point and `three` for each of a vector: for those of
-/// points whose lobes turn only where any does.
-template <typename One, typename Three>
-void for_each_field(bool any_turns, One one, Three three) {
+/// Which of a point's quantities.
+enum class Told { place, material, turning_lobe };
+
+/// Calls `work` for each field of a number a point and for each of a vector: up to those.
+template <typename Work>
+void for_each_field(Told last, Work work) {
+  work(&LitBatch::position), work(&LitBatch::geometric), work(&LitBatch::normal);
+  work(&LitBatch::clear_height), work(&LitBatch::to_edge), work(&LitBatch::turns);
+  if (last == Told::place) return;
   for (const auto field :
-       {&LitBatch::position, &LitBatch::geometric, &LitBatch::normal, &LitBatch::to_viewer,
-        &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
-    three(field);
+       {&LitBatch::to_viewer, &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
+    work(field);
   for (const auto field :
-       {&LitBatch::clear_height, &LitBatch::to_edge, &LitBatch::n_dot_v, &LitBatch::falloff,
-        &LitBatch::alpha, &LitBatch::shows_lights, &LitBatch::turns})
-    one(field);
-  if (!any_turns) return;
+       {&LitBatch::n_dot_v, &LitBatch::falloff, &LitBatch::alpha, &LitBatch::shows_lights})
+    work(field);
+  if (last == Told::material) return;
   for (const auto field : {&LitBatch::stretch, &LitBatch::patch_right, &LitBatch::patch_down,
                            &LitBatch::spread_right, &LitBatch::spread_down})
-    three(field);
+    work(field);
   for (const auto field :
        {&LitBatch::sheen, &LitBatch::viewer_nearness, &LitBatch::spread_variance})
-    one(field);
+    work(field);
+}
+
+void repeat(LitBatch::Floats& values, std::size_t times) {
+  std::fill_n(values.begin() + 1, times - 1, values[0]);
+}
+void repeat(LitBatch::Vectors& values, std::size_t times) {
+  for (LitBatch::Floats* axis : {&values.x, &values.y, &values.z}) repeat(*axis, times);
+}
+
+void take(const LitBatch::Floats& from, std::span<const std::uint32_t> indices,
+          LitBatch::Floats& taken) {
+  for (std::size_t k = 0; k < indices.size(); ++k) taken[k] = from[indices[k]];
+}
+void take(const LitBatch::Vectors& from, std::span<const std::uint32_t> indices,
+          LitBatch::Vectors& taken) {
+  for (std::size_t k = 0; k < indices.size(); ++k) taken.set(k, from.at(indices[k]));
 }
 
 }  // namespace
 
 void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
-  const std::size_t i = count++;
+  const std::size_t i = count;
   const SurfacePoint& point = lit.view.point;
   const ViewedMaterial& material = lit.material;
-  position.set(i, point.position);
-  geometric.set(i, point.geometric_normal);
-  normal.set(i, point.shading_normal);
+  add(point);
   to_viewer.set(i, lit.view.to_viewer);
-  clear_height[i] = asos::clear_height(point);
-  to_edge[i] = point.to_edge;
   n_dot_v[i] = lit.view.n_dot_v;
 
   const glm::vec3 share = weight * lit.share;
@@ -65,37 +80,30 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   spread_variance[i] = point.spread.variance;
 }
 
-void LitBatch::repeat_first(std::size_t times) {
+void LitBatch::add(const SurfacePoint& point) {
+  const std::size_t i = count++;
+  position.set(i, point.position);
+  geometric.set(i, point.geometric_normal);
+  normal.set(i, point.shading_normal);
+  clear_height[i] = asos::clear_height(point);
+  to_edge[i] = point.to_edge;
+  turns[i] = 0.0f;
+}
+
+void LitBatch::repeat_first(std::size_t times, bool with_material) {
   count = times;
-  for_each_field(
-      turns[0] != 0.0f,
-      [&](Floats LitBatch::*field) {
-        Floats& values = this->*field;
-        std::fill_n(values.begin() + 1, times - 1, values[0]);
-      },
-      [&](Vectors LitBatch::*field) {
-        Vectors& values = this->*field;
-        for (Floats* axis : {&values.x, &values.y, &values.z})
-          std::fill_n(axis->begin() + 1, times - 1, (*axis)[0]);
-      });
+  const Told last = !with_material     ? Told::place
+                    : turns[0] != 0.0f ? Told::turning_lobe
+                                       : Told::material;
+  for_each_field(last, [&](auto field) { repeat(this->*field, times); });
 }
 
 void LitBatch::gather(const LitBatch& from, std::span<const std::uint32_t> indices) {
   count = indices.size();
   const bool any_turns = std::any_of(indices.begin(), indices.end(),
                                      [&](std::uint32_t i) { return from.turns[i] != 0.0f; });
-  for_each_field(
-      any_turns,
-      [&](Floats LitBatch::*field) {
-        const Floats& values = from.*field;
-        Floats& taken = this->*field;
-        for (std::size_t k = 0; k < indices.size(); ++k) taken[k] = values[indices[k]];
-      },
-      [&](Vectors LitBatch::*field) {
-        const Vectors& values = from.*field;
-        Vectors& taken = this->*field;
-        for (std::size_t k = 0; k < indices.size(); ++k) taken.set(k, values.at(indices[k]));
-      });
+  for_each_field(any_turns ? Told::turning_lobe : Told::material,
+                 [&](auto field) { take(from.*field, indices, this->*field); });
 }
 
 }  // namespace asos

@@ -50,8 +50,10 @@ struct LitBatch {
   [[nodiscard]] bool full() const { return count == size; }
   /// A point that counts by `weight` in its sum. The batch must not be full.
   void add(const LitPoint& point, glm::vec3 weight);
+  /// A point without a material, that nobody views: nothing that tells of those is set.
+  void add(const SurfacePoint& point);
   /// Becomes so many times its first point, `times` up to `size`.
-  void repeat_first(std::size_t times);
+  void repeat_first(std::size_t times, bool with_material);
   /// Becomes the points of another batch that have these indices, fewer than `size`.
   void gather(const LitBatch& from, std::span<const std::uint32_t> indices);
   void set_mirrored(std::size_t i, MirroredLights shown) {

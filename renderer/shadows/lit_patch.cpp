@@ -3,7 +3,7 @@
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shadows/shadow_context.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace asos {
 namespace {
@@ -13,23 +13,15 @@ bool flat(const ShadowContext& block, const SurfacePoint& point) {
   return block.scene->features.deviation(point.triangle) <= 0.0f;
 }
 
-// What returns as much of whatever falls on it.
-ViewedMaterial matte() {
-  ViewedMaterial white{};
-  white.diffuse = glm::vec3(1.0f);
-  white.f90 = glm::vec3(0.0f);
-  white.roughness = 1.0f;
-  return white;
-}
-
 }  // namespace
 
 void LitPatch::start(const ShadowContext& block, const ShadowQuery& query) {
   const std::uint64_t seed = query.leaf.seed;
   sobol_.emplace(static_cast<int>(seed >> 32), static_cast<int>(seed), query.lit.index);
   on_pixel_.forget();
-  by_lobe_ = block.rules.budget.refines() && query.lit.light.rule == LightRule::physical &&
-             is_broad(query.lit);
+  const bool by_lobe = block.rules.budget.refines() &&
+                       query.lit.light.rule == LightRule::physical && is_broad(query.lit);
+  by_ = by_lobe ? AimedBy::radiance : AimedBy::irradiance;
 }
 
 const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& query,
@@ -40,7 +32,7 @@ const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& qu
   if (!has_patch(block, query.lit)) {
     for (std::uint32_t i = first; i < end; ++i) add_number(i);
     add(query, point);
-    points_.repeat_first(end - first);
+    points_.repeat_first(end - first, by_ == AimedBy::radiance);
     return points_;
   }
   place(query.leaf.region, first, end);
@@ -66,10 +58,14 @@ const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& qu
     if (!on_plane) continue;
     if (found == 0) {
       add(query, point);
-      points_.repeat_first(places_.size());
+      points_.repeat_first(places_.size(), by_ == AimedBy::radiance);
     }
     add_number(number_of_[k]);
-    points_.position.set(found++, glm::vec3(*on_plane));
+    points_.position.set(found, glm::vec3(*on_plane));
+    const auto from_middle =
+        static_cast<float>(glm::distance(*on_plane, glm::dvec3(point.position)));
+    points_.to_edge[found] = std::max(0.0f, point.to_edge - from_middle);
+    ++found;
   }
   points_.count = found;
   return points_;
@@ -94,19 +90,15 @@ void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_
 }
 
 void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
-  if (by_lobe_) {
+  if (by_ == AimedBy::radiance) {
     const LitPoint& lit = *query.lit.lit;
     // The points are all over the patch, and do not stand for it.
     const ViewedPoint view = viewed_point(at, lit.view.to_viewer);
     points_.add({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
                 glm::vec3(1.0f));
-    return;
+  } else {
+    points_.add(at);
   }
-  const ViewedMaterial white = matte();
-  const ViewedPoint view{at, at.shading_normal, 1.0f};
-  points_.add({{}, view, white}, glm::vec3(1.0f));
-  // No light has a highlight there.
-  points_.shows_lights[points_.count - 1] = std::numeric_limits<float>::infinity();
 }
 
 void LitPatch::add_number(std::uint32_t number) {

@@ -2,6 +2,7 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/frame.h"
+#include "renderer/kernels/aim_kernel.h"
 #include "renderer/kernels/lit_batch.h"
 #include "renderer/kernels/sobol_kernel.h"
 #include "renderer/shading/surface.h"
@@ -20,7 +21,7 @@ struct ShadowQuery;
 /// Points from all over the patch that a leaf shows, as kernels take them, and where on a light
 /// each of them looks: well distributed on both together (SobolPixel). They have the leaf's
 /// material where its lobe is a broad one, which makes more of some parts of a light than of
-/// others, and else are matte.
+/// others.
 class LitPatch {
  public:
   /// Before another leaf or light is asked about.
@@ -30,6 +31,8 @@ class LitPatch {
   /// patch.
   const LitBatch& look(const ShadowContext& block, const ShadowQuery& query, std::uint32_t first,
                        std::uint32_t end, RenderStatistics& counts);
+  /// What rays from the points are weighed by.
+  [[nodiscard]] AimedBy aimed_by() const { return by_; }
   /// Where those look.
   const LightPlaceBatch& on_light(std::uint32_t light);
 
@@ -39,7 +42,7 @@ class LitPatch {
   void add_number(std::uint32_t number);
 
   std::optional<SobolPixel> sobol_;
-  bool by_lobe_ = false;
+  AimedBy by_ = AimedBy::irradiance;
   LitBatch points_;
   SobolBatch numbers_;
   LightPlaceBatch on_light_;

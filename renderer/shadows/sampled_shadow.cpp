@@ -109,7 +109,7 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
       drawn += std::min(static_cast<std::uint32_t>(wanted - sampled.count()), most_at_a_time);
       const LitBatch& points = patch.look(block, query, first, drawn, counts);
       if (points.count == 0) continue;
-      shade_batch(points, constants, patch.on_light(query.lit.index), sampled.rays);
+      aim_batch(points, constants, patch.on_light(query.lit.index), patch.aimed_by(), sampled.rays);
       sampled.trace(block.scene->rays, light.own_part);
       counts.shadow_rays += sampled.rays.count;
     }
@@ -127,9 +127,8 @@ void SampledRays::clear() {
 
 void SampledRays::trace(const RayScene& scene, std::int32_t own_part) {
   const std::size_t before = weights.size();
-  for (std::size_t i = 0; i < rays.count; ++i)
-    weights.push_back(
-        (static_cast<double>(rays.carried[0][i]) + rays.carried[1][i] + rays.carried[2][i]) / 3.0);
+  const auto& carried = rays.carried[0];
+  weights.insert(weights.end(), carried.begin(), carried.begin() + rays.count);
   transmittances.resize(weights.size());
   const auto arrays = [](const auto& of) {
     return std::array<const float*, 3>{of[0].data(), of[1].data(), of[2].data()};

@@ -1,0 +1,103 @@
+#include "renderer/kernels/aim_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/kernels/aim_kernel.cpp"
+#include <hwy/foreach_target.h>  // this file again, once for each instruction set
+// After it, for what it defines.
+#include "renderer/kernels/carried_light.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+namespace {
+
+template <LightConstants::Shape shape>
+HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
+                                const ArcPlaces& arc, const LightPlaceBatch& places,
+                                std::size_t i) {
+  const Vectors middle =
+      (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
+  if constexpr (shape == LightConstants::Shape::rectangle) {
+    const auto u = centred(&places.u[i]), v = centred(&places.v[i]);
+    return area_sample(
+        light, receiver,
+        middle + scaled(u, all_lanes(light.half_u)) + scaled(v, all_lanes(light.half_v)));
+  } else {
+    return light_sample<shape>(light, receiver, middle, arc, places, i);
+  }
+}
+
+template <LightConstants::Shape shape>
+void aim_at(const LitBatch& points, const LightConstants& light, const ArcPlaces& arc,
+            const LightPlaceBatch& places, AimedBy by, ShadowRayBatch& rays) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
+                                 loaded(points.normal, i)};
+    const SampleLanes sample = place_on<shape>(light, receiver, arc, places, i);
+    const auto reached = hn::And(hn::FirstN(d, points.count - i), hn::Gt(sample.form, zero));
+    if (hn::AllFalse(d, reached)) continue;
+    auto weight = sample.form;
+    auto kept = hn::And(reached, hn::Lt(weight, hn::Inf(d)));
+    if (by == AimedBy::radiance) {
+      const ShineLanes shown{sample.direction, hn::Div(all_lanes(1.0f), sample.distance),
+                             all_lanes(1.0f)};
+      const CarriedLanes found = carried_from(
+          points, light, shown, {sample.form, sample.form, sample.form}, reached, i, rays);
+      weight = hn::Mul(hn::Add(hn::Add(found.carried.x, found.carried.y), found.carried.z),
+                       all_lanes(1.0f / 3.0f));
+      kept = hn::And(found.kept, hn::Gt(weight, zero));
+    }
+    if (hn::AllFalse(d, kept)) continue;
+    append(ray_to(points, receiver, sample, i), sample.direction, kept, rays);
+    hn::CompressStore(weight, kept, d, &rays.carried[0][rays.count]);
+    rays.count += hn::CountTrue(d, kept);
+  }
+}
+
+void aim(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+         AimedBy by, ShadowRayBatch& rays) {
+  using Shape = LightConstants::Shape;
+  rays.count = 0;
+  rays.rejected = 0;
+  ArcPlaces arc;
+  switch (light.shape) {
+    case Shape::point:
+      return aim_at<Shape::point>(points, light, arc, places, by, rays);
+    case Shape::distant:
+      return aim_at<Shape::distant>(points, light, arc, places, by, rays);
+    case Shape::ball:
+      return aim_at<Shape::ball>(points, light, arc, places, by, rays);
+    case Shape::sun:
+      return aim_at<Shape::sun>(points, light, arc, places, by, rays);
+    case Shape::disk:
+      return aim_at<Shape::disk>(points, light, arc, places, by, rays);
+    case Shape::segment:
+      segment_places(points, *light.light, places, arc);
+      return aim_at<Shape::segment>(points, light, arc, places, by, rays);
+    case Shape::rectangle:
+      return aim_at<Shape::rectangle>(points, light, arc, places, by, rays);
+    case Shape::polygon:
+      polygon_places(points, *light.light, places, arc);
+      return aim_at<Shape::polygon>(points, light, arc, places, by, rays);
+  }
+}
+
+}  // namespace
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asos {
+
+HWY_EXPORT(aim);
+
+void aim_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+               AimedBy by, ShadowRayBatch& rays) {
+  HWY_DYNAMIC_DISPATCH(aim)(points, light, places, by, rays);
+}
+
+}  // namespace asos
+#endif
