@@ -1,5 +1,6 @@
 #include "renderer/asos/leaf_shader.h"
 
+#include "renderer/asos/layered_sight.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
@@ -64,7 +65,8 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
     const double likely = eye_->budget.samples_of_uneven(leaf.weight, 0.0);
     fewest = std::max(enough, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
     if (!may_be_glossy(material_of(leaf))) what = Sampled::smooth;
-  } else if (refinement_->cut_out(leaf.sample, leaf.region)) {
+  } else if (refinement_->cut_out(leaf.sample, leaf.region) ||
+             sees_uneven_layers(*eye_, *samples_, leaf.sample, leaf.weight, leaf.region)) {
     fewest = enough;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
     fewest = enough;

@@ -1,5 +1,6 @@
 #include "renderer/asos/refinement.h"
 
+#include "renderer/asos/layered_sight.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
@@ -77,7 +78,8 @@ void Refinement::learn_normals(int side) {
 }
 
 LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& region) {
-  if (!samples_->hit(sample).valid() || !eye_->budget.refines() || cut_out(sample, region))
+  if (!samples_->hit(sample).valid() || !eye_->budget.refines() || cut_out(sample, region) ||
+      sees_uneven_layers(*eye_, *samples_, sample, share, region))
     return {};
   const bool glinting = glints(sample, share);
   if (!glinting && better_sampled_at_once(sample, share, region))

@@ -3,6 +3,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/layers.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/sky.h"
 #include "renderer/world/surface_kind.h"
@@ -14,27 +15,12 @@
 namespace asos {
 namespace {
 
-// The share of a layer behind others below which no display shows it, even at +8 stops.
-constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
-
 /// A volume's boundary that no light leaves at this angle.
 SurfaceMaterial total_reflector(SurfaceMaterial material) {
   material.f0 = glm::vec3(1.0f);
   material.f90 = material.dielectric_f0 = material.dielectric_f90 = 1.0f;
   material.film.factor = 0.0f;
   return material;
-}
-
-/// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
-float behind(const Ray& ray, const SurfacePoint& point, float t) {
-  const float length = glm::length(ray.direction);
-  const glm::vec3 d = ray.direction / length;
-  const float across = std::abs(glm::dot(point.geometric_normal, d));
-  // The surface's own error along its normal, seen along the ray; at most 64 times that for rays
-  // that graze it. A triangle met twice all the same is noticed by its index.
-  const glm::vec3 moved = spawn_origin(point, point.geometric_normal) - point.position;
-  const float error = glm::length(moved) / (std::max(across, 1.0f / 64.0f) * length);
-  return std::max(std::nextafter(t, std::numeric_limits<float>::infinity()), t + error);
 }
 
 /// What all of a sample's square shows of a surface, whatever part of it the sample stands for.

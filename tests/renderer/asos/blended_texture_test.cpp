@@ -9,18 +9,20 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace asos::test::blended_texture_test {
 namespace {
 
 constexpr int side = 24;
 
-/// White labels of 13 texels on what is black and does not cover; a few texels of them by 0.4.
-Image labels() {
-  return make_image(128, 128, [](int x, int y) {
+/// White labels of 13 texels on what is black and does not cover; the first `faint` columns of them
+/// by 0.4.
+Image labels(int faint) {
+  return make_image(128, 128, [faint](int x, int y) {
     const bool label = x % 32 < 13 && y % 32 < 13;
     const std::uint8_t c = label ? 255 : 0;
-    return Texel{c, c, c, static_cast<std::uint8_t>(label ? (x % 32 < 3 ? 102 : 255) : 0)};
+    return Texel{c, c, c, static_cast<std::uint8_t>(label ? (x % 32 < faint ? 102 : 255) : 0)};
   });
 }
 
@@ -32,7 +34,7 @@ std::shared_ptr<const RenderScene> sheet(AlphaMode mode, float cutoff) {
   m.alpha_mode = mode;
   m.alpha_cutoff = cutoff;
   m.double_sided = true;
-  m.base_color_texture.texture = add_texture(world, labels(), Wrap::repeat, Filter::linear);
+  m.base_color_texture.texture = add_texture(world, labels(3), Wrap::repeat, Filter::linear);
   add_quad(world, {-2, -2, 0}, {4, 0.3f, 0}, {-0.2f, 4, 0}, m);
   for (glm::vec2& uv : world.texcoords[0]) uv *= 4.1f;
   auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
@@ -69,6 +71,49 @@ TEST(BlendedTexture, LabelsAreAsBrightAsSamplesFindThem) {
 TEST(BlendedTexture, SoAreThoseThatAreCutOut) {
   for (const float cutoff : {0.2f, 0.5f})
     EXPECT_LT(error_of_asos(AlphaMode::mask, cutoff), 0.001) << cutoff;
+}
+
+/// Black labels that hide a white wall, on sheets one before the other, each moved by so much.
+Film labels_before_wall(const std::vector<glm::vec2>& moved, Method method) {
+  World world;
+  add_quad(world, {-2, -2, -1}, {4, 0, 0}, {0, 4, 0}, unlit(glm::vec3(1.0f)));
+  Material m = unlit(glm::vec3(0));
+  m.alpha_mode = AlphaMode::blend;
+  m.double_sided = true;
+  m.base_color_texture.texture = add_texture(world, labels(0), Wrap::repeat, Filter::nearest);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const float z = 0.1f * static_cast<float>(i);
+    add_quad(world, {-2, -2, z}, {4, 0, 0}, {0, 4, 0}, m);
+    const std::size_t first = world.texcoords[0].size() - 4;
+    for (std::size_t k = first; k < first + 4; ++k)
+      world.texcoords[0][k] = 4.0f * world.texcoords[0][k] + moved[i];
+  }
+  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
+  Lighting lighting = prepare_lighting(geometry->world, {});
+  const auto scene = unedited_scene(std::move(geometry), std::move(lighting));
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  settings.method = method;
+  settings.sampling.spp = 1024;
+  return render_picture(*scene, orthographic(2.0), settings).film;
+}
+
+// What two sheets let through is not the product of what each does in the mean: labels before
+// labels hide no more than one of them, and labels beside labels hide as much as both.
+TEST(BlendedTexture, LayersThatHideTheSamePlacesHideThemOnce) {
+  const Film once = labels_before_wall({{0, 0}}, Method::asos);
+  const Film twice = labels_before_wall({{0, 0}, {0, 0}}, Method::asos);
+  EXPECT_LT(rmse(once, twice), 0.003);
+}
+
+TEST(BlendedTexture, LayersThatHideOtherPlacesHideBoth) {
+  const std::vector<glm::vec2> beside{{0, 0}, {13.0f / 128.0f, 0}};
+  const Film asos = labels_before_wall(beside, Method::asos);
+  EXPECT_LT(rmse(asos, labels_before_wall(beside, Method::sobol)), 0.003);
+  double mean = 0.0;
+  for (const glm::vec3 pixel : asos.radiance)
+    mean += static_cast<double>(pixel.x) / static_cast<double>(asos.radiance.size());
+  EXPECT_NEAR(mean, 1.0 - 2.0 * 13.0 * 13.0 / (32.0 * 32.0), 0.001);
 }
 
 }  // namespace
