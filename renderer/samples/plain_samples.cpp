@@ -92,8 +92,9 @@ void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
     points.normal.set(i, point.shading_normal);
     points.spread_variance[i] = point.spread.variance;
   }
-  const SurfaceMaterial found =
-      surface_material(world_, needs_, hit, footprint_at(arrays_->hits, arrays_->rest, i), mips);
+  Footprint footprint = footprint_at(arrays_->hits, arrays_->rest, i);
+  footprint.colours = colours_;
+  const SurfaceMaterial found = surface_material(world_, needs_, hit, footprint, mips);
   arrays_->materials.set(i, found);
   arrays_->emission[i] = shown(found.emission, hit.triangle);
 }

@@ -24,6 +24,8 @@ class PlainSamples {
   /// Both have to outlive this.
   PlainSamples(const RenderScene& scene, const Viewer& viewer);
 
+  /// See SampleSums.
+  void widen_colours(float times) { colours_ = times; }
   /// Adds what ray number `index` met to the batch; false where it is not plain.
   [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side);
   [[nodiscard]] std::size_t count() const { return arrays_ ? arrays_->hits.count : 0; }
@@ -88,6 +90,7 @@ class PlainSamples {
   bool same_sky_;            // all over
   glm::vec3 ambient_{0.0f};  // of such a sky
   std::optional<glm::vec3> background_;
+  float colours_ = 1.0f;
   Recycled<Arrays> arrays_;  // once there is a plain point
 };
 

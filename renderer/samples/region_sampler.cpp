@@ -8,9 +8,9 @@
 namespace asos {
 namespace {
 
-// The side of a sample's footprint, in that of the square that it stands for. Samples that are many
-// need no smoothing, and what smoothes highlights (PatchLobe) is up to twice too bright at grazing
-// angles in squares as large as that.
+// The side of a sample's footprint, in that of the square that it stands for, but for colours
+// (colour_side). Samples that are many need no smoothing, and what smoothes highlights (PatchLobe)
+// is up to twice too bright at grazing angles in squares as large as that.
 constexpr float footprint_share = 0.25f;
 
 // By how many parts of its samples a region's error is told: quarters agree by chance too often,
@@ -55,7 +55,9 @@ RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
       stop_(std::move(stop)),
       white_(1.0 / std::clamp(static_cast<double>(viewer.throughput), 1e-3, 1.0)),
       places_(seed),
-      sums_(scene, viewer, settings, places_, shows) {}
+      sums_(scene, viewer, settings, places_, shows) {
+  sums_.widen_colours(colour_side / footprint_share);
+}
 
 std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
   Waiting& waiting = waiting_.emplace_back();

@@ -46,6 +46,8 @@ BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples)
   sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
   const double width = job.settings.filter_width;
   const float side = sample_side(width, samples);
+  sums.widen_colours(
+      std::max(1.0f, colour_side * static_cast<float>(width / std::sqrt(samples)) / side));
   std::array<PixelPoint, points_at_a_time> points;
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {

@@ -41,10 +41,15 @@ inline constexpr int points_at_a_time = 16;
 [[nodiscard]] int grid_side(int spp);
 
 /// The side, in pixels, of the footprint of one of so many samples of a pixel, whose filter is
-/// `width` wide. Where they are more than a few it is half of the square that a sample stands for:
-/// they are scattered all over it as it is, and a lobe that is widened by a patch of normals has
-/// tails that the patch has not.
+/// `width` wide, but for colours. Where they are more than a few it is half of the square that a
+/// sample stands for: they are scattered all over it as it is, and a lobe that is widened by a
+/// patch of normals has tails that the patch has not.
 [[nodiscard]] float sample_side(double width, int samples);
+
+/// The side of what a sample's colours are averaged over, in that of the square that it stands for:
+/// they add up as they are, so that wide footprints take noise from them and bring no tails; but
+/// those that reach beyond what the square shows look past where a texture ends.
+inline constexpr float colour_side = 0.75f;
 
 /// A block of pixels as the mean of `samples` point samples each, through packets of rays. A sample
 /// stands for its share of the pixel's area.

@@ -156,7 +156,7 @@ void SampleSums::gather_lobes() {
     places_->start_pixel(sample.x, sample.y);
     places_->start_sample(sample.index);
     OneLobeSample transport(reflections_, shader, sample);
-    reflect(viewer_.viewed(rays_[i], hits_[i], sample.side), transport);
+    reflect(seen_by(i, sample.side), transport);
   };
   LitBatch& points = lights_.first_points().points;
   const bool plain = plain_.count() > 0 && plain_.shade(points);
@@ -197,9 +197,7 @@ void SampleSums::shade_batch() {
     const PointSample& sample = samples_[alone_[k]];
     if (k == 0 || sample.x != samples_[alone_[k - 1]].x || sample.y != samples_[alone_[k - 1]].y)
       places_->start_pixel(sample.x, sample.y);
-    if (shade(sample, glm::vec3(1.0f),
-              viewer_.viewed(rays_[alone_[k]], hits_[alone_[k]], sample.side)))
-      ++count_[sample.target];
+    if (shade(sample, glm::vec3(1.0f), seen_by(alone_[k], sample.side))) ++count_[sample.target];
   }
 }
 
@@ -224,8 +222,8 @@ bool SampleSums::shade_plain() {
     if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
     OneSample transport(lights_, reflections_, shader, sample, glm::vec3(1.0f));
     if (plain_.may_mirror(i)) {
-      mirrors = plain_.reflect(i, viewer_.viewed(rays_[index], hits_[index], sample.side),
-                               gathered.points, transport, statistics_);
+      mirrors =
+          plain_.reflect(i, seen_by(index, sample.side), gathered.points, transport, statistics_);
     }
     if (sky_rays) {
       radiance_[sample.target] += glm::dvec3(plain_.emission(i));

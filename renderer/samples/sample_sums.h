@@ -44,6 +44,13 @@ class SampleSums {
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
 
+  /// From now on colours are averaged over squares that are so many times as wide as samples'
+  /// sides.
+  void widen_colours(float times) {
+    colours_ = times;
+    plain_.widen_colours(times);
+  }
+
   /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
   /// of their samples may wait for `trace`.
   void resize(std::size_t count);
@@ -82,6 +89,11 @@ class SampleSums {
  private:
   static constexpr std::size_t batch = 256;
 
+  [[nodiscard]] ViewedRay seen_by(std::size_t i, float side) const {
+    ViewedRay seen = viewer_.viewed(rays_[i], hits_[i], side);
+    seen.colours = colours_;
+    return seen;
+  }
   void gather_lobes();
   void shade_batch();
   [[nodiscard]] bool shade_plain();
@@ -98,6 +110,7 @@ class SampleSums {
   PlainSamples plain_;
   Culling faces_;
   Shows shows_ = Shows::all;
+  float colours_ = 1.0f;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;
   std::vector<Hit> hit_;

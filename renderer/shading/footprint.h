@@ -86,6 +86,7 @@ struct Footprint {
   glm::vec2 offset{0.0f};  ///< of its middle from the hit
   float side =
       1.0f;  ///< of the square that shows it, in pixels: how much what is seen there counts
+  float colours = 1.0f;  ///< times as wide as colours are averaged over
 
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }
 };
@@ -123,10 +124,15 @@ struct Footprint {
   return footprint_between(world.positions[v.y] - p0, world.positions[v.z] - p0, patch);
 }
 
+/// What colours are averaged over.
+[[nodiscard]] inline Footprint of_colours(const Footprint& f) {
+  return {f.colours * f.right, f.colours * f.down, f.offset, f.colours * f.side};
+}
+
 /// A square's footprint, shown by a part of another shape instead.
 [[nodiscard]] inline Footprint shaped(const Footprint& square, const PartShape& part) {
   const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
-  return {along(part.right), along(part.down), along(part.offset), square.side};
+  return {along(part.right), along(part.down), along(part.offset), square.side, square.colours};
 }
 
 /// The same of a patch.

@@ -188,7 +188,7 @@ ViewedRay Shader::eye_ray(const Ray& ray, const Hit& hit, float side) const {
 glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
                            RenderStatistics& counts) const {
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
-                            seen.side, seen.shape};
+                            seen.side, seen.shape, seen.colours};
   if (settings_.backdrop.shows_coverage()) {
     NoTransport none;
     return glm::vec3(1.0f) - look_along(seen, extent, none, counts).behind;

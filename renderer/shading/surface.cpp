@@ -254,6 +254,7 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
                                                          point.geometric_normal, extent.side)),
                              extent.shape);
     point.footprint.side = extent.side;
+    point.footprint.colours = extent.colours;
   }
   shade_normal(world, needs, hit, t, world.material_of(hit.triangle).normal_texture,
                extent.point() ? nullptr : extent.mips, point);
@@ -286,9 +287,11 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   if (material.alpha_mode == AlphaMode::mask)
     seen_from = material.alpha_cutoff / (material.base_color.a * tint.a);
   const auto sample = [&](const TextureUse& use, TexelKind kind) {
+    // What alpha goes with is no sum: of layers, each other's holes show.
+    const Footprint shown = kind == TexelKind::color ? of_colours(footprint) : footprint;
     if (mips)
       return filtered_texture(world, *mips, use, {kind, seen_from},
-                              {hit.triangle, hit.b1, hit.b2, footprint});
+                              {hit.triangle, hit.b1, hit.b2, shown});
     return sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
                           kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
   };

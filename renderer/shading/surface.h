@@ -99,6 +99,7 @@ struct SampleExtent {
   const MipChains* mips = nullptr;
   float side = 0.0f;
   PartShape shape = {};
+  float colours = 1.0f;  ///< times as wide is the square that colours are averaged over
 
   [[nodiscard]] bool point() const { return !spacing || !mips || !(side > 0.0f); }
 };

@@ -33,6 +33,7 @@ struct ViewedRay {
   /// Parts that `shape` stands for all together, over which colours are averaged one by one; empty:
   /// it is as exact.
   std::span<const SharedShape> parts = {};
+  float colours = 1.0f;  ///< times as wide is the square that colours are averaged over
 
   /// Whether any surface has reflected it, and not only let it through.
   [[nodiscard]] bool reflected() const { return bounces > passage.refractions; }
