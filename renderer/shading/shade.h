@@ -80,8 +80,8 @@ class Shader {
   [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
                                    LightTransport& transport, RenderStatistics& counts) const;
 
-  /// By how much what blended layers let through together may be off, 0 to 1, where each is known by
-  /// its mean over what the ray stands for: the sum over the layers of the standard deviation of
+  /// By how much what blended layers let through together may be off, 0 to 1, where each is known
+  /// by its mean over what the ray stands for: the sum over the layers of the standard deviation of
   /// what those before let through times the layer's own, the most that their covariance is. 0: no
   /// two of them vary. Counts the rays that go on.
   [[nodiscard]] float unevenness_of_layers(const ViewedRay& seen, RenderStatistics& counts) const;
