@@ -65,8 +65,7 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
     const double likely = eye_->budget.samples_of_uneven(leaf.weight, 0.0);
     fewest = std::max(enough, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
     if (!may_be_glossy(material_of(leaf))) what = Sampled::smooth;
-  } else if (refinement_->cut_out(leaf.sample, leaf.region) ||
-             sees_uneven_layers(*eye_, *samples_, leaf.sample, leaf.weight, leaf.region)) {
+  } else if (only_samples_tell(leaf)) {
     fewest = enough;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
     fewest = enough;
@@ -78,6 +77,12 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   if (add_texture_samples(leaf)) return;
   const glm::vec3 radiance = add_leaf(leaf, refinement_->even_around(leaf.sample, leaf.region));
   note_result(leaf, radiance);
+}
+
+// Whether no boundary tells how much of a surface, or of layers before each other, a leaf shows.
+bool LeafShader::only_samples_tell(const PyrayLeaf& leaf) const {
+  return refinement_->cut_out(leaf.sample, leaf.region) ||
+         sees_uneven_layers(*eye_, *samples_, leaf.sample, leaf.weight, leaf.region);
 }
 
 const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
@@ -266,7 +271,7 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
     sum.weight += held * leaf.weight;
   }
   sum.samples += found.samples;
-  sum.cut_out |= found.standard_error > 0.0 && refinement_->cut_out(leaf.sample, leaf.region);
+  sum.cut_out |= found.standard_error > 0.0 && only_samples_tell(leaf);
   note_result(leaf, glm::vec3(found.mean));
   return true;
 }

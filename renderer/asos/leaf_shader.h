@@ -56,6 +56,7 @@ class LeafShader {
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
+  [[nodiscard]] bool only_samples_tell(const PyrayLeaf& leaf) const;
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;

@@ -40,7 +40,7 @@ struct RootSum {
   glm::dvec3 radiance{0.0};
   double weight = 0.0;
   bool shadow_cut = false;    ///< the edge of a hard shadow cut one of its leaves
-  bool cut_out = false;       ///< samples found what a texture cuts out of a surface
+  bool cut_out = false;       ///< samples found what textures cut out, or let through together
   bool mirror_cut = false;    ///< a boundary split what one of its leaves mirrors
   bool misplaced = false;     ///< bent mirrors, one in the other, may show a bright light elsewhere
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole

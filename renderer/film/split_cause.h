@@ -18,7 +18,7 @@ enum class SplitCause : std::uint8_t {
   shadow,        ///< a shadow's edge
   reflection,    ///< an edge that a mirror shows
   shading,       ///< nothing but uneven shading
-  cut_out,       ///< no boundary: split by what its samples show, as at a texture's cut-outs
+  cut_out,       ///< no boundary: split by what its samples show, as at a texture's holes
   saturation,    ///< so many boundaries that samples cost less than the parts between
   depth_limit,   ///< boundaries still passed through cells when MAX was reached
 };

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -104,6 +105,12 @@ TEST(BlendedTexture, LayersThatHideTheSamePlacesHideThemOnce) {
   const Film once = labels_before_wall({{0, 0}}, Method::asos);
   const Film twice = labels_before_wall({{0, 0}, {0, 0}}, Method::asos);
   EXPECT_LT(rmse(once, twice), 0.003);
+  // No boundary lies there; the map tells that samples say how much is seen.
+  const auto by_samples = [](const Film& film) {
+    return std::count(film.cause.begin(), film.cause.end(), SplitCause::cut_out);
+  };
+  EXPECT_EQ(by_samples(once), 0);
+  EXPECT_GT(by_samples(twice), side * side / 8);
 }
 
 TEST(BlendedTexture, LayersThatHideOtherPlacesHideBoth) {
