@@ -328,18 +328,18 @@ bool view(const LobeNormTable& table, MaterialBatch& materials, LitBatch& points
                         environment_specular(norms, f0.y, f90),
                         environment_specular(norms, f0.z, f90)};
     store(shine, materials.specular, i);
-    const auto largest = hn::Max(shine.x, hn::Max(shine.y, shine.z));
+    const auto dielectric = loaded(materials.dielectric_f0, i);
+    const auto dielectric_f90 = loaded(materials.dielectric_f90, i);
+    const auto below = hn::Sub(one, environment_specular(norms, dielectric, dielectric_f90));
     const Vectors albedo =
         scaled(hn::Sub(one, loaded(materials.metallic, i)), loaded(materials.base_color, i));
-    const Vectors ambient =
-        scaled(hn::Mul(loaded(materials.occlusion, i), hn::Sub(one, largest)), albedo);
+    const Vectors ambient = scaled(hn::Mul(loaded(materials.occlusion, i), below), albedo);
     store(ambient, materials.ambient, i);
-    const auto dielectric = loaded(materials.dielectric_f0, i);
     const auto left = hn::Sub(one, dielectric);
     const Vectors diffuse = scaled(hn::Mul(all_lanes(std::numbers::inv_pi_v<float>), left), albedo);
     const auto some_left = hn::Gt(left, zero);
-    const auto falloff = hn::Div(hn::Sub(loaded(materials.dielectric_f90, i), dielectric),
-                                 hn::IfThenElse(some_left, left, one));
+    const auto falloff =
+        hn::Div(hn::Sub(dielectric_f90, dielectric), hn::IfThenElse(some_left, left, one));
     store(hn::IfThenElseZero(some_left, falloff), points.falloff, i);
     store(diffuse, points.diffuse, i);
     store_lobe(f0, f90, roughness, points, i);

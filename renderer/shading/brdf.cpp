@@ -27,7 +27,9 @@ glm::vec3 fresnel_schlick(glm::vec3 f0, glm::vec3 f90, float v_dot_h) {
   return f0 + (f90 - f0) * schlick_of(v_dot_h);
 }
 
-glm::vec3 environment_specular(glm::vec3 f0, glm::vec3 f90, const LobeNorms& norms) {
+template <typename Reflectance>
+Reflectance environment_specular(const Reflectance& f0, const Reflectance& f90,
+                                 const LobeNorms& norms) {
   return glm::clamp(f0 * norms.lobe + (f90 - f0) * norms.fresnel, 0.0f, 1.0f);
 }
 
@@ -65,18 +67,18 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   }
   seen.roughness = material.roughness;
   seen.stretch = material.stretch;
-  seen.specular =
-      material.stretch.none()
-          ? environment_specular(seen.f0, material.roughness, n_dot_v, seen.f90)
-          : environment_specular(seen.f0, seen.f90,
-                                 stretched_norms(material.stretch, material.roughness, n_dot_v));
+  const LobeNorms norms = material.stretch.none()
+                              ? lobe_norms(n_dot_v, material.roughness)
+                              : stretched_norms(material.stretch, material.roughness, n_dot_v);
+  seen.specular = environment_specular(seen.f0, seen.f90, norms);
+  seen.below = 1.0f - environment_specular(dielectric_f0, dielectric_f90, norms);
   const glm::vec3 albedo =
       material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission) *
                              (1.0f - material.diffuse_transmission));
   const float left = 1.0f - dielectric_f0;
   seen.diffuse = left * albedo;
   seen.falloff = left > 0.0f ? (dielectric_f90 - dielectric_f0) / left : 0.0f;
-  seen.ambient = (material.occlusion * (1.0f - largest(seen.specular))) * albedo;
+  seen.ambient = (material.occlusion * seen.below) * albedo;
   return seen;
 }
 
@@ -119,7 +121,7 @@ float transmitted_share(const SurfaceMaterial& material, float n_dot_v) {
     if (material.coat.factor > 0.0f) left -= viewed(material.coat, n_dot_v).f0.x;
     if (material.sheen.color != glm::vec3(0.0f))
       left *= 1.0f - largest(viewed(material.sheen, n_dot_v).ambient);
-    left *= (1.0f - largest(viewed(material, n_dot_v).specular)) * (1.0f - material.metallic);
+    left *= viewed(material, n_dot_v).below * (1.0f - material.metallic);
   }
   return left * material.transmission;
 }

@@ -36,6 +36,8 @@ struct ViewedMaterial {
   float falloff = 0.0f;  ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
   /// Share of a constant environment that the Lambert part returns, less the material's occlusion.
   glm::vec3 ambient{0.0f};
+  /// Share of it that the lobe of what is no metal leaves to what lies below.
+  float below = 1.0f;
   float sheen = 0.0f;        ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
   LobeStretch stretch = {};  ///< of the GGX lobe, whose `roughness` is that across
 };
@@ -43,8 +45,9 @@ struct ViewedMaterial {
 /// The diffuse part is weighted by 1 - F(v.h) of the dielectric's largest colour, as appendix B and
 /// KHR_materials_specular say. Of light from all around it returns what the specular lobe leaves
 /// *for this viewer*: by glTF's weight a white surface seen at a grazing angle would return up to
-/// 1.5 times the light. A transmissive surface reflects nothing diffusely of the share that it lets
-/// through.
+/// 1.5 times the light. The lobe is that of the part that is no metal: appendix B mixes what two
+/// materials return, and the metal has nothing below. A transmissive surface reflects nothing
+/// diffusely of the share that it lets through.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
 
 /// What shines through it diffusely (KHR_materials_diffuse_transmission), as its other side's

@@ -103,7 +103,7 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
   } else {
     base = viewed(total_reflector(material), view.n_dot_v);
   }
-  left *= 1.0f - largest(base.specular);
+  left *= base.below;
   add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
   if (material.diffuse_transmission > 0.0f) {
     SurfacePoint behind = point;

@@ -72,5 +72,30 @@ TEST(Furnace, OfDiffuseTransmissionIsThatOfAnOpaqueSurface) {
   }
 }
 
+// Appendix B: mix(dielectric, metal, metallic), of which KHR_materials_transmission changes the
+// first. A sky of one radiance is reflected at once, and not by samples.
+TEST(Furnace, OfHalfMetalsIsTheMixOfBoth) {
+  const Sky white(glm::vec3(1.0f));
+  const auto seen = [&](double metallic, double roughness, float transmission, double angle) {
+    Material m = material_of({{0.9, 0.7, 0.5}, metallic, roughness});
+    m.transmission = transmission;
+    return SeenFloor(m).look(angle, white);
+  };
+  for (const float transmission : {0.0f, 0.5f}) {
+    for (const double roughness : {0.0, 0.3, 0.7}) {
+      for (const double angle : angles) {
+        const glm::vec3 dielectric = seen(0.0, roughness, transmission, angle);
+        const glm::vec3 metal = seen(1.0, roughness, transmission, angle);
+        for (const double metallic : {0.25, 0.6}) {
+          const glm::vec3 found = seen(metallic, roughness, transmission, angle);
+          const glm::vec3 mix = glm::mix(dielectric, metal, static_cast<float>(metallic));
+          for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], mix[c], 1e-5) << metallic << ' ' << roughness << ' ' << angle;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asos::test::furnace_test
