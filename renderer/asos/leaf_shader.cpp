@@ -1,6 +1,5 @@
 #include "renderer/asos/leaf_shader.h"
 
-#include "renderer/asos/layered_sight.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
@@ -58,31 +57,29 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   const std::uint32_t enough = enough_samples_for(eye_->budget, leaf.weight);
   std::uint32_t fewest = 0;
   Sampled what = Sampled::noisy;
+  const BySamples by_samples = leaf.verdict.given
+                                   ? leaf.verdict.by_samples
+                                   : refinement_->by_samples(leaf.sample, leaf.weight, leaf.region);
   if (refinement_->glints(leaf.sample, leaf.weight)) {
     fewest = few_samples;
-  } else if (leaf.sampled) {
+  } else if (by_samples == BySamples::cheaper) {
     // So few that agree by chance are not to be believed.
     const double likely = eye_->budget.samples_of_uneven(leaf.weight, 0.0);
     fewest = std::max(enough, std::bit_floor(static_cast<std::uint32_t>(0.25 * likely)));
     if (!may_be_glossy(material_of(leaf))) what = Sampled::smooth;
-  } else if (only_samples_tell(leaf)) {
+  } else if (by_samples == BySamples::only) {
     fewest = enough;
   } else if (refinement_->uneven_at_last(leaf.sample, leaf.weight, leaf.region)) {
     fewest = enough;
   }
-  if (fewest > 0 && add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest, what))
+  if (fewest > 0 &&
+      add_samples(leaf.root, leaf.sample, leaf.region, leaf.weight, fewest, what, by_samples))
     return;
 
   // Textured surfaces are divided into TR x TR samples of a pixel; all else is one leaf.
   if (add_texture_samples(leaf)) return;
   const glm::vec3 radiance = add_leaf(leaf, refinement_->even_around(leaf.sample, leaf.region));
   note_result(leaf, radiance);
-}
-
-// Whether no boundary tells how much of a surface, or of layers before each other, a leaf shows.
-bool LeafShader::only_samples_tell(const PyrayLeaf& leaf) const {
-  return refinement_->cut_out(leaf.sample, leaf.region) ||
-         sees_uneven_layers(*eye_, *samples_, leaf.sample, leaf.weight, leaf.region);
 }
 
 const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
@@ -162,7 +159,7 @@ std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm
 bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   const Budget& budget = eye_->budget;
   return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
-         !leaf.sampled && transport.unsure_highlights() > budget.tolerance;
+         !leaf.verdict.sampled() && transport.unsure_highlights() > budget.tolerance;
 }
 
 // How many samples tell such a highlight: of few samples none may see what is left of the light,
@@ -179,7 +176,7 @@ std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) co
 bool LeafShader::light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   const Budget& budget = eye_->budget;
   return !eye_->mask && budget.refines() && budget.max_level > 0 && !leaf.region.marginal &&
-         !leaf.sampled && transport.misplaces_light();
+         !leaf.verdict.sampled() && transport.misplaces_light();
 }
 
 LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {
@@ -190,7 +187,7 @@ LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const
   context.at = samples_->at(leaf.sample);
   context.seed = samples_->seed(leaf.sample);
   context.even = even;
-  context.saturated = refinement_->saturated(leaf.note);
+  context.saturated = refinement_->saturated(leaf.verdict.note);
   if (eye_->observed.observer && leaf.root == eye_->observed_root) {
     const Square& root = eye_->observed_square;
     context.observed = eye_->observed;
@@ -223,7 +220,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   const SampleId first = samples_->probe(places);
 
   // One look at the lights does for all of them.
-  EvenPatch whole = refinement_->even_patch(leaf.sample, region, leaf.note);
+  EvenPatch whole = refinement_->even_patch(leaf.sample, region, leaf.verdict.note);
   const bool even = samples_->opaque(leaf.sample);
   const RootSum before = sums_[leaf.root];
   const double share = leaf.weight / static_cast<double>(parts.size());
@@ -239,13 +236,14 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
 }
 
 bool LeafShader::add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region,
-                             double weight, std::uint32_t fewest, Sampled what) {
+                             double weight, std::uint32_t fewest, Sampled what,
+                             BySamples by_samples) {
   if (!sampler_) {
     sampler_.emplace(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block, eye_->seed,
                      eye_->mask, eye_->stop);
   }
   const RegionSampler::Goal goal = sample_goal(*eye_, weight, fewest, what);
-  const PyrayLeaf leaf{root, sample, weight, region, 0, true};
+  const PyrayLeaf leaf{root, sample, weight, region, {Unevenness::none, 0, by_samples}};
   if (!eye_->mask) {
     sampler_->add(region, goal);
     put_off_.push_back(leaf);
@@ -271,7 +269,7 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
     sum.weight += held * leaf.weight;
   }
   sum.samples += found.samples;
-  sum.cut_out |= found.standard_error > 0.0 && only_samples_tell(leaf);
+  sum.cut_out |= found.standard_error > 0.0 && leaf.verdict.by_samples == BySamples::only;
   note_result(leaf, glm::vec3(found.mean));
   return true;
 }

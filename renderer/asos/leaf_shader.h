@@ -37,7 +37,8 @@ class LeafShader {
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.
   bool add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region, double weight,
-                   std::uint32_t fewest, Sampled what = Sampled::noisy);
+                   std::uint32_t fewest, Sampled what = Sampled::noisy,
+                   BySamples by_samples = BySamples::cheaper);
   /// Samples what was put off. Sums are complete after it.
   void finish();
 
@@ -56,7 +57,6 @@ class LeafShader {
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
-  [[nodiscard]] bool only_samples_tell(const PyrayLeaf& leaf) const;
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;

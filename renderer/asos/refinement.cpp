@@ -1,7 +1,8 @@
 #include "renderer/asos/refinement.h"
 
 #include "renderer/asos/layered_sight.h"
-#include "renderer/asos/texture_samples.h"
+#include "renderer/asos/part_shape.h"
+#include "renderer/asos/textured_sight.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/pyray/prices.h"
@@ -37,16 +38,6 @@ bool by_lobes_only(const EyeContext& eye, const Hit& hit) {
          eye.viewer.shader.mirrors_by_lobe(hit.triangle, least_mirror_roughness(material));
 }
 
-/// Whether a patch reaches far beyond the triangle that was hit, which tells of its own bend only.
-bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch) {
-  constexpr float far = 0.5f;  // of the triangle
-  const Footprint seen = footprint_on(world, hit, patch);
-  const auto reach = [](glm::vec2 edge) {
-    return std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.x + edge.y)});
-  };
-  return std::max(reach(seen.right), reach(seen.down)) > far;
-}
-
 /// What a leaf of the material costs, in samples: those of mirrors are pyrays of their own.
 double leaf_price(const Material& material) {
   return may_be_glossy(material) ? Prices::glossy_leaf : Prices::leaf;
@@ -78,12 +69,12 @@ void Refinement::learn_normals(int side) {
 }
 
 LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& region) {
-  if (!samples_->hit(sample).valid() || !eye_->budget.refines() || cut_out(sample, region) ||
-      sees_uneven_layers(*eye_, *samples_, sample, share, region))
-    return {};
+  if (!samples_->hit(sample).valid() || !eye_->budget.refines()) return {};
+  const BySamples told = by_samples(sample, share, region);
+  if (told == BySamples::only) return {Unevenness::none, 0, told};
   const bool glinting = glints(sample, share);
-  if (!glinting && better_sampled_at_once(sample, share, region))
-    return {Unevenness::none, 0, true};
+  if (!glinting && (told == BySamples::cheaper || better_sampled_at_once(sample, share, region)))
+    return {Unevenness::none, 0, BySamples::cheaper};
   const float tolerance = eye_->budget.tolerance;
   const ShadingError found = glinting ? ShadingError{} : shading_error(sample, share, region);
   const double wide = mirrored_width(sample, region);
@@ -97,13 +88,14 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   const bool shading = wide > 1.0 || found.all() > tolerance;
   const double leaf = leaf_price(eye_->scene->world().material_of(samples_->hit(sample).triangle));
   if (shading && sampled(found.price_of_splitting(eye_->budget, wide, leaf, highlights_price())))
-    return {Unevenness::shading, 0, true};
+    return {Unevenness::shading, 0, BySamples::cheaper};
   LeafVerdict verdict;
   if (shadows_.any() && !shared) {
     const SoftShadows::Verdict shadow = judge_shadows(sample, share, region);
     if (shadow.error > 0.0f) {
       const double leaves = eye_->budget.leaves_of_bent(static_cast<double>(shadow.error));
-      return {Unevenness::shadow, 0, sampled(leaves * (leaf + shadows_.price()))};
+      const bool cheaper = sampled(leaves * (leaf + shadows_.price()));
+      return {Unevenness::shadow, 0, cheaper ? BySamples::cheaper : BySamples::no};
     }
     verdict.note = shadow.note;
     // A leaf that is split for its shading need not have its shadows found again for each part.
@@ -112,6 +104,16 @@ LeafVerdict Refinement::judge(SampleId sample, double share, const LeafRegion& r
   }
   if (shading) verdict.uneven = Unevenness::shading;
   return verdict;
+}
+
+BySamples Refinement::by_samples(SampleId sample, double share, const LeafRegion& region) const {
+  if (!eye_->budget.refines() || eye_->budget.max_level == 0 || region.marginal)
+    return BySamples::no;
+  if (samples_->cut_out(sample)) return BySamples::only;
+  if (samples_->opaque(sample)) return BySamples::no;
+  const LayeredSight seen = layered_sight(*eye_, *samples_, sample, share, region);
+  if (seen.uneven_together) return BySamples::only;
+  return seen.uneven_behind ? BySamples::cheaper : BySamples::no;
 }
 
 double Refinement::part_price() const {
@@ -281,7 +283,10 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
   if (eye_->mask || !eye_->budget.refines() || eye_->budget.max_level == 0 || region.marginal ||
       !hit.valid() || scene.world().is_face(hit.triangle))
     return false;
-  if (textured_by_several(sample, share)) return true;
+  const Patch square = samples_->patch(sample, share);
+  if (textured_by_several(*eye_, hit, square) ||
+      uneven_products(*eye_, hit, square, part_shape(region, samples_->at(sample)), share))
+    return true;
   const Material& material = scene.world().material_of(hit.triangle);
   if (material.unlit) return false;
   // No mean of what a texture turns is what its highlights are the mean of.
@@ -289,19 +294,8 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
   if (!shadows_.any()) return false;
   if (scene.needs.normal_maps && has_normal_map(material)) return true;
   return scene.features().deviation(hit.triangle) > 0.0f &&
-         (reaches_beyond_triangle(scene.world(), hit, samples_->patch(sample, share)) ||
+         (reaches_beyond_triangle(scene.world(), hit, square) ||
           gloss_.error(sample, share, patch_around(sample, region)).highlights.contrast <= bright);
-}
-
-// Whether a leaf reaches far beyond its triangle on a bent mesh with textures, which need not go on
-// there as they do on the triangle.
-bool Refinement::textured_by_several(SampleId sample, double share) const {
-  const RenderScene& scene = *eye_->scene;
-  const Hit& hit = samples_->hit(sample);
-  return eye_->settings->texture.filter != TextureFilter::point &&
-         is_textured(scene.world().material_of(hit.triangle), scene.needs) &&
-         scene.features().deviation(hit.triangle) > 0.0f &&
-         reaches_beyond_triangle(scene.world(), hit, samples_->patch(sample, share));
 }
 
 bool Refinement::is_finest(const LeafRegion& region) const {

@@ -44,11 +44,9 @@ class Refinement {
   /// Whether a mirror, which is sampled in another, may show a light without geometry that is
   /// brighter than white: the other's pyray places it worse than samples would.
   [[nodiscard]] bool may_misplace_light(SampleId sample, const LeafRegion& region) const;
-  /// Whether a texture may cut the surface out within a leaf: only samples tell.
-  [[nodiscard]] bool cut_out(SampleId sample, const LeafRegion& region) const {
-    return samples_->cut_out(sample) && !region.marginal && eye_->budget.refines() &&
-           eye_->budget.max_level > 0;
-  }
+  /// Whether only samples tell what textures cut out of a leaf, or let through one before the
+  /// other, or tell more of what lies behind; `judge` says so, too.
+  [[nodiscard]] BySamples by_samples(SampleId sample, double share, const LeafRegion& region) const;
   /// Whether a leaf is of a bent or bumpy mesh under lights of some size, and without bright
   /// highlights, unless it shows several triangles of one: its middle's normal stands for none of
   /// its other points', and where these look past their own surface's horizon at a light is for
@@ -74,7 +72,6 @@ class Refinement {
                                            const LeafRegion& region) const;
   [[nodiscard]] float normal_error(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] float light_error(SampleId sample, const LeafRegion& region) const;
-  [[nodiscard]] bool textured_by_several(SampleId sample, double share) const;
   [[nodiscard]] double highlights_price() const;
   [[nodiscard]] double mirrored_width(SampleId sample, const LeafRegion& region) const;
   [[nodiscard]] glm::ivec2 pixel_of(const LeafRegion& region) const;

@@ -17,24 +17,34 @@ inline constexpr SampleId no_sample = 0xffffffffu;
 /// Why one sample cannot stand for what a patch of a surface looks like.
 enum class Unevenness : std::uint8_t { none, shading, shadow };
 
-/// A caster's word on whether one sample can stand for a leaf. The engine hands `note` on with the
-/// leaf: a caster finds there what it learned on the way (0: nothing).
+/// Whether many samples of a leaf take the place of its one.
+enum class BySamples : std::uint8_t {
+  no,
+  cheaper,  ///< it is uneven, and they cost less than its parts
+  only,     ///< nothing but samples tells what it shows
+};
+
+/// A caster's word on whether one sample can stand for a leaf. The engine hands it on with the
+/// leaf: a caster finds in `note` what it learned on the way (0: nothing).
 struct LeafVerdict {
   Unevenness uneven = Unevenness::none;
   std::uint32_t note = 0;
-  bool sampled = false;  ///< uneven, and many samples of it cost less than its parts: a leaf
+  BySamples by_samples = BySamples::no;
+  bool given = true;  ///< false: nobody was asked, for the leaf could not be split
 
-  [[nodiscard]] bool splits() const { return uneven != Unevenness::none && !sampled; }
+  [[nodiscard]] bool sampled() const { return by_samples != BySamples::no; }
+  [[nodiscard]] bool splits() const { return uneven != Unevenness::none && !sampled(); }
+
+  [[nodiscard]] static LeafVerdict none() { return {Unevenness::none, 0, BySamples::no, false}; }
 };
 
 /// A finished part of a root, for which one sample stands.
 struct PyrayLeaf {
   std::uint32_t root = 0;  ///< number of the root
   SampleId sample = no_sample;
-  double weight = 1.0;     ///< share of the root's area
-  LeafRegion region;       ///< in the root frame
-  std::uint32_t note = 0;  ///< the verdict's
-  bool sampled = false;    ///< the same
+  double weight = 1.0;  ///< share of the root's area
+  LeafRegion region;    ///< in the root frame
+  LeafVerdict verdict = LeafVerdict::none();
 };
 
 /// The side that asks the engine: knows how to look along points of the root frame's square, and

@@ -203,7 +203,7 @@ void CellResolver::carry_out() {
 void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) {
   const SampleId sample = plan.points.count ? first : cell.middle;
   const LeafRegion region{cell.square, {}};
-  LeafVerdict verdict;
+  LeafVerdict verdict = LeafVerdict::none();
   if (level_->number < state_->rules.budget.max_level)
     verdict = state_->caster->judge(sample, state_->weight(cell), region);
   if (verdict.splits()) {
@@ -212,7 +212,7 @@ void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) 
     cell.cover = state_->caster->cover(cell.middle);
     return;
   }
-  const CellFate fate = verdict.sampled ? CellFate::sampled : CellFate::uniform;
+  const CellFate fate = verdict.sampled() ? CellFate::sampled : CellFate::uniform;
   if (TracedCell* traced = trace(cell, plan, fate)) {
     const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
     traced->samples.push_back({sample, at, state_->weight(cell), {}, {}});
@@ -235,7 +235,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     const CellPart& part = parts_[plan.first_part + i];
     const LeafRegion region{cell.square,
                             std::span(borders_).subspan(part.first_edge, part.edge_count)};
-    LeafVerdict verdict;
+    LeafVerdict verdict = LeafVerdict::none();
     if (level_->number < finest)
       verdict = state_->caster->judge(first + i, whole * part.area, region);
     if (verdict.splits()) {

@@ -29,8 +29,8 @@ glm::vec2 SubdivisionState::jittered(std::uint32_t root, const Square& square) c
 
 void SubdivisionState::add_leaf(const Cell& cell, SampleId sample, double share,
                                 const LeafRegion& region, const LeafVerdict& verdict) {
-  if (verdict.sampled) outcome(cell).note_uneven(verdict.uneven);
-  leaves.push_back({root(cell).id, sample, share, region, verdict.note, verdict.sampled});
+  if (verdict.sampled()) outcome(cell).note_uneven(verdict.uneven);
+  leaves.push_back({root(cell).id, sample, share, region, verdict});
 }
 
 void SubdivisionState::hand_out() {

@@ -167,7 +167,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       }
       // A clear one that is shaded too unevenly is subdivided, too.
       const LeafRegion whole{root.square, {}};
-      const LeafVerdict verdict = max_level > 0 ? caster.judge(i, 1.0, whole) : LeafVerdict{};
+      const LeafVerdict verdict = max_level > 0 ? caster.judge(i, 1.0, whole) : LeafVerdict::none();
       if (verdict.splits()) {
         roots_.push_back(root);
         continue;
@@ -175,10 +175,10 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       // Else it is one leaf.
       if (root.traced) {
         TracedCell& cell = root.traced->cells.emplace_back();
-        if (caster.samples_leaf(i) || verdict.sampled) cell.fate = CellFate::sampled;
+        if (caster.samples_leaf(i) || verdict.sampled()) cell.fate = CellFate::sampled;
         cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
       }
-      const PyrayLeaf leaf{i, i, 1.0, whole, verdict.note, verdict.sampled};
+      const PyrayLeaf leaf{i, i, 1.0, whole, verdict};
       caster.take(std::span(&leaf, 1));
       SubdivisionOutcome& outcome = traces_[i].outcome;
       outcome.pyrays_by_level[0] = 1;

@@ -50,6 +50,11 @@ struct TextureUse {
   float scale = 1.0f;
 
   [[nodiscard]] bool used() const { return texture >= 0; }
+  /// Whether both show the same place of the same texture.
+  [[nodiscard]] bool same_place(const TextureUse& other) const {
+    return texture == other.texture && texcoord == other.texcoord &&
+           uv_transform == other.uv_transform;
+  }
 };
 
 enum class AlphaMode { opaque, mask, blend };

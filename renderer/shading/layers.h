@@ -8,10 +8,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 // Surfaces that light goes straight through, one behind the other.
 
 namespace asos {
+
+/// A surface of those that a ray shows one through the other.
+struct SeenLayer {
+  Hit hit;
+  float opacity = 1.0f;  ///< mean of what it hides over all that the ray stands for
+  bool varies = false;   ///< a texture tells how much: what it hides in part may be all of it here
+};
+
+/// By how much what layers let through together may be off, 0 to 1, where each is known by its
+/// mean: the sum over the layers of the standard deviation of what those before let through times
+/// the layer's own, the most that their covariance is. 0: no two of them vary.
+[[nodiscard]] float unevenness_of(std::span<const SeenLayer> layers);
 
 /// The share of a layer behind others below which no display shows it, even at +8 stops.
 inline constexpr float invisible_share = 1.0f / (256.0f * 256.0f);

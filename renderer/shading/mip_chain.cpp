@@ -159,7 +159,7 @@ void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& ne
     add_use(uses, world, m.normal_texture, TexelKind::normal);
     add_use(uses, world, m.coat.normal_texture, TexelKind::normal);
   }
-  if (needs.emission) add_use(uses, world, m.emissive_texture, TexelKind::color);
+  if (needs.emission) add_use(uses, world, m.emissive_texture, emissive_kind(m));
 }
 
 }  // namespace
@@ -168,6 +168,11 @@ TexelKind base_color_kind(const Material& material) {
   const bool covers_all = material.alpha_mode == AlphaMode::opaque ||
                           (material.alpha_mode == AlphaMode::mask && material.alpha_cutoff <= 0.0f);
   return covers_all ? TexelKind::color : TexelKind::cover;
+}
+
+TexelKind emissive_kind(const Material& material) {
+  const bool covers = material.emissive_texture.same_place(material.base_color_texture);
+  return covers ? base_color_kind(material) : TexelKind::color;
 }
 
 MipChain make_mip_chain(const Image& image, TexelKind kind) {

@@ -68,5 +68,8 @@ class MipChains {
 
 /// The kind of a material's base colour texture.
 [[nodiscard]] TexelKind base_color_kind(const Material& material);
+/// That of its emissive texture: where it is the base colour's, which says how much is there, what
+/// it sends out counts by its alpha, too.
+[[nodiscard]] TexelKind emissive_kind(const Material& material);
 
 }  // namespace asos

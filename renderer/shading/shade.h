@@ -7,6 +7,7 @@
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/shading/backdrop.h"
+#include "renderer/shading/layers.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/volume_boundary.h"
@@ -17,6 +18,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace asos {
 
@@ -80,11 +82,10 @@ class Shader {
   [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
                                    LightTransport& transport, RenderStatistics& counts) const;
 
-  /// By how much what blended layers let through together may be off, 0 to 1, where each is known
-  /// by its mean over what the ray stands for: the sum over the layers of the standard deviation of
-  /// what those before let through times the layer's own, the most that their covariance is. 0: no
-  /// two of them vary. Counts the rays that go on.
-  [[nodiscard]] float unevenness_of_layers(const ViewedRay& seen, RenderStatistics& counts) const;
+  /// The surfaces along a ray that let light straight through, in depth order, and the one behind
+  /// them, as far as anything of it is seen. Counts the rays that go on.
+  [[nodiscard]] std::vector<SeenLayer> layers(const ViewedRay& seen,
+                                              RenderStatistics& counts) const;
 
   /// An eye ray whose nearest hit is `hit`, for the square of `side` pixels that it stands for.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;

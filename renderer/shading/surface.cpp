@@ -226,7 +226,7 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
   if (needs.emission) {
     surface.emission = material.emissive * material.emissive_strength;
     if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {
-      surface.emission *= glm::vec3(sample(material.emissive_texture, TexelKind::color));
+      surface.emission *= glm::vec3(sample(material.emissive_texture, emissive_kind(material)));
     }
   }
   return surface;

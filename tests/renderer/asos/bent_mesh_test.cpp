@@ -1,14 +1,18 @@
 #include "renderer/asos/pixel_trace.h"
+#include "tests/support/flat_mesh.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
+#include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <random>
 
 // The light on a ball of triangles with smooth normals.
 
@@ -16,15 +20,16 @@ namespace asos::test::bent_mesh_test {
 namespace {
 
 constexpr int side = 40;
-constexpr std::uint32_t rings = 32;
 
-Mesh ball() {
+Mesh ball(std::uint32_t rings) {
   Mesh mesh;
-  constexpr std::uint32_t around = 2 * rings;
+  const std::uint32_t around = 2 * rings;
   for (std::uint32_t i = 0; i <= rings; ++i) {
-    const float down = std::numbers::pi_v<float> * static_cast<float>(i) / rings;
+    const float down =
+        std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(rings);
     for (std::uint32_t k = 0; k <= around; ++k) {
-      const float turn = std::numbers::pi_v<float> * static_cast<float>(k) / rings;
+      const float turn =
+          std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(rings);
       mesh.positions.emplace_back(std::sin(down) * std::cos(turn), std::cos(down),
                                   std::sin(down) * std::sin(turn));
     }
@@ -54,7 +59,7 @@ Light panel_above() {
 
 std::shared_ptr<const RenderScene> lit_ball(float metallic) {
   Scene scene;
-  scene.meshes.push_back(ball());
+  scene.meshes.push_back(ball(32));
   Material material;
   material.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
   material.metallic = metallic;
@@ -86,6 +91,51 @@ double mean_of(const RenderScene& scene, Method method) {
   double sum = 0.0;
   for (const glm::vec3& radiance : film.radiance) sum += static_cast<double>(radiance.x);
   return sum / static_cast<double>(film.radiance.size());
+}
+
+// Each corner of a ball whose triangles are smaller than pixels shows another place of a texture.
+std::shared_ptr<const RenderScene> patched_ball(bool behind_glass) {
+  Scene scene;
+  Mesh patched = ball(128);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> place(0.0f, 1.0f);
+  for (std::size_t i = 0; i < patched.positions.size(); ++i)
+    patched.texcoords[0].emplace_back(place(random), place(random));
+  scene.images.push_back(make_image(16, 16, [](int x, int y) {
+    const auto c = static_cast<std::uint8_t>((x + y) % 2 == 0 ? 255 : 0);
+    return Texel{c, c, c, 255};
+  }));
+  scene.textures.push_back({});
+  scene.textures.front().image = 0;
+  Material material;
+  material.metallic = 0.0f;
+  material.base_color_texture.texture = 0;
+  test::place(scene, patched, material);
+  if (behind_glass) {
+    Material clear;
+    clear.base_color = glm::vec4(1.0f, 1.0f, 1.0f, 1.0f / 1024.0f);
+    clear.alpha_mode = AlphaMode::blend;
+    clear.double_sided = true;
+    test::place(scene, slanted_strip(-9.0, 9.0, 0.0, 9.0, 1.5), clear);
+  }
+  scene.lights.push_back(panel_above());
+  return prepare(scene).value();
+}
+
+// What is seen through another surface is looked at as closely as what lies in front.
+TEST(BentMesh, LooksTheSameThroughClearGlass) {
+  const auto bare = patched_ball(false), behind = patched_ball(true);
+  const RenderSettings settings = settings_of(Method::asos);
+  const Film expected = render_picture(*bare, before(*bare), settings).film;
+  const Film found = render_picture(*behind, before(*behind), settings).film;
+  double worst = 0.0, brightest = 0.0;
+  for (std::size_t i = 0; i < found.radiance.size(); ++i) {
+    worst = std::max(worst,
+                     static_cast<double>(std::abs(found.radiance[i].x - expected.radiance[i].x)));
+    brightest = std::max(brightest, static_cast<double>(expected.radiance[i].x));
+  }
+  EXPECT_GT(brightest, 0.1);
+  EXPECT_LT(worst, 0.01 * brightest);
 }
 
 // Near their horizon triangles turn away from the light that their normals see.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "renderer/asos/eye_context.h"
+#include "renderer/shading/footprint.h"
+
+// What a patch shows of textures that neither its hit nor a footprint of it tells.
+
+namespace asos {
+
+/// Whether a patch reaches far beyond the triangle that was hit, which tells of its own bend only.
+[[nodiscard]] bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch);
+
+/// Whether it does on a bent mesh with textures, which need not go on there as they do on the
+/// triangle.
+[[nodiscard]] bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch);
+
+/// Whether what a patch shows of several textures together is not what it shows of their means, as
+/// of metal that is rough here and rust there. The patch is that of a square with the area of a
+/// leaf of weight `share`, `part` what the leaf is of it.
+[[nodiscard]] bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
+                                   const PartShape& part, double share);
+
+}  // namespace asos

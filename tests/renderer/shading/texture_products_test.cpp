@@ -1,0 +1,98 @@
+#include "renderer/shading/texture_products.h"
+
+#include "renderer/shading/environment.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace asos::test::texture_products_test {
+namespace {
+
+std::uint8_t byte(bool full) {
+  return full ? 255 : 0;
+}
+
+/// Stripes, four texels wide, of 64.
+bool striped(int x) {
+  return x / 4 % 2 == 0;
+}
+
+/// A surface that shows 32 x 32 texels of its textures.
+class Surface {
+ public:
+  Material material = matte(glm::vec3(1.0f));
+
+  int add(const Image& image) { return add_texture(world_, image, Wrap::repeat, Filter::nearest); }
+  int colours() {
+    return add(make_image(64, 64, [](int x, int) {
+      const std::uint8_t c = byte(striped(x));
+      return Texel{c, c, c, 255};
+    }));
+  }
+  /// In green how rough, of 1, the stripes are and what lies between, in blue the metal there.
+  int gloss(std::uint8_t stripes, std::uint8_t between, bool metal_between, bool metal_stripes) {
+    return add(make_image(64, 64, [=](int x, int) {
+      return striped(x) ? Texel{0, stripes, byte(metal_stripes), 255}
+                        : Texel{0, between, byte(metal_between), 255};
+    }));
+  }
+  [[nodiscard]] float error() {
+    add_quad(world_, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, material);
+    const SceneNeeds needs = find_needs(world_);
+    Hit hit;
+    hit.triangle = 0;
+    hit.b1 = hit.b2 = 0.25f;
+    Footprint footprint;
+    footprint.right = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).right;
+    footprint.down = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).down;
+    return product_error(world_, needs, hit, footprint, 0.35f);
+  }
+
+ private:
+  World world_;
+};
+
+// White between black metal, all of it rough: half of it white, the other half 0.04 of the sky that
+// is left; the means are half metals of a grey.
+TEST(TextureProducts, MetalWhereColoursAreNot) {
+  Surface s;
+  s.material.metallic = s.material.roughness = 1.0f;
+  s.material.base_color_texture.texture = s.colours();
+  s.material.metallic_roughness_texture.texture = s.gloss(255, 255, true, false);
+  const float seen = 0.5f * (1.0f + 0.04f * sky_visibility);
+  const float of_means = 0.25f + (0.02f + 0.25f) * sky_visibility;
+  EXPECT_NEAR(s.error(), 0.5f * (seen - of_means), 1e-3f);
+}
+
+// What is rougher than a mirror shows a share of the sky; the mean of both is one, or is none.
+TEST(TextureProducts, MirrorsBesideWhatIsTooRoughForThem) {
+  for (const bool mean_mirrors : {true, false}) {
+    Surface s;
+    s.material.metallic = s.material.roughness = 1.0f;
+    s.material.metallic_roughness_texture.texture =
+        s.gloss(static_cast<std::uint8_t>(mean_mirrors ? 120 : 200), 26, true, true);
+    EXPECT_NEAR(s.error(), 0.25f * (1.0f - sky_visibility), 1e-3f) << mean_mirrors;
+  }
+}
+
+// Of one texture the mean is what is seen, and so it is of two that vary in different places.
+TEST(TextureProducts, NothingIsLostOfASingleTexture) {
+  Surface coloured;
+  coloured.material.base_color_texture.texture = coloured.colours();
+  EXPECT_FALSE(multiplies_textures(coloured.material, {}));
+  coloured.material.metallic = 1.0f;
+  coloured.material.metallic_roughness_texture.texture = coloured.gloss(128, 128, false, false);
+  EXPECT_EQ(coloured.error(), 0.0f);
+
+  Surface rough;
+  rough.material.metallic = 0.0f;
+  rough.material.roughness = 1.0f;
+  rough.material.metallic_roughness_texture.texture = rough.gloss(255, 26, true, true);
+  EXPECT_EQ(rough.error(), 0.0f) << "what is no metal mirrors too little";
+}
+
+}  // namespace
+}  // namespace asos::test::texture_products_test
