@@ -26,6 +26,7 @@ class EyeSamples final : public PatchView {
   [[nodiscard]] glm::vec2 at(SampleId sample) const { return points_[sample]; }
   [[nodiscard]] const Ray& ray(SampleId sample) const { return rays_[sample]; }
   [[nodiscard]] const Hit& hit(SampleId sample) const { return hits_[sample]; }
+  [[nodiscard]] Ray ray_through(glm::vec2 p) const;
   /// A function of a sample's place alone.
   [[nodiscard]] std::uint64_t seed(SampleId sample) const;
 
@@ -48,7 +49,6 @@ class EyeSamples final : public PatchView {
             RenderStatistics& counts) override;
 
  private:
-  [[nodiscard]] Ray ray_through(glm::vec2 p) const;
   void find_cut_outs(std::size_t first);
 
   const EyeContext* eye_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
 #include "renderer/shading/footprint.h"
 
 // What a patch shows of textures that neither its hit nor a footprint of it tells.
@@ -13,6 +14,16 @@ namespace asos {
 /// Whether it does on a bent mesh with textures, which need not go on there as they do on the
 /// triangle.
 [[nodiscard]] bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch);
+
+/// Whether a leaf reaches beyond its triangle on any textured mesh, and what rays through it meet
+/// there lies elsewhere in the texture than the triangle, going on, would have it.
+[[nodiscard]] bool texture_strays(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
+                                  double share, const LeafRegion& region);
+
+/// Whether a patch with textures or colours of its corners recedes so much that what it shows of
+/// them is not spread evenly over it: its far end is seen shorter than its near one.
+[[nodiscard]] bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit,
+                           const Patch& patch);
 
 /// Whether what a patch shows of several textures together is not what it shows of their means, as
 /// of metal that is rough here and rust there. The patch is that of a square with the area of a

@@ -38,6 +38,9 @@ glm::vec3 shown(const Look& at, const SurfaceMaterial& material, float roughest_
 /// Places that were looked at.
 class Looks {
  public:
+  explicit Looks(const Material& material)
+      : shines_as_it_covers_(emissive_kind(material) == TexelKind::cover) {}
+
   void add(const Look& look) {
     const Values values{look.color.x,    look.color.y,    look.color.z,  look.emission.x,
                         look.emission.y, look.emission.z, look.metallic, look.occlusion,
@@ -49,7 +52,7 @@ class Looks {
     most_metal_ = std::max(most_metal_, look.metallic * largest(look.color));
     ++count_;
     sum_.color += look.opacity * look.color;
-    sum_.emission += look.opacity * look.emission;
+    sum_.emission += (shines_as_it_covers_ ? look.opacity : 1.0f) * look.emission;
     sum_.opacity += look.opacity;
     sum_.metallic += look.metallic;
     sum_.roughness += look.roughness;
@@ -71,7 +74,7 @@ class Looks {
     Look mean;
     const float there = std::max(sum_.opacity, std::numeric_limits<float>::min());
     mean.color = sum_.color / there;
-    mean.emission = sum_.emission / there;
+    mean.emission = sum_.emission / (shines_as_it_covers_ ? there : count_);
     mean.opacity = sum_.opacity / count_;
     mean.metallic = sum_.metallic / count_;
     mean.roughness = sum_.roughness / count_;
@@ -93,6 +96,7 @@ class Looks {
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
   Values lo_ = filled(infinity), hi_ = filled(-infinity);
+  bool shines_as_it_covers_;
   float most_metal_ = 0.0f, count_ = 0.0f;
   Look sum_;
 };
@@ -124,7 +128,7 @@ float product_error(const World& world, const SceneNeeds& needs, const Hit& hit,
   constexpr std::size_t few = 8, all = 16;
   constexpr float brightness = 0.5f;
   if (footprint.point()) return 0.0f;
-  Looks looks;
+  Looks looks(world.material_of(hit.triangle));
   SurfaceMaterial material;
   glm::vec3 sum(0.0f);
   for (std::size_t k = 0; k < all; ++k) {
