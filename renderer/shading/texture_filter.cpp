@@ -1,6 +1,8 @@
 #include "renderer/shading/texture_filter.h"
 
 #include "renderer/shading/bilinear.h"
+#include "renderer/shading/level_patch.h"
+#include "renderer/shading/point_means.h"
 #include "renderer/shading/texel_areas.h"
 #include "renderer/shading/texel_window.h"
 #include "renderer/shading/texture.h"
@@ -8,94 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace asos {
 namespace {
-
-/// A level, and a patch of it.
-struct LevelPatch {
-  std::size_t level = 0;
-  TexelPatch patch;
-
-  [[nodiscard]] bool point() const { return patch.right == glm::vec2(0.0f); }
-};
-
-// Less than this is not seen, and keeps areas above 0.
-constexpr float thinnest = 1.0f / 32.0f;
-// Nearest texels end at once, however large they are in the picture; by less the places of larger
-// textures are not told apart.
-constexpr float least_of_nearest = 1e-4f;
-// Longer edges are all the same, for every texture repeats itself along them; the fourth powers of
-// these are finite.
-constexpr float longest_edge = 1e9f;
-
-/// An edge as long as it has to be for the variance along it, w^2 / 12, to be right: a tent of
-/// texels that are boxes themselves adds 1/4 to it, the finest level's own tent would have added
-/// 1/6 of its texels.
-glm::vec2 less_of_texels(glm::vec2 edge, float texels) {
-  const float length2 = glm::dot(edge, edge);
-  if (!(length2 > 1e-30f)) return {};  // what it would be divided by is no number
-  const float left2 = length2 + 2.0f / (texels * texels) - 3.0f;
-  return edge * std::sqrt(std::max(left2, thinnest * thinnest) / length2);
-}
-
-/// About how many texels count for it.
-float held(const TexelPatch& patch) {
-  return (glm::length(patch.right) + 2.0f) * (glm::length(patch.down) + 2.0f);
-}
-
-/// The patch with both edges long enough for an area, and short enough for the number of texels
-/// where not even the coarsest level is coarse enough: there it repeats itself.
-TexelPatch bounded(TexelPatch patch, float least, float most) {
-  const float longest = held(patch) > most ? std::sqrt(most) : most;
-  const auto within = [&](glm::vec2 edge, glm::vec2 other) {
-    const float length = glm::length(edge);
-    if (length >= least) return edge * std::min(1.0f, longest / length);
-    return least / glm::length(other) * glm::vec2(-other.y, other.x);
-  };
-  const bool right_first = glm::length(patch.right) >= glm::length(patch.down);
-  if (!right_first) std::swap(patch.right, patch.down);
-  patch.down = within(patch.down, patch.right);
-  patch.right = within(patch.right, patch.down);
-  if (!right_first) std::swap(patch.right, patch.down);
-  return patch;
-}
-
-/// `patch` in the finest level's texels. Coarser ones are taken while it stays wide enough, or
-/// holds too many.
-LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter, TexelPatch patch,
-                    TexelBudget budget) {
-  const bool nearest = filter == Filter::nearest;
-  const float longest = patch.longest();
-  const float squares = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
-  if (!(longest > (nearest ? least_of_nearest : least_footprint)) || !std::isfinite(squares))
-    return {};
-  if (longest > longest_edge) {
-    const float shorter = longest_edge / longest;
-    patch = {shorter * patch.right, shorter * patch.down};
-  }
-  if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
-    patch = principal_axes(patch);
-  LevelPatch found{0, patch};
-  for (std::size_t level = 1; level <= chain.size(); ++level) {
-    const MipLevel& texels = chain[level - 1];
-    const glm::vec2 scale(static_cast<float>(texels.width) / static_cast<float>(image.width),
-                          static_cast<float>(texels.height) / static_cast<float>(image.height));
-    const TexelPatch coarser{scale * patch.right, scale * patch.down};
-    const float width = std::min(glm::length(coarser.right), glm::length(coarser.down));
-    if (width < budget.across && held(found.patch) <= budget.most) break;
-    found = {level, coarser};
-  }
-  if (found.level > 0) {
-    const float texels = std::ldexp(1.0f, static_cast<int>(found.level));
-    found.patch.right = less_of_texels(found.patch.right, texels);
-    found.patch.down = less_of_texels(found.patch.down, texels);
-  }
-  const bool in_areas = nearest && found.level == 0;
-  found.patch = bounded(found.patch, in_areas ? 0.1f * least_of_nearest : thinnest, budget.most);
-  return found;
-}
 
 /// One axis of a level.
 struct Axis {
@@ -182,45 +99,6 @@ bool by_points(const TexelPatch& patch) {
   return patch.longest() <= longest_by_points && aslant(patch);
 }
 
-/// Visits a grid of points of a patch, half a texel apart and `fewest` along each edge at least, by
-/// how far they lie from its middle in a texture of that size; how many they are.
-template <typename Visit>
-int for_each_point(const TexelPatch& patch, int fewest, glm::vec2 size, const Visit& visit) {
-  const auto count = [fewest](glm::vec2 edge) {
-    return std::max(fewest, 1 + static_cast<int>(2.0f * glm::length(edge)));
-  };
-  const int across = count(patch.right), along = count(patch.down);
-  for (int y = 0; y < along; ++y) {
-    for (int x = 0; x < across; ++x) {
-      const auto middle = [](int i, int n) {
-        return (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
-      };
-      visit((middle(x, across) * patch.right + middle(y, along) * patch.down) / size);
-    }
-  }
-  return across * along;
-}
-
-/// The mean over such a patch of the bilinear texture.
-glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
-                         const Texture& texture) {
-  glm::vec4 sum(0.0f);
-  const int count = for_each_point(
-      patch, 1, glm::vec2(texels.width, texels.height),
-      [&](glm::vec2 off) { sum += bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v); });
-  return sum / static_cast<float>(count);
-}
-
-/// The same patch of the finest level, in the next one.
-LevelPatch coarser(const LevelPatch& patch, const MipChain& chain, const Texels& finest) {
-  const MipLevel& texels = chain.front();
-  const glm::vec2 scale(static_cast<float>(texels.width) / static_cast<float>(finest.width),
-                        static_cast<float>(texels.height) / static_cast<float>(finest.height));
-  return {1, bounded({less_of_texels(scale * patch.patch.right, 2.0f),
-                      less_of_texels(scale * patch.patch.down, 2.0f)},
-                     thinnest, TexelBudget().most)};
-}
-
 LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse& use,
                      const TexturePlace& place) {
   if (place.footprint.point() || use.texcoord < 0 || use.texcoord > 1 || chain.empty()) return {};
@@ -285,37 +163,6 @@ struct Moments {
 // which bend, so that one point is not their mean.
 constexpr float longest_normals_by_points = 4.0f;
 constexpr float longest_seen_by_points = 16.0f;
-
-/// The mean colour of what is seen of a bilinear texture over such a patch, by points half a texel
-/// apart, and the mean alpha; nothing is seen: the mean of all.
-glm::vec4 mean_of_seen(const Texels& texels, const TexelUse& use, glm::vec2 uv,
-                       const TexelPatch& patch, const Texture& texture) {
-  glm::vec4 sum(0.0f), seen(0.0f);
-  const int count =
-      for_each_point(patch, 2, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
-        const glm::vec4 texel = bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v);
-        const float share = use.cutoff ? (texel.a >= *use.cutoff ? 1.0f : 0.0f) : texel.a;
-        sum += texel;
-        seen += share * glm::vec4(glm::vec3(texel), 1.0f);
-      });
-  const float alpha = sum.a / static_cast<float>(count);
-  const glm::vec3 colour =
-      seen.a > 0.0f ? glm::vec3(seen) / seen.a : glm::vec3(sum) / static_cast<float>(count);
-  return {colour, alpha};
-}
-
-/// The mean of a bilinear map's unit normals over such a patch, by points half a texel apart, and
-/// the variance about it.
-MeanNormal mean_of_normals(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
-                           const Texture& texture) {
-  glm::vec3 sum(0.0f);
-  const int count =
-      for_each_point(patch, 2, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
-        sum += unit_normal(bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v));
-      });
-  const glm::vec3 mean = sum / static_cast<float>(count);
-  return {0.5f + 0.5f * mean, std::max(0.0f, 1.0f - glm::dot(mean, mean))};
-}
 
 /// The finest level's, each of length 1.
 struct UnitNormals {

@@ -5,7 +5,6 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -22,21 +21,6 @@ struct TexturePlace {
   Footprint footprint;
 };
 
-/// How finely a footprint is looked at: the finer, the more of the picture it is.
-struct TexelBudget {
-  float across = 8.0f;   ///< texels that it is wide at least, where it has so many
-  float most = 1024.0f;  ///< texels that count for it, at most; those of longer ones are coarser
-
-  /// The budget for a footprint that is seen through a square of `side` pixels.
-  [[nodiscard]] static TexelBudget of(float side) {
-    const TexelBudget whole;
-    const float share = side < 1.0f ? side : 1.0f;
-    return {std::max(1.0f, share * whole.across), std::max(16.0f, share * share * whole.most)};
-  }
-};
-/// Sides, in texels, up to which a footprint is a point of a bilinear texture.
-inline constexpr float least_footprint = 0.25f;
-
 /// What texels mean where they are looked up.
 struct TexelUse {
   TexelKind kind = TexelKind::color;
@@ -46,8 +30,8 @@ struct TexelUse {
 
 /// A texture's mean over the footprint, in linear light; of colours that alpha blends or cuts, that
 /// of what is seen, or of all where nothing is. `sample_texture`'s value to the last bit
-/// where the footprint is a point, is no larger than least_footprint, lies in one nearest texel, or
-/// is not finite; as point samples from there on where `mips` lacks the chain.
+/// where the footprint is a point, is no larger than a quarter of a texel, lies in one nearest
+/// texel, or is not finite; as point samples from there on where `mips` lacks the chain.
 [[nodiscard]] glm::vec4 filtered_texture(const World& world, const MipChains& mips,
                                          const TextureUse& use, const TexelUse& texels,
                                          const TexturePlace& place);

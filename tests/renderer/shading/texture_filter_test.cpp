@@ -1,5 +1,6 @@
 #include "renderer/shading/texture_filter.h"
 
+#include "renderer/shading/level_patch.h"
 #include "renderer/shading/texture.h"
 #include "tests/renderer/shading/textured_triangle.h"
 #include "tests/support/tiny_image.h"
