@@ -18,16 +18,14 @@ void for_each_field(Told last, Work work) {
   for (const auto field :
        {&LitBatch::to_viewer, &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
     work(field);
-  for (const auto field :
-       {&LitBatch::n_dot_v, &LitBatch::falloff, &LitBatch::alpha, &LitBatch::shows_lights})
+  for (const auto field : {&LitBatch::n_dot_v, &LitBatch::falloff, &LitBatch::alpha,
+                           &LitBatch::shows_lights, &LitBatch::sheen})
     work(field);
   if (last == Told::material) return;
   for (const auto field : {&LitBatch::stretch, &LitBatch::patch_right, &LitBatch::patch_down,
                            &LitBatch::spread_right, &LitBatch::spread_down})
     work(field);
-  for (const auto field :
-       {&LitBatch::sheen, &LitBatch::viewer_nearness, &LitBatch::spread_variance})
-    work(field);
+  for (const auto field : {&LitBatch::viewer_nearness, &LitBatch::spread_variance}) work(field);
 }
 
 void repeat(LitBatch::Floats& values, std::size_t times) {

@@ -136,6 +136,25 @@ INSTANTIATE_TEST_SUITE_P(By, AimKernel, testing::Values(AimedBy::irradiance, Aim
                            return by.param == AimedBy::radiance ? "Radiance" : "Irradiance";
                          });
 
+// A batch is used for one picture after another, and what it held before is of no meaning.
+TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
+  const auto& [scale, offset] = scales[0];
+  const LitSubjects subjects(7, scale, offset);
+  LitBatch used;
+  int without = 0;
+  for (const LitSubject& subject : subjects.subjects) {
+    const LitPoint lit = subject.lit();
+    if (lit.material.sheen > 0.0f) continue;
+    used.sheen.fill(0.5f);
+    used.count = 0;
+    used.add(lit, glm::vec3(1.0f));
+    used.repeat_first(9, true);
+    EXPECT_EQ(std::count(used.sheen.begin(), used.sheen.begin() + 9, 0.0f), 9);
+    ++without;
+  }
+  EXPECT_GT(without, 10);
+}
+
 // Their mean is the closed form of the light (Lambert's sum, of balls and disks the view factor).
 TEST(AimedRays, WeighTogetherWhatTheWholeLightGives) {
   SurfacePoint point;
