@@ -1,6 +1,6 @@
 #include "tests/support/render_picture.h"
+#include "tests/support/textured_scene.h"
 #include "tests/support/tiny_image.h"
-#include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
@@ -38,9 +38,7 @@ std::shared_ptr<const RenderScene> sheet(AlphaMode mode, float cutoff) {
   m.base_color_texture.texture = add_texture(world, labels(3), Wrap::repeat, Filter::linear);
   add_quad(world, {-2, -2, 0}, {4, 0.3f, 0}, {-0.2f, 4, 0}, m);
   for (glm::vec2& uv : world.texcoords[0]) uv *= 4.1f;
-  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
-  Lighting lighting = prepare_lighting(geometry->world, {});
-  return unedited_scene(std::move(geometry), std::move(lighting));
+  return make_textured_scene(std::move(world));
 }
 
 double rmse(const Film& a, const Film& b) {
@@ -89,9 +87,7 @@ Film labels_before_wall(const std::vector<glm::vec2>& moved, Method method) {
     for (std::size_t k = first; k < first + 4; ++k)
       world.texcoords[0][k] = 4.0f * world.texcoords[0][k] + moved[i];
   }
-  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
-  Lighting lighting = prepare_lighting(geometry->world, {});
-  const auto scene = unedited_scene(std::move(geometry), std::move(lighting));
+  const auto scene = make_textured_scene(std::move(world));
   RenderSettings settings;
   settings.width = settings.height = side;
   settings.method = method;
@@ -111,9 +107,7 @@ double mean_of_shining_labels(bool own, Method method) {
     m.emissive_texture.texture = add_texture(world, labels(0), Wrap::repeat, Filter::nearest);
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
   for (glm::vec2& uv : world.texcoords[0]) uv *= 4.0f;
-  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
-  Lighting lighting = prepare_lighting(geometry->world, {});
-  const auto scene = unedited_scene(std::move(geometry), std::move(lighting));
+  const auto scene = make_textured_scene(std::move(world));
   RenderSettings settings;
   settings.width = settings.height = side;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));

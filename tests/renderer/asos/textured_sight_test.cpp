@@ -1,6 +1,6 @@
 #include "tests/support/render_picture.h"
+#include "tests/support/textured_scene.h"
 #include "tests/support/tiny_image.h"
-#include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
@@ -25,9 +25,7 @@ struct Difference {
 
 /// Of ASOS's picture from what 1024 samples find.
 Difference difference_from_samples(World world, const Camera& camera) {
-  auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
-  Lighting lighting = prepare_lighting(geometry->world, {});
-  const auto scene = unedited_scene(std::move(geometry), std::move(lighting));
+  const auto scene = make_textured_scene(std::move(world));
   RenderSettings settings;
   settings.width = settings.height = side;
   settings.sky = std::make_shared<const Sky>(glm::vec3(1.0f));
