@@ -173,17 +173,23 @@ Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptG
   return work;
 }
 
+// What is known of it so far: its boundaries tell more once they are found.
+void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoice& sky) {
+  const SceneNotes notes = notes_of(scene);
+  report.warnings = remarks(notes);
+  report.warning_count = remark_count(notes);
+  if (std::string remark = sky_remark(sky.file); !remark.empty()) {
+    report.warnings.insert(report.warnings.begin(), std::move(remark));
+    ++report.warning_count;
+  }
+}
+
 RenderReport report_of(const RenderArguments& arguments, const RenderScene& ready,
                        const Camera& camera) {
   const PictureArguments& wanted = arguments.picture;
   RenderReport report;
   report.scene = wanted.scene;
-  report.warnings = remarks(ready.geometry->notes);
-  report.warning_count = remark_count(ready.geometry->notes);
-  if (std::string remark = sky_remark(wanted.sky.file); !remark.empty()) {
-    report.warnings.insert(report.warnings.begin(), std::move(remark));
-    ++report.warning_count;
-  }
+  tell_warnings(report, ready, wanted.sky);
   report.triangles = triangles_without_ground(ready.world());
   for (const Light& light : ready.lights()) report.lights.push_back({light.name, light.type});
   report.description =
@@ -237,6 +243,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   if (interrupt.interrupted()) return interrupted_error();
   if (!rendered) return tl::unexpected(with_boundaries(*prepared).error());
   if (ready.geometry->boundaries.known()) report.feature_edges = ready.features().counts();
+  tell_warnings(report, ready, wanted.sky);
   report.needs = needs_of(ready, wanted.settings);
   report.threads = rendered->threads;
   report.statistics = rendered->statistics;

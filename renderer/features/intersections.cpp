@@ -176,7 +176,7 @@ class Collider {
 
 IntersectionBudget IntersectionBudget::of(const World& world) {
   const std::size_t n = world.solid_triangles();
-  return {std::max<std::size_t>(10'000, 4 * n), 1'000'000 + 256 * n};
+  return {std::max<std::size_t>(250'000, 4 * n), 1'000'000 + 256 * n};
 }
 
 Intersections find_intersections(const World& world, std::span<const std::uint32_t> welded,

@@ -223,6 +223,20 @@ TEST(Intersections, ASceneOfNothingButOverlapsIsGivenUp) {
   EXPECT_FALSE(intersections_of(world, IntersectionBudget::of(world)).complete);
 }
 
+// Sixty walls through sixty others: far more lines than triangles, and all of them are edges.
+TEST(Intersections, AHeapOfFewTrianglesKeepsItsLines) {
+  PolygonScene scene;
+  constexpr int walls = 60;
+  for (int i = 0; i < walls; ++i) {
+    const float at = static_cast<float>(i);
+    scene.add({{at, -1, -1}, {at, walls, -1}, {at, walls, 1}, {at, -1, 1}});
+    scene.add({{-1, at, -1}, {walls, at, -1}, {walls, at, 1}, {-1, at, 1}});
+  }
+  const Intersections found = intersections_of(scene.world, IntersectionBudget::of(scene.world));
+  EXPECT_TRUE(found.complete);
+  EXPECT_NEAR(total_length(found), walls * walls * 2.0, 1e-3 * walls * walls);
+}
+
 TEST(Intersections, ThePairsHaveABudgetToo) {
   PolygonScene scene;
   for (int i = 0; i < 100; ++i) {
