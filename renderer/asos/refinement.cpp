@@ -285,7 +285,7 @@ bool Refinement::better_sampled_at_once(SampleId sample, double share,
     return false;
   const Patch square = samples_->patch(sample, share);
   if (textured_by_several(*eye_, hit, square) ||
-      texture_strays(*eye_, *samples_, sample, share, region) ||
+      strays_beyond_edges(*eye_, *samples_, sample, share, region) ||
       recedes(*eye_, samples_->ray(sample), hit, square) ||
       uneven_products(*eye_, hit, square, part_shape(region, samples_->at(sample)), share))
     return true;

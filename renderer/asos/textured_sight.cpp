@@ -2,6 +2,7 @@
 
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
+#include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_products.h"
 #include "renderer/world/texture_image.h"
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace asos {
 
@@ -32,14 +35,18 @@ bool crosses_edge(const Hit& hit, const Footprint& seen) {
          1.0f - b1 - b2 < reach(seen.right.x + seen.right.y, seen.down.x + seen.down.y);
 }
 
-/// A triangle's texture coordinates, in texels, going on all over its plane.
+/// A triangle's texture coordinates, in texels, going on all over its plane. Without a texture it
+/// has none, and nothing is away from them.
 class TexturePlane {
  public:
-  TexturePlane(const World& world, std::uint32_t triangle, const TextureUse& use)
-      : uv_(corner_texcoords(world, use.texcoord, triangle)), texture_of_uv_(use.uv_transform) {
-    const Image* image = image_of(world, use.texture);
+  TexturePlane(const World& world, std::uint32_t triangle, const TextureUse* use)
+      : world_(&world), use_(use) {
+    if (!use) return;
+    uv_ = corner_texcoords(world, use->texcoord, triangle);
+    texture_of_uv_ = use->uv_transform;
+    const Image* image = image_of(world, use->texture);
     if (!image) return;
-    const Texture& texture = world.textures[static_cast<std::size_t>(use.texture)];
+    const Texture& texture = world.textures[static_cast<std::size_t>(use->texture)];
     texels_ = glm::vec2(image->width, image->height);
     period_ = {period_of(texture.wrap_u), period_of(texture.wrap_v)};
   }
@@ -50,8 +57,10 @@ class TexturePlane {
     return std::max(glm::length(texels_ * (texture_of_uv_ * steps.right)),
                     glm::length(texels_ * (texture_of_uv_ * steps.down)));
   }
-  /// From what is shown at (b1, b2) to other coordinates.
-  [[nodiscard]] float distance(glm::vec2 b, glm::vec2 uv) const {
+  /// From what is shown at (b1, b2) to what a hit shows.
+  [[nodiscard]] float distance(glm::vec2 b, const Hit& met) const {
+    if (!use_) return 0.0f;
+    const glm::vec2 uv = texcoord_at(*world_, use_->texcoord, met.triangle, met.b1, met.b2);
     const glm::vec2 here = uv_.at_0 + b.x * (uv_.at_1 - uv_.at_0) + b.y * (uv_.at_2 - uv_.at_0);
     glm::vec2 away = texture_of_uv_ * (uv - here);
     for (int i = 0; i < 2; ++i)
@@ -65,8 +74,10 @@ class TexturePlane {
     return wrap == Wrap::repeat ? 1.0f : wrap == Wrap::mirrored_repeat ? 2.0f : 0.0f;
   }
 
-  CornerTexcoords uv_;
-  glm::mat2 texture_of_uv_;
+  const World* world_;
+  const TextureUse* use_;
+  CornerTexcoords uv_{};
+  glm::mat2 texture_of_uv_{1.0f};
   glm::vec2 texels_{1.0f}, period_{0.0f};
 };
 
@@ -75,6 +86,54 @@ bool is_tinted(const World& world, std::uint32_t triangle) {
   if (world.colors.empty() || world.is_face(triangle)) return false;
   const glm::uvec3 v = world.triangles[triangle];
   return world.colors[v.x] != world.colors[v.y] || world.colors[v.x] != world.colors[v.z];
+}
+
+/// How far the colour of a hit is from that of a triangle, going on as far as (b1, b2).
+float colour_difference(const World& world, std::uint32_t triangle, glm::vec2 b, const Hit& met) {
+  const glm::vec4 of_met = vertex_color(world, met.triangle, met.b1, met.b2);
+  const glm::vec4 apart = glm::abs(of_met - vertex_color(world, triangle, b.x, b.y));
+  return std::max({apart.x, apart.y, apart.z, apart.w});
+}
+
+/// Whether an edge is a piece of a square's sides.
+bool lies_along(const Square& square, const BorderEdge& edge) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const float lo = axis == 0 ? square.u : square.v;
+    for (const float line : {lo, lo + square.side})
+      if (edge.from[axis] == line && edge.to[axis] == line) return true;
+  }
+  return false;
+}
+
+/// Where to look for what a leaf shows beyond its triangle.
+struct Places {
+  static constexpr std::size_t most = 8;
+  std::array<glm::vec2, most> from_sample;  ///< in sides of a square with the leaf's area
+  std::size_t count = 0;
+};
+
+/// The corners of the parallelogram that stands for a leaf whose sample is `at`, and the middles of
+/// the longest edges that cut it, a little within: strips as narrow as a tenth of a pixel lie along
+/// them, as bevels do.
+Places places_near_border(const LeafRegion& region, const PartShape& part, glm::vec2 at,
+                          float side) {
+  constexpr float apart = 0.45f;   // of the leaf's sides
+  constexpr float within = 0.05f;  // of the way to the leaf's middle
+  Places places;
+  for (const glm::vec2 c : {glm::vec2(-apart), {apart, -apart}, {-apart, apart}, glm::vec2(apart)})
+    places.from_sample[places.count++] = part.offset + c.x * part.right + c.y * part.down;
+  std::vector<BorderEdge> cuts(region.border.begin(), region.border.end());
+  const auto longer = [](const BorderEdge& a, const BorderEdge& b) {
+    return glm::distance(a.from, a.to) > glm::distance(b.from, b.to);
+  };
+  std::erase_if(cuts, [&](const BorderEdge& e) { return lies_along(region.square, e); });
+  std::stable_sort(cuts.begin(), cuts.end(), longer);
+  for (const BorderEdge& e : cuts) {
+    if (places.count == Places::most) break;
+    const glm::vec2 middle = (0.5f * (e.from + e.to) - at) / side;
+    places.from_sample[places.count++] = glm::mix(middle, part.offset, within);
+  }
+  return places;
 }
 
 }  // namespace
@@ -96,44 +155,51 @@ bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& pat
          reaches_beyond_triangle(scene.world(), hit, patch);
 }
 
-bool texture_strays(const EyeContext& eye, const EyeSamples& samples, SampleId sample, double share,
-                    const LeafRegion& region) {
-  constexpr float apart = 0.45f;                       // of the leaf's sides
+bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
+                         double share, const LeafRegion& region) {
   constexpr float negligible = 0.5f, slightly = 0.1f;  // texels; of the leaf's extent
+  // Between a plane over the leaf and one that is bent at an edge, the mean is off by that much of
+  // what a corner is.
+  constexpr float share_of_corner = 0.25f;
   const RenderScene& scene = *eye.scene;
   const World& world = scene.world();
   const Hit& hit = samples.hit(sample);
-  const TextureUse* use = main_texture(world.material_of(hit.triangle));
-  if (eye.settings->texture.filter == TextureFilter::point || !scene.needs.textures || !use ||
-      world.is_face(hit.triangle) || eye.viewer.passage.in_medium())
+  const TextureUse* use = nullptr;
+  if (scene.needs.textures && eye.settings->texture.filter != TextureFilter::point)
+    use = main_texture(world.material_of(hit.triangle));
+  const bool coloured =
+      scene.needs.vertex_colors && world.parts[world.triangle_part[hit.triangle]].coloured;
+  if (!(use || coloured) || world.is_face(hit.triangle) || eye.viewer.passage.in_medium())
     return false;
-  const PartShape part = part_shape(region, samples.at(sample));
-  const Footprint seen = shaped(footprint_on(world, hit, samples.patch(sample, share)), part);
+  const glm::vec2 at = samples.at(sample);
+  const PartShape part = part_shape(region, at);
+  const Footprint square = footprint_on(world, hit, samples.patch(sample, share));
+  const Footprint seen = shaped(square, part);
   if (!crosses_edge(hit, seen)) return false;
-  // Look at the leaf's corners.
-  const std::array<glm::vec2, 4> corners{
-      glm::vec2(-apart), {apart, -apart}, {-apart, apart}, glm::vec2(apart)};
+  // Look at the leaf's corners, and along what bounds it.
   const float side = eye.root_side() * static_cast<float>(std::sqrt(share));
-  std::array<Ray, 4> rays;
-  std::array<Hit, 4> hits;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::vec2 at = part.offset + corners[i].x * part.right + corners[i].y * part.down;
-    rays[i] = samples.ray_through(samples.at(sample) + side * at);
-  }
-  scene.rays().closest(rays, hits, culling_of(*eye.settings));
-  eye.counts->eye_rays += rays.size();
+  const Places places = places_near_border(region, part, at, side);
+  std::array<Ray, Places::most> rays;
+  std::array<Hit, Places::most> hits;
+  for (std::size_t i = 0; i < places.count; ++i)
+    rays[i] = samples.ray_through(at + side * places.from_sample[i]);
+  scene.rays().closest(std::span(rays).first(places.count), std::span(hits).first(places.count),
+                       culling_of(*eye.settings));
+  eye.counts->eye_rays += places.count;
   // Compare what is there to the footprint, but for other surfaces, which are other leaves.
-  const TexturePlane plane(world, hit.triangle, *use);
+  const TexturePlane plane(world, hit.triangle, use);
   const float allowed = std::max(negligible, slightly * plane.extent(seen));
-  for (std::size_t i = 0; i < corners.size(); ++i) {
+  for (std::size_t i = 0; i < places.count; ++i) {
     const Hit& met = hits[i];
     if (!met.valid() || met.triangle == hit.triangle ||
         scene.features().sheet(met.triangle) != scene.features().sheet(hit.triangle))
       continue;
-    const glm::vec2 b = glm::vec2(hit.b1, hit.b2) + seen.offset + corners[i].x * seen.right +
-                        corners[i].y * seen.down;
-    if (plane.distance(b, texcoord_at(world, use->texcoord, met.triangle, met.b1, met.b2)) >
-        allowed)
+    const glm::vec2 away = places.from_sample[i];
+    const glm::vec2 b =
+        glm::vec2(hit.b1, hit.b2) + square.offset + away.x * square.right + away.y * square.down;
+    if (plane.distance(b, met) > allowed) return true;
+    if (coloured && share_of_corner * colour_difference(world, hit.triangle, b, met) >
+                        eye.budget.for_samples().tolerance)
       return true;
   }
   return false;

@@ -15,10 +15,11 @@ namespace asos {
 /// triangle.
 [[nodiscard]] bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch);
 
-/// Whether a leaf reaches beyond its triangle on any textured mesh, and what rays through it meet
-/// there lies elsewhere in the texture than the triangle, going on, would have it.
-[[nodiscard]] bool texture_strays(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
-                                  double share, const LeafRegion& region);
+/// Whether a leaf reaches beyond its triangle on any mesh with textures or colours of its corners,
+/// and what rays through it meet there lies elsewhere in the texture, or has another colour, than
+/// the triangle, going on, would have it.
+[[nodiscard]] bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples,
+                                       SampleId sample, double share, const LeafRegion& region);
 
 /// Whether a patch with textures or colours of its corners recedes so much that what it shows of
 /// them is not spread evenly over it: its far end is seen shorter than its near one.

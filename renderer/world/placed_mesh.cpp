@@ -38,13 +38,17 @@ PlacedMesh place(const Mesh& mesh) {
   return placed;
 }
 
+bool is_coloured(const Mesh& mesh) {
+  return std::any_of(mesh.colors.begin(), mesh.colors.end(),
+                     [](glm::vec4 c) { return c != glm::vec4(1.0f); });
+}
+
 Attributes find_attributes(const Scene& scene, const std::vector<bool>& shown) {
   Attributes keep;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!shown[i]) continue;
     const Mesh& mesh = scene.meshes[i];
-    keep.colors |= std::any_of(mesh.colors.begin(), mesh.colors.end(),
-                               [](glm::vec4 c) { return c != glm::vec4(1.0f); });
+    keep.colors |= is_coloured(mesh);
     if (mesh.material < 0) continue;
     const Material& m = scene.materials[static_cast<std::size_t>(mesh.material)];
     const auto use = [&](const TextureUse& t) {

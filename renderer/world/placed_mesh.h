@@ -30,6 +30,9 @@ struct PlacedMesh {
 /// Leaves out the vertices that no triangle uses, since they may lie anywhere.
 [[nodiscard]] PlacedMesh place(const Mesh& mesh);
 
+/// Whether a vertex of a mesh has another colour than white.
+[[nodiscard]] bool is_coloured(const Mesh& mesh);
+
 /// The attributes that the world keeps.
 struct Attributes {
   bool tangents = false;

@@ -187,6 +187,7 @@ class Flattener {
     part.vertex_count = static_cast<std::uint32_t>(placed.vertex_count());
     part.material = world_material(placed.mesh->material);
     part.shows_light = instance.shows_light;
+    part.coloured = keep_.colors && is_coloured(*placed.mesh);
 
     part.bounds = add_positions(placed, instance.world_from_mesh);
 

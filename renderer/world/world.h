@@ -23,6 +23,7 @@ struct Part {
   std::uint32_t vertex_count = 0;
   std::uint32_t material = 0;    ///< index into World::materials, always valid
   bool shows_light = false;      ///< as Instance's
+  bool coloured = false;         ///< a vertex of it has another colour than white
   Box bounds;                    ///< of the positions that its triangles use; empty: not known
   std::uint32_t face_count = 0;  ///< faces of an analytic shape; such a part has no triangles
 

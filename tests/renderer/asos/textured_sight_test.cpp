@@ -111,5 +111,47 @@ TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.02);
 }
 
+// Corners of a flat sheet that are black or white: an edge between its triangles is no boundary,
+// but colours bend there. 0.093 where one of them is taken to go on.
+TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
+  constexpr std::uint32_t cells = 20;
+  World world;
+  std::mt19937 random(5);
+  std::vector<TinyVertex> corners;
+  std::vector<glm::uvec3> triangles;
+  for (std::uint32_t j = 0; j <= cells; ++j) {
+    for (std::uint32_t i = 0; i <= cells; ++i) {
+      const glm::vec2 at = 0.12f * glm::vec2(i, j) - 1.2f;
+      corners.push_back({{at.x, at.y, 0}, {0, 0, 1}, {0, 0}});
+      world.colors.emplace_back(glm::vec3(random() % 2 == 0 ? 0.0f : 1.0f), 1.0f);
+      const std::uint32_t k = j * (cells + 1) + i;
+      if (i == cells || j == cells) continue;
+      triangles.emplace_back(k, k + 1, k + cells + 2);
+      triangles.emplace_back(k, k + cells + 2, k + cells + 1);
+    }
+  }
+  world.parts[add_part(world, corners, triangles, unlit(glm::vec3(1.0f)))].coloured = true;
+  EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.008);
+}
+
+// A card with a black rim that is a tenth of a pixel wide, and so a strip of triangles along what
+// bounds it. 0.023 where the card is taken to go on.
+TEST(TexturedSight, OfANarrowRimIsTheRims) {
+  World world;
+  const Image rim = make_image(2, 2, [](int, int y) {
+    const std::uint8_t c = y == 0 ? 255 : 0;
+    return Texel{c, c, c, 255};
+  });
+  Material m = unlit(glm::vec3(1.0f));
+  m.base_color_texture.texture = add_texture(world, rim, Wrap::clamp_to_edge, Filter::nearest);
+  constexpr float top = 0.1f, width = 0.0125f, slope = 0.3f;
+  std::vector<TinyVertex> corners;
+  for (const auto& [y, v] : {std::pair{-9.0f, 0.0f}, {top, 0.499f}, {top + width, 1.0f}})
+    for (const float x : {-2.0f, 2.0f})
+      corners.push_back({{x, y + slope * x, 0}, {0, 0, 1}, {0.5f, v}});
+  add_part(world, corners, {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}}, m);
+  EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.005);
+}
+
 }  // namespace
 }  // namespace asos::test::textured_sight_test
