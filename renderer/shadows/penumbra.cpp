@@ -63,13 +63,59 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> near_window(glm::dvec2 p, glm::
   return std::pair(p + t0 * d, p + t1 * d);
 }
 
+/// Where boundaries that lie over the patch throw their shadows on it: those that its middle has
+/// behind it, on the way to the light, but others of its places have before them.
+class ShadowOnPatch {
+ public:
+  ShadowOnPatch(const Frame& window, const HalfSpace& plane, glm::dvec3 middle, const Patch& patch)
+      : plane_(plane), middle_(middle), light_(middle + middle_of(window)) {
+    const glm::dvec3 right(patch.right), down(patch.down);
+    const glm::dvec3 n = glm::cross(right, down);
+    const double square = glm::dot(n, n);
+    across_ = glm::cross(down, n) / square;
+    along_ = glm::cross(n, right) / square;
+    const glm::dvec2 u = in_patch(fallen(window.base_u())), v = in_patch(fallen(window.base_v()));
+    spread_ = 0.5 * (glm::abs(u) + glm::abs(v));
+  }
+
+  /// How long the shadow is of a straight piece of a boundary, in sides of the patch, with what is
+  /// as near to it as its penumbra is wide. Nothing of what lies on the surface.
+  [[nodiscard]] double length(glm::dvec3 p, glm::dvec3 q) const {
+    constexpr double least = 1e-6;  // of the way to the light
+    const double all = plane_.height(light_);
+    const double hp = plane_.height(p), hq = plane_.height(q);
+    const double highest = std::max(hp, hq);
+    if (!(std::min(hp, hq) > least * all) || !(highest < all)) return 0.0;
+    const auto shadow = [&](glm::dvec3 from, double height) {
+      return in_patch(from - (light_ - from) * (height / (all - height)) - middle_) + 0.5;
+    };
+    const auto near = near_window(shadow(p, hp), shadow(q, hq), spread_ * (highest / all));
+    return near ? glm::distance(near->first, near->second) : 0.0;
+  }
+
+ private:
+  [[nodiscard]] glm::dvec2 in_patch(glm::dvec3 v) const {
+    return {glm::dot(v, across_), glm::dot(v, along_)};
+  }
+  // A step beside the light as it shows on the surface.
+  [[nodiscard]] glm::dvec3 fallen(glm::dvec3 step) const {
+    const glm::dvec3 up = plane_.normal, way = light_ - middle_;
+    return step - way * (glm::dot(up, step) / glm::dot(up, way));
+  }
+
+  HalfSpace plane_;
+  glm::dvec3 middle_, light_;
+  glm::dvec3 across_{0.0}, along_{0.0};  // by which a step over the patch is told in its sides
+  glm::dvec2 spread_{0.0};               // half the light's, as seen from its place, in them
+};
+
 /// How the visibility of the light bends within the patch, summed over boundaries.
 class VisibilityCurvature {
  public:
   /// `line`: the light is the window's middle line, along u.
   VisibilityCurvature(const Frame& window, PatchInWindow patch, bool line,
-                      std::span<const LightIntersection> cuts)
-      : frame_(window), patch_(patch), line_(line) {
+                      std::span<const LightIntersection> cuts, const ShadowOnPatch& over)
+      : frame_(window), patch_(patch), line_(line), over_(over) {
     const auto placed = [&](glm::dvec3 p) {
       const glm::dvec3 h = frame_.homogeneous(p);
       return glm::dvec2(h.x / h.z, h.y / h.z);
@@ -83,9 +129,16 @@ class VisibilityCurvature {
     constexpr int steps = 4;
     const glm::dvec3 hp = frame_.homogeneous(p), hq = frame_.homogeneous(q);
     if (line_) return add_to_line(hp, hq);
-    for (int i = 0; i < steps; ++i)
-      add_step(hp + (hq - hp) * (i / static_cast<double>(steps)),
-               hp + (hq - hp) * ((i + 1) / static_cast<double>(steps)));
+    for (int i = 0; i < steps; ++i) {
+      const double from = i / static_cast<double>(steps), to = (i + 1) / static_cast<double>(steps);
+      const glm::dvec3 h0 = hp + (hq - hp) * from, h1 = hp + (hq - hp) * to;
+      if (h0.z > 0.0 && h1.z > 0.0) {
+        add_step(h0, h1);
+      } else {
+        const double length = over_.length(p + (q - p) * from, p + (q - p) * to);
+        sum_ += 0.5 * std::min(1.0, length);
+      }
+    }
   }
 
   /// The midpoint rule's error of the visibility, 0 to 1/2 and more.
@@ -117,7 +170,7 @@ class VisibilityCurvature {
 
   void add_step(glm::dvec3 hp, glm::dvec3 hq) {
     const double w = 0.5 * (hp.z + hq.z);
-    if (!(w > 0.0) || w >= 1.0 || !(hp.z > 0.0) || !(hq.z > 0.0)) return;
+    if (w >= 1.0) return;
     // How far the boundary moves to either side across the window while the receiver moves over the
     // patch.
     const double eu = 0.5 * patch_.u * (1.0 / w - 1.0), ev = 0.5 * patch_.v * (1.0 / w - 1.0);
@@ -154,6 +207,7 @@ class VisibilityCurvature {
   const Frame& frame_;
   PatchInWindow patch_;
   bool line_;
+  const ShadowOnPatch& over_;
   std::vector<Cut> cuts_;
   double sum_ = 0.0;
 };
@@ -161,6 +215,7 @@ class VisibilityCurvature {
 /// The extended pyray around a patch: its apex lies behind the surface, so that it holds both the
 /// patch and the light. Nothing where the view of the light has no extent.
 struct PatchPyray {
+  glm::dvec3 middle;  ///< of the patch, above the surface
   Frame light_frame;  ///< the light as the patch's middle sees it
   PatchInWindow size;
   Frame frame;
@@ -193,6 +248,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
   const glm::dvec3 a = larger_u * light.base_u(), b = larger_v * light.base_v();
   const glm::dvec3 up = receiver.geometric;
   PatchPyray pyray{
+      receiver.position,
       light,
       size,
       Frame::pyramid(receiver.position - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
@@ -260,8 +316,9 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
     return {0.0f, true};
 
   // Sum up how each bends the visibility.
+  const ShadowOnPatch over(around_patch->light_frame, plane, around_patch->middle, query.patch);
   VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,
-                                query.light.intersections);
+                                query.light.intersections, over);
   for (const Segment& s : *boundaries) {
     const Clip c = clip(s, pyray.square);
     const auto at = [&](float t) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 // Whether a shadow's edge on a patch is found, however the patch, the blocker and the light lie.
@@ -13,15 +14,16 @@ namespace asos::test::penumbra_search_test {
 namespace {
 
 /// The verdict on a patch around the origin of a plane, below a rectangle light of 2 x 1.5 at the
-/// height 2 and whatever stands in the world.
+/// distance 2 and whatever stands in the world.
 class PenumbraSearch : public testing::Test {
  protected:
   [[nodiscard]] Penumbra look(World world, const Patch& patch, double weight = 1.0) {
     Light light;
     light.type = Light::Type::rectangle;
-    light.position = {0, 2, 0};
-    light.direction = {0, -1, 0};
-    light.half_u = {1, 0, 0};
+    const float lean = lean_of_light;
+    light.position = 2.0f * glm::vec3(std::sin(lean), std::cos(lean), 0);
+    light.direction = -glm::normalize(light.position);
+    light.half_u = {std::cos(lean), -std::sin(lean), 0};
     light.half_v = {0, 0, 0.75};
     light.intensity = intensity;
     light.two_sided = true;
@@ -48,6 +50,7 @@ class PenumbraSearch : public testing::Test {
     return find_penumbra(block, {fixture.light(), 0, point, patch, 1.0f, 0, weight}, counts);
   }
 
+  float lean_of_light = 0.0f;  ///< towards +X, radians
   float intensity = 1000.0f;
   float tolerance = 1.0f / 256.0f;
   glm::vec3 position{0.0f};  ///< of the patch's middle
@@ -94,6 +97,20 @@ TEST_F(PenumbraSearch, LeavesAPatchAloneThatNoShadowReaches) {
   const Penumbra found = look(std::move(world), {{0.1f, 0, 0}, {0, 0, 0.01f}});
   EXPECT_EQ(found.error, 0.0f);
   EXPECT_FALSE(found.saturated);
+}
+
+// A ledge a hundredth above the plane, and the light leans: the ledge's edge lies behind the
+// patch's middle on the way to the light, but its shadow falls on a part of the patch.
+TEST_F(PenumbraSearch, FindsWhatHangsOverTheFarSideOfAPatch) {
+  lean_of_light = 1.1f;  // at 27 degrees: a shadow twice as long as high
+  const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
+  const auto ledge_from = [](double x) {
+    World world;
+    add_occluder(world, {x - 4.0, 0.01, -4}, {4, 0, 0}, {0, 0, 8});
+    return world;
+  };
+  EXPECT_GT(look(ledge_from(-0.02), patch).error, 0.1f);  // a tenth of the patch, and penumbra
+  EXPECT_EQ(look(ledge_from(-0.08), patch).error, 0.0f);  // beyond it
 }
 
 // What a few rays tell well enough is not looked for: a light part of a pixel, or a dim light.
