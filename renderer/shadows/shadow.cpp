@@ -21,6 +21,18 @@ Box box_of(const ShadowPatch& patch) {
   return box;
 }
 
+// What the block knows of the way to a light, or what one ray meets.
+Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
+                            const LeafContext& leaf, RenderStatistics& counts) {
+  Box around;
+  around.grow(lit.point.position);
+  const ShadowKnowledge known =
+      block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
+  if (known.passage != ShadowKnowledge::Passage::open && lit.light.intersections.empty())
+    return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
+  return ray_visibility(block, {lit, leaf, {}}, counts);
+}
+
 Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
                            const LeafContext& leaf, RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
@@ -88,10 +100,12 @@ void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> bat
 
 Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
-  // Whether a light this weak is shaded does not matter: all of them together stay below EPS.
+  // A ray tells enough of lights so weak that all of them together stay below EPS. Without any they
+  // would shine through walls.
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   const double weakest = block.rules.budget.eps / static_cast<double>(block.lights);
-  if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest)) return Visibility(1.0);
+  if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest))
+    return known_visibility(block, lit, leaf, counts);
   const bool even = leaf.even && lit.layer == 0;
   return even ? even_visibility(block, lit, leaf, counts)
               : leaf_visibility(block, lit, leaf, counts);

@@ -125,6 +125,23 @@ TEST(LightLeak, AClosedRoomStaysDarkUnderDirectionalLight) {
   expect_dark_room({distant_light()}, Camera::Type::perspective);
 }
 
+// Lights of which all together are below EPS: to be off by no more than that is no reason to let
+// them in. Outside office's room they made its lawn 5e-4 too bright.
+TEST(LightLeak, DimLightsDoNotShineThroughWalls) {
+  World room;
+  add_box(room, {-1, 0, -1}, {1, 1, 1}, false);
+  RenderSettings settings = small(24, 16);
+  settings.asos.eps = AsosSettings{}.eps;
+  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
+  const Camera camera = look_at({0.5, 0.6, -0.7}, {0, 0, 1}, 1.2);
+  const Picture dark = render_picture(*make_render_scene(room), camera, settings);
+  for (Light light : all_lights()) {
+    light.intensity *= 1e-3f;
+    const Picture lit = render_picture(*make_render_scene(room, {light}), camera, settings);
+    EXPECT_LE(excess(lit, dark), 0.0) << light.name;
+  }
+}
+
 /// A floor with a box that stands on it, in front of each kind of light.
 Picture still_life_at(double scale, const Light& light, bool refined) {
   const auto s = static_cast<float>(scale);
