@@ -168,11 +168,10 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
   app.add_flag("!--no-culling", settings.cull,
                "Show the backs of single-sided materials, which glTF hides");
   app.add_flag("!--no-shadows", settings.shadow.cast, "Lights cast no shadows");
-  add_choice(
-      app, "--sky-shadows", "ON|OFF",
-      "Whether surfaces hide the sky from each other (on), or all see a constant share of it "
-      "(off: faster)",
-      on_off_names, settings.shadow.sky);
+  add_choice(app, "--sky-shadows", "ON|OFF",
+             "Whether surfaces hide the sky from each other (on), or see a share of it that their "
+             "material tells (off: faster)",
+             on_off_names, settings.shadow.sky);
   add_parsed_option(app, "--bounces", "N",
                     "Diffuse bounces of light between surfaces that are followed, 0 or 1, with the "
                     "sky's shadows: what hides the sky sends light (slower)",

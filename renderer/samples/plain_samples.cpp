@@ -31,7 +31,7 @@ PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
   }
   if (!same_sky_) return;
   constexpr glm::vec3 any(0.0f, 1.0f, 0.0f);
-  ambient_ = sky_ ? sky_->ambient(any) : glm::vec3(ambient_radiance);
+  sky_radiance_ = sky_ ? sky_->radiance(any) : background_radiance;
 }
 
 bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
@@ -114,11 +114,14 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& point
 glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const {
   const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
   const glm::vec3 ambient = arrays_->materials.ambient.at(i);
-  if (same_sky_) return arrays_->emission[i] + ambient_ * (ambient + specular);
+  const float roughness = arrays_->materials.roughness[i];
+  if (same_sky_)
+    return arrays_->emission[i] +
+           sky_radiance_ * (sky_visibility * ambient + mirrored_visibility(roughness) * specular);
   ViewedMaterial seen{};
   seen.ambient = ambient;
   seen.specular = specular;
-  seen.roughness = arrays_->materials.roughness[i];
+  seen.roughness = roughness;
   return arrays_->emission[i] +
          reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }

@@ -87,8 +87,8 @@ class PlainSamples {
   bool usable_;
   bool reflections_;
   float roughest_mirror_;
-  bool same_sky_;            // all over
-  glm::vec3 ambient_{0.0f};  // of such a sky
+  bool same_sky_;                 // all over
+  glm::vec3 sky_radiance_{0.0f};  // of such a sky
   std::optional<glm::vec3> background_;
   float colours_ = 1.0f;
   Recycled<Arrays> arrays_;  // once there is a plain point

@@ -65,8 +65,8 @@ struct TextureSettings {
 
 struct ShadowSettings {
   bool cast = true;  ///< lights cast shadows
-  /// The sky's light is shaded, too; else, or where lights cast none, it is open, less a constant
-  /// share (sky_visibility).
+  /// The sky's light is shaded, too; else, or where lights cast none, it is open, less a share
+  /// (sky_visibility, mirrored_visibility).
   bool sky = false;
   /// Diffuse bounces of light between surfaces that are followed, 0 or 1, where lights cast
   /// shadows: what hides the sky from a surface sends it light then, so that the sky is shaded,

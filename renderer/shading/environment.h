@@ -14,6 +14,13 @@ inline constexpr float sky_radiance = 0.35f;
 /// (closed form, no rays), and this stands in for the occlusion that is not computed.
 inline constexpr float sky_visibility = 0.6f;
 
+/// The same of what a lobe of this roughness mirrors: a mirror follows its rays, and sees all of
+/// the sky that they reach; the roughest lobe sees as much of it as matte surfaces do. In between
+/// goes its width (alpha, roughness squared).
+inline float mirrored_visibility(float roughness) {
+  return 1.0f - (1.0f - sky_visibility) * roughness * roughness;
+}
+
 /// Irradiance over pi that the sky gives to every surface, whatever its normal.
 inline constexpr float ambient_radiance = sky_radiance * sky_visibility;
 

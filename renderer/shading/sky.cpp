@@ -207,14 +207,15 @@ glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* sp
 
 glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
                         glm::vec3 to_viewer) {
-  if (!sky) return ambient_radiance * (seen.ambient + seen.specular);
+  const float share = mirrored_visibility(seen.roughness);
+  if (!sky) return sky_radiance * (sky_visibility * seen.ambient + share * seen.specular);
   const glm::vec3 diffuse = sky->ambient(normal) * seen.ambient;
   if (seen.specular == glm::vec3(0.0f)) return diffuse;
   const glm::vec3 mirrored = glm::reflect(-to_viewer, normal);
   const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));
   if (!seen.stretch.none())
-    return diffuse + sky_visibility * around_ridge(*sky, seen, normal, to_viewer) * seen.specular;
-  return diffuse + sky_visibility * sky->around(mirrored, width) * seen.specular;
+    return diffuse + share * around_ridge(*sky, seen, normal, to_viewer) * seen.specular;
+  return diffuse + share * sky->around(mirrored, width) * seen.specular;
 }
 
 }  // namespace asos

@@ -94,8 +94,8 @@ class Sky {
                                    float side);
 
 /// The radiance of the sky that a surface reflects towards the viewer: diffusely, and by its lobe
-/// around the mirrored direction. Not occluded but for sky_visibility: for `sample_sky` see
-/// sky_light.h.
+/// around the mirrored direction. Not occluded but for sky_visibility and mirrored_visibility: for
+/// `sample_sky` see sky_light.h.
 [[nodiscard]] glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
                                       glm::vec3 to_viewer);
 

@@ -29,7 +29,7 @@ struct Look {
 /// What is seen of it in even light as bright as white.
 glm::vec3 shown(const Look& at, const SurfaceMaterial& material, float roughest_mirror) {
   const float open = 0.5f + 0.5f * at.occlusion;
-  const float mirrored = at.roughness <= roughest_mirror ? 1.0f : sky_visibility;
+  const float mirrored = at.roughness <= roughest_mirror ? 1.0f : mirrored_visibility(at.roughness);
   const float matte = (1.0f - at.metallic) * (1.0f - material.transmission);
   const glm::vec3 f0 = glm::mix(glm::vec3(material.dielectric_f0), at.color, at.metallic);
   return at.opacity * (open * matte * at.color + mirrored * f0 + at.emission);

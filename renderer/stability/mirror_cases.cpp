@@ -23,8 +23,8 @@ namespace {
 constexpr const char* mirror_group = "mirrors";
 constexpr const char* worst_of_small = "radiance of the worst of 8x8 pixels";
 
-/// The mean of the surroundings, which stands for them where no bounce follows.
-constexpr double unfollowed = background * static_cast<double>(sky_visibility);
+/// The surroundings, which stand for what is mirrored where no bounce follows.
+constexpr double unfollowed = background;
 
 const Measure all_of_the_sky{worst_of_small, 64.0 * rounding,
                              "white metal in an even sky returns all of it, 0.35: it is not to be "
@@ -179,8 +179,8 @@ void add_bounces(std::vector<Case>& cases) {
   cases.push_back({"facing mirrors, 64 bounces, nothing lost", mirror_group, true, [deepest] {
                      return worst_pixel(
                          {worst_of_small, 65.0 * 8.0 * rounding,
-                          "white metal loses nothing: what is not followed any more is the sky's "
-                          "mean, 0.6 of 0.35; eight roundings a bounce"},
+                          "white metal loses nothing: what is not followed any more is the sky, "
+                          "0.35; eight roundings a bounce"},
                          render(facing(1.0f, 64.0), deepest), [](int, int) { return unfollowed; });
                    }});
   cases.push_back(
@@ -189,7 +189,7 @@ void add_bounces(std::vector<Case>& cases) {
          const double left = std::pow(static_cast<double>(0.9f), 53.0);
          return worst_pixel({worst_of_small, unfollowed * left * 54.0 * 8.0 * rounding,
                              "what has less than 1/256 of a pixel's light is not followed, but is "
-                             "the sky's mean; eight roundings a bounce"},
+                             "the sky; eight roundings a bounce"},
                             render(facing(0.9f, 64.0), deepest),
                             [left](int, int) { return unfollowed * left; });
        }});
@@ -203,12 +203,12 @@ void add_bounces(std::vector<Case>& cases) {
                                                (small_side * small_side);
                                       });
                    }});
-  cases.push_back({"a mirror without bounces shows the sky's mean", mirror_group, true, [] {
+  cases.push_back({"a mirror without bounces shows the sky", mirror_group, true, [] {
                      RenderSettings settings = settings_of(small_side, small_side);
                      settings.mirror.bounces = 0;
                      const Camera camera = look_at({0, 3, 4}, {0, 0, 0}, 50.0);
                      return worst_pixel(
-                         {worst_of_small, 64.0 * rounding, "0.6 of the sky, as where bounces end"},
+                         {worst_of_small, 64.0 * rounding, "all of the sky, as where bounces end"},
                          render(floor_mirror(mirror(), camera), settings),
                          [](int, int) { return unfollowed; });
                    }});
@@ -283,7 +283,7 @@ void add_curved(std::vector<Case>& cases) {
            add_dark_light(scene);
            return worst_pixel({worst_of_small, 64.0 * rounding,
                                "nothing leaves the ball: what four bounces end in is "
-                               "the sky's mean, 0.6 of 0.35"},
+                               "the sky, 0.35"},
                               render(scene, settings_of(small_side, small_side)),
                               [](int, int) { return unfollowed; });
          }});

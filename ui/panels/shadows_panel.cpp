@@ -57,7 +57,7 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
   if (settings.shadow.cast)
     controls.checkbox("Sky",
                       "Surfaces hide the sky from each other, which grounds what stands on them. "
-                      "Off: all see a constant share of it, which is faster.",
+                      "Off: they see a share of it that their material tells, which is faster.",
                       settings.shadow.sky, usual.shadow.sky);
   if (settings.shadow.cast) {
     bool bounces = settings.shadow.bounces > 0;

@@ -45,13 +45,15 @@ TEST(GlassVolume, AddsNoLight) {
   // Faint rays end by chance, which is noise within EPS: that is to be less than what is asked of
   // each pixel.
   constexpr double eps = 1.0 / 2048.0;
+  constexpr int spp = 1024;
   for (const float roughness : {0.0f, 0.3f, 0.8f}) {
     glass.roughness = roughness;
     World world;
     add_shape(world, sphere(1.0), glm::dmat4(1.0), glass);
     const auto scene = make_render_scene(std::move(world));
     for (const Method method : methods) {
-      const std::vector<glm::vec3> seen = picture(*scene, orthographic(2.2), method, white, eps);
+      const std::vector<glm::vec3> seen =
+          picture(*scene, orthographic(2.2), method, white, eps, spp);
       EXPECT_LE(mean(seen).y, 1.001) << roughness << ", method " << static_cast<int>(method);
       if (roughness > 0.0f) continue;
       for (const glm::vec3 p : seen) {

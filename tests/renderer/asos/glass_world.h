@@ -92,12 +92,12 @@ inline void add_edge(World& world, double x, double z, double reach = 10.0) {
 
 inline std::vector<glm::vec3> picture(const RenderScene& scene, const Camera& camera, Method method,
                                       std::shared_ptr<const Sky> sky = nullptr,
-                                      double eps = AsosSettings{}.eps) {
+                                      double eps = AsosSettings{}.eps, int spp = 256) {
   RenderSettings settings;
   settings.asos.eps = eps;
   settings.width = settings.height = picture_side;
   settings.method = method;
-  settings.sampling.spp = method == Method::asos ? 1 : 256;
+  settings.sampling.spp = method == Method::asos ? 1 : spp;
   settings.sky = std::move(sky);
   return render_picture(scene, camera, settings).film.radiance;
 }

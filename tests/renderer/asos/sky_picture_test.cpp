@@ -93,5 +93,31 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
   }
 }
 
+// Metal that is followed as a mirror, and metal that is just too rough to be, in the open: they are
+// not to be told apart by their brightness.
+TEST(SkyPicture, WhatIsTooRoughToMirrorGoesOnFromMirrors) {
+  const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
+  for (const Method method : {Method::asos, Method::sobol}) {
+    const auto shown = [&](double roughness) {
+      World world;
+      Material metal = matte(glm::vec3(1.0f));
+      metal.metallic = 1.0f;
+      metal.roughness = static_cast<float>(roughness);
+      add_quad(world, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, metal);
+      Light dark;
+      dark.type = Light::Type::directional;
+      dark.direction = {0, 1, 0};
+      dark.intensity = 1e-6f;
+      const auto scene = make_render_scene(std::move(world), {dark});
+      const Film film = render_picture(*scene, camera, under(nullptr, method, 16)).film;
+      return film.radiance[film.index(8, 8)].r / sky_radiance;
+    };
+    const float mirror = shown(usual_roughest_mirror), beyond = shown(usual_roughest_mirror + 1e-3);
+    EXPECT_NEAR(mirror, 1.0f, 0.02f);
+    EXPECT_LT(beyond / mirror, 0.98f) << "both are followed, or none is";
+    EXPECT_GT(beyond / mirror, 0.92f);
+  }
+}
+
 }  // namespace
 }  // namespace asos::test::sky_picture_test

@@ -288,7 +288,8 @@ TEST(Shader, MetalUnderTheSkyIsItsColour) {
   gold.metallic = 1.0f;
   gold.roughness = 0.2f;
   Lit lit{floor_world(gold)};
-  const glm::vec3 c = lit.look(straight_down(0, 0)) / ambient_radiance;
+  const glm::vec3 c =
+      lit.look(straight_down(0, 0)) / (sky_radiance * mirrored_visibility(gold.roughness));
   EXPECT_GT(c.r, 0.85f);
   EXPECT_NEAR(c.g, 0.7f, 0.1f);
   EXPECT_NEAR(c.b, 0.3f, 0.1f);

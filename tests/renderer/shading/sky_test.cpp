@@ -229,8 +229,11 @@ TEST(Sky, WithoutOneIsNeutral) {
   ViewedMaterial seen{};
   seen.ambient = glm::vec3(0.5f);
   seen.specular = glm::vec3(0.1f);
-  EXPECT_EQ(reflected_sky(nullptr, seen, {0, 1, 0}, {0, 1, 0}),
-            ambient_radiance * (seen.ambient + seen.specular));
+  for (const float roughness : {0.0f, 0.5f, 1.0f}) {
+    seen.roughness = roughness;
+    EXPECT_FLOAT_EQ(reflected_sky(nullptr, seen, {0, 1, 0}, {0, 1, 0}).r,
+                    ambient_radiance * 0.5f + sky_radiance * mirrored_visibility(roughness) * 0.1f);
+  }
   const Sky same{glm::vec3(sky_radiance)};
   EXPECT_FLOAT_EQ(reflected_sky(&same, seen, {0, 1, 0}, {0.6f, 0.8f, 0}).r,
                   reflected_sky(nullptr, seen, {0, 1, 0}, {0.6f, 0.8f, 0}).r);

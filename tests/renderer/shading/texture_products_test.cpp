@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 
 namespace asos::test::texture_products_test {
@@ -69,12 +70,17 @@ TEST(TextureProducts, MetalWhereColoursAreNot) {
 
 // What is rougher than a mirror shows a share of the sky; the mean of both is one, or is none.
 TEST(TextureProducts, MirrorsBesideWhatIsTooRoughForThem) {
-  for (const bool mean_mirrors : {true, false}) {
+  const float mirror = 26.0f / 255.0f;
+  for (const int rough_byte : {120, 255}) {
     Surface s;
     s.material.metallic = s.material.roughness = 1.0f;
     s.material.metallic_roughness_texture.texture =
-        s.gloss(static_cast<std::uint8_t>(mean_mirrors ? 120 : 200), 26, true, true);
-    EXPECT_NEAR(s.error(), 0.25f * (1.0f - sky_visibility), 1e-3f) << mean_mirrors;
+        s.gloss(static_cast<std::uint8_t>(rough_byte), 26, true, true);
+    const float rough = static_cast<float>(rough_byte) / 255.0f;
+    const float mean = 0.5f * (rough + mirror);
+    const float seen = 0.5f * (1.0f + mirrored_visibility(rough));
+    const float of_mean = rough_byte == 120 ? 1.0f : mirrored_visibility(mean);
+    EXPECT_NEAR(s.error(), 0.5f * std::abs(seen - of_mean), 1e-3f) << rough_byte;
   }
 }
 
