@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace asos {
 namespace {
@@ -21,6 +22,15 @@ Box box_of(const ShadowPatch& patch) {
   return box;
 }
 
+// What is known of all of the way, if it is. That nothing bounds the shadow does not rule out what
+// stands in the light itself.
+std::optional<Visibility> told_visibility(const ShadowKnowledge& known,
+                                          const PreparedLight& light) {
+  if (known.passage == ShadowKnowledge::Passage::open || !light.intersections.empty())
+    return std::nullopt;
+  return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
+}
+
 // What the block knows of the way to a light, or what one ray meets.
 Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
@@ -28,8 +38,7 @@ Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
   around.grow(lit.point.position);
   const ShadowKnowledge known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
-  if (known.passage != ShadowKnowledge::Passage::open && lit.light.intersections.empty())
-    return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
+  if (const auto told = told_visibility(known, lit.light)) return *told;
   return ray_visibility(block, {lit, leaf, {}}, counts);
 }
 
@@ -53,9 +62,7 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
   }
   const ShadowKnowledge known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
-  // That nothing bounds the shadow does not rule out what stands in the light itself.
-  if (known.passage != ShadowKnowledge::Passage::open && lit.light.intersections.empty())
-    return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
+  if (const auto told = told_visibility(known, lit.light)) return *told;
 
   // Trace, by the kind of light.
   query.found = own_part_ignored(block.scene->world, lit.light);
