@@ -12,14 +12,13 @@
 #include "app/render_arguments.h"
 #include "app/render_job.h"
 #include "app/render_report.h"
+#include "app/render_warnings.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
-#include "renderer/scene/remarks.h"
 #include "renderer/scene/source_files.h"
-#include "renderer/shading/sky_remark.h"
 #include "renderer/world/ground.h"
 
 #include <CLI/CLI.hpp>
@@ -138,15 +137,6 @@ Error nothing_drawn(const RenderReport& report) {
       fmt::format("there is nothing in it to draw{}; --allow-empty renders it all the same", why)};
 }
 
-/// Says what of the scene is not in the picture, in a bounded number of lines.
-void say_warnings(const RenderReport& report, std::ostream& err) {
-  constexpr std::size_t most_lines = 10;
-  const std::size_t said = std::min(report.warnings.size(), most_lines);
-  for (std::size_t i = 0; i < said; ++i) err << "asos: warning: " << report.warnings[i] << "\n";
-  if (report.warning_count > said)
-    err << fmt::format("asos: warning: and {} more\n", report.warning_count - said);
-}
-
 /// Everything that lasts over the pictures of one command line.
 struct Work {
   OpenedScene scene;
@@ -171,17 +161,6 @@ Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptG
   if (!arguments.frames.empty()) work.sources = source_files(wanted.scene);
   if (!wanted.sky.file.empty()) work.sources.push_back(wanted.sky.file);
   return work;
-}
-
-// What is known of it so far: its boundaries tell more once they are found.
-void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoice& sky) {
-  const SceneNotes notes = notes_of(scene);
-  report.warnings = remarks(notes);
-  report.warning_count = remark_count(notes);
-  if (std::string remark = sky_remark(sky.file); !remark.empty()) {
-    report.warnings.insert(report.warnings.begin(), std::move(remark));
-    ++report.warning_count;
-  }
 }
 
 RenderReport report_of(const RenderArguments& arguments, const RenderScene& ready,

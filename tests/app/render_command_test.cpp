@@ -1,7 +1,6 @@
 #include "renderer/film/image_io.h"
 #include "renderer/picture/picture_description.h"
 #include "tests/app/run_asos.h"
-#include "tests/renderer/gltf/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -337,28 +336,6 @@ TEST_F(RenderCommand, PathsMayHoldSpacesAndAnyLetters) {
   render("naïve picture ö 日本.png", {"--stats", path("die Zahlen ü.json")});
   EXPECT_TRUE(read_png(path("naïve picture ö 日本.png")));
   EXPECT_EQ(stats("die Zahlen ü.json")["scene"], "builtin:boxes");
-}
-
-// Which is known only once its boundaries were looked for.
-TEST_F(RenderCommand, SaysThatSurfacesPassThroughEachOtherTooOften) {
-  test::GltfBuilder b;
-  std::vector<glm::vec3> corners;
-  constexpr int walls = 320;  // each way: more lines than IntersectionBudget allows
-  for (int i = 0; i < walls; ++i) {
-    const auto at = static_cast<float>(i), end = static_cast<float>(walls);
-    const glm::vec3 x[]{{at, -1, -1}, {at, end, -1}, {at, end, 1}, {at, -1, 1}};
-    const glm::vec3 y[]{{-1, at, -1}, {end, at, -1}, {end, at, 1}, {-1, at, 1}};
-    for (const auto& wall : {x, y})
-      for (const int k : {0, 1, 2, 0, 2, 3}) corners.push_back(wall[k]);
-  }
-  b.primitive({{"POSITION", b.vec3(corners)}});
-  std::ofstream(path("walls.glb"), std::ios::binary) << b.glb();
-  const AsosRun run = run_asos({"render", path("walls.glb"), "-o", path("walls.png"), "--size",
-                                "16x9", "--max", "0", "--stats", path("walls.json")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const std::string said = "surfaces pass through each other or overlap too often";
-  EXPECT_TRUE(test::contains(run.err, said));
-  EXPECT_TRUE(test::contains(stats("walls.json")["warnings"].dump(), said));
 }
 
 TEST_F(RenderCommand, ALimitOfTimeThatIsNotReachedChangesNothing) {

@@ -66,7 +66,7 @@ limit 'how far off cameras and lights may stand' '1e15' renderer/geometry/coordi
   'largest_coordinate = 1e15;'
 limit 'warnings that are told' '100' $gltf/warnings.cpp 'most_warnings = 100;'
 limit 'warnings that are told' '500 bytes' $gltf/warnings.cpp 'longest_remark = 500;'
-limit 'warnings that are told' 'printed 10' app/render_command.cpp 'most_lines = 10;'
+limit 'warnings that are told' 'printed 10' app/render_warnings.cpp 'most_lines = 10;'
 limit "a picture's side" '32768 pixels' renderer/settings/settings.cpp 'max_side = 32768;'
 
 # A row may have several numbers.

@@ -40,6 +40,15 @@ RenderSettings under(std::shared_ptr<const Sky> sky, Method method, int spp = 1)
   return settings;
 }
 
+/// Without any light a scene gets its own.
+Light dark_light() {
+  Light dark;
+  dark.type = Light::Type::directional;
+  dark.direction = {0, 1, 0};
+  dark.intensity = 1e-6f;
+  return dark;
+}
+
 TEST(SkyPicture, BackgroundIsThePixelsMean) {
   const auto scene = make_render_scene(speck());
   // Ahead, and straight up, where all columns of the picture meet.
@@ -77,11 +86,7 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
   Material white = matte(glm::vec3(0.5f));
   white.specular = 0.0f;
   add_quad(world, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, white);
-  Light dark;
-  dark.type = Light::Type::directional;
-  dark.direction = {0, 1, 0};
-  dark.intensity = 1e-6f;
-  const auto scene = make_render_scene(std::move(world), {dark});
+  const auto scene = make_render_scene(std::move(world), {dark_light()});
   const auto sky = std::make_shared<const Sky>(glm::vec3(2, 1, 0), glm::vec3(0.5f));
   const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
   for (const Method method : {Method::asos, Method::sobol}) {
@@ -104,11 +109,7 @@ TEST(SkyPicture, WhatIsTooRoughToMirrorGoesOnFromMirrors) {
       metal.metallic = 1.0f;
       metal.roughness = static_cast<float>(roughness);
       add_quad(world, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, metal);
-      Light dark;
-      dark.type = Light::Type::directional;
-      dark.direction = {0, 1, 0};
-      dark.intensity = 1e-6f;
-      const auto scene = make_render_scene(std::move(world), {dark});
+      const auto scene = make_render_scene(std::move(world), {dark_light()});
       const Film film = render_picture(*scene, camera, under(nullptr, method, 16)).film;
       return film.radiance[film.index(8, 8)].r / sky_radiance;
     };

@@ -1,0 +1,32 @@
+#include "app/render_warnings.h"
+
+#include "renderer/scene/remarks.h"
+#include "renderer/shading/sky_remark.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <utility>
+
+namespace asos {
+
+void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoice& sky) {
+  const SceneNotes notes = notes_of(scene);
+  report.warnings = remarks(notes);
+  report.warning_count = remark_count(notes);
+  if (std::string remark = sky_remark(sky.file); !remark.empty()) {
+    report.warnings.insert(report.warnings.begin(), std::move(remark));
+    ++report.warning_count;
+  }
+}
+
+void say_warnings(const RenderReport& report, std::ostream& err) {
+  constexpr std::size_t most_lines = 10;
+  const std::size_t said = std::min(report.warnings.size(), most_lines);
+  for (std::size_t i = 0; i < said; ++i) err << "asos: warning: " << report.warnings[i] << "\n";
+  if (report.warning_count > said)
+    err << fmt::format("asos: warning: and {} more\n", report.warning_count - said);
+}
+
+}  // namespace asos
