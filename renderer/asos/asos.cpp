@@ -101,6 +101,7 @@ void publish(const FatPyray& fat, int max_level, std::span<const Trace> traces,
       // What samples tell apart is as good as split to the end.
       const RootSum& sum = caster.sum(i);
       if (sum.cut_out) outcome.deepest = std::max(outcome.deepest, max_level);
+      if (sum.varies && !outcome.uneven_shadow) outcome.uneven_shading = true;
       if (outcome.uneven_shading || outcome.uneven_shadow)
         outcome.deepest = std::max(outcome.deepest, std::min(max_level, level_of(sum.samples)));
       statistics.split_pixels += outcome.deepest > 0;
@@ -169,11 +170,11 @@ BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   fat.outline = outline;
 
   // Look along it as the camera does.
-  const Budget budget = Budget::of(settings);
-  const Shader shader = shader_of(job.scene, settings, job.view, budget.negligible_bend());
+  const Allowance allowance = Allowance::of(settings);
+  const Shader shader = shader_of(job.scene, settings, job.view, allowance.negligible_bend());
   EyeContext eye{&job.scene, &settings, Viewer::camera(job.view, shader, settings.filter_width),
                  &fat.frame, framed};
-  eye.budget = budget;
+  eye.allowance = allowance;
   eye.seed = settings.seed;
   eye.work = &work.eye;
   eye.stop = job.stop;

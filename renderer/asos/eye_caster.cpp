@@ -39,12 +39,11 @@ bool some_cast_shadows(const EyeContext& eye) {
 }
 
 ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchView& view,
-                         ShadowGroups& groups) {
+                         ShadowGroups& groups, const AreaShadows* published) {
   const RenderSettings& settings = *eye.settings;
   ShadowContext shadows;
   shadows.scene = &scene;
-  shadows.rules = {settings.shadow.quality, settings.shadow.divisions, eye.budget,
-                   settings.asos.leaf == Leaf::exact,
+  shadows.rules = {published, eye.allowance, settings.asos.leaf == LeafKind::exact,
                    eye.scene->needs.varying_opacity && eye.scene->features().opacity_unbounded()};
   shadows.lights = eye.viewer.shader.lights().size();
   shadows.frame = eye.frame;
@@ -63,11 +62,14 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       samples_(eye_),
       shadow_scene_{eye.scene->world(), eye.scene->features(), eye.scene->rays()},
       groups_(shadow_scene_),
-      shadows_(shadows_of(eye_, shadow_scene_, samples_, groups_)),
+      published_(eye.settings->shadow.quality, eye.settings->shadow.divisions),
+      shadows_(shadows_of(
+          eye_, shadow_scene_, samples_, groups_,
+          eye.settings->shadow.quality == ShadowQuality::refined ? nullptr : &published_)),
       weak_lights_(eye_, samples_),
-      refinement_(eye_, samples_, weak_lights_, shadows_),
+      chooser_(eye_, samples_, weak_lights_, shadows_),
       sums_(roots),
-      leaf_shader_(eye_, samples_, refinement_, weak_lights_, shadows_, sums_, blurred_) {}
+      leaf_shader_(eye_, samples_, chooser_, weak_lights_, shadows_, sums_, blurred_) {}
 
 void EyeCaster::middles_known(int side) {
   groups_.reset(eye_.viewer.shader.lights().size());
@@ -81,18 +83,19 @@ void EyeCaster::middles_known(int side) {
     }
     shades_parts_ = lit || !unlit;
   }
-  refinement_.learn_normals(side);
+  chooser_.learn_normals(side);
   weak_lights_.find(side);
 }
 
 SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight) {
-  if (!eye_.budget.refines()) return no_sample;
+  if (!eye_.allowance.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
-  std::uint32_t fewest = enough_samples;
+  std::uint32_t fewest = 1;
   if (may_glare(eye_, square))
-    fewest = std::max(fewest, std::bit_ceil(static_cast<std::uint32_t>(samples_of_glare * weight)));
-  const bool sampled = leaf_shader_.add_samples(root, sample, {square, {}}, weight, fewest);
+    fewest = std::bit_ceil(static_cast<std::uint32_t>(samples_of_glare * weight));
+  const PyrayLeaf leaf{root, sample, weight, {square, {}}, {Estimator::samples}};
+  const bool sampled = leaf_shader_.add_samples(leaf, fewest);
   sums_[root].rays += eye_.counts->rays() - before;
   return sampled ? sample : no_sample;
 }

@@ -3,10 +3,11 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/eye_workspace.h"
+#include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_shader.h"
-#include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/weak_lights.h"
+#include "renderer/published/published_shadows.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/prices.h"
 
@@ -37,17 +38,17 @@ class EyeCaster final : public Caster {
   }
   [[nodiscard]] bool opaque(SampleId sample) const override { return samples_.opaque(sample); }
   [[nodiscard]] bool samples_leaf(SampleId sample) const override {
-    return samples_.cut_out(sample) && eye_.budget.refines();
+    return samples_.cut_out(sample) && eye_.allowance.refines();
   }
-  [[nodiscard]] LeafVerdict judge(SampleId sample, double share,
-                                  const LeafRegion& region) override {
-    return refinement_.judge(sample, share, region);
+  [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
+                                    bool may_split) override {
+    return chooser_.decide(sample, weight, region, may_split);
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
-    // Cuts of what is mirrored, which has few levels left, cost less than it deserves.
-    return shades_parts_ && (!eye_.mask || eye_.budget.held_to_eps()) &&
-           eye_.budget.samples_suffice_for_parts(
-               weight, refinement_.part_price() * static_cast<double>(parts));
+    constexpr double contrast = 0.5;  // of a part that shows many surfaces
+    return shades_parts_ &&
+           eye_.allowance.samples_suffice(weight, contrast,
+                                          chooser_.part_price() * static_cast<double>(parts));
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;
@@ -73,9 +74,10 @@ class EyeCaster final : public Caster {
   EyeSamples samples_;
   ShadowScene shadow_scene_;
   ShadowGroups groups_;
+  PublishedShadows published_;
   ShadowContext shadows_;
   WeakLights weak_lights_;
-  Refinement refinement_;
+  LeafChooser chooser_;
   std::vector<RootSum> sums_;
   BlurredSum blurred_;
   LeafShader leaf_shader_;

@@ -3,7 +3,7 @@
 #include "renderer/film/statistics.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/viewer.h"
-#include "renderer/pyray/budget.h"
+#include "renderer/pyray/allowance.h"
 #include "renderer/pyray/observer.h"
 #include "renderer/reflections/mirrored_mask.h"
 
@@ -24,7 +24,7 @@ struct EyeContext {
   Viewer viewer;
   const Frame* frame = nullptr;        ///< (u, v) runs from 0 to 1 across the block
   PixelRect block;                     ///< square
-  Budget budget{};                     ///< of a root
+  Allowance allowance{};               ///< of a root
   int seed = 0;                        ///< of sampled parts
   const MirroredMask* mask = nullptr;  ///< how much the parts of the square count; null: their area
   EyeWorkspace* work = nullptr;
@@ -35,6 +35,8 @@ struct EyeContext {
   std::uint32_t observed_root = 0;
   Square observed_square{0.0f, 0.0f, 1.0f};  ///< of that root, in the frame
 
+  /// Whether it is what one mirrored pyray shows.
+  [[nodiscard]] bool mirrored() const { return mask != nullptr; }
   /// The side, in pixels, of the square that a part of this weight stands for, whatever its shape.
   [[nodiscard]] float side_of(double weight) const {
     return viewer.pixel * static_cast<float>(std::sqrt(weight));

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "renderer/asos/block_queue.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/leaf_variation.h"
 #include "renderer/asos/lobe_shares.h"
-#include "renderer/asos/refinement.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/sample_goal.h"
+#include "renderer/asos/single_samples.h"
 #include "renderer/asos/sky_shares.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/samples/region_sampler.h"
@@ -15,7 +17,7 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,7 +29,7 @@ namespace asos {
 class LeafShader {
  public:
   /// All have to outlive this.
-  LeafShader(const EyeContext& eye, EyeSamples& samples, Refinement& refinement,
+  LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
              WeakLights& weak_lights, const ShadowContext& shadows, std::span<RootSum> sums,
              BlurredSum& blurred);
 
@@ -36,9 +38,7 @@ class LeafShader {
   /// Samples a part of a root as a whole, evenly over it and over each light together: at least
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.
-  bool add_samples(std::uint32_t root, SampleId sample, const LeafRegion& region, double weight,
-                   std::uint32_t fewest, Sampled what = Sampled::noisy,
-                   BySamples by_samples = BySamples::cheaper);
+  bool add_samples(const PyrayLeaf& leaf, std::uint32_t fewest = 1);
   /// Samples what was put off. Sums are complete after it.
   void finish();
 
@@ -48,15 +48,15 @@ class LeafShader {
  private:
   void shade_one(const PyrayLeaf& leaf);
   void sample_uneven();
-  void sample_put_off();
+  void sample_deferred();
+  [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
-  void add_weak_lights();
-  void add_shares(std::span<const LeafShare> shares);
+  void add(std::span<const Contribution> contributions, bool whole_leaves);
   void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
-  void note_result(const PyrayLeaf& leaf, glm::vec3 radiance);
+  void note_result(std::uint32_t root, SampleId sample, glm::vec3 radiance);
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;
@@ -66,15 +66,16 @@ class LeafShader {
 
   const EyeContext* eye_;
   EyeSamples* samples_;
-  Refinement* refinement_;
+  LeafChooser* chooser_;
   WeakLights* weak_lights_;
   SkyShares sky_;
   LobeShares lobes_;
+  SingleSamples single_;
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;
   BlurredSum* blurred_;
-  std::optional<RegionSampler> sampler_;  // made when first needed
-  std::vector<PyrayLeaf> put_off_;        // in the sampler's order; without their borders
+  std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
+  std::vector<PyrayLeaf> deferred_;         // in the sampler's order; without their borders
   LeafVariation variation_;
   std::vector<SharedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;

@@ -14,7 +14,7 @@ namespace asos {
 TakenLights LeafTransport::gather(const LitPoint& point) {
   if (weak_->lights().empty()) return {};
   // What a mirror shows of a surface is added up as it comes.
-  if (eye_->mask) {
+  if (eye_->mirrored()) {
     at_once_ += weak_->at_once(point, *leaf_);
   } else {
     weak_->add(weak_share_, point, *leaf_);
@@ -48,9 +48,10 @@ float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const
   const float lesser = largest(glm::min(seen, 1.0f - seen));
   // What a broad lobe shows of what is seen is found with its shadow (area_shadow).
   if (is_broad(lit)) return 0.0f;
-  const float tolerance = eye_->budget.tolerance;
+  const float tolerance = eye_->allowance.tolerance;
   const bool may_matter = lesser > 0.0f && (1.0f - lesser) * lit.highlight > tolerance;
-  if (!may_matter || lesser * lit.highlight > tolerance || !lit.lit || eye_->mask) return lesser;
+  if (!may_matter || lesser * lit.highlight > tolerance || !lit.lit || eye_->mirrored())
+    return lesser;
   const auto [sent, arrived] = rays_to_highlight(
       *eye_, lit.index, lit.point, lit.lit->view.to_viewer, lit.lit->material.roughness);
   return arrived == (largest(seen) > 0.5f ? sent : 0) ? lesser : 1.0f - lesser;
@@ -58,7 +59,7 @@ float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const
 
 bool LeafTransport::add_sky(const SkyLitPoint& point, glm::vec3& radiance,
                             RenderStatistics& /*counts*/) {
-  if (eye_->mask) {
+  if (eye_->mirrored()) {
     radiance += sky_->at_once(point, *leaf_);
   } else {
     sky_->add(sky_share_, point, *leaf_);

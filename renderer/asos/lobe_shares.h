@@ -1,14 +1,14 @@
 #pragma once
 
+#include "renderer/asos/block_queue.h"
 #include "renderer/asos/eye_context.h"
-#include "renderer/asos/leaf_share.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/samples/region_sampler.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,25 +23,24 @@ class LobeShares {
   /// `eye` has to outlive this.
   explicit LobeShares(const EyeContext& eye) : eye_(&eye) {}
 
-  /// Puts a leaf off until `run`; the number of its share. `reflected`: the most that its lobes
-  /// return of what they mirror.
+  /// Puts a leaf off until `run`; the number of its contribution. `reflected`: the most that its
+  /// lobes return of what they mirror.
   std::uint32_t add(const PyrayLeaf& leaf, glm::vec3 reflected);
-  /// Leaves a share out.
-  void drop(std::uint32_t share) { shares_[share].sample = no_sample; }
+  /// Leaves a contribution out.
+  void drop(std::uint32_t number) { queue_.drop(number); }
   /// What the lobes of a leaf show at once; it does not wait.
   [[nodiscard]] glm::vec3 at_once(const PyrayLeaf& leaf, glm::vec3 reflected);
 
   /// Samples all that was put off. Valid until the next leaf; none waits then.
-  std::span<const LeafShare> run();
+  std::span<const Contribution> run();
 
  private:
   [[nodiscard]] RegionSampler& sampler();
   [[nodiscard]] RegionSampler::Goal goal_of(double weight, glm::vec3 reflected) const;
 
   const EyeContext* eye_;
-  std::optional<RegionSampler> sampler_;  // made when first needed
-  std::vector<LeafShare> shares_;         // in its order
-  std::vector<LeafShare> done_;
+  std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
+  BlockQueue queue_;                        // in its order
 };
 
 }  // namespace asos

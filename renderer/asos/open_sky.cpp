@@ -1,9 +1,8 @@
 #include "renderer/asos/open_sky.h"
 
-#include "renderer/geometry/largest.h"
+#include "renderer/sampling/sequential_mean.h"
 #include "renderer/shading/sky_light.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -17,30 +16,6 @@ constexpr std::uint32_t few = 16, enough = 128, most = 1024;
 constexpr double coarse = 1.0 / 64.0;
 constexpr std::uint32_t other_places = 0x100;  // a number that no light has, or few
 
-constexpr std::uint32_t per_sum = few / 4;
-using Sums = std::array<glm::dvec3, most / per_sum>;
-
-/// The mean of so many samples, and its error by the scatter of four quarters of them.
-struct Mean {
-  glm::dvec3 value{0.0};
-  double error = 0.0;
-
-  Mean(const Sums& sums, std::uint32_t samples) {
-    const std::uint32_t quarter = samples / per_sum / 4;
-    std::array<glm::dvec3, 4> quarters{};
-    for (std::uint32_t k = 0; k < 4 * quarter; ++k) quarters[k / quarter] += sums[k];
-    for (glm::dvec3& part : quarters) {
-      part *= 4.0 / samples;
-      value += 0.25 * part;
-    }
-    for (const glm::dvec3& part : quarters) {
-      const double off = largest(glm::abs(part - value));
-      error += off * off;
-    }
-    error = std::sqrt(error / 12.0);
-  }
-};
-
 }  // namespace
 
 glm::vec3 open_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
@@ -48,19 +23,19 @@ glm::vec3 open_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, doub
   const SkySampler sampler(point);
   // What is matte has a closed form under more skies, and samples tell the rest.
   const std::optional<glm::vec3> matte = open_sky_of_matte(point);
-  Sums sums{};
+  const SamplingGoal goal{error, error > coarse ? few : enough, most};
+  SequentialMean mean;
   std::uint32_t taken = 0;
-  for (std::uint32_t end = error > coarse ? few : enough;; end *= 2) {
+  for (std::uint32_t end = goal.least;; end = goal.after_next_round(end)) {
     for (; taken < end; ++taken) {
       const auto sample = sampler.at(leaf.light(taken, other_places));
-      if (!sample || !std::isfinite(sample->carried.x + sample->carried.y + sample->carried.z))
-        continue;
-      sums[taken / per_sum] += sample->carried;
-      if (matte) sums[taken / per_sum] -= sample->matte;
+      glm::dvec3 carried(0.0);
+      if (sample && std::isfinite(sample->carried.x + sample->carried.y + sample->carried.z))
+        carried = glm::dvec3(sample->carried) - (matte ? glm::dvec3(sample->matte) : carried);
+      mean.add(carried);
     }
-    const Mean mean(sums, end);
-    if (end >= most || mean.error <= error)
-      return glm::max(glm::vec3(mean.value) + matte.value_or(glm::vec3(0.0f)), 0.0f);
+    if (goal.met(end, mean.standard_error()))
+      return glm::max(glm::vec3(mean.mean()) + matte.value_or(glm::vec3(0.0f)), 0.0f);
   }
 }
 

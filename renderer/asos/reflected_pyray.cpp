@@ -100,16 +100,16 @@ double brightest_in(const PyrayPicture& picture, const Reflection& reflection,
 
 // The levels that this share of the root deserves, one for a camera's unless it is far too small,
 // and EPS of what is reflected.
-Budget reflected_budget(const EyeContext& eye, const Reflection& reflection,
-                        const LeafContext& leaf, double brightest) {
+Allowance reflected_allowance(const EyeContext& eye, const Reflection& reflection,
+                              const LeafContext& leaf, double brightest) {
   const glm::vec3 c = reflection.reflected;
   const double reflected =
       std::clamp(brightest * static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
-  const int all = eye.budget.max_level;
-  const int levels = leaf.region.marginal ? all : Budget::levels_of(leaf.weight * reflected);
+  const int all = eye.allowance.max_level;
+  const int levels = leaf.region.marginal ? all : Allowance::levels_of(leaf.weight * reflected);
   const bool may_be_one_ray =
       leaf.region.marginal || all == 0 || eye.viewer.bounces > 0 || levels > all;
-  return eye.budget.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
+  return eye.allowance.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
 }
 
 // What of the parent's square is mirrored: around the leaf, and, where that square is blurred
@@ -178,7 +178,7 @@ bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafConte
   pyray.outline = outline;
   pyray.seed = leaf.seed;
   SubdivisionRules rules = SubdivisionRules::of(*eye.settings);
-  rules.budget = eye.budget;
+  rules.allowance = eye.allowance;
   TracedPyray own;
   const bool observed = eye.observed.observer != nullptr;
   const Trace trace = eye.work->mirror_tracer(bounce).trace(eye.scene->features(), pyray, rules,
@@ -221,14 +221,14 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
                       sight->bundle};
   RenderStatistics own;
   EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
-  mirrored_eye.budget = reflected_budget(
+  mirrored_eye.allowance = reflected_allowance(
       eye, reflection, leaf, brightest_in(sight->pyray.picture, reflection, eye.viewer.shader));
   mirrored_eye.seed = static_cast<int>(leaf.seed >> 33);
   mirrored_eye.mask = &mask;
   mirrored_eye.work = eye.work;
   mirrored_eye.stop = eye.stop;
   mirrored_eye.counts = &own;
-  const bool one_ray = mirrored_eye.budget.max_level == 0;
+  const bool one_ray = mirrored_eye.allowance.max_level == 0;
   if (!one_ray && leaf.observed.wants_more()) {
     mirrored_eye.observed = {leaf.observed.observer,
                              leaf.observed.begin(TracedPyray::Kind::mirror)};

@@ -51,8 +51,7 @@ SkyShares::SkyShares(const EyeContext& eye)
 }
 
 std::uint32_t SkyShares::start(std::uint32_t root, SampleId sample, double weight) {
-  shares_.push_back({root, sample, weight});
-  return static_cast<std::uint32_t>(shares_.size() - 1);
+  return queue_.add(root, sample, weight);
 }
 
 // A sequence of the leaf's own.
@@ -61,11 +60,11 @@ SobolPixel SkyShares::leaf_places(const SkyLit& lit) const {
           static_cast<std::uint32_t>(eye_->seed)};
 }
 
-void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafContext& leaf) {
+void SkyShares::add(std::uint32_t number, const SkyLitPoint& point, const LeafContext& leaf) {
   SkyLit& lit = lit_.emplace_back();
-  lit.share = share;
-  lit.root = shares_[share].root;
-  lit.weight = shares_[share].weight;
+  lit.share = number;
+  lit.root = queue_[number].root;
+  lit.weight = queue_[number].weight;
   lit.at = leaf.at;
   lit.seed = leaf.seed;
   lit.square = leaf.region.square;
@@ -83,9 +82,8 @@ void SkyShares::add(std::uint32_t share, const SkyLitPoint& point, const LeafCon
   lit.mirrors = point.mirrors;
   lit.factor = point.share;
   constexpr double share_of_error = 0.7;
-  lit.open =
-      open_sky_within(point, leaf_places(lit),
-                      share_of_error * eye_->budget.for_samples().standard_error(lit.weight));
+  lit.open = open_sky_within(point, leaf_places(lit),
+                             share_of_error * eye_->allowance.standard_error(lit.weight));
   const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : point.material.specular;
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
@@ -178,10 +176,10 @@ SkyCourses::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
   const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
-  const double error = eye_->budget.for_samples().standard_error(lit.weight) / unit;
+  const double error = eye_->allowance.standard_error(lit.weight) / unit;
   const double rays = SkyLit::rays_for(variance, error * error);
-  return {variance,
-          std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, double{most_rays})))};
+  const double most = std::min(eye_->allowance.most_samples(lit.weight), double{most_rays});
+  return {variance, std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, most)))};
 }
 
 // The pixels around one see about as much as it does, and all of the block a little: as one ray
@@ -213,7 +211,7 @@ void SkyShares::expect() {
 }
 
 void SkyShares::share_surfaces() {
-  const SkyCourses courses(lit_, expected_, eye_->budget.for_samples().standard_error(1.0));
+  const SkyCourses courses(lit_, expected_, eye_->allowance.standard_error(1.0));
   std::vector<SkyCourses::Cell> cells = courses.cells(), parts;
   while (!cells.empty()) {
     std::erase_if(cells, [&](SkyCourses::Cell& cell) { return !courses.choose_nodes(cell); });
@@ -227,28 +225,26 @@ void SkyShares::share_surfaces() {
   }
 }
 
-std::span<const LeafShare> SkyShares::run() {
+std::span<const Contribution> SkyShares::run() {
   for (std::size_t i = 0; i < lit_.size(); ++i) {
-    const auto part = static_cast<std::uint32_t>(first_rays * shares_[lit_[i].share].weight);
+    const auto part = static_cast<std::uint32_t>(first_rays * lit_[i].weight);
     if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));
   }
   trace();
   expect();
-  if (!eye_->mask) share_surfaces();
+  if (!eye_->mirrored()) share_surfaces();
   for (std::size_t i = 0; i < lit_.size(); ++i)
     if (held(lit_[i]) && !lit_[i].told) send(i, expected_[i].rays);
   trace();
   for (const SkyLit& lit : lit_) {
     if (!held(lit)) continue;
-    LeafShare& share = shares_[lit.share];
-    share.radiance += share.weight * lit.mean();
-    share.rays += lit.rays;
+    Contribution& found = queue_[lit.share];
+    found.radiance += found.weight * lit.mean();
+    found.rays += lit.rays;
   }
   lit_.clear();
   borders_.clear();
-  done_.swap(shares_);
-  shares_.clear();
-  return done_;
+  return queue_.take();
 }
 
 }  // namespace asos

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "renderer/asos/block_queue.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/leaf_share.h"
 #include "renderer/asos/sky_courses.h"
 #include "renderer/asos/sky_lit.h"
 #include "renderer/geometry/bounds2.h"
@@ -39,18 +39,18 @@ class SkyShares {
   SkyShares(const SkyShares&) = delete;
   SkyShares& operator=(const SkyShares&) = delete;
 
-  /// Begins the share of a leaf; its number.
+  /// Begins the contribution of the sky to a leaf; its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
-  /// Adds a surface of the leaf to its share.
-  void add(std::uint32_t share, const SkyLitPoint& point, const LeafContext& leaf);
-  /// Leaves a share out.
-  void drop(std::uint32_t share) { shares_[share].sample = no_sample; }
+  /// Adds a surface of the leaf to its contribution.
+  void add(std::uint32_t number, const SkyLitPoint& point, const LeafContext& leaf);
+  /// Leaves a contribution out.
+  void drop(std::uint32_t number) { queue_.drop(number); }
 
   /// What a surface gets at once, as part of a leaf of this weight; none waits.
   [[nodiscard]] glm::vec3 at_once(const SkyLitPoint& point, const LeafContext& leaf);
 
   /// Traces all that was added. Valid until the next leaf; none waits then.
-  std::span<const LeafShare> run();
+  std::span<const Contribution> run();
 
  private:
   struct Sent {
@@ -67,9 +67,7 @@ class SkyShares {
     std::array<Sent, size> sent;
     std::array<glm::vec3, size> passed;
   };
-  [[nodiscard]] bool held(const SkyLit& lit) const {
-    return shares_[lit.share].sample != no_sample;
-  }
+  [[nodiscard]] bool held(const SkyLit& lit) const { return !queue_[lit.share].dropped; }
   [[nodiscard]] SobolPixel leaf_places(const SkyLit& lit) const;
   [[nodiscard]] LeafRegion region(const SkyLit& lit) const {
     return {lit.square, std::span(borders_).subspan(lit.first_edge, lit.edges)};
@@ -84,8 +82,7 @@ class SkyShares {
   [[nodiscard]] SkyCourses::Expected expected(const SkyLit& lit, double of_neighbours) const;
 
   const EyeContext* eye_;
-  std::vector<LeafShare> shares_;
-  std::vector<LeafShare> done_;
+  BlockQueue queue_;
   std::vector<SkyLit> lit_;
   std::vector<BorderEdge> borders_;
   std::vector<SkyCourses::Expected> expected_;  // of each

@@ -155,15 +155,14 @@ bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& pat
          reaches_beyond_triangle(scene.world(), hit, patch);
 }
 
-bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
-                         double share, const LeafRegion& region) {
+bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const Leaf& leaf) {
   constexpr float negligible = 0.5f, slightly = 0.1f;  // texels; of the leaf's extent
   // Between a plane over the leaf and one that is bent at an edge, the mean is off by that much of
   // what a corner is.
   constexpr float share_of_corner = 0.25f;
   const RenderScene& scene = *eye.scene;
   const World& world = scene.world();
-  const Hit& hit = samples.hit(sample);
+  const Hit& hit = leaf.hit;
   const TextureUse* use = nullptr;
   if (scene.needs.textures && eye.settings->texture.filter != TextureFilter::point)
     use = main_texture(world.material_of(hit.triangle));
@@ -171,18 +170,17 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, Sampl
       scene.needs.vertex_colors && world.parts[world.triangle_part[hit.triangle]].coloured;
   if (!(use || coloured) || world.is_face(hit.triangle) || eye.viewer.passage.in_medium())
     return false;
-  const glm::vec2 at = samples.at(sample);
-  const PartShape part = part_shape(region, at);
-  const Footprint square = footprint_on(world, hit, samples.patch(sample, share));
+  const PartShape part = part_shape(leaf.region, leaf.at);
+  const Footprint square = footprint_on(world, hit, leaf.square);
   const Footprint seen = shaped(square, part);
   if (!crosses_edge(hit, seen)) return false;
   // Look at the leaf's corners, and along what bounds it.
-  const float side = eye.root_side() * static_cast<float>(std::sqrt(share));
-  const Places places = places_near_border(region, part, at, side);
+  const float side = eye.root_side() * static_cast<float>(std::sqrt(leaf.weight));
+  const Places places = places_near_border(leaf.region, part, leaf.at, side);
   std::array<Ray, Places::most> rays;
   std::array<Hit, Places::most> hits;
   for (std::size_t i = 0; i < places.count; ++i)
-    rays[i] = samples.ray_through(at + side * places.from_sample[i]);
+    rays[i] = samples.ray_through(leaf.at + side * places.from_sample[i]);
   scene.rays().closest(std::span(rays).first(places.count), std::span(hits).first(places.count),
                        culling_of(*eye.settings));
   eye.counts->eye_rays += places.count;
@@ -198,8 +196,8 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, Sampl
     const glm::vec2 b =
         glm::vec2(hit.b1, hit.b2) + square.offset + away.x * square.right + away.y * square.down;
     if (plane.distance(b, met) > allowed) return true;
-    if (coloured && share_of_corner * colour_difference(world, hit.triangle, b, met) >
-                        eye.budget.for_samples().tolerance)
+    if (coloured &&
+        share_of_corner * colour_difference(world, hit.triangle, b, met) > eye.allowance.tolerance)
       return true;
   }
   return false;
@@ -226,8 +224,7 @@ bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
   Footprint seen = shaped(footprint_on(scene.world(), hit, square), part);
   seen.side = eye.side_of(share);
   const float roughest = eye.viewer.shader.settings().roughest_mirror;
-  return product_error(scene.world(), scene.needs, hit, seen, roughest) >
-         eye.budget.for_samples().tolerance;
+  return product_error(scene.world(), scene.needs, hit, seen, roughest) > eye.allowance.tolerance;
 }
 
 }  // namespace asos

@@ -2,6 +2,7 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf.h"
 #include "renderer/shading/footprint.h"
 
 // What a patch shows of textures that neither its hit nor a footprint of it tells.
@@ -19,7 +20,7 @@ namespace asos {
 /// and what rays through it meet there lies elsewhere in the texture, or has another colour, than
 /// the triangle, going on, would have it.
 [[nodiscard]] bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples,
-                                       SampleId sample, double share, const LeafRegion& region);
+                                       const Leaf& leaf);
 
 /// Whether a patch with textures or colours of its corners recedes so much that what it shows of
 /// them is not spread evenly over it: its far end is seen shorter than its near one.

@@ -53,8 +53,9 @@ WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
 
 // Whether some may be weak: where lights are many, and shadows as exact as EPS asks.
 bool WeakLights::sought() const {
-  return eye_->viewer.shader.lights().size() > LightPicks::few_lights && eye_->budget.refines() &&
-         eye_->settings->shadow.cast && eye_->settings->shadow.quality == ShadowQuality::refined;
+  return eye_->viewer.shader.lights().size() > LightPicks::few_lights &&
+         eye_->allowance.refines() && eye_->settings->shadow.cast &&
+         eye_->settings->shadow.quality == ShadowQuality::refined;
 }
 
 void WeakLights::take_all() {
@@ -92,7 +93,7 @@ void WeakLights::find(int side) {
   double least = std::numeric_limits<double>::infinity();
   std::size_t strong = 0;
   for (std::size_t k = 0; k <= order.size(); ++k) {
-    const double cost = asked + eye_->budget.rays(1.0, std::max(rest, 0.0));
+    const double cost = asked + eye_->allowance.samples(1.0, std::max(rest, 0.0));
     if (cost < least) {
       least = cost;
       strong = k;
@@ -126,17 +127,16 @@ WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
 }
 
 std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weight) {
-  if (shares_.empty()) sums_.clear();
-  shares_.push_back({root, sample, weight});
+  if (queue_.empty()) sums_.clear();
   sums_.emplace_back(0.0);
-  return static_cast<std::uint32_t>(shares_.size() - 1);
+  return queue_.add(root, sample, weight);
 }
 
 // So many that their rays tell what the leaf deserves to know. Rays to lights that are picked by
 // estimates differ by more than those to one light.
 std::uint32_t WeakLights::points_of(double weight, const Expected& expected) const {
   constexpr double of_picks = 2.0;
-  const double rays = eye_->budget.rays(weight, of_picks * expected.intensity);
+  const double rays = eye_->allowance.samples(weight, of_picks * expected.intensity);
   return std::bit_ceil(static_cast<std::uint32_t>(
       std::clamp(std::ceil(rays / expected.rays_of_point), 1.0, static_cast<double>(most_points))));
 }
@@ -182,7 +182,7 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
   }
 }
 
-void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext& leaf) {
+void WeakLights::add(std::uint32_t number, const LitPoint& lit, const LeafContext& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
   look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
@@ -192,7 +192,7 @@ void WeakLights::add(std::uint32_t share, const LitPoint& lit, const LeafContext
                      lit.view.distance};
     places_.start_sample(static_cast<int>(number_[k]));
     (void)lights_.gather({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
-                         {x, y, static_cast<int>(number_[k])}, {share, weight});
+                         {x, y, static_cast<int>(number_[k])}, {number, weight});
   }
 }
 
@@ -201,12 +201,13 @@ glm::vec3 WeakLights::at_once(const LitPoint& point, const LeafContext& leaf) {
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 
-std::span<const WeakLights::Share> WeakLights::run() {
+std::span<const Contribution> WeakLights::run() {
+  const std::uint64_t before = eye_->counts->rays();
   lights_.trace(sums_, *eye_->counts);
-  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].radiance = sums_[i];
-  done_.swap(shares_);
-  shares_.clear();
-  return done_;
+  for (std::uint32_t i = 0; i < queue_.size(); ++i) queue_[i].radiance = sums_[i];
+  queue_.share_rays(static_cast<double>(eye_->counts->rays() - before),
+                    std::vector<double>(queue_.size(), 1.0));
+  return queue_.take();
 }
 
 }  // namespace asos

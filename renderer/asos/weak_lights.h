@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/asos/block_queue.h"
 #include "renderer/asos/carried_light.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
@@ -40,24 +41,17 @@ class WeakLights {
   [[nodiscard]] std::span<const std::uint8_t> lights() const { return weak_; }
   [[nodiscard]] bool holds(std::size_t light) const { return !weak_.empty() && weak_[light] != 0; }
 
-  /// What a leaf of a root gets of them.
-  struct Share {
-    std::uint32_t root = 0;
-    SampleId sample = no_sample;  ///< the leaf's; none: dropped
-    double weight = 1.0;          ///< the leaf's
-    glm::dvec3 radiance{0.0};     ///< times its weight
-  };
-  /// Begins the share of a leaf; its number.
+  /// Begins the contribution of these lights to a leaf; its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
-  /// Adds a surface of the leaf to its share, to be shaded later.
-  void add(std::uint32_t share, const LitPoint& point, const LeafContext& leaf);
+  /// Adds a surface of the leaf to its contribution, to be shaded later.
+  void add(std::uint32_t number, const LitPoint& point, const LeafContext& leaf);
   /// What a surface of a leaf gets of them, now.
   [[nodiscard]] glm::vec3 at_once(const LitPoint& point, const LeafContext& leaf);
-  /// Leaves a share out.
-  void drop(std::uint32_t share) { shares_[share].sample = no_sample; }
+  /// Leaves a contribution out.
+  void drop(std::uint32_t number) { queue_.drop(number); }
 
   /// Shades all that was added. Valid until the next leaf; none waits then.
-  std::span<const Share> run();
+  std::span<const Contribution> run();
 
  private:
   /// What the weak lights are worth.
@@ -78,9 +72,8 @@ class WeakLights {
   Expected expected_;  // where the pixels' middles see most of them
   SobolPlaces places_;
   SampledLights lights_;
-  std::vector<Share> shares_;
-  std::vector<Share> done_;
-  std::vector<glm::dvec3> sums_;
+  BlockQueue queue_;
+  std::vector<glm::dvec3> sums_;  // of each that waits
   // Scratch: places in the frame with their numbers, and the surface there.
   std::vector<glm::vec2> at_;
   std::vector<std::uint32_t> number_;

@@ -14,28 +14,25 @@ namespace asos {
 using SampleId = std::uint32_t;
 inline constexpr SampleId no_sample = 0xffffffffu;
 
-/// Why one sample cannot stand for what a patch of a surface looks like.
-enum class Unevenness : std::uint8_t { none, shading, shadow };
+/// What varies over a leaf, so that its centre is not its mean.
+enum class Unevenness : std::uint8_t { none, shading, shadow, layers };
 
-/// Whether many samples of a leaf take the place of its one.
-enum class BySamples : std::uint8_t {
-  no,
-  cheaper,  ///< it is uneven, and they cost less than its parts
-  only,     ///< nothing but samples tells what it shows
+/// The way a leaf is determined (design section 14).
+enum class Estimator : std::uint8_t {
+  centre,   ///< one sample stands for it
+  samples,  ///< the mean of samples all over it
+  split,    ///< by its four quarters
 };
 
-/// A caster's word on whether one sample can stand for a leaf. The engine hands it on with the
-/// leaf: a caster finds in `note` what it learned on the way (0: nothing).
-struct LeafVerdict {
-  Unevenness uneven = Unevenness::none;
-  std::uint32_t note = 0;
-  BySamples by_samples = BySamples::no;
-  bool given = true;  ///< false: nobody was asked, for the leaf could not be split
+/// A caster's choice for a leaf. The engine hands it on with the leaf: the caster finds in `record`
+/// what it learned on the way.
+struct LeafDecision {
+  Estimator estimator = Estimator::centre;
+  Unevenness cause = Unevenness::none;
+  std::uint32_t record = 0;  ///< the caster's number; 0: nothing
 
-  [[nodiscard]] bool sampled() const { return by_samples != BySamples::no; }
-  [[nodiscard]] bool splits() const { return uneven != Unevenness::none && !sampled(); }
-
-  [[nodiscard]] static LeafVerdict none() { return {Unevenness::none, 0, BySamples::no, false}; }
+  [[nodiscard]] bool sampled() const { return estimator == Estimator::samples; }
+  [[nodiscard]] bool splits() const { return estimator == Estimator::split; }
 };
 
 /// A finished part of a root, for which one sample stands.
@@ -44,7 +41,7 @@ struct PyrayLeaf {
   SampleId sample = no_sample;
   double weight = 1.0;  ///< share of the root's area
   LeafRegion region;    ///< in the root frame
-  LeafVerdict verdict = LeafVerdict::none();
+  LeafDecision decision = {};
 };
 
 /// The side that asks the engine: knows how to look along points of the root frame's square, and
@@ -74,10 +71,10 @@ class Caster {
   /// Whether a leaf of this sample is sampled all over whatever bounds it: splitting is no use.
   [[nodiscard]] virtual bool samples_leaf(SampleId /*sample*/) const { return false; }
 
-  /// Whether one sample can stand for a part of a root, which is `share` of its area, or shading or
-  /// shadows vary over it by more than the tolerance. The engine then splits it, down to MAX.
-  [[nodiscard]] virtual LeafVerdict judge(SampleId /*sample*/, double /*share*/,
-                                          const LeafRegion& /*region*/) {
+  /// How to determine a part of a root, of that weight, whose sample is known. The engine splits it
+  /// if that is the decision, which it may be only where `may_split`.
+  [[nodiscard]] virtual LeafDecision decide(SampleId /*sample*/, double /*weight*/,
+                                            const LeafRegion& /*region*/, bool /*may_split*/) {
     return {};
   }
 

@@ -126,7 +126,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
 // was split to be known better is.
 bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
   const bool seen = cell.cover.valid || cell.middle != no_sample;
-  return level_->number == 0 && state_->rules.budget.max_level > 0 && seen &&
+  return level_->number == 0 && state_->rules.allowance.max_level > 0 && seen &&
          state_->caster->samples_suffice(state_->weight(cell), parts);
 }
 
@@ -135,7 +135,7 @@ bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
 // are taken at once (design section 5).
 bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
   const Cell& cell = level_->cells[cell_index];
-  const int below = state_->rules.budget.max_level - level_->number;
+  const int below = state_->rules.allowance.max_level - level_->number;
   const std::uint32_t n = 1u << below;
   if (below < 1) return false;
   // Each boundary adds a part at least, and each crossing one more.
@@ -203,21 +203,21 @@ void CellResolver::carry_out() {
 void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) {
   const SampleId sample = plan.points.count ? first : cell.middle;
   const LeafRegion region{cell.square, {}};
-  LeafVerdict verdict = LeafVerdict::none();
-  if (level_->number < state_->rules.budget.max_level)
-    verdict = state_->caster->judge(sample, state_->weight(cell), region);
-  if (verdict.splits()) {
-    cell.uneven = verdict.uneven;
+  const bool may_split = level_->number < state_->rules.allowance.max_level;
+  const LeafDecision decision =
+      state_->caster->decide(sample, state_->weight(cell), region, may_split);
+  if (decision.splits()) {
+    cell.uneven = decision.cause;
     cell.middle = sample;
     cell.cover = state_->caster->cover(cell.middle);
     return;
   }
-  const CellFate fate = verdict.sampled() ? CellFate::sampled : CellFate::uniform;
+  const CellFate fate = decision.sampled() ? CellFate::sampled : CellFate::uniform;
   if (TracedCell* traced = trace(cell, plan, fate)) {
     const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
     traced->samples.push_back({sample, at, state_->weight(cell), {}, {}});
   }
-  state_->add_leaf(cell, sample, state_->weight(cell), region, verdict);
+  state_->add_leaf(cell, sample, state_->weight(cell), region, decision);
   cell.done = true;
 }
 
@@ -228,24 +228,23 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     return;
   }
   // Make leaves of the parts. One that is uneven is enough to split the cell.
-  const int finest = state_->rules.budget.max_level;
+  const int finest = state_->rules.allowance.max_level;
   const double whole = state_->weight(cell);
   const std::size_t first_leaf = state_->leaves.size();
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const CellPart& part = parts_[plan.first_part + i];
     const LeafRegion region{cell.square,
                             std::span(borders_).subspan(part.first_edge, part.edge_count)};
-    LeafVerdict verdict = LeafVerdict::none();
-    if (level_->number < finest)
-      verdict = state_->caster->judge(first + i, whole * part.area, region);
-    if (verdict.splits()) {
-      cell.uneven = verdict.uneven;
+    const LeafDecision decision =
+        state_->caster->decide(first + i, whole * part.area, region, level_->number < finest);
+    if (decision.splits()) {
+      cell.uneven = decision.cause;
       state_->leaves.resize(first_leaf);
       // Its children need a sample in the closure of each of them.
       if (cell.middle == no_sample) cell.cover = Cover::none();
       return;
     }
-    state_->add_leaf(cell, first + i, whole * part.area, region, verdict);
+    state_->add_leaf(cell, first + i, whole * part.area, region, decision);
   }
   // Tell observers.
   if (TracedCell* traced = trace(cell, plan, CellFate::cut)) {
@@ -266,7 +265,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
 }
 
 void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first) {
-  const int finest = state_->rules.budget.max_level;
+  const int finest = state_->rules.allowance.max_level;
   const std::uint32_t n = 1u << (finest - level_->number);
   const double whole = state_->weight(cell);
   const Root& root = state_->root(cell);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/pyray/budget.h"
+#include "renderer/pyray/allowance.h"
 #include "renderer/settings/choices.h"
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct CutLimits {
 
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).
 struct SubdivisionRules {
-  Budget budget;
+  Allowance allowance;
   StoppingRule rule = StoppingRule::unresolved;
   Detection detection = Detection::square;
   bool exact_leaves = true;  ///< cut cells along their boundaries; false: point leaves
@@ -37,16 +37,16 @@ struct SubdivisionRules {
   /// As the settings ask for pixels to be subdivided.
   [[nodiscard]] static SubdivisionRules of(const RenderSettings& settings) {
     SubdivisionRules rules;
-    rules.budget = Budget::of(settings);
+    rules.allowance = Allowance::of(settings);
     rules.rule = settings.asos.rule;
     rules.detection = settings.asos.detect;
-    rules.exact_leaves = settings.asos.leaf == Leaf::exact;
+    rules.exact_leaves = settings.asos.leaf == LeafKind::exact;
     rules.jitter = settings.asos.jitter;
     return rules;
   }
   /// Boundaries smaller than this are never resolved for their size, in a root of side 1.
   [[nodiscard]] float finest_side() const {
-    return std::ldexp(1.0f, -std::max(budget.max_level, finest_detail));
+    return std::ldexp(1.0f, -std::max(allowance.max_level, finest_detail));
   }
 };
 

@@ -37,9 +37,11 @@ struct Splitter {
     }
     // Else make a leaf of each.
     if (differ) outcome.unresolved_area += 4.0 * weight;
-    for (std::uint32_t i = 0; i < 4; ++i)
-      leaves.push_back(
-          {root.id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ}});
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      PyrayLeaf leaf{root.id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ}};
+      if (!differ) leaf.decision = caster.decide(leaf.sample, weight, leaf.region, false);
+      leaves.push_back(leaf);
+    }
   }
 };
 

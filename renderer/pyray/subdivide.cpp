@@ -63,8 +63,8 @@ void Subdivider::stop_roots(CellLevel& level) {
     const std::span cells = std::span(level.cells).subspan(i, end - i);
     i = end;
     tally(level, cells);
-    const bool holds = tally_.holds(state_.rules.rule, state_.rules.budget.eps);
-    const bool at_limit = level.number >= state_.rules.budget.max_level;
+    const bool holds = tally_.holds(state_.rules.rule, state_.rules.allowance.eps);
+    const bool at_limit = level.number >= state_.rules.allowance.max_level;
     SubdivisionOutcome& o = state_.outcome(cells.front());
     o.at_limit |= at_limit && tally_.marginal > 0 && !holds;
     for (Cell& cell : cells) {
@@ -111,8 +111,8 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
 }
 
 void Subdivider::finish_marginal(CellLevel& level) {
-  const bool at_limit = level.number >= state_.rules.budget.max_level;
-  const bool anew = state_.rules.jitter && level.number == state_.rules.budget.max_level;
+  const bool at_limit = level.number >= state_.rules.allowance.max_level;
+  const bool anew = state_.rules.jitter && level.number == state_.rules.allowance.max_level;
   // Sample the cells that end here anew where they are jittered; the others keep their middles.
   points_.clear();
   for (const Cell& cell : level.cells) {

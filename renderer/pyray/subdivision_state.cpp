@@ -28,9 +28,9 @@ glm::vec2 SubdivisionState::jittered(std::uint32_t root, const Square& square) c
 }
 
 void SubdivisionState::add_leaf(const Cell& cell, SampleId sample, double share,
-                                const LeafRegion& region, const LeafVerdict& verdict) {
-  if (verdict.sampled()) outcome(cell).note_uneven(verdict.uneven);
-  leaves.push_back({root(cell).id, sample, share, region, verdict});
+                                const LeafRegion& region, const LeafDecision& decision) {
+  outcome(cell).note_uneven(decision.cause);
+  leaves.push_back({root(cell).id, sample, share, region, decision});
 }
 
 void SubdivisionState::hand_out() {

@@ -93,7 +93,7 @@ struct SubdivisionState {
   [[nodiscard]] glm::vec2 jittered(std::uint32_t root, const Square& square) const;
 
   void add_leaf(const Cell& cell, SampleId sample, double share, const LeafRegion& region,
-                const LeafVerdict& verdict = LeafVerdict::none());
+                const LeafDecision& decision = {});
   /// Hands the leaves to the caster.
   void hand_out();
 

@@ -147,7 +147,7 @@ bool Tracer::touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& 
 // ones by the safety net.
 void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                           std::uint32_t observed, TracedPyray* traced) {
-  const int max_level = rules.budget.max_level;
+  const int max_level = rules.allowance.max_level;
   roots_.clear();
   for (int y = 0; y < fat.rows; ++y) {
     for (int x = 0; x < fat.columns; ++x) {
@@ -167,22 +167,22 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       }
       // A clear one that is shaded too unevenly is subdivided, too.
       const LeafRegion whole{root.square, {}};
-      const LeafVerdict verdict = max_level > 0 ? caster.judge(i, 1.0, whole) : LeafVerdict::none();
-      if (verdict.splits()) {
+      const LeafDecision decision = caster.decide(i, 1.0, whole, max_level > 0);
+      if (decision.splits()) {
         roots_.push_back(root);
         continue;
       }
       // Else it is one leaf.
       if (root.traced) {
         TracedCell& cell = root.traced->cells.emplace_back();
-        if (caster.samples_leaf(i) || verdict.sampled()) cell.fate = CellFate::sampled;
+        if (caster.samples_leaf(i) || decision.sampled()) cell.fate = CellFate::sampled;
         cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
       }
-      const PyrayLeaf leaf{i, i, 1.0, whole, verdict};
+      const PyrayLeaf leaf{i, i, 1.0, whole, decision};
       caster.take(std::span(&leaf, 1));
       SubdivisionOutcome& outcome = traces_[i].outcome;
       outcome.pyrays_by_level[0] = 1;
-      outcome.note_uneven(verdict.uneven);
+      outcome.note_uneven(decision.cause);
     }
   }
   // Subdivide them together.

@@ -1,6 +1,7 @@
 #include "renderer/samples/region_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -13,11 +14,8 @@ namespace {
 // is up to twice too bright at grazing angles in squares as large as that.
 constexpr float footprint_share = 0.25f;
 
-// By how many parts of its samples a region's error is told: quarters agree by chance too often,
-// and end noise that is not known yet.
-constexpr std::uint32_t parts = 8;
-// So many sums has a region at most: with more samples there are more in each.
-constexpr std::uint32_t most_sums = 2 * parts;
+constexpr auto parts = static_cast<std::uint32_t>(SequentialMean::parts);
+constexpr auto most_sums = static_cast<std::uint32_t>(SequentialMean::most_sums);
 
 /// Which `count` samples of its pixel those of a square are: squares of one pixel have others of
 /// the same sequence, or their errors would be the same and add up. Z-order, so that neighbours'
@@ -89,7 +87,7 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
       Waiting& waiting = waiting_[i];
       if (waiting.done) continue;
       found_[i] = estimate(waiting);
-      found_[i].standard_error = standard_error(waiting, found_[i].mean);
+      found_[i].error = standard_error(waiting, found_[i].value);
     }
     // All that are told by others as well, before any of them ends.
     suffices_.clear();
@@ -108,12 +106,8 @@ std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& co
 
 bool RegionSampler::suffices(std::size_t number) const {
   const Waiting& waiting = waiting_[number];
-  const Goal& goal = waiting.goal;
-  if (waiting.done || 2 * waiting.taken > goal.most) return true;
-  const double times = static_cast<double>(waiting.taken) / goal.least;
-  const double allowed = std::sqrt(times) * goal.standard_error;
-  const Estimate& found = found_[number];
-  return found.samples > 0 && found.standard_error <= allowed && expected_error(number) <= allowed;
+  if (waiting.done || waiting.goal.exhausted(waiting.taken)) return true;
+  return found_[number].cost > 0.0 && waiting.goal.met(waiting.taken, expected_error(number));
 }
 
 // A region's error, and a part of what its neighbours' samples vary by, the mean over those that
@@ -122,18 +116,18 @@ bool RegionSampler::suffices(std::size_t number) const {
 double RegionSampler::expected_error(std::size_t number) const {
   constexpr double most_of_a_pixel = 0.5, near = 1.5, part = 0.25;
   const Waiting& own = waiting_[number];
-  const double error = found_[number].standard_error;
+  const double error = found_[number].error;
   if (!(own.goal.share > most_of_a_pixel)) return error;
   const double reach = near / static_cast<double>(block_.width);
   double squares = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const Waiting& other = waiting_[i];
-    if (i == number || !(other.goal.share > most_of_a_pixel) || found_[i].samples == 0 ||
+    if (i == number || !(other.goal.share > most_of_a_pixel) || found_[i].cost == 0.0 ||
         std::abs(own.square.centre_u() - other.square.centre_u()) > reach ||
         std::abs(own.square.centre_v() - other.square.centre_v()) > reach)
       continue;
-    const double off = found_[i].standard_error;
+    const double off = found_[i].error;
     squares += off * off * other.taken / own.taken;
     ++count;
   }
@@ -149,7 +143,7 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const auto x = static_cast<int>(std::floor(origin.x + width * part.square.u));
   const auto y = static_cast<int>(std::floor(origin.y + width * part.square.v));
   const glm::vec2 size = (bounds.hi - bounds.lo) * static_cast<float>(width);
-  const std::uint32_t end = waiting.taken > 0 ? 2 * waiting.taken : waiting.goal.least;
+  const std::uint32_t end = waiting.goal.after_next_round(waiting.taken);
   const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
   const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
   const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
@@ -181,35 +175,29 @@ RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
   Estimate all;
   for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k) {
     const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
-    all.mean += sum.radiance;
-    all.samples += sum.count;
+    all.value += sum.radiance;
+    all.cost += sum.count;
   }
-  if (all.samples > 0) all.mean /= static_cast<double>(all.samples);
+  if (all.cost > 0.0) all.value /= all.cost;
   if (waiting.in_region > 0)
     all.masked_share = static_cast<double>(waiting.masked) / waiting.in_region;
   return all;
 }
 
-// By parts of the samples so far, each of which is as well distributed as its size allows.
 // A pixel that is brighter than white for sure is to be known as well as white by the exposure that
 // shows it as that.
 double RegionSampler::standard_error(const Waiting& waiting, glm::dvec3 mean) const {
-  const std::uint32_t sums = waiting.taken / waiting.per_sum;
-  const glm::dvec3 white = glm::max(glm::dvec3(1.0), waiting.goal.share / white_ * mean);
-  double squares = 0.0;
-  for (std::uint32_t p = 0; p < parts; ++p) {
-    SampleSums::Sum part;
-    for (std::uint32_t k = p * sums / parts; k < (p + 1) * sums / parts; ++k) {
-      const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
-      part.radiance += sum.radiance;
-      part.count += sum.count;
-    }
-    if (part.count == 0) continue;
-    const glm::dvec3 off = glm::abs(part.mean() - mean) / white;
-    const double most = std::min(white_, std::max({off.x, off.y, off.z}));
-    squares += most * most;
+  std::array<SequentialMean::Sum, most_sums> sums;
+  const std::uint32_t count = waiting.taken / waiting.per_sum;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
+    sums[k] = {sum.radiance, static_cast<double>(sum.count)};
   }
-  return std::sqrt(squares / (parts * (parts - 1.0)));
+  const glm::dvec3 white = glm::max(glm::dvec3(1.0), waiting.goal.share / white_ * mean);
+  return SequentialMean::standard_error_of(std::span(sums).first(count), mean, [&](glm::dvec3 off) {
+    off /= white;
+    return std::min(white_, std::max({off.x, off.y, off.z}));
+  });
 }
 
 }  // namespace asos

@@ -4,6 +4,8 @@
 #include "renderer/reflections/mirrored_mask.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
+#include "renderer/sampling/estimate.h"
+#include "renderer/sampling/sequential_mean.h"
 
 #include <glm/glm.hpp>
 
@@ -27,23 +29,15 @@ class RegionSampler {
                 PixelRect block, int seed, const MirroredMask* mask = nullptr,
                 std::stop_token stop = {}, SampleSums::Shows shows = SampleSums::Shows::all);
 
-  /// How far to go.
-  struct Goal {
-    /// Of the mean where `least` samples tell it, and more by the root of the number of samples
-    /// where these are more: another sample takes as much off the squared error of a picture
-    /// wherever it is taken then, and all that are taken do the most (Neyman 1934). In display
-    /// intensity; of its own value where that alone makes the pixel whiter than white. Negative:
-    /// take `most`.
-    double standard_error = 0.0;
-    std::uint32_t most = 16;   ///< samples in the region, about; a power of two, at least 16
-    std::uint32_t least = 16;  ///< the same, at most `most`: so few tell nothing of themselves
-    double share = 0.0;        ///< of its pixel; 0: too little to make it white
+  /// How far to go: samples in the region, about, powers of two. The error is in display intensity;
+  /// of its own value where that alone makes the pixel whiter than white.
+  struct Goal : SamplingGoal {
+    double share = 0.0;  ///< weight in its pixel; 0: too little to make it white
   };
-  struct Estimate {
-    glm::dvec3 mean{0.0};         ///< linear radiance
-    std::uint32_t samples = 0;    ///< that count; 0: there is no mean
-    double standard_error = 0.0;  ///< in display intensity; 0: all samples agree
-    double masked_share = 0.0;    ///< share of the samples in the region that the mask left out
+  /// Linear radiance. The error is a standard error, the cost the samples that count: 0 if there is
+  /// no mean.
+  struct Estimate : asos::Estimate {
+    double masked_share = 0.0;  ///< fraction of the samples in the region that the mask left out
   };
 
   /// Puts a region off until `run`; its number among those that wait, from 0.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -121,14 +122,7 @@ void SampleSums::add_pairs(std::size_t first, std::size_t count) {
 }
 
 void SampleSums::trace() {
-  const std::span rays = std::span(rays_).first(used_);
-  const std::span hits = std::span(hits_).first(used_);
-  viewer_.view.rays(std::span(points_).first(used_), rays);
-  scene_->rays().closest(rays, hits, faces_);
-  if (viewer_.mirror)
-    pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
-  pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
-  (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
+  if (!std::exchange(hits_known_, false)) cast_rays();
   if (shows_ == Shows::lobes) {
     gather_lobes();
   } else {
@@ -138,6 +132,17 @@ void SampleSums::trace() {
   bounced_.follow(lights_.take_sky_rays(), lights_, radiance_, statistics_);
   lights_.trace(radiance_, statistics_);
   used_ = 0;
+}
+
+void SampleSums::cast_rays() {
+  const std::span rays = std::span(rays_).first(used_);
+  const std::span hits = std::span(hits_).first(used_);
+  viewer_.view.rays(std::span(points_).first(used_), rays);
+  scene_->rays().closest(rays, hits, faces_);
+  if (viewer_.mirror)
+    pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
+  pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
+  (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
 }
 
 // Of the samples that wait, what the lobes show of what their rays met.

@@ -71,6 +71,17 @@ class SampleSums {
     trace();
     return true;
   }
+  /// The same for a sample whose ray was cast already: only its shading is left. Samples of both
+  /// kinds do not wait together.
+  bool add_hit(const PointSample& sample, const Ray& ray, const Hit& hit) {
+    samples_[used_] = sample;
+    rays_[used_] = ray;
+    hits_[used_] = hit;
+    hits_known_ = true;
+    if (++used_ < batch) return false;
+    trace();
+    return true;
+  }
   /// Traces the waiting samples. Sums are up to date only after it.
   void trace();
 
@@ -94,6 +105,7 @@ class SampleSums {
     seen.colours = colours_;
     return seen;
   }
+  void cast_rays();
   void gather_lobes();
   void shade_batch();
   [[nodiscard]] bool shade_plain();
@@ -121,6 +133,7 @@ class SampleSums {
   std::array<Hit, batch> hits_;
   std::array<std::size_t, batch> alone_;  // the samples that are shaded one by one
   std::size_t used_ = 0;
+  bool hits_known_ = false;  // of the samples that wait
 };
 
 }  // namespace asos

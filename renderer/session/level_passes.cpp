@@ -1,6 +1,5 @@
 #include "renderer/session/level_passes.h"
 
-#include "renderer/pyray/budget.h"
 #include "renderer/session/timed_block.h"
 
 #include <algorithm>
@@ -16,13 +15,8 @@ constexpr std::size_t most_sample_blocks = 48;
 // is finished before anybody looks.
 constexpr std::size_t blocks_a_sample = 32;
 
-// A pass before the final one is held to what its finest cells show, and not to EPS, so that it is
-// quick.
 RenderSettings at_level(RenderSettings settings, int level) {
-  AsosSettings& asos = settings.asos;
-  if (level < asos.max_level && asos.eps > 0.0 && asos.refine_shading)
-    asos.eps = std::max(asos.eps, static_cast<double>(Budget::tolerance_of(level, asos.eps)));
-  asos.max_level = level;
+  settings.asos.max_level = level;
   return settings;
 }
 

@@ -22,7 +22,7 @@ enum class Method {
 };
 inline constexpr Method last_method = Method::beam;
 
-enum class Leaf { exact, point };
+enum class LeafKind { exact, point };
 
 /// When the marginal cells of a level need not be split any further.
 enum class StoppingRule {

@@ -21,8 +21,8 @@ inline constexpr std::array on_off_names{
     Named<bool>{"off", false},
 };
 inline constexpr std::array leaf_names{
-    Named<Leaf>{"exact", Leaf::exact},
-    Named<Leaf>{"point", Leaf::point},
+    Named<LeafKind>{"exact", LeafKind::exact},
+    Named<LeafKind>{"point", LeafKind::point},
 };
 inline constexpr std::array rule_names{
     Named<StoppingRule>{"unresolved", StoppingRule::unresolved},

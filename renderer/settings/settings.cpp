@@ -32,7 +32,7 @@ struct RealRange {
 
 RenderSettings as_published(RenderSettings settings) {
   if (settings.method != Method::asos_published) return settings;
-  settings.asos.leaf = Leaf::point;
+  settings.asos.leaf = LeafKind::point;
   settings.asos.rule = StoppingRule::published;
   settings.asos.detect = Detection::cone;
   settings.asos.refine_shading = false;
@@ -79,7 +79,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
     return unexpected(Error{"method", "is not one of the program's"});
   if (s.judged_tone < ToneCurve::none || s.judged_tone > ToneCurve::agx)
     return unexpected(Error{"tone", "is not one of the program's"});
-  if (s.asos.leaf != Leaf::exact && s.asos.leaf != Leaf::point) {
+  if (s.asos.leaf != LeafKind::exact && s.asos.leaf != LeafKind::point) {
     return unexpected(Error{"leaf", "is neither exact nor point"});
   }
   if (s.asos.rule != StoppingRule::unresolved && s.asos.rule != StoppingRule::published) {

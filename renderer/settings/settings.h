@@ -24,10 +24,10 @@ inline constexpr int max_level_limit = 8;
 /// Adaptive supersampling in object space.
 struct AsosSettings {
   /// MAX, 0 to max_level_limit (CGF'98 section 3.1). sobol_adaptive: 4^MAX * 4 samples at most.
-  int max_level = 3;
+  int max_level = 4;
   /// EPS, 0 to 1: allowed change of a pixel's display intensity. sobol_adaptive: standard error.
   double eps = 1.0 / 256.0;
-  Leaf leaf = Leaf::exact;  ///< exact: cut a cell along its few boundaries (6.2, 6.4)
+  LeafKind leaf = LeafKind::exact;  ///< exact: cut a cell along its few boundaries (6.2, 6.4)
   StoppingRule rule = StoppingRule::unresolved;
   Detection detect = Detection::square;
   int fat = 8;                 ///< fat pyrays are fat x fat pixels: 2, 4, 8 or 16 (6.4)

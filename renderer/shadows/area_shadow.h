@@ -4,8 +4,17 @@
 
 namespace asos {
 
+/// Another way to find the mean visibility of a light of some size over the patch that a leaf
+/// shows.
+class AreaShadows {
+ public:
+  virtual ~AreaShadows() = default;
+  [[nodiscard]] virtual Visibility of_patch(const ShadowContext& block, const ShadowQuery& query,
+                                            RenderStatistics& counts) const = 0;
+};
+
 /// The mean visibility of a light of some size over the patch that the leaf shows, in the way that
-/// the quality names (CGF'98 sections 4.2 to 4.3.4).
+/// the rules name.
 [[nodiscard]] Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
                                      RenderStatistics& counts);
 

@@ -32,10 +32,10 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
 
   // A part that is known well enough by a few rays takes them: at once, if they cost less than to
   // ask whether anything bounds its shadow.
-  const Budget& budget = block.rules.budget;
-  const bool refined = block.rules.quality == ShadowQuality::refined;
+  const Allowance& allowance = block.rules.allowance;
+  const bool refined = !block.rules.published;
   const auto rays_suffice = [&](double price) {
-    return refined && budget.rays_suffice(query.leaf.weight, query.intensity(), price);
+    return refined && allowance.samples_suffice(query.leaf.weight, query.intensity(), price);
   };
   if (rays_suffice(Prices::search)) return sampled_shadow(block, query, counts);
 
@@ -71,7 +71,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   caster.start(*block.scene, block.rules.see_through, *frame, patch,
                parallel ? block.frame : nullptr, lit.light.own_part);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
-  if (refined && trace.outcome.unresolved_area > rules.budget.eps)
+  if (refined && trace.outcome.unresolved_area > rules.allowance.eps)
     return sampled_shadow(block, query, counts);
   const auto visibility = caster.visibility();
   return visibility ? *visibility : ray_visibility(block, query, counts);

@@ -265,8 +265,8 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
 Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
                        RenderStatistics& counts) {
   // Nothing lies between, or it does not matter.
-  const float tolerance = block.rules.budget.penumbra_tolerance(block.lights);
-  if (block.rules.quality != ShadowQuality::refined) return {};
+  const float tolerance = penumbra_tolerance(block.rules.allowance);
+  if (block.rules.published) return {};
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return {};
   Box box;
@@ -280,8 +280,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   const float intensity =
       std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
   if (!(intensity > tolerance)) return {};
-  if (block.rules.budget.rays_suffice(query.weight, static_cast<double>(intensity),
-                                      Prices::penumbra_test))
+  if (block.rules.allowance.samples_suffice(query.weight, static_cast<double>(intensity),
+                                            Prices::penumbra_test))
     return {};
 
   // Find all boundaries in the pyray around the patch.
@@ -292,7 +292,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   pyray.bounds.cut = known.cut;
   pyray.bounds.within = around_patch->between;
   pyray.bounds.most_entries =
-      most_entries_for_samples(block.rules.budget.nested(query.level, 1.0, 1).max_level);
+      most_entries_for_samples(block.rules.allowance.nested(query.level, 1.0, 1).max_level);
   constexpr float finest_side = 1.0f / 64.0f;
   constexpr std::size_t most = 64;
   const bool line = query.light.shape == PreparedLight::Shape::segment;

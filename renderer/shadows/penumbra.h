@@ -23,6 +23,12 @@ struct Penumbra {
   bool saturated = false;
 };
 
+/// Variation of the visibility that a leaf may have: its bound is for an edge all along a patch and
+/// at the worst place, so that twice the tolerance gives pictures as exact.
+[[nodiscard]] inline float penumbra_tolerance(const Allowance& allowance) {
+  return 2.0f * allowance.tolerance;
+}
+
 /// Looks for edges of a shadow of a light of some size that run through a patch, narrower than the
 /// patch or not much wider: those that an extended shadow pyray around the patch meets (CGF'98
 /// section 4.3.4; design section 12, "Penumbrae narrower than the patch"). No error for lights

@@ -11,14 +11,13 @@
 
 namespace asos {
 
-/// The rays that tell how much of a light is seen.
+/// A batch of rays between a patch and a light.
 struct SampledRays {
-  ShadowRayBatch rays;                    ///< those of the last batch
-  std::vector<double> weights;            ///< of all: what each carries if nothing is in its way
-  std::vector<glm::vec3> transmittances;  ///< of all: what share of that arrives
+  ShadowRayBatch rays;
+  std::vector<glm::vec3> transmittances;  ///< fraction of each that arrives
 
-  [[nodiscard]] std::size_t count() const { return weights.size(); }
-  void clear();
+  /// What a ray carries if nothing is in its way.
+  [[nodiscard]] float weight(std::size_t ray) const { return rays.carried[0][ray]; }
   /// Traces the batch. `own_part`: see RayScene.
   void trace(const RayScene& scene, std::int32_t own_part);
 };

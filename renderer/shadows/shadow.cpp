@@ -46,7 +46,7 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
                            const LeafContext& leaf, RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
   // A leaf that is marginal or tiny is worth a ray.
-  const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.budget.max_level);
+  const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.allowance.max_level);
   if (leaf.region.marginal || leaf.weight < least_weight)
     return ray_visibility(block, query, counts);
 
@@ -88,7 +88,7 @@ Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
     LeafContext middle = leaf;
     middle.region = {even.square, {}};
     middle.weight = std::pow(even.square.side / leaf.root_side, 2.0f);
-    middle.saturated = even.saturated;
+    middle.views = &even.views;
     // Its lobe is that of the leaf, which is nearby.
     const Illumination of_middle{lit.light, lit.index, even.middle,  there,        lit.reflected,
                                  lit.layer, lit.lit,   lit.of_patch, lit.highlight};
@@ -110,7 +110,7 @@ Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
   // A ray tells enough of lights so weak that all of them together stay below EPS. Without any they
   // would shine through walls.
   const glm::vec3 all = lit.reflected * lit.unshadowed;
-  const double weakest = block.rules.budget.eps / static_cast<double>(block.lights);
+  const double weakest = block.rules.allowance.eps / static_cast<double>(block.lights);
   if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest))
     return known_visibility(block, lit, leaf, counts);
   const bool even = leaf.even && lit.layer == 0;

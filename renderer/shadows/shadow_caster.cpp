@@ -49,9 +49,10 @@ std::uint32_t ShadowCaster::surface(SampleId sample) const {
   return s.blocker.hit.valid() ? scene_->features.sheet(s.blocker.hit.triangle) : lit;
 }
 
-LeafVerdict ShadowCaster::judge(SampleId sample, double /*share*/, const LeafRegion& /*region*/) {
-  const bool varies = see_through_ && samples_[sample].blocker.see_through;
-  return {varies ? Unevenness::shadow : Unevenness::none};
+LeafDecision ShadowCaster::decide(SampleId sample, double /*weight*/, const LeafRegion& /*region*/,
+                                  bool may_split) {
+  const bool varies = may_split && see_through_ && samples_[sample].blocker.see_through;
+  return varies ? LeafDecision{Estimator::split, Unevenness::shadow} : LeafDecision{};
 }
 
 void ShadowCaster::take(std::span<const PyrayLeaf> leaves) {

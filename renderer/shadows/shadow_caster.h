@@ -26,7 +26,8 @@ class ShadowCaster : public Caster {
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
   /// What shines through, and some cut-outs, have outlines that are no boundaries.
-  [[nodiscard]] LeafVerdict judge(SampleId sample, double share, const LeafRegion& region) override;
+  [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
+                                    bool may_split) override;
   void take(std::span<const PyrayLeaf> leaves) override;
   /// The visibility of the light from a sample.
   [[nodiscard]] glm::vec3 result(SampleId sample) const override {

@@ -5,7 +5,6 @@
 #include "renderer/pyray/tracer.h"
 #include "renderer/settings/settings.h"
 #include "renderer/shading/light_transport.h"
-#include "renderer/shadows/extended_caster.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/lit_patch.h"
 #include "renderer/shadows/patch_caster.h"
@@ -21,11 +20,13 @@
 
 namespace asos {
 
+class AreaShadows;
+
 /// The rules that shadows of a viewer's leaves go by.
 struct ShadowRules {
-  ShadowQuality quality = ShadowQuality::refined;
-  int divisions = 2;  ///< n of the qualities that divide a patch into n x n
-  Budget budget;      ///< of the viewer's pyrays; those of shadows get what its levels leave
+  /// How the papers find shadows of lights of some size; null: as exactly as the allowance asks.
+  const AreaShadows* published = nullptr;
+  Allowance allowance;  ///< of the viewer's pyrays; those of shadows get what its levels leave
   bool exact_leaves = true;
   /// Some surfaces of the scene let more light through here than there, or have holes, without
   /// boundaries that tell where (FeatureSet::opacity_unbounded).
@@ -37,7 +38,6 @@ struct ShadowWorkspace {
   Tracer tracer;
   WindowCaster window_caster;
   PatchCaster patch_caster;
-  ExtendedCaster extended_caster;
   std::vector<BorderEdge> border;
   std::vector<double> ends;
   LitPatch patch;
@@ -73,7 +73,7 @@ struct ShadowQuery {
 [[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);
 
 /// The rules of a leaf's shadow pyrays: the levels that its parent left and EPS of what it
-/// contributes (Budget::nested).
+/// contributes (Allowance::nested).
 [[nodiscard]] SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query);
 
 /// The levels that a leaf leaves to its shadow pyrays, 1 at least.

@@ -194,6 +194,7 @@ void add_strengths(std::vector<Case>& cases) {
     const double z = 0.125 * (i / 32) - 1.9375;
     areas.lights.push_back(rectangle({x, 1, z}, {0.0625, 0, 0}, {0, 0, 0.0625}, {0, -1, 0}));
   }
+  areas.max_level = max_level_limit;  // a smaller MAX samples the lights together
   const Light whole = rectangle({0, 1, 0}, {2, 0, 0}, {0, 0, 2}, {0, -1, 0});
   cases.push_back(under("1024 rectangles that are one", areas,
                         contour_illuminance(corners_of(whole)),

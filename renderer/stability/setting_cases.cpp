@@ -129,19 +129,19 @@ void add_levels(std::vector<Case>& cases) {
 
 void add_alternating(std::vector<Case>& cases) {
   for (const int max : {0, 3, 8}) {
-    cases.push_back({fmt::format("an object that is in and out 1024 times, MAX {}", max),
-                     setting_group, true, [max]() -> Result<Outcome> {
-                       const auto picture = render(comb(1024), settings_of(1, 1, max));
-                       if (!picture) return unexpected(picture.error());
-                       // Half the contrast is the deviation of one sample.
-                       const double most = 0.325 * std::min(1.0, 4.0 * std::ldexp(1.0, -max));
-                       return one_value(
-                           {"radiance of the pixel", most + rounding_bound({}, {}),
-                            "a sample of each of 4^MAX finest cells at most: half the contrast, or "
-                            "four deviations of their mean"},
-                           0.5 * (background + 1.0), picture,
-                           [](const Picture& p) { return p.at(0, 0); });
-                     }});
+    cases.push_back(
+        {fmt::format("an object that is in and out 1024 times, MAX {}", max), setting_group, true,
+         [max]() -> Result<Outcome> {
+           const auto picture = render(comb(1024), settings_of(1, 1, max));
+           if (!picture) return unexpected(picture.error());
+           // Half the contrast is the deviation of one sample.
+           const double most = 0.325 * (max == 0 ? 1.0 : 4.0 * std::ldexp(1.0, -(max + 1)));
+           return one_value(
+               {"radiance of the pixel", most + rounding_bound({}, {}),
+                "four samples of each of 4^MAX finest cells at most: half the contrast, or "
+                "four deviations of their mean"},
+               0.5 * (background + 1.0), picture, [](const Picture& p) { return p.at(0, 0); });
+         }});
     cases.push_back({fmt::format("the same stops at MAX {}", max), setting_group, true, [max] {
                        return one_value({"deepest level beyond MAX", 0.0, "MAX is the last level"},
                                         0.0, render(comb(1024), settings_of(1, 1, max)),

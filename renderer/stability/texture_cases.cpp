@@ -145,8 +145,10 @@ void add_resolutions(std::vector<Case>& cases) {
          RenderSettings settings = settings_of(small_side, small_side);
          settings.texture.resolution = 8;
          return one_value(
-             {"eye rays a pixel", 1.0, "8 x 8 samples, and the one that found the texture"}, 65.0,
-             render(Textured{row({188, 255})}.scene(), settings), [](const Picture& p) {
+             {"eye rays a pixel", 8.0,
+              "8 x 8 samples, the one that found the texture, and up to eight that look beyond its "
+              "triangle"},
+             65.0, render(Textured{row({188, 255})}.scene(), settings), [](const Picture& p) {
                return static_cast<double>(p.statistics.eye_rays) / (small_side * small_side);
              });
        }});

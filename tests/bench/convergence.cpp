@@ -37,12 +37,13 @@ struct Settings {
 struct Contender {
   const char* name;
   Method method;
-  Leaf leaf;
+  LeafKind leaf;
 };
-constexpr std::array<Contender, 4> contenders{{{"exact leaves", Method::asos, Leaf::exact},
-                                               {"point leaves", Method::asos, Leaf::point},
-                                               {"published", Method::asos_published, Leaf::point},
-                                               {"stochastic", Method::stochastic, Leaf::exact}}};
+constexpr std::array<Contender, 4> contenders{
+    {{"exact leaves", Method::asos, LeafKind::exact},
+     {"point leaves", Method::asos, LeafKind::point},
+     {"published", Method::asos_published, LeafKind::point},
+     {"stochastic", Method::stochastic, LeafKind::exact}}};
 
 // The vertices whose triangles all have one normal, so that a colour from the normal is constant
 // across each of them.
@@ -128,7 +129,7 @@ class Study {
       const auto [row, film] = measure();
       print(contender, level, row, last);
       last = row;
-      if (contender.method == Method::asos && contender.leaf == Leaf::exact && !settings_.csv)
+      if (contender.method == Method::asos && contender.leaf == LeafKind::exact && !settings_.csv)
         explain(film);
     }
   }
@@ -154,7 +155,7 @@ class Study {
       fmt::print("  MAX {:<7}{:>9.2e}{:>7.2f}{:>10.2e}{:>10.2f}{:>7.2f}{:>8.3f}", level,
                  row.error.shown, factor(last.error.shown, row.error.shown), row.error.raw,
                  row.work, factor(row.work, last.work), row.cpu_seconds);
-    if (!settings_.csv && !(contender.method == Method::asos && contender.leaf == Leaf::exact))
+    if (!settings_.csv && !(contender.method == Method::asos && contender.leaf == LeafKind::exact))
       fmt::print("\n");
     std::fflush(stdout);
   }

@@ -201,7 +201,7 @@ Result<void> measure_fat(const Settings& settings) {
 }
 
 Result<void> measure_detect(const Settings& settings) {
-  for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
+  for (const LeafKind leaf : {LeafKind::exact, LeafKind::point}) {
     const auto with = [leaf](Detection detect) {
       return [=](RenderSettings& s) {
         s.asos.leaf = leaf;
@@ -209,7 +209,7 @@ Result<void> measure_detect(const Settings& settings) {
       };
     };
     const auto done =
-        compare(leaf == Leaf::exact ? "detect, exact leaves" : "detect, point leaves",
+        compare(leaf == LeafKind::exact ? "detect, exact leaves" : "detect, point leaves",
                 {{"square", with(Detection::square)}, {"cone", with(Detection::cone)}}, settings);
     if (!done) return done;
   }
@@ -217,14 +217,14 @@ Result<void> measure_detect(const Settings& settings) {
 }
 
 Result<void> measure_rule(const Settings& settings) {
-  for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
+  for (const LeafKind leaf : {LeafKind::exact, LeafKind::point}) {
     const auto with = [leaf](StoppingRule rule) {
       return [=](RenderSettings& s) {
         s.asos.leaf = leaf;
         s.asos.rule = rule;
       };
     };
-    const auto done = compare(leaf == Leaf::exact ? "rule, exact leaves" : "rule, point leaves",
+    const auto done = compare(leaf == LeafKind::exact ? "rule, exact leaves" : "rule, point leaves",
                               {{"unresolved", with(StoppingRule::unresolved)},
                                {"published", with(StoppingRule::published)}},
                               settings);

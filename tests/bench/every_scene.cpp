@@ -76,7 +76,8 @@ struct Ratio {
   bool unknown = false;  ///< the error is no more than the reference's noise makes it stray by
 };
 
-constexpr int sobol_spp[] = {4, 16, 64, 256};
+constexpr int sobol_spp[] = {1, 4, 16, 64, 256};
+constexpr std::size_t one_sample = 0, sixteen_samples = 2;  // steps of that ladder
 constexpr const char* rival_names[] = {"sobol", "sobol-adaptive"};
 
 std::string cache_path(const Settings& settings, const std::string& name) {
@@ -236,6 +237,50 @@ void print_summary(const Settings& settings, const std::vector<Row>& rows, std::
   fmt::print("\n");
 }
 
+/// A scene's time beside something else's.
+struct TimeRatio {
+  double value = 0.0;
+  std::string name;
+};
+
+void print_times(const char* what, std::vector<TimeRatio> ratios) {
+  if (ratios.empty()) return;
+  std::sort(ratios.begin(), ratios.end(),
+            [](const TimeRatio& a, const TimeRatio& b) { return a.value > b.value; });
+  std::vector<double> values;
+  for (const TimeRatio& ratio : ratios) values.push_back(ratio.value);
+  constexpr std::size_t shown = 5;
+  fmt::print("{}: median {:.2f}; largest:", what, median(values));
+  for (std::size_t k = 0; k < std::min(shown, ratios.size()); ++k)
+    fmt::print("{} {} {:.2f}", k > 0 ? "," : "", ratios[k].name, ratios[k].value);
+  fmt::print("\n");
+}
+
+/// What each depth costs beside one and sixteen samples, and each beside the last in time and
+/// error.
+void print_depths(const Settings& settings, const std::vector<Row>& rows) {
+  const auto print = [&](const std::string& what, const auto& ratio) {
+    std::vector<TimeRatio> ratios;
+    for (const Row& row : rows)
+      if (!row.asos.empty() && !row.rivals.front().empty())
+        ratios.push_back({ratio(row), row.name});
+    print_times(what.c_str(), std::move(ratios));
+  };
+  for (std::size_t level = 0; level < settings.levels.size(); ++level) {
+    const int max = settings.levels[level];
+    for (const std::size_t step : {one_sample, sixteen_samples})
+      print(fmt::format("time at MAX {} over sobol {}", max, sobol_spp[step]), [&](const Row& row) {
+        return row.asos[level].seconds / row.rivals.front()[step].seconds;
+      });
+    if (level + 1 == settings.levels.size()) continue;
+    const int last = settings.levels.back();
+    print(fmt::format("time at MAX {} over MAX {}", max, last),
+          [&](const Row& row) { return row.asos[level].seconds / row.asos.back().seconds; });
+    print(fmt::format("error at MAX {} over MAX {}", max, last),
+          [&](const Row& row) { return row.asos[level].error / row.asos.back().error; });
+  }
+}
+
 Result<void> read_levels(const std::string& text, std::vector<int>& levels) {
   levels.clear();
   std::istringstream parts(text);
@@ -288,6 +333,7 @@ int run(int argc, char** argv) {
   for (std::size_t rival = 0; rival < rival_count(settings); ++rival)
     for (std::size_t level = 0; level < settings.levels.size(); ++level)
       print_summary(settings, rows, rival, level);
+  print_depths(settings, rows);
   return code;
 }
 

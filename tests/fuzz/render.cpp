@@ -61,7 +61,7 @@ RenderSettings settings_of(Choice& choice) {
   s.filter_width = choice.of(4) == 1 ? 2.0 : 1.0;
   s.asos.max_level = 2 - choice.of(3);
   s.asos.eps = choice.of(2) == 0 ? 1.0 / 256.0 : 0.0;
-  s.asos.leaf = choice.any(Leaf::point);
+  s.asos.leaf = choice.any(LeafKind::point);
   s.asos.rule = choice.any(StoppingRule::published);
   s.asos.detect = choice.any(Detection::cone);
   s.asos.fat = 16 >> choice.of(4);

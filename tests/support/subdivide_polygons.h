@@ -52,8 +52,8 @@ inline Answer subdivide(const World& world, const SubdivisionRules& rules,
 inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = true,
                                  StoppingRule rule = StoppingRule::unresolved) {
   SubdivisionRules rules;
-  rules.budget.max_level = max_level;
-  rules.budget.eps = eps;
+  rules.allowance.max_level = max_level;
+  rules.allowance.eps = eps;
   rules.exact_leaves = exact;
   rules.rule = rule;
   return rules;

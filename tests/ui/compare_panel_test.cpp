@@ -26,7 +26,7 @@ class ComparePanelTest : public PanelsTest {
     rig.frame();
     ASSERT_EQ(frames().stored.size(), 1u);
     settings().asos.max_level = 0;
-    settings().asos.leaf = Leaf::point;
+    settings().asos.leaf = LeafKind::point;
     EXPECT_TRUE(restarted());
     ASSERT_NE(rig.previewer().render().film().radiance, frames().stored[0].film.radiance);
   }

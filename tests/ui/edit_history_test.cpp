@@ -48,7 +48,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   rest();
   redo();
   EXPECT_FALSE(settings().asos.jitter) << "a new step ends what could be done again";
-  EXPECT_EQ(settings().asos.leaf, Leaf::point);
+  EXPECT_EQ(settings().asos.leaf, LeafKind::point);
 }
 
 TEST_F(EditHistoryTest, TheCameraGoesBackExactly) {

@@ -373,7 +373,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   rig.click("section/Outline");
   use_all("study", [&] { rig.unfold("Error against run time"); });
   use_all("other choices", [&] {
-    settings().asos.leaf = Leaf::point;
+    settings().asos.leaf = LeafKind::point;
     settings().asos.rule = StoppingRule::published;
     settings().asos.detect = Detection::cone;
     settings().texture.filter = TextureFilter::point;

@@ -52,10 +52,10 @@ TEST_F(PanelsTest, MaxLeafAndJitterRestart) {
   EXPECT_EQ(settings().asos.max_level, 0);
   EXPECT_TRUE(restarted());
   rig.click("Leaf/Point");
-  EXPECT_EQ(settings().asos.leaf, Leaf::point);
+  EXPECT_EQ(settings().asos.leaf, LeafKind::point);
   EXPECT_TRUE(restarted());
   rig.click("Leaf/Exact");
-  EXPECT_EQ(settings().asos.leaf, Leaf::exact);
+  EXPECT_EQ(settings().asos.leaf, LeafKind::exact);
   EXPECT_TRUE(restarted());
   rig.click("Jitter");
   EXPECT_TRUE(settings().asos.jitter);

@@ -196,7 +196,7 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
   };
   restarts_after([&] { previewer.edits().settings().asos.eps = 0.1; });
   restarts_after([&] { previewer.edits().settings().asos.max_level = 4; });
-  restarts_after([&] { previewer.edits().settings().asos.leaf = Leaf::point; });
+  restarts_after([&] { previewer.edits().settings().asos.leaf = LeafKind::point; });
   restarts_after([&] { previewer.edits().settings().asos.jitter = true; });
   restarts_after([&] { previewer.edits().settings().method = Method::stochastic; });
   restarts_after([&] { previewer.viewpoint().camera().orbit(0.1, 0.0); });

@@ -96,7 +96,7 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   EXPECT_GT(check.findings()->split_pixels, 0u);
   EXPECT_LT(check.findings()->rmse, 0.02);
   settings().asos.max_level = 0;
-  settings().asos.leaf = Leaf::point;
+  settings().asos.leaf = LeafKind::point;
   EXPECT_TRUE(restarted());
   check.update(rig.previewer(), true, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr) << "it was of another picture";
@@ -112,7 +112,7 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
 
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
   settings().asos.max_level = 0;
-  settings().asos.leaf = Leaf::point;
+  settings().asos.leaf = LeafKind::point;
   state().display.tone = ToneCurve::none;  // the object stays as red as no mark is
   EXPECT_TRUE(restarted());
   const auto reds = [&] {

@@ -114,7 +114,7 @@ TEST(TourOfAScene, WatchesAPixelThatIsSplit) {
 
 // The first card shows the pixels around it: they are to differ as far as one sees at a glance.
 TEST(TourOfAScene, ShowsAPixelThatStandsOut) {
-  TourOf tour("builtin:boxes", 2);
+  TourOf tour("builtin:boxes", 4);
   ASSERT_TRUE(tour.found());
   const glm::ivec2 pixel = *tour.state().tour.found;
   int darkest = 255, brightest = 0;

@@ -201,7 +201,7 @@ TEST(Asos, MoreLevelsNeverLoseWeight) {
   }
   picture.add({{-9, -9}, {40, -9}, {40, 40}, {-9, 40}}, 30.0, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
   // Everything shows the same grey, so every pixel must, whatever splits.
-  for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
+  for (const LeafKind leaf : {LeafKind::exact, LeafKind::point}) {
     for (int k = 0; k <= 8; k += 2) {
       Picture one = picture;
       RenderSettings settings = asos_at(k);

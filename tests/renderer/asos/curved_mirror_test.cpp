@@ -1,6 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "renderer/gltf/load.h"
-#include "renderer/pyray/budget.h"
+#include "renderer/pyray/allowance.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/tiny_scene.h"
@@ -97,7 +97,7 @@ TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
     EXPECT_LT(errors[1], errors[0]);
     // Leaves that disagree are sampled, so that MAX 1 may be as good as any; nothing is refined
     // below what nobody sees.
-    EXPECT_LT(errors[2], std::max(0.5 * errors[0], 0.5 * Budget::invisible))
+    EXPECT_LT(errors[2], std::max(0.5 * errors[0], 0.5 * Allowance::invisible))
         << errors[0] << ' ' << errors[1];
     EXPECT_LT(noise, 2e-4);
   }

@@ -104,7 +104,7 @@ TEST(PartlySeenLight, IsWhatAWallLeavesOfABallAround) {
            matte(glm::vec3(0.0f)));
   const auto scene = make_render_scene(std::move(world), {ball});
   const Camera camera = look_at({0.0, 2.0, 0.01}, {0, 0, 0}, 0.5);
-  const Difference off = difference(picture_of(*scene, camera, 3), sampled(*scene, camera, 1024));
+  const Difference off = difference(picture_of(*scene, camera, 4), sampled(*scene, camera, 1024));
   EXPECT_GT(off.mean, 0.1);
   EXPECT_LT(std::abs(off.bias), 1e-3);
   EXPECT_LT(off.largest, 0.02);
@@ -126,7 +126,7 @@ TEST(PartlySeenLight, OfRoughMetalIsTheHalfThatIsSeen) {
     const auto scene = make_render_scene(std::move(world), {light});
     return picture_of(*scene, camera, max_level);
   };
-  for (const int max_level : {2, 3}) {
+  for (const int max_level : {3, 4}) {
     const Difference off = difference(picture(true, max_level), picture(false, max_level));
     EXPECT_GT(off.mean, 0.1);
     EXPECT_LT(std::abs(off.bias), 0.004 * off.mean) << max_level;

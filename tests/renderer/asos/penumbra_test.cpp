@@ -46,10 +46,15 @@ TEST(Penumbra, IsSplitWhereThatTakesFewLeaves) {
   EXPECT_LT(off("boxes", {32, 96, 32, 16}, 3, 4096), 0.2);
 }
 
-// The shadows of a fence's palings, half a pixel wide: at MAX 1 they were off by 4 EPS, and single
-// pixels by 16, where the shadows' verdicts asked for no more than its other ones.
-TEST(Penumbra, IsShownByMaxOne) {
-  EXPECT_LT(off("turning-fence", {40, 112, 160, 4}, 1, 1024), 0.4);
+// The shadows of a fence's palings, half a pixel wide.
+TEST(Penumbra, GetsExacterWithMaxUntilItIsWithinEps) {
+  const auto error = [](int max_level) {
+    return off("turning-fence", {40, 112, 160, 4}, max_level, 1024);
+  };
+  const double one = error(1), two = error(2), four = error(4);
+  EXPECT_LT(two, 0.7 * one);
+  EXPECT_LT(four, 0.7 * two);
+  EXPECT_LT(four, 0.4);
 }
 
 }  // namespace

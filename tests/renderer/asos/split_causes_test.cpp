@@ -249,7 +249,7 @@ TEST(SplitCauses, SaturationAndTheDepthLimit) {
   add_wall(card);
   add_quad(card, {-1.1f, -1.3f, 1}, {3, 0, 0}, {0, 2, 0}, matte(glm::vec3(0.8f)));
   RenderSettings settings = settings_of();
-  settings.asos.leaf = Leaf::point;
+  settings.asos.leaf = LeafKind::point;
   settings.asos.eps = 0.0;
   expect_only(render({std::move(card), {}}, settings), SplitCause::depth_limit);
 }

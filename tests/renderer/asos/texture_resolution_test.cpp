@@ -121,7 +121,7 @@ TEST(TextureResolution, WeightsAddUpToAPixel) {
   const auto scene = make_render_scene(std::move(world));
   RenderSettings settings = with_tr(1);
   const Picture one = render_picture(*scene, orthographic(2.0), settings);
-  for (const Leaf leaf : {Leaf::exact, Leaf::point}) {
+  for (const LeafKind leaf : {LeafKind::exact, LeafKind::point}) {
     settings.asos.leaf = leaf;
     settings.texture.resolution = 1;
     const Picture expected = render_picture(*scene, orthographic(2.0), settings);

@@ -38,7 +38,7 @@ RenderSettings odd_settings() {
   s.method = Method::asos_published;
   s.asos.max_level = 5;
   s.asos.eps = 0.1 + 1e-17 + 1.0 / 3.0;
-  s.asos.leaf = Leaf::point;
+  s.asos.leaf = LeafKind::point;
   s.asos.rule = StoppingRule::published;
   s.asos.detect = Detection::cone;
   s.asos.fat = 4;

@@ -23,7 +23,7 @@ class ImpatientCaster final : public BruteForceCaster {
   [[nodiscard]] std::uint32_t surface(SampleId id) const override {
     return known(id) ? BruteForceCaster::surface(id) : Hit::none;
   }
-  [[nodiscard]] LeafVerdict judge(SampleId id, double, const LeafRegion&) override {
+  [[nodiscard]] LeafDecision decide(SampleId id, double, const LeafRegion&, bool) override {
     (void)known(id);
     return {};
   }

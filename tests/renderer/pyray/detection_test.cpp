@@ -203,7 +203,7 @@ TEST(Detection, ChildrensConesLieWithinTheirParents) {
   }
 }
 
-RenderSettings settings_of(Detection detect, Leaf leaf, double eps) {
+RenderSettings settings_of(Detection detect, LeafKind leaf, double eps) {
   RenderSettings settings;
   settings.width = settings.height = 32;
   settings.asos.max_level = 6;
@@ -243,11 +243,11 @@ World one_triangle() {
 
 TEST(Detection, PicturesKeepEpsWhateverTheDetection) {
   const auto scene = make_render_scene(one_triangle());
-  RenderSettings exact = settings_of(Detection::square, Leaf::exact, 0.0);
+  RenderSettings exact = settings_of(Detection::square, LeafKind::exact, 0.0);
   exact.method = Method::beam;
   const auto truth = render(*scene, exact);
   for (const double eps : {1.0 / 4.0, 1.0 / 16.0, 1.0 / 32.0}) {
-    RenderSettings published = settings_of(Detection::square, Leaf::point, eps);
+    RenderSettings published = settings_of(Detection::square, LeafKind::point, eps);
     published.asos.rule = StoppingRule::published;
     const auto by_square = render(*scene, published);
     published.asos.detect = Detection::cone;
@@ -264,8 +264,8 @@ TEST(Detection, ExactLeavesShowTheSamePictureByTheCone) {
   World world = one_triangle();
   add_quad(world, {-0.9f, -1.6f, 1}, {1.1f, 0.3f, 0}, {-0.2f, 2.9f, 0}, unlit({0.8f, 0.2f, 0.1f}));
   const auto scene = make_render_scene(std::move(world));
-  const auto by_square = render(*scene, settings_of(Detection::square, Leaf::exact, 0.0));
-  const auto by_cone = render(*scene, settings_of(Detection::cone, Leaf::exact, 0.0));
+  const auto by_square = render(*scene, settings_of(Detection::square, LeafKind::exact, 0.0));
+  const auto by_cone = render(*scene, settings_of(Detection::cone, LeafKind::exact, 0.0));
   EXPECT_LE(greatest_difference(by_cone, by_square), 1e-5);
 }
 

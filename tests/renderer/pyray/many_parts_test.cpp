@@ -22,8 +22,10 @@ class PricedCaster final : public BruteForceCaster {
         largest_sampled_(largest_sampled),
         largest_even_(largest_even) {}
 
-  [[nodiscard]] LeafVerdict judge(SampleId, double share, const LeafRegion&) override {
-    return {share > largest_even_ ? Unevenness::shading : Unevenness::none};
+  [[nodiscard]] LeafDecision decide(SampleId, double weight, const LeafRegion&,
+                                    bool may_split) override {
+    if (!may_split || weight <= largest_even_) return {};
+    return {Estimator::split, Unevenness::shading};
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     return parts >= price_ && weight <= largest_sampled_;

@@ -16,8 +16,10 @@ class PickyCaster final : public BruteForceCaster {
   PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
       : BruteForceCaster(world, features, frame), most_(most) {}
 
-  [[nodiscard]] LeafVerdict judge(SampleId, double share, const LeafRegion&) override {
-    return {share > most_ ? Unevenness::shading : Unevenness::none};
+  [[nodiscard]] LeafDecision decide(SampleId, double weight, const LeafRegion&,
+                                    bool may_split) override {
+    if (!may_split || weight <= most_) return {};
+    return {Estimator::split, Unevenness::shading};
   }
   void take(std::span<const PyrayLeaf> leaves) override {
     for (const PyrayLeaf& leaf : leaves) largest = std::max(largest, leaf.weight);
@@ -37,7 +39,7 @@ struct Case {
     const Frame frame = unit_frame();
     PickyCaster caster(scene.world, features, frame, most);
     SubdivisionRules rules = rules_of(max_level);
-    rules.budget.eps = eps;
+    rules.allowance.eps = eps;
     Tracer tracer;
     outcome = tracer.trace(features, Pyray{frame}, rules, caster, &trace).outcome;
     coverage = caster.coverage[0];

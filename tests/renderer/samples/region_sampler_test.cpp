@@ -15,6 +15,16 @@
 namespace asos::test::region_sampler_test {
 namespace {
 
+RegionSampler::Goal goal_of(double standard_error, std::uint32_t most, std::uint32_t least = 16,
+                            double share = 0.0) {
+  RegionSampler::Goal goal;
+  goal.standard_error = standard_error;
+  goal.most = most;
+  goal.least = least;
+  goal.share = share;
+  return goal;
+}
+
 Material glowing(glm::vec3 color) {
   Material material = matte(color);
   material.unlit = true;
@@ -70,50 +80,50 @@ class TwoColours : public testing::Test {
 constexpr Square crossed{4.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
 
 TEST_F(TwoColours, AreMixedByTheirAreas) {
-  const auto found = sample({crossed, {}}, {-1.0, 1024});
-  EXPECT_EQ(found.samples, 1024u);
+  const auto found = sample({crossed, {}}, goal_of(-1.0, 1024));
+  EXPECT_EQ(found.cost, 1024.0);
   // A net of 1024 points: 32 columns of 32, of which one is crossed.
-  EXPECT_NEAR(found.mean.x, 0.3, 1.0 / 32.0);
-  EXPECT_NEAR(found.mean.x + found.mean.y, 1.0, 1e-6);
+  EXPECT_NEAR(found.value.x, 0.3, 1.0 / 32.0);
+  EXPECT_NEAR(found.value.x + found.value.y, 1.0, 1e-6);
   EXPECT_EQ(counts_.eye_rays, 1024u);
 }
 
 TEST_F(TwoColours, StopOnceTheGoalIsMet) {
-  const auto even = sample({{0.0f, 0.0f, 1.0f / 8.0f}, {}}, {1e-3, 1024});
-  EXPECT_EQ(even.samples, 16u);
-  EXPECT_EQ(even.mean.x, 1.0);
-  const auto rough = sample({crossed, {}}, {0.05, 1024});
-  const auto fine = sample({crossed, {}}, {0.005, 1024});
-  EXPECT_LT(rough.samples, fine.samples);
+  const auto even = sample({{0.0f, 0.0f, 1.0f / 8.0f}, {}}, goal_of(1e-3, 1024));
+  EXPECT_EQ(even.cost, 16.0);
+  EXPECT_EQ(even.value.x, 1.0);
+  const auto rough = sample({crossed, {}}, goal_of(0.05, 1024));
+  const auto fine = sample({crossed, {}}, goal_of(0.005, 1024));
+  EXPECT_LT(rough.cost, fine.cost);
   const auto allowed = [](double goal, const RegionSampler::Estimate& found) {
-    return goal * std::sqrt(found.samples / 16.0);
+    return goal * std::sqrt(found.cost / 16.0);
   };
-  EXPECT_LE(rough.standard_error, allowed(0.05, rough));
-  EXPECT_LE(fine.standard_error, allowed(0.005, fine));
-  EXPECT_NEAR(rough.mean.x, 0.3, 3.0 * 0.05);
-  EXPECT_NEAR(fine.mean.x, 0.3, 3.0 * 0.005);
+  EXPECT_LE(rough.error, allowed(0.05, rough));
+  EXPECT_LE(fine.error, allowed(0.005, fine));
+  EXPECT_NEAR(rough.value.x, 0.3, 3.0 * 0.05);
+  EXPECT_NEAR(fine.value.x, 0.3, 3.0 * 0.005);
 }
 
 // A bright strip of a twentieth of the pixel, which one sample more or less tells.
 TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
   show_strip(0.05f, glm::vec3(60.0f));
-  const auto few = sample({crossed, {}}, {0.004, 512, 64});
-  const auto many = sample({crossed, {}}, {0.004, 4096, 64});
-  EXPECT_EQ(few.samples, 512u);
-  EXPECT_EQ(many.samples, 4096u);
-  EXPECT_LT(std::abs(many.mean.x - 3.0), 0.03);
-  EXPECT_GT(many.standard_error, 0.0);
-  EXPECT_LT(many.standard_error, 0.5 * few.standard_error) << "told by all samples";
+  const auto few = sample({crossed, {}}, goal_of(0.004, 512, 64));
+  const auto many = sample({crossed, {}}, goal_of(0.004, 4096, 64));
+  EXPECT_EQ(few.cost, 512.0);
+  EXPECT_EQ(many.cost, 4096.0);
+  EXPECT_LT(std::abs(many.value.x - 3.0), 0.03);
+  EXPECT_GT(many.error, 0.0);
+  EXPECT_LT(many.error, 0.5 * few.error) << "told by all samples";
   // As far off as what had so many times the fewest may be: more are better spent elsewhere.
-  const double goal = few.standard_error / std::sqrt(512.0 / 64.0);
-  EXPECT_EQ(sample({crossed, {}}, {1.01 * goal, 4096, 64}).samples, 512u);
-  EXPECT_GT(sample({crossed, {}}, {0.99 * goal, 4096, 64}).samples, 512u);
+  const double goal = few.error / std::sqrt(512.0 / 64.0);
+  EXPECT_EQ(sample({crossed, {}}, goal_of(1.01 * goal, 4096, 64)).cost, 512.0);
+  EXPECT_GT(sample({crossed, {}}, goal_of(0.99 * goal, 4096, 64)).cost, 512.0);
 }
 
 // What a few samples may miss alike is likely where those of the pixel beside have met it.
 TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
   show_strip(0.1f, glm::vec3(60.0f));
-  RegionSampler::Goal goal{0.02, 1024};
+  RegionSampler::Goal goal = goal_of(0.02, 1024);
   goal.share = 1.0;
   // How many samples a black pixel takes beside that of the strip, `columns` to the left of it.
   const auto samples_of = [&](float columns) {
@@ -121,7 +131,7 @@ TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
     RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
     sampler.add({black, {}}, goal);
     sampler.add({crossed, {}}, goal);
-    return sampler.run(counts_).front().samples;
+    return sampler.run(counts_).front().cost;
   };
   EXPECT_EQ(samples_of(2.0f), 16u);
   EXPECT_GT(samples_of(1.0f), 64u);
@@ -142,8 +152,8 @@ TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
     const float v = static_cast<float>(i * 37 % 512) / 540.0f;
     const auto found = sample({{edge - red * side, v, side}, {}}, {goal, 1024});
     // More is allowed of what takes more samples.
-    const double allowed = goal * std::sqrt(found.samples / 16.0);
-    const double off = (found.mean.x - static_cast<double>(red)) / allowed;
+    const double allowed = goal * std::sqrt(found.cost / 16.0);
+    const double off = (found.value.x - static_cast<double>(red)) / allowed;
     sum += off * off;
     far_off += std::abs(off) > 2.0;
   }
@@ -165,12 +175,12 @@ TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
     const double expected = kernel.integral({all, red}) / kernel.integral({all, border});
     ASSERT_GT(std::abs(expected - (edge - 0.05) / (u1 - 0.05)), 0.02) << "told from an even one";
     RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
-    const auto found = sampler.sample({all, border}, {-1.0, 4096}, counts_, &kernel);
-    EXPECT_NEAR(found.mean.x, expected, 1.0 / 64.0) << u1;
+    const auto found = sampler.sample({all, border}, goal_of(-1.0, 4096), counts_, &kernel);
+    EXPECT_NEAR(found.value.x, expected, 1.0 / 64.0) << u1;
   }
   const double squared = kernel.integral({all, rectangle(0.0f, edge)});
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
-  EXPECT_NEAR(sampler.sample({all, {}}, {-1.0, 4096}, counts_, &kernel).mean.x, squared,
+  EXPECT_NEAR(sampler.sample({all, {}}, goal_of(-1.0, 4096), counts_, &kernel).value.x, squared,
               1.0 / 64.0);
 }
 
@@ -179,21 +189,23 @@ TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
   std::stop_source stop;
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed, nullptr,
                         stop.get_token());
-  const RegionSampler::Goal all{-1.0, 1u << 20, 1u << 20};
+  const RegionSampler::Goal all = goal_of(-1.0, 1u << 20, 1u << 20);
   stop.request_stop();
-  EXPECT_EQ(sampler.sample({crossed, {}}, all, counts_).samples, 0u);
+  EXPECT_EQ(sampler.sample({crossed, {}}, all, counts_).cost, 0.0);
   EXPECT_EQ(counts_.eye_rays, 0u);
 }
 
 // As far as in an exposure that shows them as white: of what they alone bring to their pixel.
 TEST_F(TwoColours, ThatAreBrighterThanWhiteMayBeAsMuchFurtherOff) {
   show(glm::vec3(3), glm::vec3(2.5));
-  const auto error_of = [&](double share) { return sample({crossed, {}}, {-1.0, 16, 16, share}); };
+  const auto error_of = [&](double share) {
+    return sample({crossed, {}}, goal_of(-1.0, 16, 16, share));
+  };
   const auto part = error_of(0.1), pixel = error_of(1.0), half = error_of(0.5);
-  ASSERT_GT(part.standard_error, 0.01);
-  ASSERT_GT(part.mean.x, 2.0);
-  EXPECT_NEAR(pixel.standard_error, part.standard_error / part.mean.x, 1e-9);
-  EXPECT_NEAR(half.standard_error, part.standard_error / (0.5 * part.mean.x), 1e-9);
+  ASSERT_GT(part.error, 0.01);
+  ASSERT_GT(part.value.x, 2.0);
+  EXPECT_NEAR(pixel.error, part.error / part.value.x, 1e-9);
+  EXPECT_NEAR(half.error, part.error / (0.5 * part.value.x), 1e-9);
 }
 
 TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
@@ -204,10 +216,10 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
                                            {{u1, v0}, {u1, v1}},
                                            {{u1, v1}, {u0, v1}},
                                            {{u0, v1}, {u0, v0}}};
-  const auto found = sample({crossed, sides}, {-1.0, 256});
-  EXPECT_EQ(found.mean.x, 1.0);
-  EXPECT_EQ(found.mean.y, 0.0);
-  EXPECT_EQ(found.samples, 256u);
+  const auto found = sample({crossed, sides}, goal_of(-1.0, 256));
+  EXPECT_EQ(found.value.x, 1.0);
+  EXPECT_EQ(found.value.y, 0.0);
+  EXPECT_EQ(found.cost, 256.0);
 }
 
 // What is thin fills little of the rectangle around it, which the samples are spread over.
@@ -221,28 +233,28 @@ TEST_F(TwoColours, AsManyCountInAThinRegionAsInASquare) {
                                            {at(0.1f, 0), at(1, 1)},
                                            {at(1, 1), at(0.9f, 1)},
                                            {at(0.9f, 1), at(0, 0)}};
-  const auto all = sample({pixel, sides}, {-1.0, 256});
-  EXPECT_GT(all.samples, 128u);
-  EXPECT_LT(all.samples, 512u);
-  const auto even = sample({pixel, sides}, {1e-3, 256});
-  EXPECT_GT(even.samples, 8u) << "a few that agree are no answer";
-  EXPECT_LT(even.samples, 32u);
+  const auto all = sample({pixel, sides}, goal_of(-1.0, 256));
+  EXPECT_GT(all.cost, 128.0);
+  EXPECT_LT(all.cost, 512.0);
+  const auto even = sample({pixel, sides}, goal_of(1e-3, 256));
+  EXPECT_GT(even.cost, 8.0) << "a few that agree are no answer";
+  EXPECT_LT(even.cost, 32.0);
 }
 
 TEST_F(TwoColours, AreTheSameWhateverWasSampledBefore) {
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
-  const RegionSampler::Goal goal{-1.0, 64};
+  const RegionSampler::Goal goal = goal_of(-1.0, 64);
   const auto first = sampler.sample({crossed, {}}, goal, counts_);
   (void)sampler.sample({{0.25f, 0.25f, 0.5f}, {}}, goal, counts_);
   const auto again = sampler.sample({crossed, {}}, goal, counts_);
-  EXPECT_EQ(first.mean, again.mean);
+  EXPECT_EQ(first.value, again.value);
 }
 
 TEST_F(TwoColours, AreTheSameTogetherAsAlone) {
   const std::array<Square, 3> squares = {crossed, Square{0.25f, 0.25f, 0.5f},
                                          Square{4.0f / 8.0f, 4.0f / 8.0f, 1.0f / 8.0f}};
-  const std::array<RegionSampler::Goal, 3> goals = {
-      RegionSampler::Goal{-1.0, 64}, RegionSampler::Goal{0.02, 256}, RegionSampler::Goal{-1.0, 16}};
+  const std::array<RegionSampler::Goal, 3> goals = {goal_of(-1.0, 64), goal_of(0.02, 256),
+                                                    goal_of(-1.0, 16)};
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
   for (std::size_t i = 0; i < squares.size(); ++i)
     EXPECT_EQ(sampler.add({squares[i], {}}, goals[i]), i);
@@ -250,8 +262,8 @@ TEST_F(TwoColours, AreTheSameTogetherAsAlone) {
   ASSERT_EQ(together.size(), squares.size());
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const auto alone = sample({squares[i], {}}, goals[i]);
-    EXPECT_EQ(together[i].samples, alone.samples);
-    EXPECT_EQ(together[i].mean, alone.mean);
+    EXPECT_EQ(together[i].cost, alone.cost);
+    EXPECT_EQ(together[i].value, alone.value);
   }
 }
 

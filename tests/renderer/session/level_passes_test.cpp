@@ -63,7 +63,7 @@ TEST(ChooseLevels, DeepLevelsAreTakenToGoOnGrowing) {
 
 TEST(ChooseLevels, OnlyMethodsThatSplitHaveThem) {
   RenderSettings settings;
-  EXPECT_EQ(possible_levels(settings), (std::vector{0, 1, 2}));
+  EXPECT_EQ(possible_levels(settings), (std::vector{0, 1, 2, 3}));
   settings.asos.max_level = 0;
   EXPECT_TRUE(possible_levels(settings).empty());
   settings.asos.max_level = 3;
@@ -98,7 +98,6 @@ TEST(LevelPasses, ShowTheWholePictureAtALowMax) {
   snapshot.settings.shadow.cast = true;
   Snapshot low = snapshot;
   low.settings.asos.max_level = 1;
-  low.settings.asos.eps = 1.0 / 16.0;
   const Film at_max_1 = render_to_end(low).film;
   const Film at_max_4 = render_to_end(snapshot).film;
   Film shown(width, height);

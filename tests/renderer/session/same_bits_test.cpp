@@ -64,7 +64,7 @@ std::vector<Choice> choices() {
   });
   add("wide filter", [](RenderSettings& s) { s.filter_width = 2.5; });
   add("jittered point leaves", [](RenderSettings& s) {
-    s.asos.leaf = Leaf::point;
+    s.asos.leaf = LeafKind::point;
     s.asos.jitter = true;
   });
   if (!sanitized) return all;

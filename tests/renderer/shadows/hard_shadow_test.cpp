@@ -132,7 +132,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
   double worst = 0.0;
   int partly = 0, off = 0;
   ShadowRules settings;
-  settings.budget.max_level = 4;
+  settings.allowance.max_level = 4;
   for (int i = 0; i < 600; ++i) {
     const Light light = make(random);
     const auto pixel = random_pixel(random, i, shown.eye);
@@ -216,19 +216,19 @@ TEST(HardShadow, DoesNotMoveOnLargeTriangles) {
   expect_edges(7, {Camera::Type::orthographic, 40.0f}, distant);
 }
 
-// More than pyrays of a small MAX resolve, and than cuts are worth: so many specks that they hide
+// More than pyrays of MAX resolve, and than cuts are worth: so many specks that they hide
 // the light from half of the pixel. What finest pyrays would leave to a sample each is known to
 // EPS.
 TEST(HardShadow, OfManySpecksIsKnownToEps) {
   constexpr int count = 12;
   constexpr double space = 1.0 / count;
   const double size = std::sqrt(0.5) * space;
-  for (const int max_level : {1, 2, 3}) {
+  for (const int max_level : {3, 4, 5}) {
     RenderSettings settings;
     settings.asos.max_level = max_level;
     settings.asos.eps = 1.0 / 256.0;
     ShadowRules rules;
-    rules.budget = Budget::of(settings);
+    rules.allowance = Allowance::of(settings);
     World world;
     const auto f = static_cast<float>(floor_half);
     add_quad(world, {-f, -f, 0}, {2 * f, 0, 0}, {0, 2 * f, 0}, matte({0.5f, 0.5f, 0.5f}));

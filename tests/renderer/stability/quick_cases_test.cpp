@@ -28,7 +28,7 @@ const std::map<std::string, double>& coarse_cases() {
       {"the same with jittered samples", 0.07},
       {"the built-in boxes inside one pixel", 0.08},
       {"the published rule and point leaves at MAX 6, EPS 0", 0.11},
-      {"an object that is in and out 1024 times, MAX 3", 0.29},
+      {"an object that is in and out 1024 times, MAX 3", 0.2},
       {"65536 Sobol points in one pixel", 0.014},
       {"one texel of 10000 in the dark, on a wall that faces it", 0.014},
       {"one texel of 1e+10 in the dark, on a wall that faces it", 0.014},

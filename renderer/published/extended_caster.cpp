@@ -1,4 +1,4 @@
-#include "renderer/shadows/extended_caster.h"
+#include "renderer/published/extended_caster.h"
 
 #include <algorithm>
 #include <cmath>

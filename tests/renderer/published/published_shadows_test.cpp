@@ -1,3 +1,5 @@
+#include "renderer/published/published_shadows.h"
+
 #include "tests/support/random_space.h"
 #include "tests/support/shadow_fixture.h"
 #include "tests/support/shadow_oracle.h"
@@ -139,9 +141,9 @@ double adaptive_share(const Scene& scene, const Pixel& patch) {
 double found_share(const Scene& scene, ShadowQuality quality, int divisions,
                    std::uint64_t seed = 1) {
   ShadowRules settings;
-  settings.quality = quality;
-  settings.divisions = divisions;
-  settings.budget.max_level = 4;
+  const PublishedShadows published(quality, divisions);
+  settings.published = &published;
+  settings.allowance.max_level = 4;
   settings.see_through = false;
   ShadowFixture fixture(scene.world, panel(), settings);
   SurfacePoint point;

@@ -1,5 +1,6 @@
-#include "renderer/shadows/extended_shadow.h"
+#include "renderer/published/extended_shadow.h"
 
+#include "renderer/published/extended_caster.h"
 #include "renderer/shadows/area_shadow.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   if (fit == ExtendedPyray::Fit::around)
     outline.insert(outline.end(), extended->outline.begin(), extended->outline.end());
   pyray.outline = outline;
-  ExtendedCaster& caster = block.work->extended_caster;
+  thread_local ExtendedCaster caster;
   caster.start(*block.scene, block.rules.see_through, *extended, *window, lit.light.own_part);
   (void)trace_shadow(block, query, pyray, shadow_rules(block.rules, query), caster, counts);
   return caster.visibility();

@@ -1,0 +1,357 @@
+#include "renderer/asos/error_terms.h"
+
+#include "renderer/asos/highlight_rays.h"
+#include "renderer/asos/light_counts.h"
+#include "renderer/asos/part_shape.h"
+#include "renderer/asos/textured_sight.h"
+#include "renderer/geometry/largest.h"
+#include "renderer/lights/lights_without_geometry.h"
+#include "renderer/pyray/prices.h"
+#include "renderer/reflections/mirror_surface.h"
+#include "renderer/shading/anisotropy.h"
+#include "renderer/shading/brdf.h"
+#include "renderer/shading/gloss.h"
+#include "renderer/shading/unevenness.h"
+#include "renderer/shadows/penumbra.h"
+#include "renderer/world/hit_plane.h"
+#include "renderer/world/surface_kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace asos {
+namespace {
+
+/// How many times narrower a pyray that a mesh mirrors has to be than one of an analytic shape: a
+/// triangle has its own curvature only.
+constexpr double strictness_of_meshes = 8.0;
+
+bool any_light(const EyeContext& eye, const auto& holds) {
+  const auto lights = eye.viewer.shader.lights();
+  return std::any_of(lights.begin(), lights.end(), holds);
+}
+
+/// Whether samples of its lobes show all that a surface reflects and transmits.
+bool by_lobes_only(const EyeContext& eye, const Leaf& leaf) {
+  const Material& material = *leaf.material;
+  return !material.metallic_roughness_texture.used() && !material.coat.roughness_texture.used() &&
+         eye.viewer.shader.mirrors_by_lobe(leaf.hit.triangle, least_mirror_roughness(material));
+}
+
+}  // namespace
+
+ErrorTerms::ErrorTerms(const EyeContext& eye, const EyeSamples& samples,
+                       const WeakLights& weak_lights, const ShadowContext& shadows)
+    : eye_(&eye),
+      samples_(&samples),
+      weak_lights_(&weak_lights),
+      shadows_(&shadows),
+      soft_shadows_(eye.settings->shadow.cast && any_light(eye,
+                                                           [](const PreparedLight& light) {
+                                                             return light.casts_shadows &&
+                                                                    light.extended();
+                                                           })),
+      spots_(any_light(eye, [](const PreparedLight& light) { return light.cone_scale > 0.0; })) {}
+
+void ErrorTerms::learn_normals(int side) {
+  const auto count = static_cast<std::size_t>(side * side);
+  std::vector<glm::vec3> normals(count, glm::vec3(0.0f));
+  std::vector<std::uint32_t> surfaces(count, Hit::none);
+  for (SampleId i = 0; i < count; ++i) {
+    if (!samples_->hit(i).valid()) continue;
+    normals[i] = samples_->point(i).shading_normal;
+    surfaces[i] = samples_->surface(i);
+  }
+  normals_.find(side, normals, surfaces, Hit::none);
+  border_ = (eye_->block.width - side) / 2;
+}
+
+ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
+  using Term = ErrorBound (ErrorTerms::*)(const Leaf&) const;
+  constexpr Term terms[] = {&ErrorTerms::bumps,   &ErrorTerms::textures, &ErrorTerms::bend,
+                            &ErrorTerms::normals, &ErrorTerms::falloff,  &ErrorTerms::gloss,
+                            &ErrorTerms::mirror};
+  ErrorBound sum;
+  for (const Term term : terms) {
+    sum += (this->*term)(leaf);
+    if (sum.unbounded) break;
+  }
+  return sum;
+}
+
+// The mean of what textured layers transmit together is not the product of their means, and no
+// outlines bound what alpha blends. What lies behind the first layer has to be even itself.
+ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
+  if (samples_->cut_out(leaf.sample)) return ErrorBound::unknown();
+  if (!eye_->scene->needs.alpha_blend || samples_->opaque(leaf.sample) ||
+      surface_kind(*leaf.material) != SurfaceKind::blended)
+    return ErrorBound::none();
+  const ViewedRay seen = eye_->viewer.viewed(leaf.ray, leaf.hit, eye_->side_of(leaf.weight),
+                                             part_shape(leaf.region, leaf.at));
+  const std::vector<SeenLayer> layers = eye_->viewer.shader.layers(seen, *eye_->counts);
+  double through = 1.0;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!(through > static_cast<double>(eye_->allowance.tolerance))) break;
+    if (i > 0 && varies_behind(leaf, seen, layers[i].hit)) return ErrorBound::unknown();
+    through *= 1.0 - static_cast<double>(layers[i].opacity);
+  }
+  return ErrorBound::unknown(Allowance::usual_contrast * std::sqrt(leaf.weight) *
+                                 static_cast<double>(unevenness_of(layers)) >
+                             static_cast<double>(eye_->allowance.tolerance));
+}
+
+bool ErrorTerms::varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hit& hit) const {
+  const RenderScene& scene = *eye_->scene;
+  const World& world = scene.world();
+  if (world.is_face(hit.triangle)) return false;
+  const Material& material = world.material_of(hit.triangle);
+  const glm::dvec3 normal = glm::normalize(hit_plane(world, hit).normal());
+  const Patch square = patch_on_plane(eye_->viewer.spacing, seen.ray.direction, hit.t,
+                                      glm::vec3(normal), eye_->side_of(leaf.weight));
+  if (textured_by_several(*eye_, hit, square) ||
+      uneven_products(*eye_, hit, square, seen.shape, leaf.weight))
+    return true;
+  if (material.unlit || !soft_shadows_) return false;
+  return (scene.needs.normal_maps && has_normal_map(material)) ||
+         scene.features().deviation(hit.triangle) > 0.0f;
+}
+
+ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
+  if (eye_->mirrored() || eye_->scene->world().is_face(leaf.hit.triangle))
+    return ErrorBound::none();
+  return ErrorBound::unknown(
+      textured_by_several(*eye_, leaf.hit, leaf.square) ||
+      strays_beyond_edges(*eye_, *samples_, leaf) ||
+      recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
+      uneven_products(*eye_, leaf.hit, leaf.square, part_shape(leaf.region, leaf.at), leaf.weight));
+}
+
+// The centre's normal stands for none of the others. Where these face away from a light, a ray has
+// to show it, so that as many samples determine more of the leaf.
+ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
+  const RenderScene& scene = *eye_->scene;
+  if (!leaf.is_lit()) return ErrorBound::none();
+  if (glints(leaf)) return ErrorBound::unknown();
+  if (eye_->mirrored() || scene.world().is_face(leaf.hit.triangle)) return ErrorBound::none();
+  // The mean of a turning texture is not that of its highlights.
+  if (scene.needs.textures && leaf.material->anisotropy.texture.used())
+    return ErrorBound::unknown();
+  if (!soft_shadows_) return ErrorBound::none();
+  if (scene.needs.normal_maps && has_normal_map(*leaf.material)) return ErrorBound::unknown();
+  constexpr double bright = 0.25;
+  return ErrorBound::unknown(scene.features().deviation(leaf.hit.triangle) > 0.0f &&
+                             (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square) ||
+                              gloss(leaf).contrast <= bright));
+}
+
+// A normal map scatters the lights' highlights all over a leaf, however small.
+bool ErrorTerms::glints(const Leaf& leaf) const {
+  const RenderScene& scene = *eye_->scene;
+  const Material& material = *leaf.material;
+  if (!scene.needs.normal_maps || !(leaf.weight > 0.0) || !material.normal_texture.used() ||
+      scene.lights().empty())
+    return false;
+  // Textures make roughness less only.
+  if (!material.metallic_roughness_texture.used() && material.roughness >= least_broad_roughness)
+    return false;
+  const SampleExtent extent{&eye_->viewer.spacing, &scene.mips(), eye_->side_of(leaf.weight)};
+  const SurfacePoint point =
+      surface_point(scene.world(), scene.needs, leaf.hit, leaf.to_viewer(), extent);
+  if (!(point.spread.variance > 0.0f)) return false;
+  const SurfaceMaterial seen =
+      surface_material(scene.world(), scene.needs, leaf.hit, point.footprint, &scene.mips());
+  return glint_error(scene.lights(), material, seen.roughness, point, leaf.to_viewer()) >
+         eye_->allowance.tolerance;
+}
+
+ErrorBound ErrorTerms::bend(const Leaf& leaf) const {
+  const RenderScene& scene = *eye_->scene;
+  return ErrorBound::of(midpoint_error(scene.world(), scene.lights(), leaf.ray, leaf.hit,
+                                       leaf.square, leaf.distance,
+                                       eye_->settings->shadow.light_rule));
+}
+
+// In a part of a pixel, as much less as its area is.
+ErrorBound ErrorTerms::normals(const Leaf& leaf) const {
+  const glm::ivec2 pixel = pixel_of(leaf.region);
+  const float error = normals_.error(pixel.x, pixel.y);
+  if (error == 0.0f || !leaf.is_lit()) return ErrorBound::none();
+  const float part = leaf.region.square.side * static_cast<float>(eye_->block.width);
+  return ErrorBound::of(leaf.albedo() * error * part * part);
+}
+
+ErrorBound ErrorTerms::falloff(const Leaf& leaf) const {
+  if (!(soft_shadows_ || spots_) || !leaf.is_lit()) return ErrorBound::none();
+  const Receiver receiver = receiver_at(leaf.point);
+  const auto lights = eye_->viewer.shader.lights();
+  float error = 0.0f;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (weak_lights_->holds(i)) continue;
+    if (soft_shadows_ && lights[i].extended())
+      error += falloff_error(lights[i], receiver, leaf.around);
+    error += cone_error(lights[i], receiver, leaf.around);
+  }
+  return ErrorBound::of(error);
+}
+
+// But for highlights of lights that a reflection shows.
+ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = leaf.hit;
+  // Textures make roughness less only.
+  const bool by_dfr = eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle);
+  if (!leaf.is_lit() || !(by_dfr || may_be_glossy(*leaf.material))) return ErrorBound::none();
+  const SurfacePoint& point = leaf.point;
+  GlossyPatch glossy{point, normal_turn(scene.world(), hit, leaf.around, point.shading_normal),
+                     leaf.around, leaf.to_viewer(), leaf.distance};
+  const bool highlights =
+      soft_shadows_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
+  if (!highlights && !turns(glossy)) return ErrorBound::none();
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
+  if (seen.anisotropy.strength > 0.0f) {
+    glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
+                                  point.shading_normal, glossy.to_viewer);
+    glossy.stretch_turn = tangent_turn(scene.world(), hit, leaf.around, point.shading_normal);
+  }
+  glossy.white = static_cast<float>(1.0 / leaf.weight);
+  ErrorBound all;
+  const auto add = [&](const Gloss& gloss) {
+    glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
+    all += ErrorBound::of(reflectance_error(glossy));
+    if (!highlights || !has_highlights(gloss.roughness)) return;
+    const HighlightError found = highlights_error(glossy);
+    all += {found.error, found.contrast, false};
+  };
+  add({largest(seen.f0), seen.roughness});
+  glossy.stretch = {};
+  if (seen.coat.factor > 0.0f) add({coat_f0 * seen.coat.factor, seen.coat.roughness});
+  return all;
+}
+
+// Of one of the surface's lobes.
+HighlightError ErrorTerms::highlights_error(const GlossyPatch& glossy) const {
+  const auto lights = eye_->viewer.shader.lights();
+  const float tolerance = eye_->allowance.tolerance;
+  const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
+  HighlightError all;
+  for (std::uint32_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
+    if (weak_lights_->holds(i)) continue;
+    const HighlightError one = highlight_error(lights[i], glossy);
+    if (one.error > negligible && !shows_highlight(*eye_, i, glossy.point, glossy.to_viewer))
+      continue;
+    all.error += one.error;
+    all.contrast += one.contrast;
+  }
+  return all;
+}
+
+// A quarter of the area has a quarter of the squared angle.
+ErrorBound ErrorTerms::mirror(const Leaf& leaf) const {
+  const double wide = mirrored_width(leaf);
+  if (!(wide > 1.0)) return ErrorBound::none();
+  return ErrorBound::of(wide * wide * static_cast<double>(eye_->allowance.tolerance));
+}
+
+// How far a curved mirror spreads the region's corner rays, in units of the widest reflected pyray.
+double ErrorTerms::mirrored_width(const Leaf& leaf) const {
+  const MirrorSettings& settings = eye_->settings->mirror;
+  const Viewer& viewer = eye_->viewer;
+  const World& world = eye_->scene->world();
+  if (!leaf.is_lit() || viewer.bounces >= viewer.shader.reflections() ||
+      settings.curved == CurvedMirror::tangent)
+    return 0.0;
+  const Hit& hit = leaf.hit;
+  const bool mirror =
+      eye_->scene->dfr_of(hit.triangle) ||
+      static_cast<double>(least_mirror_roughness(*leaf.material)) <= settings.roughest;
+  const bool refracts = bounds_volume(*leaf.material);
+  if (!(mirror || refracts) || by_lobes_only(*eye_, leaf)) return 0.0;
+  const float side = leaf.region.square.side * static_cast<float>(eye_->block.width);
+  const IncidentPyray pyray = pyray_around(viewer.spacing, leaf.ray, hit.t, side);
+  const MirrorSurface surface = mirror_surface(world, hit, leaf.point, pyray, true);
+  const double strayed = strayed_width(leaf, surface, side);
+  if (!surface.bent()) return strayed;
+  if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
+  const double widest = glm::radians(settings.widest_angle_deg);
+  const double strictness = world.is_face(hit.triangle) ? 1.0 : strictness_of_meshes;
+  const double mirrored = mirror ? strictness * reflected_angle(pyray, surface) / widest : 0.0;
+  if (!refracts) return std::max(strayed, mirrored);
+  const auto boundary = VolumeBoundary::met(world, hit, leaf.ray, viewer.passage);
+  const auto ratio = static_cast<double>(boundary->ratio_of(viewer.passage));
+  return std::max({strayed, mirrored, reflected_angle(pyray, refracting(surface, ratio)) / widest});
+}
+
+// How far neighbours' normals are from what the mirror's own triangle predicts, in units of what is
+// negligible: where triangles are smaller than the patch, one of them does not show its curvature.
+double ErrorTerms::strayed_width(const Leaf& leaf, const MirrorSurface& mirror, float side) const {
+  constexpr double negligible = 0.02;
+  if (eye_->scene->world().is_face(leaf.hit.triangle)) return 0.0;
+  const glm::ivec2 pixel = pixel_of(leaf.region);
+  const auto across = static_cast<double>(side);
+  const float strays = normals_.strays(pixel.x, pixel.y, glm::vec3(mirror.turn_right / across),
+                                       glm::vec3(mirror.turn_down / across));
+  return static_cast<double>(strays) * across / negligible;
+}
+
+// The root that a region's centre lies in, as NormalVariation counts them.
+glm::ivec2 ErrorTerms::pixel_of(const LeafRegion& region) const {
+  const auto width = static_cast<float>(eye_->block.width);
+  return glm::ivec2(width * glm::vec2(region.square.centre_u(), region.square.centre_v())) -
+         border_;
+}
+
+// Whether it is a light of some size whose shadows are found by themselves.
+bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
+  const PreparedLight& asked = eye_->viewer.shader.lights()[light];
+  return asked.casts_shadows && asked.extended() && !weak_lights_->holds(light);
+}
+
+// The bounds are for an edge all along a patch, and at the worst place: half of them is expected.
+// Ends once the sum is more than what may be expected of any leaf.
+ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
+  constexpr double expected = 0.5;
+  if (!leaf.is_lit() || !(leaf.albedo() > 0.0f)) return ErrorBound::none();
+  const float reflected = leaf.albedo() * std::numbers::inv_pi_v<float>;
+  const auto level =
+      static_cast<int>(std::lround(std::log2(eye_->root_side() / leaf.region.square.side)));
+  const auto lights = eye_->viewer.shader.lights();
+  const double most = static_cast<double>(eye_->allowance.tolerance) / expected;
+  double error = 0.0;
+  for (std::uint32_t i = 0; i < lights.size() && !(error > most); ++i) {
+    if (!casts_soft_shadow(i)) continue;
+    const CountForLight count(*eye_->counts, i);
+    const Penumbra found = find_penumbra(
+        *shadows_, {lights[i], i, leaf.point, leaf.around, reflected, level, leaf.weight},
+        *eye_->counts);
+    error += static_cast<double>(found.error);
+    views.add({i, expected * static_cast<double>(found.error), found.saturated});
+  }
+  return ErrorBound::of(expected * error);
+}
+
+double ErrorTerms::price_of_shadows() const {
+  double price = 0.0;
+  for (std::uint32_t i = 0; i < eye_->viewer.shader.lights().size(); ++i)
+    if (casts_soft_shadow(i)) price += Prices::soft_shadow;
+  return price;
+}
+
+bool ErrorTerms::may_misplace_light(const Leaf& leaf) const {
+  constexpr double wider = 8.0;  // than the corner rays: the other mirror's pyray is elsewhere
+  const Viewer& viewer = eye_->viewer;
+  if (!leaf.shows_surface() || viewer.shader.lights_without_geometry().empty()) return false;
+  const double spread =
+      mirrored_width(leaf) * glm::radians(eye_->settings->mirror.widest_angle_deg);
+  if (!(spread > 0.0)) return false;
+  const glm::dvec3 from(leaf.point.position);
+  const glm::dvec3 towards(glm::reflect(leaf.ray.direction, leaf.point.shading_normal));
+  const auto bare = viewer.shader.lights_without_geometry();
+  return std::any_of(bare.begin(), bare.end(), [&](std::uint32_t i) {
+    const PreparedLight& light = viewer.shader.lights()[i];
+    return largest(light.power) > 1.0f && may_show(light, from, towards, wider * spread);
+  });
+}
+
+}  // namespace asos

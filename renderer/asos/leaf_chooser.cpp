@@ -1,0 +1,103 @@
+#include "renderer/asos/leaf_chooser.h"
+
+#include "renderer/asos/choose.h"
+#include "renderer/pyray/prices.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asos {
+
+LeafChooser::LeafChooser(const EyeContext& eye, const EyeSamples& samples,
+                         const WeakLights& weak_lights, const ShadowContext& shadows)
+    : eye_(&eye),
+      samples_(&samples),
+      terms_(eye, samples, weak_lights, shadows),
+      shadows_price_(terms_.price_of_shadows()),
+      part_price_(Prices::part + shadows_price_) {}
+
+LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegion& region,
+                                 bool may_split) {
+  const Allowance& allowance = eye_->allowance;
+  if (!allowance.refines_leaves() || !samples_->hit(sample).valid() ||
+      (eye_->mask && !eye_->mask->holds(samples_->at(sample))))
+    return {};
+  // The parts of an even patch are right as a whole only: none of them alone is sampled.
+  const bool shared = terms_.soft_shadows() && even_around(sample, region);
+  if (!eye_->mirrored() && !shared && samples_cost_least(allowance, weight) && is_lit(sample))
+    return {Estimator::samples};
+
+  // Add up the error terms, those of soft shadows only where the others leave anything to choose.
+  const Leaf leaf = Leaf::of(*eye_, *samples_, sample, weight, region);
+  if (terms_.layers(leaf).unbounded) return {Estimator::samples, Unevenness::layers};
+  LeafChoice choice{weight, terms_.shading(leaf), Prices::leaf, may_split};
+  LeafDecision decision{choose(allowance, choice)};
+  if (decision.estimator != Estimator::centre) decision.cause = Unevenness::shading;
+  if (!terms_.soft_shadows()) return decision;
+  if (shared) {
+    if (decision.sampled() && !choice.bound.unbounded)
+      decision.estimator = may_split ? Estimator::split : Estimator::centre;
+    return decision;
+  }
+  if (decision.sampled()) return decision;
+  LightViews views;
+  const ErrorBound penumbra = terms_.penumbra(leaf, views);
+  const bool even = penumbra.error <= static_cast<double>(allowance.tolerance);
+  if (!even || decision.estimator == Estimator::centre) {
+    choice.bound += penumbra;
+    choice.price += shadows_price_;
+    decision.estimator = choose(allowance, choice);
+    if (decision.estimator != Estimator::centre)
+      decision.cause = even ? Unevenness::shading : Unevenness::shadow;
+  }
+  // Parts of a leaf that is split for its shading need not have their shadows found again.
+  if (even && decision.splits() && region.border.empty() && samples_->opaque(sample) &&
+      nearly_flat(leaf))
+    even_.push_back(even_patch(sample, region, views));
+  if (!views.empty() && !decision.splits()) {
+    decision.record = static_cast<std::uint32_t>(views_.size());
+    views_.push_back(std::move(views));
+  }
+  return decision;
+}
+
+bool LeafChooser::is_lit(SampleId sample) const {
+  return !eye_->scene->world().material_of(samples_->hit(sample).triangle).unlit;
+}
+
+// Whether the surface deviates from its plane by little, compared with the patch: what lies closer
+// to a bent surface than that is left out of the search for penumbrae (find_penumbra).
+bool LeafChooser::nearly_flat(const Leaf& leaf) const {
+  const float size = std::min(glm::length(leaf.square.right), glm::length(leaf.square.down));
+  const glm::dvec3 at(leaf.ray.at(leaf.hit.t));
+  return 4.0 * eye_->scene->features().deviation(leaf.hit.triangle, at, size) <
+         static_cast<double>(size);
+}
+
+EvenPatch LeafChooser::even_patch(SampleId sample, const LeafRegion& region,
+                                  const LightViews& views) const {
+  return {samples_->point(sample), region.square,
+          std::vector<Visibility>(eye_->viewer.shader.lights().size(), Visibility(-1.0)), views};
+}
+
+// A part of it, and not only overlapping it as pixels with a wide filter do.
+EvenPatch* LeafChooser::even_around(SampleId sample, const LeafRegion& region) {
+  const Square& s = region.square;
+  const float rounding = 1e-3f * s.side;
+  for (EvenPatch& even : even_) {
+    const Square& all = even.square;
+    const float wider = all.side - s.side + rounding;
+    if (s.u >= all.u - rounding && s.u <= all.u + wider && s.v >= all.v - rounding &&
+        s.v <= all.v + wider &&
+        samples_->surface(sample) == eye_->scene->features().sheet(even.middle.triangle))
+      return &even;
+  }
+  return nullptr;
+}
+
+bool LeafChooser::may_misplace_light(SampleId sample, double weight,
+                                     const LeafRegion& region) const {
+  return terms_.may_misplace_light(Leaf::of(*eye_, *samples_, sample, weight, region));
+}
+
+}  // namespace asos

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "renderer/asos/error_terms.h"
+#include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
+#include "renderer/asos/weak_lights.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/light_view.h"
+#include "renderer/shadows/shadow_context.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// Chooses the estimator of each leaf of a block, and keeps what was found on the way.
+class LeafChooser {
+ public:
+  /// All have to outlive this.
+  LeafChooser(const EyeContext& eye, const EyeSamples& samples, const WeakLights& weak_lights,
+              const ShadowContext& shadows);
+
+  /// See ErrorTerms.
+  void learn_normals(int side) { terms_.learn_normals(side); }
+
+  /// The estimator of a leaf of this weight, from the sum of its error terms. The decision's record
+  /// is the number of the leaf's view of the lights.
+  [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
+                                    bool may_split);
+  /// A leaf's view of the lights, as far as it was found.
+  [[nodiscard]] const LightViews& views(const LeafDecision& decision) const {
+    return views_[decision.record];
+  }
+
+  /// The even patch of the sample's surface that a region is a part of, if any.
+  [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region);
+  /// A patch that one look at each light does for.
+  [[nodiscard]] EvenPatch even_patch(SampleId sample, const LeafRegion& region,
+                                     const LightViews& views) const;
+
+  /// Of each of many parts of a cell, in samples.
+  [[nodiscard]] double part_price() const { return part_price_; }
+  /// See ErrorTerms.
+  [[nodiscard]] bool may_misplace_light(SampleId sample, double weight,
+                                        const LeafRegion& region) const;
+
+ private:
+  [[nodiscard]] bool is_lit(SampleId sample) const;
+  [[nodiscard]] bool nearly_flat(const Leaf& leaf) const;
+
+  const EyeContext* eye_;
+  const EyeSamples* samples_;
+  ErrorTerms terms_;
+  double shadows_price_, part_price_;
+  std::vector<LightViews> views_{1};  // by record; the first knows nothing
+  std::vector<EvenPatch> even_;
+};
+
+}  // namespace asos

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "renderer/asos/block_queue.h"
+#include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
+#include "renderer/pyray/caster.h"
+#include "renderer/samples/sample_sums.h"
+#include "renderer/samples/sobol_places.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+
+namespace asos {
+
+/// Leaves that are worth one sample: at MAX 0, and where cells stay marginal at MAX. Their rays
+/// were cast when the cell was examined; they are shaded in batches, with one shadow ray to each
+/// light.
+class SingleSamples {
+ public:
+  /// Both have to outlive this.
+  SingleSamples(const EyeContext& eye, const EyeSamples& samples);
+  SingleSamples(const SingleSamples&) = delete;
+  SingleSamples& operator=(const SingleSamples&) = delete;
+
+  /// Defers a leaf until `run`.
+  void add(const PyrayLeaf& leaf) { queue_.add(leaf.root, leaf.sample, leaf.weight); }
+  /// Shades the deferred leaves; none waits then. Those that are not finite are dropped. Valid
+  /// until the next `run`.
+  [[nodiscard]] std::span<const Contribution> run();
+
+ private:
+  const EyeContext* eye_;
+  const EyeSamples* samples_;
+  SobolPlaces places_;
+  std::unique_ptr<SampleSums> sums_;  // made when first needed: it is large
+  BlockQueue queue_;
+  std::map<std::uint32_t, int> taken_;  // leaves of each root so far
+};
+
+}  // namespace asos

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "renderer/film/tone.h"
+#include "renderer/settings/settings.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace asos {
+
+/// The error that a pyray may have and the work that it may take: EPS and MAX of a pixel, handed
+/// down to its parts and to the pyrays that these send on (CGF'98 sections 3.1 and 4.1; design
+/// section 14). Weights are fractions of the root's area; intensities and errors are display
+/// intensities, 1 is white.
+///
+/// MAX bounds the work: no cell is smaller than 4^-MAX of the root, and no part takes more than
+/// four samples for each finest cell. EPS ends the work sooner.
+struct Allowance {
+  int max_level = 4;  ///< MAX, 0 to max_level_limit
+  double eps = 0.0;   ///< EPS: allowed error of the root, 0 to 1
+  /// Allowed error of a leaf whose errors its neighbours share: EPS, or what nobody sees where that
+  /// is more. Infinite if shading is not refined.
+  float tolerance = 0.0f;
+  /// Slope of the tone curve where it is steepest: EPS and the tolerance are divided by it.
+  double steep = 1.0;
+  /// The root's weight in its pixel: 1, or that of the leaf that sent it on.
+  double weight = 1.0;
+
+  /// An eighth of a step of an 8-bit picture.
+  static constexpr double invisible = 1.0 / 2048.0;
+  /// Contrast of a part of which nothing else is known.
+  static constexpr double usual_contrast = 0.25;
+  /// Error of the mean of n samples of contrast 1: this, times n^(-3/4) (tests/bench/prices.cpp).
+  static constexpr double error_of_one_sample = 0.35;
+  /// Standard error that samples are taken to, in units of the allowed error.
+  static constexpr double standard_errors = 0.5;
+
+  [[nodiscard]] static Allowance of(const RenderSettings& settings) {
+    const AsosSettings& asos = settings.asos;
+    Allowance allowance;
+    allowance.max_level = asos.max_level;
+    allowance.steep = steepness(settings.judged_tone);
+    allowance.eps = asos.eps / allowance.steep;
+    allowance.tolerance = asos.refine_shading ? tolerance_of(allowance.eps, allowance.steep)
+                                              : std::numeric_limits<float>::infinity();
+    return allowance;
+  }
+
+  /// Whether leaves are split or sampled for their shading.
+  [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
+  /// The same, if MAX leaves room for more than one sample.
+  [[nodiscard]] bool refines_leaves() const { return refines() && max_level > 0; }
+
+  /// Allowed standard error of a sampled part. Errors of parts are independent, so that it grows
+  /// with the root of the part's weight.
+  [[nodiscard]] double standard_error(double part, double intensity = 1.0) const {
+    return standard_errors * static_cast<double>(tolerance) /
+           (intensity * std::sqrt(weight * part));
+  }
+
+  /// Number of finest cells that a part stands for.
+  [[nodiscard]] double finest_cells(double part) const {
+    return part * std::ldexp(1.0, 2 * max_level);
+  }
+  /// Most samples of a part: four for each finest cell, and one of a root at MAX 0; at least one.
+  [[nodiscard]] double most_samples(double part) const {
+    return std::max(1.0, (max_level == 0 ? 1.0 : 4.0) * finest_cells(part));
+  }
+  /// Samples until a part of this contrast is converged: at most most_samples.
+  [[nodiscard]] double samples(double part, double contrast) const {
+    const double converged =
+        std::pow(error_of_one_sample * contrast / standard_error(part), 4.0 / 3.0);
+    return std::min(std::max(1.0, converged), most_samples(part));
+  }
+  /// Error of the mean of so many samples of this contrast.
+  [[nodiscard]] static double error_of_samples(double samples, double contrast) {
+    return error_of_one_sample * contrast * std::pow(samples, -0.75);
+  }
+  /// Whether sampling a part of this contrast costs no more than `price`, in samples.
+  [[nodiscard]] bool samples_suffice(double part, double contrast, double price) const {
+    return refines() && samples(part, contrast) <= price;
+  }
+  /// Samples of the pilot, the first round of a sampled part, which gives its variance: half of
+  /// what usual contrast needs, and one for each finest cell at most. A power of two.
+  [[nodiscard]] std::uint32_t pilot_samples(double part) const {
+    constexpr double fewest = 4.0;
+    const double wanted = std::min(0.5 * samples(part, usual_contrast), finest_cells(part));
+    const double pilot = std::min(std::max(fewest, wanted), most_samples(part));
+    return std::bit_floor(static_cast<std::uint32_t>(pilot));
+  }
+
+  /// Leaves of a part whose centre has this error, if it is split until all are within the
+  /// tolerance, where each level leaves a quarter of the error.
+  [[nodiscard]] double leaves(double error) const {
+    const auto allowed = static_cast<double>(tolerance);
+    return std::min(std::max(4.0, 2.0 * error / allowed), usual_contrast / allowed);
+  }
+
+  /// Bend of a reflectance across a patch that is not summed over it, at most: neighbours share its
+  /// error, and many lights add up.
+  [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 64.0f); }
+
+  /// The levels that a part of this weight has used up: one for each quarter.
+  [[nodiscard]] static int levels_of(double part) {
+    return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / part))));
+  }
+
+  /// The allowance of what stands for a part of this weight alone.
+  [[nodiscard]] Allowance of_part(double part) const {
+    Allowance allowance = *this;
+    allowance.weight *= std::min(1.0, part);
+    return allowance;
+  }
+
+  /// The allowance of a pyray that a leaf sends on, which used up `levels`: the levels that are
+  /// left, but `fewest`; and the EPS of what it contributes, so that all leaves together stay
+  /// within EPS.
+  [[nodiscard]] Allowance nested(int levels, double intensity, int fewest) const {
+    Allowance allowance = *this;
+    allowance.max_level = std::clamp(max_level - levels, fewest, std::max(fewest, max_level));
+    allowance.eps = eps >= intensity ? 1.0 : eps / intensity;
+    if (refines()) allowance.tolerance = tolerance_of(allowance.eps, steep);
+    return allowance;
+  }
+
+ private:
+  [[nodiscard]] static float tolerance_of(double eps, double steep) {
+    return static_cast<float>(std::max(eps, invisible / steep));
+  }
+};
+
+}  // namespace asos

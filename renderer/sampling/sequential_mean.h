@@ -1,0 +1,132 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace asos {
+
+/// When to end a mean that is sampled in rounds, each of which has as many samples as all before
+/// it.
+struct SamplingGoal {
+  /// Allowed standard error of the mean if `least` samples meet it. It grows with the root of the
+  /// number of samples: then one more takes as much off a picture's squared error wherever it is
+  /// taken (Neyman 1934). Negative: take `most`.
+  double standard_error = 0.0;
+  std::uint32_t least = 16;  ///< the first round, at most `most`
+  std::uint32_t most = 16;
+
+  [[nodiscard]] double allowed_error(std::uint32_t taken) const {
+    return std::sqrt(static_cast<double>(taken) / static_cast<double>(std::max(1u, least))) *
+           standard_error;
+  }
+  /// Samples of all rounds together after the next one.
+  [[nodiscard]] std::uint32_t after_next_round(std::uint32_t taken) const {
+    return taken == 0 ? least : 2 * taken;
+  }
+  [[nodiscard]] bool exhausted(std::uint32_t taken) const { return after_next_round(taken) > most; }
+  [[nodiscard]] bool met(std::uint32_t taken, double error) const {
+    return exhausted(taken) || error <= allowed_error(taken);
+  }
+};
+
+/// The weighted mean of samples that come one after the other, each well distributed among those
+/// before it, and its standard error: from the scatter of parts of them, in the order of their
+/// coming, each of which is as well distributed as its size allows. The one stopping rule is
+/// SamplingGoal's.
+class SequentialMean {
+ public:
+  struct Sum {
+    glm::dvec3 value{0.0};  ///< times weight
+    double weight = 0.0;
+
+    Sum& operator+=(const Sum& other) {
+      value += other.value;
+      weight += other.weight;
+      return *this;
+    }
+    [[nodiscard]] glm::dvec3 mean() const {
+      return weight > 0.0 ? value / weight : glm::dvec3(0.0);
+    }
+  };
+
+  void clear() { *this = {}; }
+  void add(glm::dvec3 value, double weight = 1.0) {
+    if (in_last_ == per_sum_) start_sum();
+    sums_[used_ - 1] += {weight * value, weight};
+    ++in_last_;
+    ++count_;
+  }
+
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+  [[nodiscard]] glm::dvec3 mean() const { return all().mean(); }
+  [[nodiscard]] double weight() const { return all().weight; }
+  /// In the worst channel; infinite before two parts have any weight.
+  [[nodiscard]] double standard_error() const {
+    return standard_error_of(std::span(sums_).first(used_), mean(), [](glm::dvec3 off) {
+      return std::max({off.x, off.y, off.z});
+    });
+  }
+
+  /// The standard error of a mean that consecutive sums make up, from the scatter of up to `parts`
+  /// groups of them. `shown`: the error of a difference of values, which are not negative.
+  template <typename Shown>
+  [[nodiscard]] static double standard_error_of(std::span<const Sum> sums, glm::dvec3 mean,
+                                                Shown&& shown) {
+    double all = 0.0;
+    for (const Sum& sum : sums) all += sum.weight;
+    double squares = 0.0, weights2 = 0.0;
+    int found = 0;
+    for (std::size_t p = 0; p < parts; ++p) {
+      Sum part;
+      for (std::size_t k = p * sums.size() / parts; k < (p + 1) * sums.size() / parts; ++k)
+        part += sums[k];
+      if (!(part.weight > 0.0)) continue;
+      const double share = part.weight / all;
+      const double off = share * shown(glm::abs(part.mean() - mean));
+      squares += off * off;
+      weights2 += share * share;
+      ++found;
+    }
+    if (found < 2) return std::numeric_limits<double>::infinity();
+    // Of n parts of equal weight: the root of sum (off / n)^2 n / (n - 1).
+    return std::sqrt(squares / (1.0 - weights2));
+  }
+
+  /// Quarters agree by chance too often, and end noise too early.
+  static constexpr std::size_t parts = 8;
+  /// Sums that are kept: with more samples there are more in each.
+  static constexpr std::size_t most_sums = 2 * parts;
+
+ private:
+  [[nodiscard]] Sum all() const {
+    Sum sum;
+    for (std::size_t i = 0; i < used_; ++i) sum += sums_[i];
+    return sum;
+  }
+  void start_sum() {
+    if (used_ == most_sums) {
+      for (std::size_t i = 0; i < parts; ++i) {
+        const Sum pair = sums_[2 * i];
+        sums_[i] = pair;
+        sums_[i] += sums_[2 * i + 1];
+      }
+      used_ = parts;
+      per_sum_ *= 2;
+    }
+    sums_[used_++] = {};
+    in_last_ = 0;
+  }
+
+  std::array<Sum, most_sums> sums_{};
+  std::size_t used_ = 0;
+  std::uint32_t per_sum_ = 1, in_last_ = 1, count_ = 0;
+};
+
+}  // namespace asos

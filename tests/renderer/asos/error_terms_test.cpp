@@ -1,0 +1,239 @@
+#include "renderer/asos/error_terms.h"
+
+#include "tests/support/eye_block.h"
+#include "tests/support/sample_lights.h"
+#include "tests/support/textured_scene.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+// Each term by itself: none where its cause is missing, more the larger the leaf, and close to the
+// error that a finer leaf shows.
+
+namespace asos::test::error_terms_test {
+namespace {
+
+constexpr double eps = 1.0 / 256.0;
+
+Material metal(float roughness) {
+  Material m;
+  m.base_color = glm::vec4(0.9f, 0.9f, 0.9f, 1.0f);
+  m.metallic = 1.0f;
+  m.roughness = roughness;
+  return m;
+}
+
+/// A wall of that material that fills the picture, seen along -Z, 16 units high.
+World wall(const Material& material) {
+  World world;
+  add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, material);
+  return world;
+}
+
+Light panel(glm::dvec3 position, double half) {
+  Light light;
+  light.type = Light::Type::rectangle;
+  light.position = position;
+  light.half_u = {half, 0, 0};
+  light.half_v = {0, half, 0};
+  light.direction = {0, 0, -1};
+  light.intensity = 4.0f;
+  light.two_sided = true;
+  return light;
+}
+
+EyeBlock block_of(World world, std::vector<Light> lights, RenderSettings settings = {}) {
+  return EyeBlock(make_render_scene(std::move(world), std::move(lights)), orthographic(16.0),
+                  settings);
+}
+
+TEST(ErrorTerms, AreZeroOnAPlaneUnderASun) {
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = {0, -0.6, -0.8};
+  const EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun});
+  const Leaf leaf = block.leaf(1, 2);
+  ASSERT_TRUE(leaf.is_lit());
+  const ErrorBound sum = block.terms().shading(leaf);
+  EXPECT_EQ(sum.error, 0.0);
+  EXPECT_FALSE(sum.unbounded);
+  LightViews views;
+  EXPECT_EQ(block.terms().penumbra(leaf, views).error, 0.0);
+  EXPECT_TRUE(views.empty());
+}
+
+TEST(ErrorTerms, LeafHoldsWhatItsSampleShows) {
+  const EyeBlock block = block_of(wall(matte({0.5f, 0.25f, 0.0f})), {});
+  const Leaf whole = block.leaf(0, 0), part = block.leaf(0, 0, 0.5f);
+  EXPECT_EQ(whole.albedo(), 0.5f);
+  EXPECT_NEAR(glm::length(whole.square.right), 1.0f, 1e-4f) << "a pixel is a unit wide";
+  EXPECT_NEAR(glm::length(part.square.right), 0.5f, 1e-4f);
+  EXPECT_NEAR(glm::length(part.around.down), 0.5f, 1e-4f);
+  EXPECT_EQ(part.weight, 0.25);
+  EXPECT_NEAR(whole.point.position.z, 0.0f, 1e-5f);
+}
+
+// The inverse square law beside a small light, by the factor of four of a quarter's area.
+TEST(ErrorTerms, BendFallsWithTheAreaOfTheLeaf) {
+  Light bulb;
+  bulb.type = Light::Type::point;
+  bulb.position = {0.5, 0.5, 2.0};
+  bulb.intensity = 4.0f;
+  const EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb});
+  const double whole = block.terms().bend(block.leaf(2, 1)).error;
+  const double part = block.terms().bend(block.leaf(2, 1, 0.5f)).error;
+  EXPECT_GT(whole, 0.01);
+  EXPECT_NEAR(part, 0.25 * whole, 0.01 * whole);
+}
+
+TEST(ErrorTerms, FalloffIsThatOfLightsOfSomeSize) {
+  const EyeBlock near = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {panel({0.5, 0.5, 1.0}, 0.3)});
+  const EyeBlock far = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {panel({0.5, 0.5, 90.0}, 0.3)});
+  const double whole = near.terms().falloff(near.leaf(2, 1)).error;
+  EXPECT_GT(whole, eps);
+  EXPECT_LT(near.terms().falloff(near.leaf(2, 1, 0.25f)).error, 0.25 * whole);
+  EXPECT_EQ(far.terms().falloff(far.leaf(2, 1)).error, 0.0);
+}
+
+// A smooth ball's highlight of a panel is narrower than a pixel, and brighter than white.
+TEST(ErrorTerms, GlossHasTheContrastOfHighlights) {
+  const auto ball = [](float roughness) {
+    World world;
+    add_sphere(world, {0, 0, -13}, 12.0f, 24, metal(roughness));
+    return block_of(std::move(world), {panel({0, 0, 60}, 1.0)});
+  };
+  const EyeBlock shiny = ball(0.1f), rough = ball(1.0f);
+  double contrast = 0.0;
+  for (int i = 0; i < EyeBlock::side * EyeBlock::side; ++i)
+    contrast = std::max(
+        contrast, shiny.terms().gloss(shiny.leaf(i % EyeBlock::side, i / EyeBlock::side)).contrast);
+  EXPECT_GT(contrast, 0.0);
+  EXPECT_EQ(rough.terms().gloss(rough.leaf(1, 1)).contrast, 0.0);
+}
+
+// A quarter of the area mirrors half the angle: a quarter of the excess.
+TEST(ErrorTerms, MirrorSpreadsWithItsCurvature) {
+  World curved, flat = wall(metal(0.0f));
+  add_sphere(curved, {0, 0, 0}, 5.0f, 24, metal(0.0f));
+  const EyeBlock ball = block_of(std::move(curved), {}), plane = block_of(std::move(flat), {});
+  const double whole = ball.terms().mirror(ball.leaf(1, 1)).error;
+  EXPECT_GT(whole, 4.0 * eps);
+  EXPECT_LT(ball.terms().mirror(ball.leaf(1, 1, 0.5f)).error, 0.3 * whole);
+  EXPECT_EQ(plane.terms().mirror(plane.leaf(1, 1)).error, 0.0);
+  RenderSettings none;
+  none.mirror.bounces = 0;
+  World again;
+  add_sphere(again, {0, 0, 0}, 5.0f, 24, metal(0.0f));
+  const EyeBlock blind = block_of(std::move(again), {}, none);
+  EXPECT_EQ(blind.terms().mirror(blind.leaf(1, 1)).error, 0.0) << "nothing is followed";
+}
+
+// A plate before a panel: the edge of its shadow runs through the block, and not beside it.
+TEST(ErrorTerms, PenumbraIsFoundWhereItLies) {
+  const auto shaded = [](float edge) {
+    World world = wall(matte({0.8f, 0.8f, 0.8f}));
+    add_quad(world, {edge, -30, 0.3f}, {30, 0, 0}, {0, 60, 0}, matte({0.5f, 0.5f, 0.5f}));
+    Light bright = panel({0, 0, 20}, 2.0);
+    bright.intensity = 100.0f;
+    // Seen from between the plate and the wall.
+    return EyeBlock(make_render_scene(std::move(world), {bright}),
+                    look_at({0, 0, 0.2}, {0, 0, 0}, 2.2));
+  };
+  const EyeBlock crossed = shaded(0.0f), beside = shaded(25.0f);
+  double found = 0.0, none = 0.0;
+  for (int i = 0; i < EyeBlock::side * EyeBlock::side; ++i) {
+    const int x = i % EyeBlock::side, y = i / EyeBlock::side;
+    LightViews views;
+    found = std::max(found, crossed.terms().penumbra(crossed.leaf(x, y), views).error);
+    LightViews no_views;
+    none = std::max(none, beside.terms().penumbra(beside.leaf(x, y), no_views).error);
+  }
+  EXPECT_GT(found, 0.0);
+  EXPECT_EQ(none, 0.0);
+}
+
+// Alpha that is lower than a cut-off here and higher there, without an outline that is known.
+TEST(ErrorTerms, LayersAreUnboundedWhereTheyAreCutOutWithoutOutlines) {
+  const auto card = [](AlphaMode mode) {
+    World world;
+    Material m = unlit({0.8f, 0.8f, 0.8f}, 0.5f);
+    m.alpha_mode = mode;
+    const Image alphas = make_image(64, 64, [](int x, int y) {
+      return Texel{255, 255, 255, static_cast<std::uint8_t>((x / 2 + y / 2) % 2 ? 255 : 0)};
+    });
+    m.base_color_texture.texture = add_texture(world, alphas, Wrap::repeat, Filter::nearest);
+    add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, m);
+    add_quad(world, {-20, -20, -1}, {40, 0, 0}, {0, 40, 0}, m);
+    add_quad(world, {-20, -20, -2}, {40, 0, 0}, {0, 40, 0}, unlit({0.1f, 0.1f, 0.1f}));
+    return EyeBlock(make_textured_scene(std::move(world)), orthographic(16.0));
+  };
+  const EyeBlock blended = card(AlphaMode::blend), opaque = card(AlphaMode::opaque);
+  EXPECT_TRUE(blended.terms().layers(blended.leaf(1, 1)).unbounded);
+  EXPECT_FALSE(opaque.terms().layers(opaque.leaf(1, 1)).unbounded);
+}
+
+// A lid that is seen from its side, so that its far end is smaller than its near one.
+TEST(ErrorTerms, TexturesAreUnboundedWhereTheyRecede) {
+  World world;
+  const Image halves = make_image(64, 64, [](int, int y) {
+    const std::uint8_t c = y < 32 ? 255 : 0;
+    return Texel{c, c, c, 255};
+  });
+  Material m = unlit(glm::vec3(1.0f));
+  m.double_sided = true;
+  m.base_color_texture.texture = add_texture(world, halves, Wrap::clamp_to_edge, Filter::nearest);
+  add_quad(world, {-9, 0, 1}, {18, 0, 0}, {0, 0, -6}, m);
+  World flat = world;
+  const EyeBlock lid(make_textured_scene(std::move(world)),
+                     look_at({0.0, 0.3, 3.0}, {0.0, 0.3, 0.0}, 0.9));
+  const EyeBlock above(make_textured_scene(std::move(flat)),
+                       look_at({0.0, 30.0, -1.99}, {0.0, 0.0, -2.0}, 0.1));
+  int unbounded = 0, shown = 0;
+  for (int i = 0; i < EyeBlock::side * EyeBlock::side; ++i) {
+    const Leaf leaf = lid.leaf(i % EyeBlock::side, i / EyeBlock::side);
+    if (!leaf.shows_surface()) continue;
+    ++shown;
+    unbounded += lid.terms().textures(leaf).unbounded;
+  }
+  ASSERT_GT(shown, 0);
+  EXPECT_GT(unbounded, 0);
+  const Leaf leaf = above.leaf(1, 1);
+  ASSERT_TRUE(leaf.shows_surface());
+  EXPECT_FALSE(above.terms().textures(leaf).unbounded);
+}
+
+// A bent mesh in a panel's light: its triangles' normals are not those of the leaf.
+TEST(ErrorTerms, BumpsAreUnboundedUnderAPanelOnly) {
+  const auto ball = [](const Light& light) {
+    World world;
+    add_sphere(world, {0, 0, -13}, 12.0f, 24, matte({0.8f, 0.8f, 0.8f}));
+    return block_of(std::move(world), {light});
+  };
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = {0, 0, -1};
+  const EyeBlock soft = ball(panel({0, 0, 60}, 1.0)), hard = ball(sun);
+  EXPECT_TRUE(soft.terms().bumps(soft.leaf(1, 1)).unbounded);
+  EXPECT_FALSE(hard.terms().bumps(hard.leaf(1, 1)).unbounded);
+  const EyeBlock flat = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {panel({0, 0, 60}, 1.0)});
+  EXPECT_FALSE(flat.terms().bumps(flat.leaf(1, 1)).unbounded);
+}
+
+// Normals of pixels side by side that turn unevenly, as on a ball of fine triangles.
+TEST(ErrorTerms, NormalsVaryBetweenPixels) {
+  World small;
+  add_sphere(small, {0, 0, 0}, 4.0f, 64, matte({0.8f, 0.8f, 0.8f}));
+  const EyeBlock ball = block_of(std::move(small), {});
+  const EyeBlock flat = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {});
+  EXPECT_GT(ball.terms().normals(ball.leaf(0, 0)).error, 0.0);
+  EXPECT_EQ(flat.terms().normals(flat.leaf(0, 0)).error, 0.0);
+}
+
+}  // namespace
+}  // namespace asos::test::error_terms_test

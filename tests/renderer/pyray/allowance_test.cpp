@@ -1,0 +1,112 @@
+#include "renderer/pyray/allowance.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+namespace asos::test::allowance_test {
+namespace {
+
+Allowance allowance_of(int max_level, double eps = 1.0 / 256.0) {
+  RenderSettings settings;
+  settings.asos.max_level = max_level;
+  settings.asos.eps = eps;
+  return Allowance::of(settings);
+}
+
+// AgX shows differences of dark colours larger than they are: the allowed error is as much less,
+// for leaves as for the pyrays that they send on.
+TEST(Allowance, SteepToneCurveDividesEps) {
+  RenderSettings settings;
+  settings.asos.eps = 1.0 / 64.0;
+  const Allowance plain = Allowance::of(settings);
+  EXPECT_EQ(plain.eps, settings.asos.eps);
+  settings.judged_tone = ToneCurve::agx;
+  const Allowance steep = Allowance::of(settings);
+  const double times = steepness(ToneCurve::agx);
+  EXPECT_GT(times, 1.5);
+  EXPECT_NEAR(steep.eps * times, plain.eps, 1e-9);
+  EXPECT_NEAR(static_cast<double>(steep.tolerance) * times, static_cast<double>(plain.tolerance),
+              1e-6);
+  EXPECT_NEAR(static_cast<double>(steep.nested(1, 0.5, 0).tolerance) * times,
+              static_cast<double>(plain.nested(1, 0.5, 0).tolerance), 1e-6);
+}
+
+TEST(Allowance, MaxBoundsSamplesByFourForEachFinestCell) {
+  EXPECT_EQ(allowance_of(0).most_samples(1.0), 1.0);
+  EXPECT_EQ(allowance_of(1).most_samples(1.0), 16.0);
+  EXPECT_EQ(allowance_of(3).most_samples(1.0), 256.0);
+  EXPECT_EQ(allowance_of(3).most_samples(0.25), 64.0);
+  EXPECT_EQ(allowance_of(3).most_samples(1e-9), 1.0) << "no part has none";
+  for (int max_level = 0; max_level <= max_level_limit; ++max_level) {
+    const Allowance allowance = allowance_of(max_level, 0.0);
+    for (double part = 1.0; part > 1e-6; part *= 0.7) {
+      EXPECT_LE(allowance.samples(part, 1.0), allowance.most_samples(part));
+      EXPECT_LE(allowance.pilot_samples(part), allowance.most_samples(part));
+      EXPECT_TRUE(std::has_single_bit(allowance.pilot_samples(part)));
+    }
+  }
+}
+
+TEST(Allowance, EpsEndsSamplesSooner) {
+  // 0.35 n^(-3/4) is half of EPS.
+  const double converged = std::pow(0.35 / (0.5 / 64.0), 4.0 / 3.0);
+  EXPECT_NEAR(allowance_of(5, 1.0 / 64.0).samples(1.0, 1.0), converged, 1e-6);
+  EXPECT_NEAR(allowance_of(5, 1.0 / 64.0).samples(1.0, 0.5), converged * std::pow(0.5, 4.0 / 3.0),
+              1e-6);
+  EXPECT_EQ(allowance_of(5, 1.0).samples(1.0, 1.0), 1.0);
+  EXPECT_EQ(allowance_of(2, 0.0).samples(1.0, 1.0), 64.0) << "MAX alone decides";
+  EXPECT_GT(allowance_of(8, 0.0).tolerance, 0.0f) << "nobody sees less";
+}
+
+// Errors of a pixel's parts are independent, so that all together stay within EPS.
+TEST(Allowance, PartsTogetherErrAsOnePixel) {
+  for (int max_level = 1; max_level <= 5; ++max_level) {
+    const Allowance pixel = allowance_of(max_level);
+    double variance = 0.0, nested_variance = 0.0;
+    for (const double part : {0.5, 0.25, 0.125, 0.0625, 0.0625}) {
+      variance += std::pow(part * pixel.standard_error(part), 2.0);
+      const Allowance leaf = pixel.of_part(part).nested(Allowance::levels_of(part), 1.0, 1);
+      for (const double half : {0.5, 0.5}) {
+        const Allowance again = leaf.of_part(half).nested(Allowance::levels_of(half), 1.0, 1);
+        nested_variance += std::pow(part * half * again.standard_error(1.0), 2.0);
+      }
+    }
+    EXPECT_NEAR(std::sqrt(variance), 0.5 / 256.0, 1e-9) << max_level;
+    EXPECT_NEAR(std::sqrt(nested_variance), 0.5 / 256.0, 1e-9) << max_level;
+  }
+}
+
+// Contrast that the samples of a pilot miss by chance leaves an error of few EPS in the pixel.
+TEST(Allowance, PilotLeavesLittleToChance) {
+  const Allowance allowance = allowance_of(4);
+  for (double part = 1.0 / 16.0; part > 1e-6; part *= 0.9) {
+    const double samples = allowance.pilot_samples(part);
+    EXPECT_LE(0.5 * part / std::sqrt(samples), 3.0 * allowance.eps) << part;
+  }
+}
+
+TEST(Allowance, SamplesSufficeWhereTheyCostNoMoreThanThePrice) {
+  const Allowance allowance = allowance_of(3);
+  const double samples = allowance.samples(1.0 / 16.0, 0.5);
+  EXPECT_TRUE(allowance.samples_suffice(1.0 / 16.0, 0.5, 1.01 * samples));
+  EXPECT_FALSE(allowance.samples_suffice(1.0 / 16.0, 0.5, 0.99 * samples));
+  EXPECT_TRUE(allowance_of(1).samples_suffice(1.0, 1.0, 16.0)) << "MAX allows no more";
+  RenderSettings settings;
+  settings.asos.refine_shading = false;
+  EXPECT_FALSE(Allowance::of(settings).samples_suffice(1.0, 0.5, 1e9)) << "nothing is sampled";
+  EXPECT_FALSE(Allowance::of(settings).refines());
+}
+
+// Each level leaves a quarter of the centre's error.
+TEST(Allowance, LeavesGrowWithTheError) {
+  const Allowance allowance = allowance_of(4);
+  const double tolerance = static_cast<double>(allowance.tolerance);
+  EXPECT_EQ(allowance.leaves(0.5 * tolerance), 4.0) << "split once at least";
+  EXPECT_EQ(allowance.leaves(8.0 * tolerance), 16.0);
+  EXPECT_EQ(allowance.leaves(1.0), 0.25 / tolerance) << "no more than usual contrast needs";
+}
+
+}  // namespace
+}  // namespace asos::test::allowance_test

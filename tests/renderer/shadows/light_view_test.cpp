@@ -1,0 +1,26 @@
+#include "renderer/shadows/light_view.h"
+
+#include <gtest/gtest.h>
+
+namespace asos::test::light_view_test {
+namespace {
+
+TEST(LightViews, KeepWhatIsWorthNoting) {
+  LightViews views;
+  views.add({0, 0.0, false});
+  EXPECT_TRUE(views.empty());
+  views.add({2, 0.25, false});
+  views.add({5, 0.0, true});
+  EXPECT_FALSE(views.empty());
+  EXPECT_EQ(views.of(2).penumbra, 0.25);
+  EXPECT_FALSE(views.of(2).saturated);
+  EXPECT_TRUE(views.of(5).saturated);
+  EXPECT_EQ(views.of(3).light, 3u);
+  EXPECT_EQ(views.of(3).penumbra, 0.0);
+  EXPECT_FALSE(views.of(0).saturated);
+  views.clear();
+  EXPECT_TRUE(views.empty());
+}
+
+}  // namespace
+}  // namespace asos::test::light_view_test
