@@ -112,15 +112,17 @@ std::string listed(bool (*wanted)(const MethodRow& row)) {
 
 void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--method", "NAME", method_words().c_str(), method_table(), settings.method);
-  add_parsed_option(app, "--max", "K",
-                    "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel); "
-                    "sobol-adaptive: at most 4^K * 4 samples a pixel",
-                    whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
+  add_parsed_option(
+      app, "--max", "K",
+      "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel, with "
+      "at most 4 samples each); sobol-adaptive: at most 4^K * 4 samples a pixel",
+      whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
       ->default_str(std::to_string(settings.asos.max_level));
-  add_parsed_option(app, "--eps", "E",
-                    "EPS, the tolerance of a pixel's display intensity: 0 to 1; sobol-adaptive: "
-                    "the standard error that it samples a pixel to",
-                    number(0, 1), [&](double e) { settings.asos.eps = e; })
+  add_parsed_option(
+      app, "--eps", "E",
+      "EPS, the allowed error of a pixel's display intensity: 0 to 1; sobol-adaptive: "
+      "the standard error that it samples a pixel to",
+      number(0, 1), [&](double e) { settings.asos.eps = e; })
       ->default_str(fmt::format("{}", settings.asos.eps));
   add_choice(app, "--leaf", "KIND",
              "exact (cells are cut along their few boundaries) or point (sampled)", leaf_names,

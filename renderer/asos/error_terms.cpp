@@ -82,7 +82,7 @@ ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
 }
 
 // The mean of what textured layers transmit together is not the product of their means, and no
-// outlines bound what alpha blends. What lies behind the first layer has to be even itself.
+// outlines bound what alpha blends. The surfaces behind the first layer have to be even, too.
 ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
   if (samples_->cut_out(leaf.sample)) return ErrorBound::unknown();
   if (!eye_->scene->needs.alpha_blend || samples_->opaque(leaf.sample) ||
@@ -308,8 +308,8 @@ bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
   return asked.casts_shadows && asked.extended() && !weak_lights_->holds(light);
 }
 
-// The bounds are for an edge all along a patch, and at the worst place: half of them is expected.
-// Ends once the sum is more than what may be expected of any leaf.
+// Each bound is for an edge all along a patch, at the worst place: half of it is expected. Ends
+// once the sum exceeds the allowance.
 ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
   constexpr double expected = 0.5;
   if (!leaf.is_lit() || !(leaf.albedo() > 0.0f)) return ErrorBound::none();

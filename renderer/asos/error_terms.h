@@ -16,7 +16,7 @@
 
 namespace asos {
 
-/// The causes for which a leaf's centre may differ from its mean, each as a bound in display
+/// Bounds on the difference between a leaf's centre and its mean, one for each cause, in display
 /// intensity (design section 14; CGF'98 sections 3.2, 4.3 and 5.2). No term uses another one, and
 /// their order does not matter. A term that cannot bound its error says so: then only samples
 /// determine the leaf.
@@ -44,9 +44,9 @@ class ErrorTerms {
   [[nodiscard]] ErrorBound falloff(const Leaf& leaf) const;
   /// Fresnel reflectance at grazing angles, and highlights of lights of some size.
   [[nodiscard]] ErrorBound gloss(const Leaf& leaf) const;
-  /// The angle of what a curved surface reflects or refracts (CGF'98 sections 5.2.1 to 5.2.4).
+  /// The widening of a pyray by a curved mirror or refractor (CGF'98 sections 5.2.1 to 5.2.4).
   [[nodiscard]] ErrorBound mirror(const Leaf& leaf) const;
-  /// Edges of soft shadows (CGF'98 section 4.3). Adds what it finds of the lights to `views`.
+  /// Edges of soft shadows (CGF'98 section 4.3). Adds the lights' views that it finds to `views`.
   [[nodiscard]] ErrorBound penumbra(const Leaf& leaf, LightViews& views) const;
 
   /// The sum of all but layers and penumbrae; ends early where there is no bound.

@@ -20,8 +20,8 @@ Leaf Leaf::of(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
   leaf.material = &eye.scene->world().material_of(leaf.hit.triangle);
   leaf.point = samples.point(sample);
   leaf.distance = eye.viewer.spacing.distance(leaf.hit.t);
-  // Of a square with the leaf's area, and of the one that reaches its farthest corner: what is long
-  // and thin, or away from its sample, may have the edge of a shadow at its far end.
+  // The patches of a square with the leaf's area, and of one that reaches its farthest corner: the
+  // edge of a shadow may lie at the far end of a long and thin leaf.
   const Patch pixel = samples.patch(sample, 1.0);
   const auto side = static_cast<float>(std::sqrt(weight));
   leaf.square = {side * pixel.right, side * pixel.down};

@@ -39,7 +39,7 @@ class LeafChooser {
   [[nodiscard]] EvenPatch even_patch(SampleId sample, const LeafRegion& region,
                                      const LightViews& views) const;
 
-  /// Of each of many parts of a cell, in samples.
+  /// Price of each of many parts of a cell, in samples.
   [[nodiscard]] double part_price() const { return part_price_; }
   /// See ErrorTerms.
   [[nodiscard]] bool may_misplace_light(SampleId sample, double weight,

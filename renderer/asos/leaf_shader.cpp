@@ -37,8 +37,7 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& 
       single_(eye, samples),
       shadows_(&shadows),
       sums_(sums),
-      blurred_(&blurred),
-      variation_(eye.settings->judged_tone) {}
+      blurred_(&blurred) {}
 
 void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
   for (const PyrayLeaf& leaf : leaves) {
@@ -119,10 +118,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     return radiance;
   }
   sum.add(glm::dvec3(radiance), leaf.weight);
-  std::optional<std::uint32_t> lobe_share;
-  if (by_lobe && !eye_->mirrored()) lobe_share = lobes_.add(leaf, transport.lobes());
-  note_variation({leaf, samples_->surface(leaf.sample), context.at, radiance,
-                  radiance + transport.inexact(), share, sky_share, lobe_share});
+  if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
   return radiance;
 }
 
@@ -253,22 +249,12 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
     sum.weight += held * leaf.weight;
   }
   sum.samples += static_cast<std::uint32_t>(found.cost);
-  sum.varies |= found.error > 0.0 && found.cost > 1.5 * eye_->allowance.pilot_samples(leaf.weight);
+  // The standard deviation of one sample.
+  constexpr double visible = 0.25 * Allowance::usual_contrast;
+  sum.varies |= found.cost > 1.0 && found.error * std::sqrt(found.cost) > visible;
   sum.cut_out |= found.error > 0.0 && leaf.decision.cause == Unevenness::layers;
   note_result(leaf.root, leaf.sample, glm::vec3(found.value));
   return true;
-}
-
-// A highlight, or what a bent or bumpy surface mirrors, is one sample's for a whole leaf.
-void LeafShader::note_variation(const ShadedLeaf& shaded) {
-  const PyrayLeaf& leaf = shaded.leaf;
-  const Hit& hit = samples_->hit(leaf.sample);
-  if (eye_->mirrored() || !eye_->allowance.refines() || leaf.region.marginal ||
-      leaf.weight == 1.0 || !hit.valid())
-    return;
-  const Material& material = material_of(leaf);
-  if (material.unlit || !may_be_glossy(material)) return;
-  variation_.add(shaded);
 }
 
 // Leaves out what a leaf gets of the weak lights and the sky, which mirrored leaves have already.
@@ -276,20 +262,6 @@ void LeafShader::drop(std::uint32_t weak_share, std::uint32_t sky_share) {
   if (eye_->mirrored()) return;
   weak_lights_->drop(weak_share);
   sky_.drop(sky_share);
-}
-
-// Leaves that turn out to differ are sampled after all.
-void LeafShader::sample_uneven() {
-  // Highlights bend between leaves, too, which their samples allow for.
-  constexpr double allowed = 4.0;
-  const auto tolerance = allowed * static_cast<double>(eye_->allowance.tolerance);
-  for (const ShadedLeaf& shaded : variation_.take_uneven(tolerance)) {
-    const PyrayLeaf& leaf = shaded.leaf;
-    sums_[leaf.root].add(glm::dvec3(shaded.radiance), -leaf.weight);
-    drop(shaded.weak_lights, shaded.sky);
-    if (shaded.lobes) lobes_.drop(*shaded.lobes);
-    add_samples(leaf);
-  }
 }
 
 // Adds what was determined for many leaves together: all of a leaf, or a part of its radiance.
@@ -308,7 +280,6 @@ void LeafShader::add(std::span<const Contribution> contributions, bool whole_lea
 
 void LeafShader::finish() {
   add(single_.run(), true);
-  sample_uneven();
   sample_deferred();
   if (eye_->stop.stop_requested()) return;
   if (!weak_lights_->lights().empty()) add(weak_lights_->run(), false);
@@ -325,7 +296,7 @@ void LeafShader::sample_deferred() {
   double samples = 0.0;
   for (const RegionSampler::Estimate& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    // What is too thin for a sample to meet is shaded by its centre.
+    // A region that no sample meets is too thin: its centre is shaded.
     if (!add_estimate(leaves[i], found[i]) && samples_->hit(leaves[i].sample).valid())
       note_result(leaves[i].root, leaves[i].sample, add_leaf(leaves[i], nullptr));
     if (samples > 0.0)

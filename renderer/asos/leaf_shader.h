@@ -5,7 +5,6 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_transport.h"
-#include "renderer/asos/leaf_variation.h"
 #include "renderer/asos/lobe_shares.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/sample_goal.h"
@@ -47,12 +46,10 @@ class LeafShader {
 
  private:
   void shade_one(const PyrayLeaf& leaf);
-  void sample_uneven();
   void sample_deferred();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves);
-  void note_variation(const ShadedLeaf& shaded);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
@@ -76,8 +73,7 @@ class LeafShader {
   BlurredSum* blurred_;
   std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
   std::vector<PyrayLeaf> deferred_;         // in the sampler's order; without their borders
-  LeafVariation variation_;
-  std::vector<SharedShape> parts_;  // of the leaf that is shaded
+  std::vector<SharedShape> parts_;          // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;
 };
 

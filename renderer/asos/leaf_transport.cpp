@@ -32,11 +32,6 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
   const glm::vec3 seen(visibility);
   if (visibility != Visibility(0.0)) radiance += seen * all;
-  if (lit.of_patch) {
-    exact_ += seen * all;
-  } else {
-    hidden_ += glm::vec3(1.0 - visibility) * all;
-  }
   unsure_highlights_ += unsure_share(lit, seen) * lit.highlight;
   const bool in_part = radiance != without && radiance != without + all;
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
@@ -76,7 +71,6 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
   const Mirrored mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
   if (!mirrored.followed) return false;
   radiance += mirrored.radiance;
-  if (mirrored.flat) exact_ += mirrored.radiance;
   met_mirror_edge_ |= mirrored.split;
   misplaces_light_ |= mirrored.misplaces;
   return true;

@@ -45,11 +45,6 @@ class LeafTransport final : public LightTransport {
   /// much as the irradiance does, whichever part it is.
   [[nodiscard]] float unsure_highlights() const { return unsure_highlights_; }
 
-  /// What the leaf would show more of if nothing shaded it, less what is known of all of it: what
-  /// flat mirrors show, and what is the patch's mean. Added to its radiance, what is left varies
-  /// with what its one sample stands for.
-  [[nodiscard]] glm::vec3 inexact() const { return hidden_ - exact_; }
-
  private:
   [[nodiscard]] float unsure_share(const Illumination& lit, glm::vec3 seen) const;
 
@@ -60,8 +55,6 @@ class LeafTransport final : public LightTransport {
   std::uint32_t weak_share_;
   SkyShares* sky_;
   std::uint32_t sky_share_;
-  glm::vec3 hidden_{0.0f};  // light that does not reach it
-  glm::vec3 exact_{0.0f};
   glm::vec3 at_once_{0.0f};
   glm::vec3 lobes_{0.0f};
   float unsure_highlights_ = 0.0f;

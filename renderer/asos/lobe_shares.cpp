@@ -29,9 +29,9 @@ RegionSampler::Goal LobeShares::goal_of(double weight, glm::vec3 reflected) cons
   return goal;
 }
 
-std::uint32_t LobeShares::add(const PyrayLeaf& leaf, glm::vec3 reflected) {
+void LobeShares::add(const PyrayLeaf& leaf, glm::vec3 reflected) {
   sampler().add(leaf.region, goal_of(leaf.weight, reflected));
-  return queue_.add(leaf.root, leaf.sample, leaf.weight);
+  queue_.add(leaf.root, leaf.sample, leaf.weight);
 }
 
 glm::vec3 LobeShares::at_once(const PyrayLeaf& leaf, glm::vec3 reflected) {

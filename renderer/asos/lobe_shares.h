@@ -23,15 +23,12 @@ class LobeShares {
   /// `eye` has to outlive this.
   explicit LobeShares(const EyeContext& eye) : eye_(&eye) {}
 
-  /// Puts a leaf off until `run`; the number of its contribution. `reflected`: the most that its
-  /// lobes return of what they mirror.
-  std::uint32_t add(const PyrayLeaf& leaf, glm::vec3 reflected);
-  /// Leaves a contribution out.
-  void drop(std::uint32_t number) { queue_.drop(number); }
+  /// Defers a leaf until `run`. `reflected`: the largest reflectance of its lobes, by colour.
+  void add(const PyrayLeaf& leaf, glm::vec3 reflected);
   /// What the lobes of a leaf show at once; it does not wait.
   [[nodiscard]] glm::vec3 at_once(const PyrayLeaf& leaf, glm::vec3 reflected);
 
-  /// Samples all that was put off. Valid until the next leaf; none waits then.
+  /// Samples the deferred leaves. Valid until the next leaf; none waits then.
   std::span<const Contribution> run();
 
  private:

@@ -203,7 +203,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
     part = part_about_sample(leaf.region, leaf.at);
     sight = mirrored_sight(eye, reflection, part, false, width, counts);
   }
-  if (!sight) return {{}, false, false, true, false};
+  if (!sight) return {{}, false, false, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
   const MirroredMask mask = mask_of(*sight, leaf.region, part, view.start());
@@ -251,9 +251,8 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   // Its eye rays are reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
-  const bool flat = sight->exact && !(reflection.point.spread.variance > 0.0f);
   const bool misplaces = !sight->exact && caster.sum(0).misplaced;
-  return {caster.colour(0), split || caster.sum(0).mirror_cut, misplaces, flat};
+  return {caster.colour(0), split || caster.sum(0).mirror_cut, misplaces};
 }
 
 }  // namespace
@@ -270,7 +269,6 @@ Mirrored trace_reflection(const EyeContext& eye, const Reflection& reflection,
       all.radiance[c] = one.radiance[c];
       all.split |= one.split;
       all.misplaces |= one.misplaces;
-      all.flat &= one.flat;
       all.followed &= one.followed;
     }
   }

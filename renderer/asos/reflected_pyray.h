@@ -14,7 +14,6 @@ struct Mirrored {
   bool split = false;  ///< a boundary divided it
   bool misplaces =
       false;             ///< a bright light: bent mirrors, one in the other, may show it elsewhere
-  bool flat = true;      ///< the mirror, so that it shows its boundaries where they are
   bool followed = true;  ///< false: the pyray that would show it has no extent or is not finite
 };
 

@@ -31,7 +31,7 @@ struct Allowance {
 
   /// An eighth of a step of an 8-bit picture.
   static constexpr double invisible = 1.0 / 2048.0;
-  /// Contrast of a part of which nothing else is known.
+  /// Default contrast of a part.
   static constexpr double usual_contrast = 0.25;
   /// Error of the mean of n samples of contrast 1: this, times n^(-3/4) (tests/bench/prices.cpp).
   static constexpr double error_of_one_sample = 0.35;
@@ -108,7 +108,7 @@ struct Allowance {
     return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / part))));
   }
 
-  /// The allowance of what stands for a part of this weight alone.
+  /// The allowance of a root that stands for one part of this weight.
   [[nodiscard]] Allowance of_part(double part) const {
     Allowance allowance = *this;
     allowance.weight *= std::min(1.0, part);

@@ -14,7 +14,7 @@ namespace asos {
 using SampleId = std::uint32_t;
 inline constexpr SampleId no_sample = 0xffffffffu;
 
-/// What varies over a leaf, so that its centre is not its mean.
+/// The property that varies over a leaf, so that its centre differs from its mean.
 enum class Unevenness : std::uint8_t { none, shading, shadow, layers };
 
 /// The way a leaf is determined (design section 14).

@@ -9,7 +9,7 @@ namespace asos {
 /// A value that was determined in one of several ways, and how well (design section 14).
 struct Estimate {
   glm::dvec3 value{0.0};
-  /// Of the value, in display intensity, 1 is white: a proven bound, or a standard error.
+  /// A proven bound on the value's error, or its standard error, in display intensity (1 is white).
   double error = std::numeric_limits<double>::infinity();
   double cost = 0.0;  ///< in samples
 };

@@ -12,8 +12,7 @@
 
 namespace asos {
 
-/// When to end a mean that is sampled in rounds, each of which has as many samples as all before
-/// it.
+/// The end of a mean that is sampled in rounds. Each round doubles the number of samples.
 struct SamplingGoal {
   /// Allowed standard error of the mean if `least` samples meet it. It grows with the root of the
   /// number of samples: then one more takes as much off a picture's squared error wherever it is
@@ -95,7 +94,7 @@ class SequentialMean {
       ++found;
     }
     if (found < 2) return std::numeric_limits<double>::infinity();
-    // Of n parts of equal weight: the root of sum (off / n)^2 n / (n - 1).
+    // For n parts of equal weight this is the root of sum (off / n)^2 n / (n - 1).
     return std::sqrt(squares / (1.0 - weights2));
   }
 

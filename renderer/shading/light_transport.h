@@ -57,7 +57,6 @@ struct Illumination {
   glm::vec3 reflected{0.0f};      ///< radiance towards the viewer per irradiance
   int layer = 0;                  ///< surfaces that are seen through before the point
   const LitPoint* lit = nullptr;  ///< the point as it is seen, for who samples the light
-  bool of_patch = false;          ///< `reflected` is the mean over the patch of the point's view
   float highlight = 0.0f;         ///< radiance of what a narrow lobe shows of a light with a size
 };
 

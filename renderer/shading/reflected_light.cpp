@@ -163,7 +163,6 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   if (!bend_ || !light.extended() || light.rule != LightRule::physical) return share;
   const auto [error, parts] = bend_->of_middle(point_.view, point_.material, light, highlight);
   if (!parts) return share;
-  share.of_patch = point_.view.point.spread.variance == 0.0f;
   // No verdict asks for broad lobes to be split, so that nothing but their mean makes them better.
   const bool broad = point_.material.roughness >= least_broad_roughness;
   const float negligible = (broad ? 0.1f : 1.0f) * bend_->negligible;

@@ -61,7 +61,6 @@ class ReflectedLights {
   struct Share {
     glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per irradiance
     float highlight = 0.0f;     ///< see Illumination
-    bool of_patch = false;      ///< the same
   };
   /// `irradiance`: of the whole light, not 0. Of lights with a size, by the physical rule, the BRDF
   /// is summed up over the light (LightQuadrature), of a lobe that is as much wider, and round, as

@@ -7,7 +7,7 @@
 
 namespace asos {
 
-/// What is known of a leaf's view of a light of some size.
+/// A leaf's view of a light of some size.
 struct LightView {
   std::uint32_t light = 0;
   /// Bound on what the edges of the light's shadow make the leaf's centre differ from its mean, in

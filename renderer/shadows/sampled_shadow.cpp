@@ -77,8 +77,8 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
         found.add(Visibility(sampled.transmittances[i]), static_cast<double>(sampled.weight(i)));
       counts.shadow_rays += sampled.rays.count;
     }
-    // End once the mean is converged, or too few points hit. That all samples agree does not prove
-    // that all of the light does: one more might not.
+    // End once the mean is converged, or too few points hit. Samples that all agree still leave an
+    // error of one sample.
     const double error = std::max(found.standard_error(), 1.0 / std::max(1u, found.count()));
     if (goal.met(wanted, error) || found.count() < wanted) break;
   }

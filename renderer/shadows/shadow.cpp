@@ -90,8 +90,8 @@ Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
     middle.weight = std::pow(even.square.side / leaf.root_side, 2.0f);
     middle.views = &even.views;
     // Its lobe is that of the leaf, which is nearby.
-    const Illumination of_middle{lit.light, lit.index, even.middle,  there,        lit.reflected,
-                                 lit.layer, lit.lit,   lit.of_patch, lit.highlight};
+    const Illumination of_middle{lit.light,     lit.index, even.middle, there,
+                                 lit.reflected, lit.layer, lit.lit,     lit.highlight};
     visibility = leaf_visibility(block, of_middle, middle, counts);
   }
   return holds_for_all() ? visibility : leaf_visibility(block, lit, leaf, counts);

@@ -84,16 +84,17 @@ void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast&
 void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
-  controls.log_slider("EPS",
-                      "By how much a pixel's display intensity (0 to 1) may still change when its "
-                      "splitting stops. Smaller: finer, slower; for a quick look drag it to the "
-                      "right. 1/256 is one step of an 8-bit picture. Ctrl+click to type a value.",
-                      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
+  controls.log_slider(
+      "EPS",
+      "The error that you accept in a pixel's display intensity, 0 to 1. Smaller is "
+      "finer and slower. 1/256 is one step of an 8-bit picture. Ctrl+click to type "
+      "a value.",
+      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
   bool held = is_held();
   controls.slider("MAX",
-                  "The deepest level to which a pixel is split, 0 to 8. Each level halves the "
-                  "side of a cell. What is not split that deep is sampled until EPS holds, so "
-                  "that it is EPS that makes a picture quicker. Ctrl+click to type a value.",
+                  "Maximum splits of a pixel, 0 to 8. Level n has cells of 1/2^n pixel, with at "
+                  "most four samples each. Smaller is faster and coarser. Ctrl+click to type a "
+                  "value.",
                   settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
   held |= is_held();
   if (held) forecast.ask(previewer);

@@ -15,7 +15,7 @@
 namespace asos::test::max_and_eps_test {
 namespace {
 
-constexpr int width = 64, height = 36;
+constexpr int width = 48, height = 27;
 
 /// RMSE of linear radiance clipped to 0..1.
 double rmse(const Film& a, const Film& b) {
@@ -39,7 +39,7 @@ class MaxAndEps : public testing::TestWithParam<const char*> {
   [[nodiscard]] Film truth() const {
     RenderSettings settings = settings_;
     settings.method = Method::sobol;
-    settings.sampling.spp = 1024;
+    settings.sampling.spp = 512;
     return render_picture(*scene_, camera_, settings).film;
   }
   void SetUp() override {
