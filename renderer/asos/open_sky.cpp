@@ -23,7 +23,7 @@ glm::vec3 open_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, doub
   const SkySampler sampler(point);
   // What is matte has a closed form under more skies, and samples tell the rest.
   const std::optional<glm::vec3> matte = open_sky_of_matte(point);
-  const SamplingGoal goal{error, error > coarse ? few : enough, most};
+  const SamplingGoal goal{error, error > coarse ? few : enough, most, false};
   SequentialMean mean;
   std::uint32_t taken = 0;
   for (std::uint32_t end = goal.least;; end = goal.after_next_round(end)) {

@@ -14,16 +14,17 @@ namespace asos {
 
 /// The end of a mean that is sampled in rounds. Each round doubles the number of samples.
 struct SamplingGoal {
-  /// Allowed standard error of the mean if `least` samples meet it. It grows with the root of the
-  /// number of samples: then one more takes as much off a picture's squared error wherever it is
-  /// taken (Neyman 1934). Negative: take `most`.
-  double standard_error = 0.0;
-  std::uint32_t least = 16;  ///< the first round, at most `most`
+  double standard_error = 0.0;  ///< allowed; negative: take `most`
+  std::uint32_t least = 16;     ///< samples of the first round, at most `most`
   std::uint32_t most = 16;
+  /// The allowed error grows with the root of the number of samples, if `least` do not meet it:
+  /// then one more sample takes as much off a picture's squared error wherever it is taken (Neyman
+  /// 1934).
+  bool grows = true;
 
   [[nodiscard]] double allowed_error(std::uint32_t taken) const {
-    return std::sqrt(static_cast<double>(taken) / static_cast<double>(std::max(1u, least))) *
-           standard_error;
+    const double times = static_cast<double>(taken) / static_cast<double>(std::max(1u, least));
+    return (grows ? std::sqrt(times) : 1.0) * standard_error;
   }
   /// Samples of all rounds together after the next one.
   [[nodiscard]] std::uint32_t after_next_round(std::uint32_t taken) const {

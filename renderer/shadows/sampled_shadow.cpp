@@ -60,7 +60,8 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   LitPatch& patch = block.work->patch;
   SampledRays& sampled = block.work->sampled;
   patch.start(block, query);
-  const SamplingGoal goal{allowance.standard_error(leaf.weight, intensity), first_round, most};
+  const SamplingGoal goal{allowance.standard_error(leaf.weight, intensity), first_round, most,
+                          false};
   SequentialMean found;
   std::uint32_t drawn = 0;
   for (std::uint32_t wanted = goal.least;; wanted = goal.after_next_round(wanted)) {
@@ -77,9 +78,9 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
         found.add(Visibility(sampled.transmittances[i]), static_cast<double>(sampled.weight(i)));
       counts.shadow_rays += sampled.rays.count;
     }
-    // End once the mean is converged, or too few points hit. Samples that all agree still leave an
-    // error of one sample.
-    const double error = std::max(found.standard_error(), 1.0 / std::max(1u, found.count()));
+    // End once the mean is converged, or too few points hit. Samples that agree by chance would end
+    // it too early, in favour of the majority: their error is at least that of two samples.
+    const double error = std::max(found.standard_error(), 2.0 / std::max(1u, found.count()));
     if (goal.met(wanted, error) || found.count() < wanted) break;
   }
   return found.weight() > 0.0 ? found.mean() : ray_visibility(block, query, counts);

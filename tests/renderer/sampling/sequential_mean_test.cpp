@@ -23,6 +23,9 @@ TEST(SamplingGoal, AllowsTheRootOfTheSamplesMore) {
   EXPECT_TRUE(goal.met(64, 0.39));
   EXPECT_FALSE(goal.met(64, 0.41));
   EXPECT_TRUE(goal.met(1024, 100.0)) << "no more are allowed";
+  const SamplingGoal fixed{0.1, 4, 1024, false};
+  EXPECT_NEAR(fixed.allowed_error(64), 0.1, 1e-12);
+  EXPECT_FALSE(fixed.met(64, 0.11));
   const SamplingGoal all{-1.0, 4, 16};
   EXPECT_FALSE(all.met(8, 0.0)) << "all that are allowed";
 }
