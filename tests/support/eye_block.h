@@ -62,6 +62,7 @@ class EyeBlock {
     terms_->learn_normals(side);
   }
 
+  [[nodiscard]] const EyeContext& eye() const { return eye_; }
   [[nodiscard]] const ErrorTerms& terms() const { return *terms_; }
   /// All of pixel (x, y), or a square in its centre of so much of its side.
   [[nodiscard]] Leaf leaf(int x, int y, float part = 1.0f) const {

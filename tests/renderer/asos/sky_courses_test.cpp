@@ -1,0 +1,120 @@
+#include "renderer/asos/sky_courses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace asos::test::sky_courses_test {
+namespace {
+
+/// A block's leaves on one plane, side x side of them, whose first rays found `value` of the sky.
+class Leaves {
+ public:
+  static constexpr int side = 6;
+
+  template <typename Value>
+  explicit Leaves(Value&& value) {
+    for (int i = 0; i < side * side; ++i) {
+      SkyLit lit;
+      lit.share = lit.root = static_cast<std::uint32_t>(i);
+      lit.at = (glm::vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
+      lit.sheet = 1;
+      lit.point.position = {lit.at.x, lit.at.y, 0.0f};
+      lit.point.shading_normal = lit.point.geometric_normal = {0, 0, 1};
+      lit.material.diffuse = glm::vec3(1.0f);
+      lit.open = lit.unit = glm::vec3(1.0f);
+      lits.push_back(lit);
+      set_rays(static_cast<std::uint32_t>(i), 8, value(lit.at));
+    }
+    expected.assign(lits.size(), {0.04, 2048});
+  }
+
+  void set_rays(std::uint32_t lit, std::uint32_t rays, double value) {
+    lits[lit].rays = rays;
+    lits[lit].sent = glm::dvec3(rays);
+    lits[lit].arrived = glm::dvec3(rays * value);
+  }
+
+  std::vector<SkyLit> lits;
+  std::vector<SkyCourses::Expected> expected;
+};
+
+constexpr double error = 0.5 / 256.0;
+
+double ramp(glm::vec2 at) {
+  return 0.6 + 0.3 * static_cast<double>(at.x);
+}
+
+/// Gives the cell's nodes their rays; whether its leaves could be interpolated.
+template <typename Value>
+bool interpolated(Leaves& leaves, Value&& value) {
+  const SkyCourses courses(leaves.lits, leaves.expected, error);
+  std::vector<SkyCourses::Cell> cells = courses.cells();
+  EXPECT_EQ(cells.size(), 1u);
+  EXPECT_TRUE(courses.choose_nodes(cells.front()));
+  for (const std::uint32_t node : cells.front().nodes)
+    leaves.set_rays(node, cells.front().node_rays, value(leaves.lits[node].at));
+  return courses.tell(cells.front());
+}
+
+TEST(SkyCourses, InterpolateWhatVariesEvenly) {
+  Leaves leaves(ramp);
+  ASSERT_TRUE(interpolated(leaves, ramp));
+  for (const SkyLit& lit : leaves.lits) {
+    ASSERT_TRUE(lit.told.has_value());
+    EXPECT_NEAR(lit.told->x, ramp(lit.at), 1e-6);
+  }
+}
+
+// The edge of a shadow: no polynomial of degree two goes through it.
+TEST(SkyCourses, DoNotInterpolateAcrossAnEdge) {
+  const auto edge = [](glm::vec2 at) { return at.x + 0.3f * at.y < 0.6f ? 0.9 : 0.55; };
+  Leaves leaves(edge);
+  EXPECT_FALSE(interpolated(leaves, edge));
+  for (const SkyLit& lit : leaves.lits) EXPECT_FALSE(lit.told.has_value());
+}
+
+// A leaf whose own rays contradict the fit takes rays of its own.
+TEST(SkyCourses, LeaveOutWhatContradictsThem) {
+  Leaves leaves(ramp);
+  const std::uint32_t odd = Leaves::side + 1;  // no node: those lie in corners and between
+  leaves.set_rays(odd, 8, 0.05);
+  ASSERT_TRUE(interpolated(leaves, ramp));
+  EXPECT_FALSE(leaves.lits[odd].told.has_value());
+  EXPECT_TRUE(leaves.lits[odd + 1].told.has_value());
+}
+
+TEST(SkyCourses, KeepSurfacesApart) {
+  Leaves leaves(ramp);
+  for (std::size_t i = 0; i < leaves.lits.size() / 2; ++i) leaves.lits[i].sheet = 2;
+  const SkyCourses courses(leaves.lits, leaves.expected, error);
+  const std::vector<SkyCourses::Cell> cells = courses.cells();
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_EQ(cells[0].lits.size() + cells[1].lits.size(), leaves.lits.size());
+  // What bends by more than 25 degrees is another one, too; few leaves are none.
+  leaves.lits[0].point.shading_normal = {1, 0, 0};
+  EXPECT_EQ(courses.cells().size(), 2u);
+}
+
+TEST(SkyCourses, ChooseNodesOnlyWhereTheySaveRays) {
+  Leaves leaves(ramp);
+  leaves.expected.assign(leaves.lits.size(), {0.04, 8});
+  const SkyCourses courses(leaves.lits, leaves.expected, error);
+  SkyCourses::Cell cell = courses.cells().front();
+  EXPECT_FALSE(courses.choose_nodes(cell)) << "all have as many as they need";
+}
+
+TEST(SkyCourses, DivideIntoQuarters) {
+  Leaves leaves(ramp);
+  const SkyCourses courses(leaves.lits, leaves.expected, error);
+  const SkyCourses::Cell cell = courses.cells().front();
+  std::vector<SkyCourses::Cell> quarters;
+  courses.divide(cell, quarters);
+  EXPECT_TRUE(quarters.empty()) << "nine leaves each are too few";
+}
+
+}  // namespace
+}  // namespace asos::test::sky_courses_test
