@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/render_block.h"
 #include "renderer/result.h"
 #include "renderer/samples/block_job.h"
 
@@ -61,17 +62,9 @@ struct MethodRow {
   return row_of(method).needs_boundaries;
 }
 
-/// The final pixels of one block of the picture, by the method that the settings name, which has to
-/// be one of `methods`. The block is aligned to block_side(settings) in the whole picture (clipped
-/// at its right and bottom edge), whatever the crop. A pure function of its arguments: any thread,
-/// any order, the same bits. Samples that are not finite are left out of their pixel's mean and
-/// counted; a pixel without any is black. Once a stop is requested the result is unfinished and to
-/// be thrown away.
+/// `render_block` (renderer/render_block.h) by one of these methods.
 [[nodiscard]] BlockResult render_block(const BlockJob& job,
                                        std::span<const MethodRow> methods = method_table());
-[[nodiscard]] BlockResult render_block(const RenderScene& scene, const View& view,
-                                       const RenderSettings& settings, PixelRect block,
-                                       const std::stop_token& stop = {});
 
 /// The settings for a picture that is going to be shown by that curve: where the method judges what
 /// shows it judges by the curve, and else the picture is the same by whichever it is shown. Studies

@@ -1,6 +1,6 @@
 #include "renderer/session/coarse_passes.h"
 
-#include "renderer/comparison/method.h"
+#include "renderer/render_block.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/shading/shade.h"
 

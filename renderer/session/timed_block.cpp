@@ -1,6 +1,6 @@
 #include "renderer/session/timed_block.h"
 
-#include "renderer/comparison/method.h"
+#include "renderer/render_block.h"
 
 #include <algorithm>
 #include <ctime>
