@@ -2,9 +2,8 @@
 
 namespace asos {
 
-/// Costs of the ways to determine a leaf, measured, each with the benchmark that sets it. An
-/// estimator that costs more than the samples or rays that the allowance asks for is not taken
-/// (Allowance::samples_suffice, choose).
+/// Measured costs of the ways to determine a leaf, each with the benchmark that sets it. Samples or
+/// rays replace an estimator that costs more (Allowance::samples_suffice, choose).
 ///
 /// | price | quartiles, or its effect | benchmark |
 /// |---|---|---|

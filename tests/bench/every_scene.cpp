@@ -256,8 +256,7 @@ void print_times(const char* what, std::vector<TimeRatio> ratios) {
   fmt::print("\n");
 }
 
-/// What each depth costs beside one and sixteen samples, and each beside the last in time and
-/// error.
+/// Prints the time of each MAX over one and sixteen samples, and its time and error over the last.
 void print_depths(const Settings& settings, const std::vector<Row>& rows) {
   const auto print = [&](const std::string& what, const auto& ratio) {
     std::vector<TimeRatio> ratios;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// What MAX and EPS mean (CGF'98 section 3.1): MAX bounds the work, EPS ends it sooner. Whoever
-// turns either sees picture, split map and work change.
+// MAX bounds the work and EPS ends it sooner (CGF'98 section 3.1): either changes picture, split
+// map and work.
 
 namespace asos::test::max_and_eps_test {
 namespace {

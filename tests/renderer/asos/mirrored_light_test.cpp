@@ -55,7 +55,7 @@ TEST(MirroredLight, IsMetWhereFewSamplesMissIt) {
       const Film film = render_picture(*scene, camera, settings).film;
       return film.radiance[film.index(x, 64)].x;
     };
-    // What is brighter than white is known as well as white is.
+    // Values above white are compared as white.
     const float truth = std::min(1.0f, red(Method::sobol, 0));
     for (const int seed : {0, 1, 2, 3})
       EXPECT_NEAR(std::min(1.0f, red(Method::asos, seed)), truth, 0.1f) << x << ", seed " << seed;

@@ -94,7 +94,7 @@ TEST(SkyCourses, KeepSurfacesApart) {
   const std::vector<SkyCourses::Cell> cells = courses.cells();
   ASSERT_EQ(cells.size(), 2u);
   EXPECT_EQ(cells[0].lits.size() + cells[1].lits.size(), leaves.lits.size());
-  // What bends by more than 25 degrees is another one, too; few leaves are none.
+  // A leaf that is turned by more than 25 degrees is a surface of its own, too small for a cell.
   leaves.lits[0].point.shading_normal = {1, 0, 0};
   EXPECT_EQ(courses.cells().size(), 2u);
 }

@@ -55,7 +55,7 @@ TEST(SequentialMean, KnowsNothingOfOneSample) {
   EXPECT_EQ(mean.standard_error(), 0.0);
 }
 
-// Of independent samples of variance 1 the mean of n has a standard error of n^(-1/2), whatever n.
+// The mean of n independent samples of variance 1 has a standard error of n^(-1/2).
 TEST(SequentialMean, StandardErrorIsThatOfIndependentSamples) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

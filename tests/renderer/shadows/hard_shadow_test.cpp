@@ -216,9 +216,8 @@ TEST(HardShadow, DoesNotMoveOnLargeTriangles) {
   expect_edges(7, {Camera::Type::orthographic, 40.0f}, distant);
 }
 
-// More than pyrays of MAX resolve, and than cuts are worth: so many specks that they hide
-// the light from half of the pixel. What finest pyrays would leave to a sample each is known to
-// EPS.
+// More specks than the pyrays of MAX resolve, and than cuts are worth: they hide the light from
+// half of the pixel, which is sampled to EPS.
 TEST(HardShadow, OfManySpecksIsKnownToEps) {
   constexpr int count = 12;
   constexpr double space = 1.0 / count;
