@@ -66,6 +66,8 @@ class EyeCaster final : public Caster {
   /// counted.
   [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
   [[nodiscard]] const RootSum& sum(std::uint32_t root) const { return sums_[root]; }
+  /// A camera's parts that are still to be sampled: they are in no sum. None is left then.
+  [[nodiscard]] OpenRegions take_open() { return leaf_shader_.take_open(); }
 
  private:
   EyeContext eye_;

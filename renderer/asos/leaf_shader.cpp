@@ -23,6 +23,9 @@ constexpr double least_in_parts = 1.0 / 64.0;
 // meet it, and agree.
 constexpr double samples_of_light = 256.0;
 
+// A block's first stage samples regions until they are within so many times their allowed error.
+constexpr double first_stage_error = 4.0;
+
 }  // namespace
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
@@ -240,19 +243,11 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
 // Adds the mean of a part to its root, for the share of it that the mask holds.
 bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found) {
   if (found.cost == 0.0) return false;
-  const double held = 1.0 - found.masked_share;
-  RootSum& sum = sums_[leaf.root];
-  if (eye_->mask && eye_->mask->blur) {
-    blurred_->add(leaf.region, held, found.value, samples_->hit(0).t);
-  } else {
-    sum.radiance += held * leaf.weight * found.value;
-    sum.weight += held * leaf.weight;
-  }
-  sum.samples += static_cast<std::uint32_t>(found.cost);
-  // The standard deviation of one sample.
-  constexpr double visible = 0.25 * Allowance::usual_contrast;
-  sum.varies |= found.cost > 1.0 && found.error * std::sqrt(found.cost) > visible;
-  sum.cut_out |= found.error > 0.0 && leaf.decision.cause == Unevenness::layers;
+  const bool blurred = eye_->mask && eye_->mask->blur;
+  if (blurred)
+    blurred_->add(leaf.region, 1.0 - found.masked_share, found.value, samples_->hit(0).t);
+  sums_[leaf.root].add_samples(found, blurred ? 0.0 : leaf.weight,
+                               leaf.decision.cause == Unevenness::layers);
   note_result(leaf.root, leaf.sample, glm::vec3(found.value));
   return true;
 }
@@ -280,29 +275,37 @@ void LeafShader::add(std::span<const Contribution> contributions, bool whole_lea
 
 void LeafShader::finish() {
   add(single_.run(), true);
-  sample_deferred();
+  start_regions();
   if (eye_->stop.stop_requested()) return;
   if (!weak_lights_->lights().empty()) add(weak_lights_->run(), false);
   add(sky_.run(), false);
   add(lobes_.run(), false);
 }
 
-void LeafShader::sample_deferred() {
+// The first stage of the deferred regions. Those that are within their goals are added.
+void LeafShader::start_regions() {
   if (deferred_.empty() || eye_->stop.stop_requested()) return;
   const std::uint64_t before = eye_->counts->rays();
-  const auto found = sampler_->run(*eye_->counts);
+  const auto found = sampler_->start(*eye_->counts, first_stage_error);
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
   const std::vector<PyrayLeaf> leaves = std::exchange(deferred_, {});
   double samples = 0.0;
   for (const RegionSampler::Estimate& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    // A region that no sample meets is too thin: its centre is shaded.
-    if (!add_estimate(leaves[i], found[i]) && samples_->hit(leaves[i].sample).valid())
-      note_result(leaves[i].root, leaves[i].sample, add_leaf(leaves[i], nullptr));
+    const PyrayLeaf& leaf = leaves[i];
     if (samples > 0.0)
-      sums_[leaves[i].root].rays +=
+      sums_[leaf.root].rays +=
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
+    if (sampler_->open(i)) {
+      open_.parts.push_back({leaf.root, leaf.sample, leaf.weight,
+                             leaf.decision.cause == Unevenness::layers, found[i]});
+      continue;
+    }
+    // A region that no sample meets is too thin: its centre is shaded.
+    if (!add_estimate(leaf, found[i]) && samples_->hit(leaf.sample).valid())
+      note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));
   }
+  open_.samples = sampler_->take_open();
 }
 
 void LeafShader::note_result(std::uint32_t root, SampleId sample, glm::vec3 radiance) {

@@ -6,6 +6,7 @@
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/lobe_shares.h"
+#include "renderer/asos/open_regions.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/sample_goal.h"
 #include "renderer/asos/single_samples.h"
@@ -18,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -38,15 +40,17 @@ class LeafShader {
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.
   bool add_samples(const PyrayLeaf& leaf, std::uint32_t fewest = 1);
-  /// Samples what was put off. Sums are complete after it.
+  /// Determines what was put off. Sums are complete after it but for open regions.
   void finish();
+  /// Those that `finish` left to be sampled on; none is left then.
+  [[nodiscard]] OpenRegions take_open() { return std::exchange(open_, {}); }
 
   /// The radiance of a leaf of the observed root.
   [[nodiscard]] glm::vec3 result(SampleId sample) const;
 
  private:
   void shade_one(const PyrayLeaf& leaf);
-  void sample_deferred();
+  void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves);
@@ -73,7 +77,8 @@ class LeafShader {
   BlurredSum* blurred_;
   std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
   std::vector<PyrayLeaf> deferred_;         // in the sampler's order; without their borders
-  std::vector<SharedShape> parts_;          // of the leaf that is shaded
+  OpenRegions open_;
+  std::vector<SharedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;
 };
 

@@ -1,6 +1,9 @@
 #include "renderer/asos/root_sums.h"
 
+#include "renderer/pyray/allowance.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace asos {
 
@@ -18,6 +21,16 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
     sum.add(part.radiance, part.share * kernel.integral({part.square, border}));
   }
   return sum.mean();
+}
+
+void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers) {
+  // The standard deviation of one sample.
+  constexpr double visible = 0.25 * Allowance::usual_contrast;
+  const double held = 1.0 - found.masked_share;
+  add(found.value, held * leaf_weight);
+  samples += static_cast<std::uint32_t>(found.cost);
+  varies |= found.cost > 1.0 && found.error * std::sqrt(found.cost) > visible;
+  cut_out |= found.error > 0.0 && layers;
 }
 
 }  // namespace asos

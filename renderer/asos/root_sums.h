@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/reflections/mirrored_mask.h"
+#include "renderer/samples/region_sampler.h"
 
 #include <glm/glm.hpp>
 
@@ -47,6 +48,9 @@ struct RootSum {
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
 
+  /// Adds the estimate of a part of this weight by samples. `layers`: it was sampled for what
+  /// textures cut out.
+  void add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers);
   void add(glm::dvec3 leaf, double leaf_weight) {
     radiance += leaf_weight * leaf;
     weight += leaf_weight;

@@ -1,6 +1,7 @@
 #include "renderer/comparison/method.h"
 
 #include "renderer/asos/asos.h"
+#include "renderer/samples/sobol_places.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +12,6 @@
 namespace asos {
 
 // One function a method, each in the file of its name.
-BlockResult render_block_uniform(const BlockJob& job);
-BlockResult render_block_stochastic(const BlockJob& job);
-BlockResult render_block_sobol(const BlockJob& job);
 BlockResult render_block_sobol_adaptive(const BlockJob& job);
 BlockResult render_block_whitted(const BlockJob& job);
 BlockResult render_block_mitchell(const BlockJob& job);
@@ -28,6 +26,22 @@ BlockResult render_block_as_published(const BlockJob& job) {
   return render_block_asos({job.scene, job.view, published, job.block, job.stop});
 }
 
+/// As many samples in every pixel, where the method's row places them.
+BlockResult render_block_sampled(const BlockJob& job) {
+  const std::unique_ptr<SamplePlaces> places = row_of(job.settings.method).places(job.settings);
+  return sample_block(job, *places, samples_a_pixel(job.settings));
+}
+
+std::unique_ptr<SamplePlaces> uniform_places(const RenderSettings& settings) {
+  return std::make_unique<GridPlaces>(grid_side(settings.sampling.spp), false);
+}
+std::unique_ptr<SamplePlaces> stochastic_places(const RenderSettings& settings) {
+  return std::make_unique<GridPlaces>(grid_side(settings.sampling.spp), true);
+}
+std::unique_ptr<SamplePlaces> sobol_places(const RenderSettings& settings) {
+  return std::make_unique<SobolPlaces>(settings.seed);
+}
+
 int usual_side(const RenderSettings& /*settings*/) {
   return block_size;
 }
@@ -39,7 +53,8 @@ int fat_side(const RenderSettings& settings) {
 
 // For methods whose pixels share samples with their neighbours: each block takes those along its
 // border for itself, the fewer a pixel the larger it is. For those that ask their neighbours
-// whether to go on: pixels along its border have fewer to ask.
+// whether to go on: pixels along its border have fewer to ask. For those that go on in rounds, so
+// that one sample a pixel fills packets of rays.
 int large_side(const RenderSettings& /*settings*/) {
   return 32;
 }
@@ -51,6 +66,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Adaptive supersampling in object space: a pixel is split only where the boundary of "
               "an object passes through it.",
      .render = render_block_asos,
+     .start = start_block_asos,
      .block_side = fat_side,
      .in_object_space = true,
      .needs_boundaries = true,
@@ -72,29 +88,32 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .hint = "n x n grid",
      .title = "Uniform",
      .about = "A regular grid of n x n samples in every pixel.",
-     .render = render_block_uniform,
-     .block_side = usual_side,
+     .render = render_block_sampled,
+     .block_side = large_side,
      .takes_filter_width = true,
-     .samples = SampleCount::squares},
+     .samples = SampleCount::squares,
+     .places = uniform_places},
     {.value = Method::stochastic,
      .name = "stochastic",
      .hint = "jittered",
      .title = "Stochastic",
      .about = "n x n jittered samples in every pixel.",
-     .render = render_block_stochastic,
-     .block_side = usual_side,
+     .render = render_block_sampled,
+     .block_side = large_side,
      .takes_filter_width = true,
-     .samples = SampleCount::squares},
+     .samples = SampleCount::squares,
+     .places = stochastic_places},
     {.value = Method::sobol,
      .name = "sobol",
      .hint = "Owen-scrambled",
      .title = "Sobol",
      .about = "Any number of samples in every pixel, at the points of an Owen-scrambled Sobol "
               "sequence: the reference to compare with.",
-     .render = render_block_sobol,
-     .block_side = usual_side,
+     .render = render_block_sampled,
+     .block_side = large_side,
      .takes_filter_width = true,
-     .samples = SampleCount::any},
+     .samples = SampleCount::any,
+     .places = sobol_places},
     {.value = Method::sobol_adaptive,
      .name = "sobol-adaptive",
      .hint = "each pixel until it and its neighbours are within EPS",
@@ -171,10 +190,10 @@ const MethodRow& row_of(Method method) {
   return rows[static_cast<std::size_t>(method)];
 }
 
-namespace {
+bool shows_coverage(const RenderSettings& settings) {
+  return settings.background.kind == BackgroundKind::transparent && !settings.background.coverage;
+}
 
-/// What is rendered beside a picture with a transparent background: how much of its pixels surfaces
-/// cover. The same boundaries and samples, without light.
 RenderSettings coverage_of(RenderSettings settings) {
   settings.background.coverage = true;
   settings.sky = nullptr;
@@ -183,23 +202,15 @@ RenderSettings coverage_of(RenderSettings settings) {
   return settings;
 }
 
-void add_coverage(const BlockJob& job, const MethodRow& method, BlockResult& result) {
-  const RenderSettings settings = coverage_of(job.settings);
-  const BlockResult covered = method.render({job.scene, job.view, settings, job.block, job.stop});
+void set_coverage(const BlockResult& covered, BlockResult& result) {
+  result.tile.coverage.clear();
   result.tile.coverage.reserve(covered.tile.radiance.size());
   for (const glm::vec3& share : covered.tile.radiance)
     result.tile.coverage.push_back((share.x + share.y + share.z) / 3.0f);
   result.statistics.eye_rays += covered.statistics.eye_rays;
 }
 
-}  // namespace
-
-BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
-  const auto row = std::find_if(methods.begin(), methods.end(), [&](const MethodRow& method) {
-    return method.value == job.settings.method;
-  });
-  assert(row != methods.end());
-  BlockResult result = row->render(job);
+void fill_in(BlockResult& result) {
   // Methods that split nothing have no causes to tell.
   const std::size_t pixels = result.tile.split_level.size();
   result.tile.cause.resize(pixels, SplitCause::none);
@@ -208,9 +219,19 @@ BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods
     const auto mean = static_cast<double>(result.statistics.rays()) / static_cast<double>(pixels);
     result.tile.rays.assign(pixels, static_cast<float>(mean));
   }
-  if (job.settings.background.kind == BackgroundKind::transparent &&
-      !job.settings.background.coverage)
-    add_coverage(job, *row, result);
+}
+
+BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
+  const auto row = std::find_if(methods.begin(), methods.end(), [&](const MethodRow& method) {
+    return method.value == job.settings.method;
+  });
+  assert(row != methods.end());
+  BlockResult result = row->render(job);
+  fill_in(result);
+  if (shows_coverage(job.settings)) {
+    const RenderSettings covered = coverage_of(job.settings);
+    set_coverage(row->render({job.scene, job.view, covered, job.block, job.stop}), result);
+  }
   return result;
 }
 
@@ -222,6 +243,13 @@ BlockResult render_block(const RenderScene& scene, const View& view, const Rende
 RenderSettings judged_by(RenderSettings settings, ToneCurve curve) {
   settings.judged_tone = row_of(settings.method).judges_display ? curve : ToneCurve::none;
   return settings;
+}
+
+int samples_a_pixel(const RenderSettings& settings) {
+  const int spp = settings.sampling.spp;
+  if (row_of(settings.method).samples != SampleCount::squares) return spp;
+  const int side = grid_side(spp);
+  return side * side;
 }
 
 int block_side(const RenderSettings& settings) {

@@ -3,9 +3,12 @@
 #include "renderer/render_block.h"
 #include "renderer/result.h"
 #include "renderer/samples/block_job.h"
+#include "renderer/samples/sample_block.h"
+#include "renderer/samples/unfinished_block.h"
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <span>
 
 namespace asos {
@@ -29,6 +32,8 @@ struct MethodRow {
   /// The final pixels of the job's block, as render_block promises them; causes and rays may be
   /// left out.
   BlockResult (*render)(const BlockJob& job) = nullptr;
+  /// The same in two stages, for who looks on; null: it has one. Not with coverage.
+  StartedBlock (*start)(const BlockJob& job) = nullptr;
   /// See the function of that name.
   int (*block_side)(const RenderSettings& settings) = nullptr;
   /// It splits pixels' pyrays: MAX, EPS and TR are for it, and it tells causes.
@@ -41,6 +46,9 @@ struct MethodRow {
   bool samples_by_eps = false;
   bool takes_filter_width = false;
   SampleCount samples = SampleCount::none;
+  /// Where it places the samples of each pixel, all of which have as many: such a method renders in
+  /// rounds (PixelSamples). Null for others.
+  std::unique_ptr<SamplePlaces> (*places)(const RenderSettings& settings) = nullptr;
   bool takes_shapes = true;  ///< it renders analytic shapes, too
   /// The largest scene that it renders.
   std::size_t most_triangles = any_number;
@@ -61,6 +69,19 @@ struct MethodRow {
 [[nodiscard]] inline bool needs_boundaries(Method method) {
   return row_of(method).needs_boundaries;
 }
+
+/// The samples of each pixel of a method that has `places`.
+[[nodiscard]] int samples_a_pixel(const RenderSettings& settings);
+
+/// Whether a picture tells how much of its pixels surfaces cover: where its background is
+/// transparent.
+[[nodiscard]] bool shows_coverage(const RenderSettings& settings);
+/// The settings that render this coverage: the same boundaries and samples, without light.
+[[nodiscard]] RenderSettings coverage_of(RenderSettings settings);
+/// Adds the coverage of a block's pixels that was rendered by these settings.
+void set_coverage(const BlockResult& covered, BlockResult& result);
+/// Fills in causes and rays that a method left out.
+void fill_in(BlockResult& result);
 
 /// `render_block` (renderer/render_block.h) by one of these methods.
 [[nodiscard]] BlockResult render_block(const BlockJob& job,

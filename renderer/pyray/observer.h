@@ -71,6 +71,13 @@ struct TracedPyray {
   std::vector<LevelTally>
       levels;  ///< the papers' tables: K, M, in, out, L; those with marginal cells
   std::vector<TracedCell> cells;  ///< level by level
+
+  /// What the part showed that a sample stands for, where that is known later than the cells.
+  void note(SampleId sample, glm::vec3 radiance) {
+    for (TracedCell& cell : cells)
+      for (TracedSample& of_cell : cell.samples)
+        if (of_cell.id == sample) of_cell.radiance = radiance;
+  }
 };
 
 /// Writes down one pixel's pyrays while they are traced; those that its leaves sent on up to

@@ -1,6 +1,11 @@
 #include "renderer/samples/sample_block.h"
 #include "renderer/sampling/random.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
 namespace asos {
 namespace {
 
@@ -32,7 +37,18 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t length, std::uint32_t seed
   return (i + seed) % length;
 }
 
+// A step of about the golden section of all strata, which shares no factor with their number,
+// visits each once, and any few in a row lie apart.
+int step_of(int strata) {
+  constexpr double golden_section = 0.61803398874989485;
+  int step = std::max(1, static_cast<int>(std::lround(golden_section * strata)));
+  while (std::gcd(step, strata) != 1) ++step;
+  return step;
+}
+
 }  // namespace
+
+GridPlaces::GridPlaces(int n, bool jittered) : n_(n), step_(step_of(n * n)), jittered_(jittered) {}
 
 PixelPoint GridPlaces::in_pixel() const {
   RandomPair r{0.5, 0.5};

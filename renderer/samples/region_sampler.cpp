@@ -73,41 +73,98 @@ std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
 
 std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& counts,
                                                             const BlurKernel* kernel) {
-  // Make room for their sums.
+  make_room();
+  sample_stage(1.0, counts, kernel);
+  forget();
+  return found_;
+}
+
+std::span<const RegionSampler::Estimate> RegionSampler::start(RenderStatistics& counts,
+                                                              double times) {
+  make_room();
+  sample_stage(times, counts, nullptr);
+  return found_;
+}
+
+RegionSampler::Open RegionSampler::take_open() {
+  Open open;
+  for (const Waiting& waiting : waiting_) {
+    if (waiting.done) continue;
+    Waiting& kept = open.waiting_.emplace_back(waiting);
+    kept.first_edge = open.borders_.size();
+    const auto edges = std::span(borders_).subspan(waiting.first_edge, waiting.edges);
+    open.borders_.insert(open.borders_.end(), edges.begin(), edges.end());
+    for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k)
+      open.sums_.push_back(sums_.sum(waiting.first_sum + k));
+  }
+  forget();
+  return open;
+}
+
+std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
+                                                               RenderStatistics& counts) {
+  waiting_ = std::move(open.waiting_);
+  borders_ = std::move(open.borders_);
+  make_room();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const Waiting& waiting = waiting_[i];
+    for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k)
+      sums_.continue_from(waiting.first_sum + k, open.sums_[next++]);
+    found_[i] = estimate(waiting);
+    found_[i].error = standard_error(waiting, found_[i].value);
+  }
+  sample_stage(1.0, counts, nullptr);
+  forget();
+  return found_;
+}
+
+// For the sums and estimates of all that wait.
+void RegionSampler::make_room() {
   for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].first_sum = most_sums * i;
   sums_.resize(0);
   sums_.resize(most_sums * waiting_.size());
   found_.assign(waiting_.size(), {});
-  // Sample in rounds all of which the goals are not met.
-  for (std::size_t left = waiting_.size(); left > 0 && !stop_.stop_requested();) {
+}
+
+void RegionSampler::forget() {
+  waiting_.clear();
+  borders_.clear();
+}
+
+// Samples in rounds all regions that are not within `times` their goals' errors.
+void RegionSampler::sample_stage(double times, RenderStatistics& counts, const BlurKernel* kernel) {
+  for (Waiting& waiting : waiting_) waiting.rests = waiting.done;
+  const auto left = [&] {
+    return std::any_of(waiting_.begin(), waiting_.end(), [](const Waiting& w) { return !w.rests; });
+  };
+  while (left() && !stop_.stop_requested()) {
     for (Waiting& waiting : waiting_)
-      if (!waiting.done) add_round(waiting, kernel);
+      if (!waiting.rests) add_round(waiting, kernel);
     sums_.trace();
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
-      Waiting& waiting = waiting_[i];
-      if (waiting.done) continue;
-      found_[i] = estimate(waiting);
-      found_[i].error = standard_error(waiting, found_[i].value);
+      if (waiting_[i].rests) continue;
+      found_[i] = estimate(waiting_[i]);
+      found_[i].error = standard_error(waiting_[i], found_[i].value);
     }
     // All that are told by others as well, before any of them ends.
     suffices_.clear();
-    for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i));
-    for (std::size_t i = 0; i < waiting_.size(); ++i) {
-      left -= !waiting_[i].done && suffices_[i];
-      waiting_[i].done = waiting_[i].done || suffices_[i];
-    }
+    for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i, times));
+    for (std::size_t i = 0; i < waiting_.size(); ++i)
+      waiting_[i].rests = waiting_[i].rests || suffices_[i];
   }
-  waiting_.clear();
-  borders_.clear();
+  suffices_.clear();
+  for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i, 1.0));
+  for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].done = suffices_[i];
   counts += sums_.statistics();
   sums_.statistics() = {};
-  return found_;
 }
 
-bool RegionSampler::suffices(std::size_t number) const {
+bool RegionSampler::suffices(std::size_t number, double times) const {
   const Waiting& waiting = waiting_[number];
   if (waiting.done || waiting.goal.exhausted(waiting.taken)) return true;
-  return found_[number].cost > 0.0 && waiting.goal.met(waiting.taken, expected_error(number));
+  return found_[number].cost > 0.0 &&
+         waiting.goal.met(waiting.taken, expected_error(number) / times);
 }
 
 // A region's error, and a part of what its neighbours' samples vary by, the mean over those that

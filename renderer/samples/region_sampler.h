@@ -50,6 +50,17 @@ class RegionSampler {
   /// have other samples of one sequence. With a `kernel`, regions are sampled as it is distributed
   /// there.
   std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
+  /// The first stage of two: samples all regions that wait until they are within `times` their
+  /// goals' errors. Then `take_open` has those that are not within their goals, which `resume` goes
+  /// on with. The same bits by any sampler that was made alike.
+  std::span<const Estimate> start(RenderStatistics& counts, double times);
+  /// Whether a region was left open by `start`, by its number.
+  [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
+  /// Regions that were left open, in their order, with their samples so far.
+  class Open;
+  [[nodiscard]] Open take_open();
+  /// The second stage. Estimates are of the open regions, in their order.
+  std::span<const Estimate> resume(Open&& open, RenderStatistics& counts);
   /// One region alone.
   [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
                                 RenderStatistics& counts, const BlurKernel* kernel = nullptr) {
@@ -68,13 +79,17 @@ class RegionSampler {
     std::uint32_t taken = 0;  // samples so far, with those beside the region
     std::uint32_t in_region = 0;
     std::uint32_t masked = 0;  // of these, beside the mask
+    bool rests = false;        // until the stage ends
     bool done = false;
   };
   [[nodiscard]] LeafRegion region(const Waiting& waiting) const {
     return {waiting.square, std::span(borders_).subspan(waiting.first_edge, waiting.edges)};
   }
+  void make_room();
+  void sample_stage(double times, RenderStatistics& counts, const BlurKernel* kernel);
+  void forget();
   void add_round(Waiting& waiting, const BlurKernel* kernel);
-  [[nodiscard]] bool suffices(std::size_t number) const;
+  [[nodiscard]] bool suffices(std::size_t number, double times) const;
   [[nodiscard]] double expected_error(std::size_t number) const;
   [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
   [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
@@ -89,6 +104,21 @@ class RegionSampler {
   std::vector<BorderEdge> borders_;
   std::vector<Estimate> found_;
   std::vector<bool> suffices_;
+};
+
+class RegionSampler::Open {
+ public:
+  [[nodiscard]] bool empty() const { return waiting_.empty(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return waiting_.size() * sizeof(Waiting) + borders_.size() * sizeof(BorderEdge) +
+           sums_.size() * sizeof(SampleSums::Sum);
+  }
+
+ private:
+  friend class RegionSampler;
+  std::vector<Waiting> waiting_;
+  std::vector<BorderEdge> borders_;
+  std::vector<SampleSums::Sum> sums_;  // as many of each as it has
 };
 
 }  // namespace asos

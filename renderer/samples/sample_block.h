@@ -51,18 +51,21 @@ inline constexpr int points_at_a_time = 16;
 /// those that reach beyond what the square shows look past where a texture ends.
 inline constexpr float colour_side = 0.75f;
 
-/// A block of pixels as the mean of `samples` point samples each, through packets of rays. A sample
-/// stands for its share of the pixel's area.
+/// A block of pixels as the mean of `samples` point samples each, through packets of rays, in the
+/// rounds of PixelSamples. A sample stands for its share of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
 
 /// n x n strata of the pixel, and for each light another assignment of its own n x n strata to the
-/// samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in it.
+/// samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in it. Samples go
+/// from stratum to stratum so that the first few are spread over the pixel as well.
 class GridPlaces final : public SamplePlaces {
  public:
-  GridPlaces(int n, bool jittered) : n_(n), jittered_(jittered) {}
+  GridPlaces(int n, bool jittered);
 
   void start_pixel(int x, int y) override { x_ = x, y_ = y; }
-  void start_sample(int index) override { index_ = index; }
+  void start_sample(int index) override {
+    index_ = static_cast<int>(static_cast<std::int64_t>(index) * step_ % (n_ * n_));
+  }
   [[nodiscard]] PixelPoint in_pixel() const override;
   using SamplePlaces::in_pixel;
   using SamplePlaces::on_light;
@@ -70,8 +73,10 @@ class GridPlaces final : public SamplePlaces {
 
  private:
   int n_;
+  int step_;  // from one sample's stratum to the next one's
   bool jittered_;
-  int x_ = 0, y_ = 0, index_ = 0;
+  int x_ = 0, y_ = 0;
+  int index_ = 0;  // of the stratum
 };
 
 }  // namespace asos

@@ -86,6 +86,11 @@ class SampleSums {
   void trace();
 
   [[nodiscard]] Sum sum(std::size_t target) const { return {radiance_[target], count_[target]}; }
+  /// Goes on from a sum that was known before.
+  void continue_from(std::size_t target, const Sum& sum) {
+    radiance_[target] = sum.radiance;
+    count_[target] = sum.count;
+  }
   /// Adds up `count` sums from `first` on, an even number, two at a time: the first half of them
   /// hold all, and the others are empty. None of their samples may wait for `trace`.
   void add_pairs(std::size_t first, std::size_t count);

@@ -325,5 +325,37 @@ TEST(SharedShadows, PartsOfABumpyPixelTakeOneShadowRayTogether) {
     EXPECT_NEAR(bumpy.film.radiance[i].y, sampled.film.radiance[i].y, 1.0 / 256.0) << i;
 }
 
+// Two stages, the second by another sampler: within four times the goal, then within it.
+TEST_F(TwoColours, TwoStagesByAnySamplers) {
+  const auto sampler = [&] {
+    return std::make_unique<RegionSampler>(*scene_, *viewer_, settings_, PixelRect{0, 0, 8, 8},
+                                           settings_.seed);
+  };
+  const RegionSampler::Goal strict = goal_of(0.002, 4096), easy = goal_of(0.2, 4096);
+  const auto both_stages = [&](bool anew) {
+    auto own = sampler();
+    own->add({crossed, {}}, strict);
+    own->add({crossed, {}}, easy);
+    const auto first = own->start(counts_, 4.0);
+    EXPECT_LT(first[0].error, 4.0 * 0.002 * std::sqrt(first[0].cost / 16.0));
+    EXPECT_TRUE(own->open(0));
+    EXPECT_FALSE(own->open(1)) << "it is within its goal";
+    const double taken = first[0].cost;
+    RegionSampler::Open open = own->take_open();
+    EXPECT_FALSE(open.empty());
+    EXPECT_GT(open.bytes(), 100u);
+    if (anew) own = sampler();
+    const auto second = own->resume(std::move(open), counts_);
+    EXPECT_EQ(second.size(), 1u);
+    EXPECT_GT(second[0].cost, taken);
+    return second[0];
+  };
+  const RegionSampler::Estimate kept = both_stages(false), anew = both_stages(true);
+  EXPECT_EQ(kept.value, anew.value);
+  EXPECT_EQ(kept.error, anew.error);
+  EXPECT_EQ(kept.cost, anew.cost);
+  EXPECT_NEAR(kept.value.g, 0.7, 0.01);
+}
+
 }  // namespace
 }  // namespace asos::test::region_sampler_test

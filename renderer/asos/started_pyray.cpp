@@ -1,0 +1,93 @@
+#include "renderer/asos/started_pyray.h"
+
+#include "renderer/asos/split_causes.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <span>
+
+namespace asos {
+namespace {
+
+// Each cell that was examined has a sample of its own. The block's other rays, as those cast to
+// find out whether a patch is evenly lit, are shared by its pixels.
+void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
+  std::uint64_t told = 0;
+  for (const std::uint64_t of_pixel : rays) {
+    told += of_pixel;
+    result.tile.rays.push_back(static_cast<float>(of_pixel));
+  }
+  const std::uint64_t all = result.statistics.rays();
+  if (all <= told) return;
+  const float shared = static_cast<float>(all - told) / static_cast<float>(rays.size());
+  for (float& of_pixel : result.tile.rays) of_pixel += shared;
+}
+
+// The level whose cells would be as many.
+int level_of(std::uint32_t samples) {
+  return samples > 1 ? (std::bit_width(samples - 1) + 1) / 2 : 0;
+}
+
+// Publishes a pixel's radiance, level, cause and rays, and counts its cells and events.
+void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockResult& result,
+                   std::vector<std::uint64_t>& rays) {
+  RenderStatistics& statistics = result.statistics;
+  SubdivisionOutcome outcome = trace.outcome;
+  const auto& cells = outcome.pyrays_by_level;
+  for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
+  // What samples tell apart is as good as split to the end.
+  if (sum.cut_out) outcome.deepest = std::max(outcome.deepest, max_level);
+  if (sum.varies && !outcome.uneven_shadow) outcome.uneven_shading = true;
+  if (outcome.uneven_shading || outcome.uneven_shadow)
+    outcome.deepest = std::max(outcome.deepest, std::min(max_level, level_of(sum.samples)));
+  statistics.split_pixels += outcome.deepest > 0;
+  statistics.missed_splits += trace.missed;
+  statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
+  statistics.saturated_pixels += outcome.saturated;
+  statistics.unresolved_area += outcome.unresolved_area;
+  statistics.pyrays_by_level[static_cast<std::size_t>(max_level)] += sum.samples;
+  result.tile.radiance.push_back(sum.mean());
+  result.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
+  const SplitCause cause =
+      cause_of({outcome, trace.by_samples || sum.cut_out, sum.shadow_cut, sum.mirror_cut});
+  result.tile.cause.push_back(cause);
+  if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
+  rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));
+}
+
+}  // namespace
+
+BlockResult StartedPyray::result(int max_level) const {
+  std::vector<RootSum> sums;
+  sums.reserve(pixels.size());
+  for (const Pixel& pixel : pixels) sums.push_back(pixel.sum);
+  for (const OpenRegions::Part& part : open.parts)
+    sums[pixel_of_root[part.root]].add_samples(part.so_far, part.weight, part.layers);
+  BlockResult result;
+  result.tile.rect = block;
+  result.statistics = statistics;
+  std::vector<std::uint64_t> rays;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    publish_pixel(pixels[i].trace, sums[i], max_level, result, rays);
+  publish_rays(rays, result);
+  return result;
+}
+
+StartedPyray::Expected StartedPyray::expected() const {
+  Expected all;
+  for (const OpenRegions::Part& part : open.parts) {
+    const double off = part.weight * part.so_far.error;
+    all.squared_error += off * off;
+    all.samples += part.so_far.cost;
+  }
+  return all;
+}
+
+std::size_t StartedPyray::bytes() const {
+  return sizeof(*this) + pixels.size() * sizeof(Pixel) +
+         pixel_of_root.size() * sizeof(std::uint32_t) + open.bytes() +
+         statistics.lights.size() * sizeof(LightStatistics);
+}
+
+}  // namespace asos

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/asos/open_regions.h"
+#include "renderer/asos/root_sums.h"
+#include "renderer/film/block_result.h"
+#include "renderer/pyray/tracer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace asos {
+
+/// The pixels of a fat pyray after its first stage, which found boundaries, split pixels and shaded
+/// their leaves: all but what some of their parts still need of samples. Enough to go on from.
+struct StartedPyray {
+  struct Pixel {
+    Trace trace;
+    RootSum sum;
+  };
+
+  PixelRect block;                           ///< of the picture
+  PixelRect framed;                          ///< of its frame
+  std::vector<Pixel> pixels;                 ///< row by row
+  std::vector<std::uint32_t> pixel_of_root;  ///< place in `pixels` of each root of the fat pyray
+  OpenRegions open;
+  RenderStatistics statistics;
+
+  /// The pixels as far as they are known, open regions by their samples so far.
+  [[nodiscard]] BlockResult result(int max_level) const;
+  /// Squared errors of display intensity that open regions are likely to have, summed over pixels,
+  /// and the samples that they have.
+  struct Expected {
+    double squared_error = 0.0;
+    double samples = 0.0;
+  };
+  [[nodiscard]] Expected expected() const;
+  [[nodiscard]] std::size_t bytes() const;
+};
+
+}  // namespace asos
