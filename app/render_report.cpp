@@ -71,10 +71,9 @@ std::string reached_text(const Reached& reached) {
         return "one sample for 8x8 pixels";
       case Reached::Pass::quarters:
         return "one sample for 4x4 pixels";
-      case Reached::Pass::centres:
-        return "one sample a pixel";
-      case Reached::Pass::level:
-        return fmt::format("MAX {}", reached.level);
+      case Reached::Pass::samples:
+        return reached.samples == 1 ? "one sample a pixel"
+                                    : fmt::format("{} samples a pixel", reached.samples);
       case Reached::Pass::final_pixels:
         break;
     }

@@ -32,7 +32,7 @@ bool PreviewRender::first_picture_pending() const {
 }
 
 bool PreviewRender::shown_for(double seconds, double now_seconds) const {
-  return !first_picture_pending() && (session_.reached().pass >= Reached::Pass::centres ||
+  return !first_picture_pending() && (session_.reached().pass >= Reached::Pass::samples ||
                                       now_seconds - restarted_seconds_ >= seconds);
 }
 

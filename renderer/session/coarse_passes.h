@@ -9,9 +9,9 @@
 
 namespace asos {
 
-/// The pictures that a window shows before there are final pixels: first a sample in the middle of
-/// each block, then of each quarter of one, then one in the centre of each pixel. Knows which
-/// groups are still to do; any number of threads.
+/// The pictures that a window shows before there is a sample for each pixel: first one in the
+/// middle of each square of 8 pixels a side, then of each quarter of one. Knows which groups are
+/// still to do; any number of threads.
 class CoarsePasses {
  public:
   /// Renders into `tiles` until no group is left or `stop` is requested. No barrier stands between
@@ -21,11 +21,9 @@ class CoarsePasses {
  private:
   void work_middles(const PlannedRender& render, Pass pass, TileCollector& tiles,
                     const std::stop_token& stop);
-  void work_centres(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
 
   std::atomic<std::size_t> next_blocks_{0};  // groups
   std::atomic<std::size_t> next_quarters_{0};
-  std::atomic<std::size_t> next_centres_{0};
 };
 
 }  // namespace asos

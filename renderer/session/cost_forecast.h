@@ -1,32 +1,27 @@
 #pragma once
 
-#include "renderer/settings/settings.h"
-
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace asos {
 
-/// Tells what the blocks that are left will cost, from what others cost. Blocks differ a
-/// hundredfold, but one that is dear at a low MAX is dear at a high one: so each pass is forecast
-/// by its ratio to the pass before over the blocks that both have done, and only the first one by
-/// the mean of its blocks, which therefore have to be spread over the picture. One thread at a
+/// Tells what the passes over a picture that are left will cost, from what its blocks cost so far.
+/// Blocks differ a hundredfold, but one that is dear in a pass is dear in the next. So a pass is
+/// forecast from the pass before, by the ratio of the two over the blocks that both have done, and
+/// until there are enough of these by a ratio that is known beforehand. The first pass is forecast
+/// by the mean of its blocks, which therefore have to be spread over the picture. One thread at a
 /// time.
 class CostForecast {
  public:
-  /// Passes are told by their MAX; the final one follows.
-  static constexpr std::size_t final_pass = max_level_limit + 1;
+  /// `growth`: how many times the work of the pass before each pass but the first takes.
+  explicit CostForecast(std::size_t blocks, std::vector<double> growth = {});
 
-  explicit CostForecast(std::size_t blocks);
-
-  /// The passes that all blocks go through before the final one, in this order. What was added of
-  /// others is work that was done and is not repeated.
-  void set_levels(std::span<const int> levels);
-  /// What a block cost in a pass, in seconds of one processor.
+  /// What a block cost in a pass, in seconds of one processor. What is done of a block again counts
+  /// as work.
   void add(std::size_t pass, std::size_t block, double seconds);
+  /// Passes before the last one that are not taken after all.
+  void leave_out(std::size_t pass);
 
   [[nodiscard]] double seconds_done() const { return done_; }
   /// None before there is a block to tell from.
@@ -37,18 +32,19 @@ class CostForecast {
  private:
   struct PassCosts {
     std::vector<float> by_block;  // negative: not done
+    double growth = 1.0;          // over the pass before, as known beforehand
     std::size_t count = 0;
     double sum = 0.0;
-    // Over the blocks that the pass before has done as well: here, and there.
-    double common = 0.0;
-    double common_before = 0.0;
+    bool left_out = false;
   };
-
-  void compare(PassCosts& pass, const PassCosts& before, std::size_t block);
+  /// Of a pass over the blocks that it shares with another.
+  struct Shared {
+    double here = 0.0, there = 0.0;
+  };
+  [[nodiscard]] Shared shared(const PassCosts& pass, const PassCosts& before) const;
 
   std::size_t blocks_;
-  std::array<PassCosts, final_pass + 1> passes_;
-  std::vector<std::size_t> order_{final_pass};
+  std::vector<PassCosts> passes_;
   double done_ = 0.0;
 };
 

@@ -17,15 +17,12 @@ struct PlannedRender {
         view(snapshot.camera, snapshot.settings.width, snapshot.settings.height,
              radius_around_origin(snapshot.scene->world().bounds)),
         plan(snapshot.settings),
-        group_order(plan.spread_groups()),
-        // Whole groups where somebody looks on and waits for their tiles.
-        order(snapshot.progressive ? plan.blocks_of(group_order) : plan.spread_blocks()) {}
+        group_order(plan.spread_groups()) {}
 
   Snapshot snapshot;
   View view;
   WorkPlan plan;
-  std::vector<std::size_t> group_order;  ///< of passes at a low MAX
-  std::vector<std::size_t> order;        ///< of the final pass: indices of blocks
+  std::vector<std::size_t> group_order;  ///< of rounds of samples
 };
 
 }  // namespace asos

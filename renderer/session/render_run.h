@@ -1,15 +1,16 @@
 #pragma once
 
 #include "renderer/session/coarse_passes.h"
-#include "renderer/session/level_passes.h"
+#include "renderer/session/final_blocks.h"
 #include "renderer/session/planned_render.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/run_clock.h"
+#include "renderer/session/sample_rounds.h"
 #include "renderer/session/tile_collector.h"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <stop_token>
 #include <vector>
 
@@ -29,26 +30,33 @@ class RenderRun {
   [[nodiscard]] std::vector<FinishedTile> take_finished() { return tiles_.take_finished(); }
   [[nodiscard]] Progress progress() const { return clock_.progress(); }
   [[nodiscard]] Reached reached() const { return tiles_.reached(); }
-  /// See TileCollector.
-  void publish_unfinished() { tiles_.publish_unfinished(); }
   [[nodiscard]] RenderStatistics statistics() const { return tiles_.statistics(); }
-  /// Lets the final pass rest, after the blocks that are being worked on, and go on.
+  /// Lets all but the coarse passes rest, after what is being worked on, and go on.
   void pause() { clock_.pause(); }
   void resume() { clock_.resume(); }
   /// Called once the workers have ended: time stands still from here.
   void close() { clock_.close(); }
 
  private:
+  void work_samples(const std::stop_token& stop);
+  void work_blocks(const std::stop_token& stop);
+  void sample_first(const std::stop_token& stop);
+  [[nodiscard]] bool takes_round(std::size_t round, const std::stop_token& stop);
+  /// Of the scene, where the method asks for them; else they are known.
+  enum class Boundaries { sought, known, failed };
+  [[nodiscard]] Boundaries look_for_boundaries() const;
   /// False: the final pass cannot go on, for there are no boundaries, or `stop` is requested.
   [[nodiscard]] bool wait_for_boundaries(const std::stop_token& stop);
-  void work_final(const std::stop_token& stop);
+  void count(bool finished_picture);
 
   const PlannedRender render_;
   TileCollector tiles_;
-  RunClock clock_;
   CoarsePasses coarse_;
-  LevelPasses levels_;
-  std::atomic<std::size_t> next_final_{0};  // blocks
+  SampleRounds samples_;
+  FinalBlocks blocks_;
+  RunClock clock_;
+  std::mutex mutex_;
+  std::vector<bool> taken_;  // whether each round of samples is, as far as that is decided
 };
 
 }  // namespace asos

@@ -77,7 +77,6 @@ void RenderSession::resume() {
 
 void RenderSession::cancel() {
   state_->stop();
-  if (state_->run) state_->run->publish_unfinished();
 }
 
 void RenderSession::wait() {

@@ -33,10 +33,10 @@ struct Progress {
 
 /// How far all pixels of a picture have come at least.
 struct Reached {
-  enum class Pass { nothing, blocks, quarters, centres, level, final_pixels };
-  /// A sample for each block, for each quarter of one, for each pixel.
+  enum class Pass { nothing, blocks, quarters, samples, final_pixels };
+  /// A sample for each block, for each quarter of one; so many samples for each pixel.
   Pass pass = Pass::nothing;
-  int level = 0;             ///< of Pass::level: the MAX of the pass
+  int samples = 0;           ///< of Pass::samples
   double final_share = 0.0;  ///< of the pixels
 };
 
@@ -47,11 +47,12 @@ struct Reached {
 [[nodiscard]] int worker_count_on(int cores, int threads, bool beside_window);
 
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
-/// sample for each 8x8 block, for each 4x4 one, then for each pixel; as soon as the scene's
-/// boundaries are known, passes at a low MAX where they are worth it (LevelPasses), then the
-/// method's own pixels. The result does not depend on the number of workers nor on the order of
-/// tiles. All members may be called from one controlling thread; the callback comes from workers
-/// and must not call back in.
+/// sample for each 8x8 block, for each 4x4 one, then 1, 2, 4 and so on for each pixel
+/// (SampleRounds): methods that take as many samples in every pixel end so. For others, as soon as
+/// the scene's boundaries are known and more samples are not worth their work, blocks of the
+/// method's own pixels, those first that are furthest from their end (FinalBlocks). The result does
+/// not depend on the number of workers nor on the order of tiles. All members may be called from
+/// one controlling thread; the callback comes from workers and must not call back in.
 ///
 /// With a crop, tiles are relative to the crop's top left corner, and a picture of the crop's size
 /// holds them all; their pixels equal that part of the whole picture's. A snapshot without a scene,
@@ -70,7 +71,7 @@ class RenderSession {
   /// as well.
   void pause();
   void resume();
-  /// Stops and waits. Published tiles stay, and what is final of others is published.
+  /// Stops and waits. Published tiles stay.
   void cancel();
   /// Waits for the end of the render.
   void wait();

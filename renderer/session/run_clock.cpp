@@ -15,9 +15,9 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
-void RunClock::set_levels(std::span<const int> levels) {
+void RunClock::leave_out(std::size_t pass) {
   const std::lock_guard lock(mutex_);
-  forecast_.set_levels(levels);
+  forecast_.leave_out(pass);
 }
 
 void RunClock::begin_forecast() {

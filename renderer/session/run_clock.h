@@ -9,8 +9,9 @@
 #include <cstddef>
 #include <deque>
 #include <mutex>
-#include <span>
 #include <stop_token>
+#include <utility>
+#include <vector>
 
 namespace asos {
 
@@ -18,11 +19,12 @@ namespace asos {
 /// and when all will be there. Any thread.
 class RunClock {
  public:
-  /// Starts, for a picture of so many blocks.
-  explicit RunClock(std::size_t blocks) : forecast_(blocks) {}
+  /// Starts. See CostForecast.
+  explicit RunClock(std::size_t blocks, std::vector<double> growth = {})
+      : forecast_(blocks, std::move(growth)) {}
 
   /// See CostForecast.
-  void set_levels(std::span<const int> levels);
+  void leave_out(std::size_t pass);
   /// The first pass that is forecast begins; only the first call counts.
   void begin_forecast();
   /// A block of a pass is finished, which took a worker's processor so long.

@@ -6,15 +6,29 @@
 namespace asos {
 namespace {
 
-/// For the coverage of a part that tells any.
-void make_room(const FinishedTile& part, FinishedTile& whole) {
-  if (!part.coverage.empty()) whole.coverage.resize(whole.radiance.size(), 1.0f);
+FinishedTile part_of(const FinishedTile& tile, const PixelRect& rect) {
+  FinishedTile part;
+  part.rect = rect;
+  part.coarse = tile.coarse;
+  const auto pixels = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+  part.radiance.resize(pixels);
+  part.split_level.resize(pixels);
+  part.cause.resize(pixels);
+  if (!tile.rays.empty()) part.rays.resize(pixels);
+  if (!tile.seconds.empty()) part.seconds.resize(pixels);
+  if (!tile.coverage.empty()) part.coverage.resize(pixels);
+  copy_pixels(tile, part);
+  return part;
 }
 
 }  // namespace
 
 TileCollector::TileCollector(const WorkPlan& plan, std::function<void()> on_tiles)
-    : plan_(&plan), on_tiles_(std::move(on_tiles)), groups_(plan.groups.size()) {}
+    : plan_(&plan),
+      on_tiles_(std::move(on_tiles)),
+      groups_(plan.groups.size()),
+      started_(plan.blocks.size(), false),
+      unresolved_area_(plan.blocks.size(), 0.0) {}
 
 FinishedTile TileCollector::blank_tile(const BlockGroup& group) const {
   FinishedTile tile;
@@ -28,88 +42,80 @@ FinishedTile TileCollector::blank_tile(const BlockGroup& group) const {
   return tile;
 }
 
-void TileCollector::publish_coarse(std::size_t group, Pass pass, FinishedTile&& tile) {
-  {
-    const std::lock_guard lock(mutex_);
-    for (const BlockResult& block : groups_[group].blocks) {
-      make_room(block.tile, tile);
-      if (block.tile.radiance.empty()) continue;
-      copy_pixels(block.tile, tile);
-    }
-  }
-  (void)publish(group, pass, std::move(tile));
+// Of a tile that may reach beyond the crop.
+FinishedTile TileCollector::visible_part(FinishedTile&& tile) const {
+  const PixelRect seen = intersection(tile.rect, plan_->visible);
+  return seen == tile.rect ? std::move(tile) : part_of(tile, seen);
 }
 
-void TileCollector::publish_unfinished() {
-  const std::lock_guard lock(mutex_);
-  for (GroupState& group : groups_) {
-    for (BlockResult& block : group.blocks) {
-      if (block.tile.radiance.empty()) continue;
-      FinishedTile& tile = finished_.emplace_back();
-      tile.rect = intersection(block.tile.rect, plan_->visible);
-      const auto pixels = static_cast<std::size_t>(tile.rect.width * tile.rect.height);
-      tile.radiance.resize(pixels);
-      tile.split_level.resize(pixels);
-      tile.cause.resize(pixels);
-      tile.rays.resize(pixels);
-      tile.seconds.resize(pixels);
-      if (!block.tile.coverage.empty()) tile.coverage.resize(pixels);
-      copy_pixels(block.tile, tile);
-      tile.rect.x -= plan_->visible.x;
-      tile.rect.y -= plan_->visible.y;
+// Under the mutex.
+void TileCollector::start(std::size_t block) {
+  if (started_[block]) return;
+  started_[block] = true;
+  ++groups_[plan_->blocks[block].group].started_blocks;
+}
+
+// Under the mutex.
+void TileCollector::put(FinishedTile&& tile) {
+  tile.rect.x -= plan_->visible.x;
+  tile.rect.y -= plan_->visible.y;
+  finished_.push_back(std::move(tile));
+}
+
+void TileCollector::publish_coarse(std::size_t group, Pass pass, FinishedTile&& tile) {
+  FinishedTile seen = visible_part(std::move(tile));
+  seen.coarse = true;
+  bool first = false;
+  {
+    const std::lock_guard lock(mutex_);
+    GroupState& state = groups_[group];
+    if (state.published >= pass) return;
+    state.published = pass;
+    const bool none = finished_.empty();
+    if (state.started_blocks == 0) {
+      put(std::move(seen));
+    } else {
+      const BlockGroup& all = plan_->groups[group];
+      for (std::size_t block = all.first_block; block < all.first_block + all.block_count; ++block)
+        if (!started_[block])
+          put(part_of(seen, intersection(plan_->blocks[block].rect, seen.rect)));
     }
-    group.blocks.clear();
+    first = none && !finished_.empty();
   }
+  if (first) notify();
+}
+
+void TileCollector::publish_started(std::size_t block, FinishedTile&& tile) {
+  FinishedTile seen = visible_part(std::move(tile));
+  seen.coarse = true;
+  bool first = false;
+  {
+    const std::lock_guard lock(mutex_);
+    start(block);
+    first = finished_.empty();
+    put(std::move(seen));
+  }
+  if (first) notify();
 }
 
 bool TileCollector::finish_block(std::size_t block, BlockResult&& result) {
-  const std::vector<BlockResult> whole = add_block(block, std::move(result));
-  if (whole.empty()) return false;
-  const std::size_t group = plan_->blocks[block].group;
-  FinishedTile tile = blank_tile(plan_->groups[group]);
-  tile.coarse = false;
-  tile.rays.resize(tile.radiance.size());
-  tile.seconds.resize(tile.radiance.size());
-  for (const BlockResult& one : whole) {
-    make_room(one.tile, tile);
-    copy_pixels(one.tile, tile);
-  }
-  return publish(group, Pass::final_pixels, std::move(tile));
-}
-
-// The blocks of its group where it is the last of them, else none.
-std::vector<BlockResult> TileCollector::add_block(std::size_t block, BlockResult&& result) {
   const std::size_t index = plan_->blocks[block].group;
-  const BlockGroup& group = plan_->groups[index];
-  const std::lock_guard lock(mutex_);
-  // Integers add up in any order; the one sum that does not waits for its group.
-  RenderStatistics counts = result.statistics;
-  counts.unresolved_area = 0.0;
-  totals_ += counts;
-  GroupState& state = groups_[index];
-  const PixelRect seen = intersection(result.tile.rect, plan_->visible);
-  state.final_pixels += static_cast<std::int64_t>(seen.width) * seen.height;
-  state.blocks.resize(group.block_count);
-  state.blocks[block - group.first_block] = std::move(result);
-  if (++state.finished_blocks < group.block_count) return {};
-  for (const BlockResult& one : state.blocks)
-    state.unresolved_area += one.statistics.unresolved_area;
-  return std::exchange(state.blocks, {});
-}
-
-// True for the last tile of the final pass.
-bool TileCollector::publish(std::size_t group, Pass pass, FinishedTile&& tile) {
-  tile.rect.x -= plan_->visible.x;
-  tile.rect.y -= plan_->visible.y;
-  bool first = false;
-  bool last = false;
+  FinishedTile seen = visible_part(std::move(result.tile));
+  seen.coarse = false;
+  bool first = false, last = false;
   {
     const std::lock_guard lock(mutex_);
-    if (groups_[group].published >= pass) return false;
-    groups_[group].published = pass;
+    // Integers add up in any order.
+    unresolved_area_[block] = std::exchange(result.statistics.unresolved_area, 0.0);
+    totals_ += result.statistics;
+    GroupState& state = groups_[index];
+    start(block);
+    state.final_pixels += static_cast<std::int64_t>(seen.rect.width) * seen.rect.height;
+    if (++state.finished_blocks == plan_->groups[index].block_count)
+      state.published = Pass::final_pixels;
+    last = ++final_blocks_ == plan_->blocks.size();
     first = finished_.empty();
-    finished_.push_back(std::move(tile));
-    last = pass == Pass::final_pixels && ++final_groups_ == groups_.size();
+    put(std::move(seen));
   }
   if (first) notify();
   return last;
@@ -135,15 +141,12 @@ Reached TileCollector::reached() const {
     case Pass::quarters:
       reached.pass = Reached::Pass::quarters;
       break;
-    case Pass::centres:
-      reached.pass = Reached::Pass::centres;
-      break;
     case Pass::final_pixels:
       reached.pass = Reached::Pass::final_pixels;
       break;
     default:
-      reached.pass = Reached::Pass::level;
-      reached.level = static_cast<int>(least) - static_cast<int>(Pass::first_level);
+      reached.pass = Reached::Pass::samples;
+      reached.samples = 1 << (static_cast<int>(least) - static_cast<int>(Pass::first_samples));
   }
   return reached;
 }
@@ -160,7 +163,7 @@ std::vector<FinishedTile> TileCollector::take_finished() {
 RenderStatistics TileCollector::statistics() const {
   const std::lock_guard lock(mutex_);
   RenderStatistics statistics = totals_;
-  for (const GroupState& group : groups_) statistics.unresolved_area += group.unresolved_area;
+  for (const double area : unresolved_area_) statistics.unresolved_area += area;
   return statistics;
 }
 

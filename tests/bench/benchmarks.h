@@ -6,6 +6,7 @@
 // clang-format off
 namespace asos::bench {
 
+namespace anytime { int run(int argc, char** argv); }
 namespace animation { int run(int argc, char** argv); }
 namespace bias { int run(int argc, char** argv); }
 namespace convergence { int run(int argc, char** argv); }

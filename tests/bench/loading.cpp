@@ -76,7 +76,7 @@ int measure(const Settings& settings) {
   session.restart(snapshot);
   wait_for(session, Reached::Pass::blocks);
   steps.print("first coarse picture", triangles);
-  wait_for(session, Reached::Pass::centres);
+  wait_for(session, Reached::Pass::samples);
   steps.print("one sample a pixel", triangles);
   if (const auto whole = with_boundaries(*prepared); !whole) return fail(whole.error());
   steps.print("boundaries", triangles);

@@ -25,6 +25,7 @@ constexpr std::array benchmarks{
     Benchmark{"convergence", convergence::run, "error and work by MAX, against the exact picture"},
     Benchmark{"costs", costs::run, "the engine's parts, as ratios of processor times"},
     Benchmark{"equal-error", equal_error::run, "how much longer sampling takes, with causes"},
+    Benchmark{"anytime", anytime::run, "the error of a picture while it renders, scene by scene"},
     Benchmark{"every-scene", every_scene::run, "the same, a line for every scene"},
     Benchmark{"latency", latency::run, "how soon the window follows a change"},
     Benchmark{"loading", loading::run, "time and memory to open a scene"},

@@ -38,8 +38,8 @@ TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
     const bool long_enough = render.shown_for(1.0, start);
     const Reached::Pass after = render.reached().pass;
     const bool covered = !render.first_picture_pending();
-    ASSERT_TRUE(long_enough || before < Reached::Pass::centres || !covered);
-    ASSERT_TRUE(!long_enough || after >= Reached::Pass::centres);
+    ASSERT_TRUE(long_enough || before < Reached::Pass::samples || !covered);
+    ASSERT_TRUE(!long_enough || after >= Reached::Pass::samples);
     ASSERT_TRUE(!covered || render.shown_for(1.0, start + 1.0));
     waited |= covered && !long_enough;
     if (render.progress().finished) break;

@@ -57,9 +57,10 @@ TEST(CoarsePasses, EachHasAQuarterOfThePixelsForASample) {
   EXPECT_FALSE(flat_in_squares(centres, 4));
 
   Snapshot one_sample = snapshot;
-  one_sample.settings.method = Method::uniform;
+  one_sample.settings.method = Method::sobol;
   one_sample.settings.sampling.spp = 1;
   EXPECT_EQ(centres.radiance, render_to_end(one_sample).film.radiance);
+  one_sample.settings.method = Method::uniform;  // through pixels' centres
   // A quarter has what its middle shows, which is a pixel's centre in a picture of fewer, but for
   // places that are counted in pixels.
   one_sample.settings.width = width / 4;

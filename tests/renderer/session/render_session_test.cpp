@@ -240,7 +240,7 @@ TEST(RenderSession, CancelKeepsWhatWasPublishedAndIsQuick) {
   std::vector<double> seconds;
   for (int i = 0; i < 9; ++i) {
     session.restart(snapshot);
-    while (session.progress().running && session.reached().pass < Reached::Pass::centres)
+    while (session.progress().running && session.reached().pass < Reached::Pass::samples)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const double start = test::processor_seconds();
     session.cancel();

@@ -36,31 +36,31 @@ BlockResult block_at(const PixelRect& rect) {
   return result;
 }
 
-TEST(TileCollector, PublishesAGroupOnceAllItsBlocksAreThere) {
+TEST(TileCollector, PublishesWhatIsVisibleOfABlock) {
   const WorkPlan plan(two_groups());
   ASSERT_EQ(plan.groups.size(), 2u);
   ASSERT_EQ(plan.blocks.size(), 32u);
   int calls = 0;
   TileCollector collector(plan, [&] { ++calls; });
-  for (std::size_t i = 16; i-- > 0;) {
-    EXPECT_TRUE(collector.take_finished().empty());
-    EXPECT_FALSE(collector.finish_block(i, block_at(plan.blocks[i].rect)));
-  }
-  EXPECT_EQ(calls, 1);
+  for (std::size_t b = 16; b-- > 0;)
+    EXPECT_FALSE(collector.finish_block(b, block_at(plan.blocks[b].rect)));
+  EXPECT_EQ(calls, 1) << "the others wait with the first";
   const std::vector<FinishedTile> tiles = collector.take_finished();
-  ASSERT_EQ(tiles.size(), 1u);
-  const FinishedTile& tile = tiles[0];
-  EXPECT_FALSE(tile.coarse);
-  const PixelRect seen = intersection(plan.groups[0].rect, plan.visible);
-  EXPECT_EQ(tile.rect, (PixelRect{seen.x - 1, seen.y - 1, seen.width, seen.height}));
-  std::size_t i = 0;
-  for (int y = seen.y; y < seen.y + seen.height; ++y) {
-    for (int x = seen.x; x < seen.x + seen.width; ++x, ++i) {
-      ASSERT_EQ(tile.radiance[i], glm::vec3(x, y, 0));
-      ASSERT_EQ(tile.split_level[i], x);
-      ASSERT_EQ(tile.cause[i], SplitCause::crease);
-      ASSERT_EQ(tile.rays[i], static_cast<float>(y));
-      ASSERT_EQ(tile.seconds[i], 2.0f);
+  ASSERT_EQ(tiles.size(), 16u);
+  for (std::size_t b = 0; b < 16; ++b) {
+    const FinishedTile& tile = tiles[15 - b];
+    EXPECT_FALSE(tile.coarse);
+    const PixelRect seen = intersection(plan.blocks[b].rect, plan.visible);
+    EXPECT_EQ(tile.rect, (PixelRect{seen.x - 1, seen.y - 1, seen.width, seen.height}));
+    std::size_t i = 0;
+    for (int y = seen.y; y < seen.y + seen.height; ++y) {
+      for (int x = seen.x; x < seen.x + seen.width; ++x, ++i) {
+        ASSERT_EQ(tile.radiance[i], glm::vec3(x, y, 0));
+        ASSERT_EQ(tile.split_level[i], x);
+        ASSERT_EQ(tile.cause[i], SplitCause::crease);
+        ASSERT_EQ(tile.rays[i], static_cast<float>(y));
+        ASSERT_EQ(tile.seconds[i], 2.0f);
+      }
     }
   }
 }
@@ -75,7 +75,7 @@ TEST(TileCollector, TellsTheLastBlockAndSumsInOneOrder) {
       EXPECT_EQ(collector.finish_block(i, block_at(plan.blocks[i].rect)),
                 n + 1 == plan.blocks.size());
     }
-    EXPECT_EQ(collector.take_finished().size(), 2u);
+    EXPECT_EQ(collector.take_finished().size(), 32u);
     EXPECT_EQ(collector.statistics().eye_rays, 3u * 32u);
     areas.push_back(collector.statistics().unresolved_area);
   }
@@ -89,45 +89,41 @@ TEST(TileCollector, DropsPassesThatCameTooLate) {
     collector.publish_coarse(1, pass, collector.blank_tile(plan.groups[1]));
     return collector.take_finished().size();
   };
-  EXPECT_EQ(publish(Pass::centres), 1u);
+  EXPECT_EQ(publish(pass_of_samples(1)), 1u);
   EXPECT_EQ(publish(Pass::quarters), 0u);
-  EXPECT_EQ(publish(Pass::centres), 0u);
+  EXPECT_EQ(publish(pass_of_samples(1)), 0u);
+  EXPECT_EQ(publish(pass_of_samples(2)), 1u);
   for (std::size_t i = 16; i < 32; ++i)
     EXPECT_FALSE(collector.finish_block(i, block_at(plan.blocks[i].rect)));
-  EXPECT_EQ(collector.take_finished().size(), 1u);
-  EXPECT_EQ(publish(Pass::centres), 0u);
+  EXPECT_EQ(collector.take_finished().size(), 16u);
+  EXPECT_EQ(publish(pass_of_samples(4)), 0u);
 }
 
-// A block that is final stays so in the passes that follow, and when the render is stopped.
+// A block that is final, or was started, stays so: samples come for the others of its group.
 TEST(TileCollector, KeepsWhatIsFinalOfAGroup) {
   const WorkPlan plan(two_groups());
   TileCollector collector(plan, {});
-  EXPECT_FALSE(collector.finish_block(5, block_at(plan.blocks[5].rect)));
   for (const std::size_t group : {0, 1})
-    collector.publish_coarse(group, pass_of_level(1), collector.blank_tile(plan.groups[group]));
-  const PixelRect block = intersection(plan.blocks[5].rect, plan.visible);
+    collector.publish_coarse(group, pass_of_samples(4), collector.blank_tile(plan.groups[group]));
+  EXPECT_FALSE(collector.finish_block(5, block_at(plan.blocks[5].rect)));
+  collector.publish_started(6, block_at(plan.blocks[6].rect).tile);
+  EXPECT_EQ(collector.take_finished().size(), 4u);
+  for (const std::size_t group : {0, 1})
+    collector.publish_coarse(group, pass_of_samples(8), collector.blank_tile(plan.groups[group]));
   const std::vector<FinishedTile> tiles = collector.take_finished();
-  ASSERT_EQ(tiles.size(), 2u);
-  const FinishedTile& tile = tiles[0];
-  EXPECT_TRUE(tile.coarse);
-  const auto at = [&](int x, int y) {
-    return tile.radiance[static_cast<std::size_t>((y - 1 - tile.rect.y) * tile.rect.width + x - 1 -
-                                                  tile.rect.x)];
-  };
-  EXPECT_EQ(at(block.x, block.y), glm::vec3(block.x, block.y, 0));
-  EXPECT_EQ(std::count(tile.radiance.begin(), tile.radiance.end(), glm::vec3(0.0f)),
-            static_cast<std::ptrdiff_t>(tile.radiance.size()) - block.width * block.height);
-  EXPECT_EQ(collector.reached().pass, Reached::Pass::level);
-  EXPECT_EQ(collector.reached().level, 1);
+  ASSERT_EQ(tiles.size(), 15u) << "the other blocks of the first group, and the second group";
+  for (const FinishedTile& tile : tiles) {
+    for (const std::size_t i : {5, 6}) {
+      PixelRect own = intersection(plan.blocks[i].rect, plan.visible);
+      own.x -= plan.visible.x;
+      own.y -= plan.visible.y;
+      EXPECT_TRUE(intersection(tile.rect, own).empty());
+    }
+  }
+  EXPECT_EQ(collector.reached().pass, Reached::Pass::samples);
+  EXPECT_EQ(collector.reached().samples, 8);
+  const PixelRect block = intersection(plan.blocks[5].rect, plan.visible);
   EXPECT_EQ(collector.reached().final_share, block.width * block.height / (63.0 * 31.0));
-
-  collector.publish_unfinished();
-  const std::vector<FinishedTile> rest = collector.take_finished();
-  ASSERT_EQ(rest.size(), 1u);
-  EXPECT_FALSE(rest[0].coarse);
-  EXPECT_EQ(rest[0].rect, (PixelRect{block.x - 1, block.y - 1, block.width, block.height}));
-  EXPECT_EQ(rest[0].radiance[0], glm::vec3(block.x, block.y, 0));
-  EXPECT_EQ(rest[0].rays.size(), rest[0].radiance.size());
 }
 
 }  // namespace

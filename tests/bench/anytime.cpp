@@ -1,0 +1,217 @@
+// How good a picture is while it renders: ASOS in a progressive session beside Sobol sampling, at
+// the moments at which Sobol sampling has taken 1, 4, 16 and 64 samples a pixel.
+//
+//   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves] [SCENE...]
+//
+// Times are seconds of one worker's processor from the first ray on; boundaries are known before,
+// and so is the scene's hierarchy. Errors are RMSE of linear radiance clipped to 0..1 against
+// halves of --reference Sobol samples (HalvedReference), of the whole picture as it would be shown
+// at that moment. A line a scene: the error over that of Sobol sampling at each moment, the time to
+// the end over that of a render without rounds, and by how much an error ever rose as time went on.
+// Then medians and worst. --curves has each picture's time, error and what it shows as well.
+
+#include "renderer/comparison/method.h"
+#include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/halved_reference.h"
+#include "tests/bench/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace asos::bench::anytime {
+namespace {
+
+struct Settings {
+  PictureSize size{160, 90};
+  int reference = 256;
+  std::string cache = ".";
+  bool keep = false;
+  std::string method = "asos";
+  bool curves = false;
+  std::vector<std::string> scenes;
+};
+
+constexpr std::array moments{1, 4, 16, 64};  // samples a pixel
+
+double clock_seconds(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The processor time of all threads but the calling one.
+double others_seconds() {
+  return clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+}
+
+/// A picture at a moment of its render.
+struct Seen {
+  double seconds = 0.0;
+  Film film;
+  Reached reached;
+};
+
+/// The pictures of a render by one worker, from the first tile on, 3 % of the time apart.
+std::vector<Seen> watched(const Snapshot& snapshot) {
+  constexpr double step = 1.03;
+  Film film(snapshot.settings.width, snapshot.settings.height);
+  std::vector<Seen> seen;
+  RenderSession session;
+  const double start = others_seconds();
+  double next = 0.0;
+  session.restart(snapshot);
+  for (bool going = true; going;) {
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+    const bool finished = session.progress().finished;
+    const double now = others_seconds() - start;
+    if (!finished && now < next) continue;
+    const std::vector<FinishedTile> tiles = session.take_finished();
+    for (const FinishedTile& tile : tiles) film.put(tile);
+    if (!tiles.empty() || finished) {
+      seen.push_back({now, film, session.reached()});
+      next = step * now;
+    }
+    going = !finished;
+  }
+  return seen;
+}
+
+struct Point {
+  double seconds = 0.0;
+  double error = 0.0;
+};
+
+/// The error that was shown at a moment: of the latest picture that was there.
+double error_at(const std::vector<Point>& curve, double seconds) {
+  double error = curve.front().error;
+  for (const Point& point : curve)
+    if (point.seconds <= seconds) error = point.error;
+  return error;
+}
+
+struct Row {
+  std::string name;
+  std::vector<double> over_sobol;  ///< error, at each of `moments`
+  double over_direct = 0.0;        ///< time to the end
+  double rise = 0.0;               ///< the largest of a later error over an earlier one
+};
+
+Result<Row> measure(const Settings& settings, const NamedScene& named) {
+  const auto scene = open_scene(named.source);
+  if (!scene) return unexpected(scene.error());
+  (void)(*scene)->features();
+  Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  snapshot.settings.threads = 1;
+  const std::string path =
+      kept_path(settings.cache, named.name, settings.size, settings.reference, false);
+  const auto reference = settings.keep ? HalvedReference::kept(path, snapshot, settings.reference)
+                                       : HalvedReference::rendered(snapshot, settings.reference);
+  if (!reference) return unexpected(reference.error());
+  const auto last_of = [&](Snapshot of) {
+    of.progressive = false;
+    const std::vector<Seen> seen = watched(of);
+    return Point{seen.back().seconds, reference->error_of(seen.back().film).rmse};
+  };
+
+  for (const MethodRow& row : method_table())
+    if (settings.method == row.name) snapshot.settings.method = row.value;
+  const Point direct = last_of(snapshot);
+  snapshot.progressive = true;
+  std::vector<Point> curve;
+  for (const Seen& seen : watched(snapshot)) {
+    curve.push_back({seen.seconds, reference->error_of(seen.film).rmse});
+    if (settings.curves)
+      fmt::print("{:>10.4f} s  {:.2e}  {:>4} samples, {:.2f} final\n", curve.back().seconds,
+                 curve.back().error, seen.reached.samples, seen.reached.final_share);
+  }
+
+  Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0};
+  double least = curve.front().error;
+  for (const Point& point : curve) {
+    // Below that the reference's own noise is what changes.
+    constexpr double told = 1e-3;
+    if (least > told) row.rise = std::max(row.rise, point.error / least);
+    least = std::min(least, point.error);
+  }
+  snapshot.settings.method = Method::sobol;
+  for (const int samples : moments) {
+    snapshot.settings.sampling.spp = samples;
+    const Point sobol = last_of(snapshot);
+    if (settings.curves)
+      fmt::print("{:>10.4f} s  {:.2e}  sobol {}\n", sobol.seconds, sobol.error, samples);
+    row.over_sobol.push_back(error_at(curve, sobol.seconds) / std::max(sobol.error, 1e-6));
+  }
+  return row;
+}
+
+void print_summary(const std::vector<Row>& rows, const std::string& what, const auto& value) {
+  std::vector<std::pair<double, std::string>> values;
+  std::vector<double> all;
+  for (const Row& row : rows) {
+    values.emplace_back(value(row), row.name);
+    all.push_back(value(row));
+  }
+  if (values.empty()) return;
+  std::sort(values.rbegin(), values.rend());
+  fmt::print("{}: median {:.2f}; worst:", what, median(all));
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, values.size()); ++k)
+    fmt::print("{} {} {:.2f}", k > 0 ? "," : "", values[k].second, values[k].first);
+  fmt::print("\n");
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  Settings settings;
+  Options options("The error of a picture while it renders, beside Sobol sampling");
+  options.size(settings.size);
+  options.number("--reference", settings.reference, 256, 65536, "samples");
+  options.parsed("--cache", "folder of references", [&](const std::string& text) -> Result<void> {
+    settings.cache = text;
+    settings.keep = true;
+    return {};
+  });
+  std::vector<std::string> methods;
+  for (const MethodRow& row : method_table()) methods.emplace_back(row.name);
+  options.choice("--method", settings.method, methods);
+  options.flag("--curves", settings.curves, "each picture, too");
+  options.texts("SCENE", settings.scenes);
+  if (const auto code = options.end(argc, argv)) return *code;
+
+  fmt::print("{}x{}, error of {} over that of sobol at the moment of\n{:<28}", settings.size.width,
+             settings.size.height, settings.method, "");
+  for (const int samples : moments) fmt::print("{:>8}", samples);
+  fmt::print("{:>12}{:>8}\n", "over direct", "rise");
+  std::vector<Row> rows;
+  int code = 0;
+  for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
+    const auto row = measure(settings, scene);
+    if (!row) {
+      code = fail(row.error());
+      continue;
+    }
+    fmt::print("{:<28}", row->name);
+    for (const double ratio : row->over_sobol) fmt::print("{:>8.2f}", ratio);
+    fmt::print("{:>12.2f}{:>8.2f}\n", row->over_direct, row->rise);
+    std::fflush(stdout);
+    rows.push_back(*row);
+  }
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    print_summary(rows, fmt::format("error at {} samples", moments[i]),
+                  [&](const Row& row) { return row.over_sobol[i]; });
+  print_summary(rows, "time over direct", [](const Row& row) { return row.over_direct; });
+  print_summary(rows, "largest rise", [](const Row& row) { return row.rise; });
+  return code;
+}
+
+}  // namespace asos::bench::anytime
