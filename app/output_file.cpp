@@ -1,5 +1,6 @@
 #include "app/output_file.h"
 
+#include "renderer/files/followed_links.h"
 #include "renderer/files/leftovers.h"
 #include "renderer/sampling/random.h"
 
@@ -55,7 +56,7 @@ Result<OutputFile> OutputFile::plan(const std::string& path) {
     return file;
   }
 
-  file.target_ = fs::weakly_canonical(fs::absolute(path, error), error);
+  file.target_ = fs::weakly_canonical(fs::absolute(followed_links(path), error), error);
   if (path.empty() || error || !file.target_.has_filename())
     return fail(path, "this is not the name of a file");
   file.temporary_ = file.target_;
@@ -90,8 +91,8 @@ Result<void> OutputFile::commit(
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code error;
-  return fs::weakly_canonical(fs::absolute(a, error), error) ==
-         fs::weakly_canonical(fs::absolute(b, error), error);
+  return fs::weakly_canonical(fs::absolute(followed_links(a), error), error) ==
+         fs::weakly_canonical(fs::absolute(followed_links(b), error), error);
 }
 
 bool has_extension(const std::string& path, std::string_view extension) {

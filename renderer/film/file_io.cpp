@@ -1,3 +1,4 @@
+#include "renderer/files/followed_links.h"
 #include "renderer/files/leftovers.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/part_file.h"
@@ -32,14 +33,14 @@ Result<PartFile> PartFile::create(const std::string& path) {
   // The name beside it is this process's and this call's own.
   static std::atomic<unsigned> serial{0};
   PartFile part;
-  part.path_ = path;
+  const fs::path place = followed_links(path);
+  part.path_ = place.string();
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
+  const fs::file_status status = fs::status(place, ignored);
   const bool replaced = !fs::exists(status) || fs::is_regular_file(status);
   if (replaced) {
-    const fs::path place(path);
     remove_leftovers(place.parent_path(), place.filename().string() + mark);
-    part.beside_ = fmt::format("{}{}{}-{}", path, mark, ::getpid(), serial++);
+    part.beside_ = fmt::format("{}{}{}-{}", part.path_, mark, ::getpid(), serial++);
   }
   std::FILE* file = replaced ? std::fopen(part.beside_.c_str(), "wbx") : std::tmpfile();
   if (!file) return unexpected(system_error(path, "cannot be written", errno));

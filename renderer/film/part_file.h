@@ -9,9 +9,9 @@
 namespace asos {
 
 /// A file on its way: written beside its place under a name of its own, and renamed when it is
-/// whole. One that is dropped before leaves nothing, and what a killed process left of the same
-/// file goes. A pipe or a device is written to when all is there. Errors name the place and the
-/// system's reason.
+/// whole. Symbolic links are followed. One that is dropped before leaves nothing, and what a killed
+/// process left of the same file goes. A pipe or a device is written to when all is there. Errors
+/// name the place and the system's reason.
 class PartFile {
  public:
   [[nodiscard]] static Result<PartFile> create(const std::string& path);

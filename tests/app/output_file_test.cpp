@@ -72,6 +72,26 @@ TEST(OutputFile, ALinkStaysALink) {
   EXPECT_EQ(content_of(target), "new");
 }
 
+TEST(OutputFile, ALinkToAFileThatDoesNotExistIsFollowed) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder.path() / "there");
+  const fs::path target = folder.path() / "there" / "target.png";
+  fs::create_symlink("there/second.png", folder.path() / "link.png");
+  fs::create_symlink("target.png", folder.path() / "there" / "second.png");
+  const std::string link = folder.file("link.png");
+  EXPECT_TRUE(same_file(link, target.string()));
+  ASSERT_TRUE(OutputFile::plan(link).and_then([](const OutputFile& file) {
+    return file.commit([](const std::string& to) { return write(to, "new"); });
+  }));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "there" / "second.png"));
+  EXPECT_EQ(content_of(target), "new");
+  fs::create_symlink("circle.png", folder.path() / "circle.png");
+  EXPECT_FALSE(OutputFile::plan(folder.file("circle.png")).and_then([](const OutputFile& file) {
+    return file.commit([](const std::string& to) { return write(to, "new"); });
+  }));
+}
+
 TEST(OutputFile, DevicesAreWrittenToAndNotReplaced) {
   const auto file = OutputFile::plan("/dev/null");
   ASSERT_TRUE(file);
