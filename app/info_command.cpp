@@ -23,6 +23,7 @@ struct InfoArguments {
   std::string scene;
   std::string variant;
   std::string scene_of_file;
+  std::string asset_root;
   NeedsChoice needs = NeedsChoice::scene;
   ClipChoice clip;
   bool json = false;
@@ -39,7 +40,8 @@ struct Told {
 Result<Told> prepared_for_info(const InfoArguments& arguments) {
   Result<Scene> scene = open_scene_argument(arguments.scene, {.keep_rig = arguments.clip.any(),
                                                               .variant = arguments.variant,
-                                                              .scene = arguments.scene_of_file});
+                                                              .scene = arguments.scene_of_file,
+                                                              .asset_root = arguments.asset_root});
   if (!scene) return tl::unexpected(scene.error());
   const SceneNeeds forced = forced_by(arguments.needs);
   const auto time = clip_time(scene->contents, arguments.scene, arguments.clip);
@@ -74,7 +76,7 @@ Command add_info_command(CLI::App& program) {
   CLI::App* parser = program.add_subcommand(
       "info", "Say what a scene holds, what is unsupported and what is left out");
   add_scene_argument(*parser, arguments->scene, true);
-  add_scene_choices(*parser, arguments->scene_of_file, arguments->variant);
+  add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
   add_needs_option(*parser, arguments->needs);
   parser->add_flag("--json", arguments->json, "Answer in JSON");

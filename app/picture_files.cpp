@@ -36,18 +36,8 @@ Result<void> write_split_map(const std::string& path, const Film& film, const Re
                              picture_metadata(of_map));
 }
 
-fs::path folder_of(const std::string& scene) {
-  std::error_code error;
-  return fs::weakly_canonical(fs::absolute(scene, error), error).parent_path();
-}
-
 std::array<const std::string*, 3> outputs_of(const RenderArguments& arguments) {
   return {&arguments.output, &arguments.split_map, &arguments.stats_file};
-}
-
-bool is_within(const fs::path& file, const fs::path& folder) {
-  const fs::path step = file.lexically_relative(folder);
-  return !step.empty() && *step.begin() != "..";
 }
 
 }  // namespace
@@ -62,14 +52,14 @@ bool is_picture_path(const std::string& path) {
 
 Result<void> check_inputs_stay(const RenderArguments& arguments) {
   const std::string& scene = arguments.picture.scene;
-  const fs::path folder = folder_of(scene);
+  const std::string& root = arguments.picture.asset_root;
   std::vector<std::string> inputs{scene, arguments.picture.sky.file};
-  // Its textures and buffers lie in its folder: elsewhere the scene need not be asked for them.
+  // The scene is read for its textures and buffers only where the output may be one of them.
   for (const std::string* output : outputs_of(arguments)) {
     std::error_code error;
     if (output->empty() || !fs::exists(*output, error) || same_file(*output, scene)) continue;
-    if (!is_within(fs::weakly_canonical(fs::absolute(*output, error), error), folder)) continue;
-    inputs = source_files(scene);
+    if (!may_be_source_file(*output, scene, root)) continue;
+    inputs = source_files(scene, root);
     inputs.push_back(arguments.picture.sky.file);
     break;
   }

@@ -323,11 +323,13 @@ void add_look_options(CLI::App& app, PictureArguments& arguments) {
   add_mirror_options(app, arguments.settings);
   add_texture_resolution(app, arguments.settings);
   add_needs_option(app, arguments.needs);
+  add_asset_root_option(app, arguments.asset_root);
 }
 
 LoadOptions load_options_of(const PictureArguments& arguments) {
   const bool same = arguments.from && arguments.from->scene == arguments.scene;
   LoadOptions options = same ? arguments.from->load_options() : LoadOptions{};
+  options.asset_root = arguments.asset_root;
   if (!arguments.variant.empty()) options.variant = arguments.variant;
   if (!arguments.scene_of_file.empty()) options.scene = arguments.scene_of_file;
   return options;

@@ -23,6 +23,7 @@ struct PictureArguments {
   std::string scene = "builtin:office";
   std::string variant;        ///< of its materials, as asked for; see load_options_of
   std::string scene_of_file;  ///< by number or name, as asked for; likewise
+  std::string asset_root;     ///< see LoadOptions
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
@@ -52,7 +53,8 @@ void add_needs_option(CLI::App& app, NeedsChoice& needs);
 void add_look_options(CLI::App& app, PictureArguments& arguments);
 
 /// Which of the file's scenes is shown in which variant of its materials: those asked for, or else
-/// those of the saved picture whose settings are taken, if it is of the same file.
+/// those of the saved picture whose settings are taken, if it is of the same file. A saved picture
+/// grants no asset root, so that a downloaded one cannot.
 [[nodiscard]] LoadOptions load_options_of(const PictureArguments& arguments);
 
 /// The settings, judging differences by the curve that the picture is shown by; those of a saved

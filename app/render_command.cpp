@@ -158,7 +158,7 @@ Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptG
   if (!scene) return tl::unexpected(scene_error(wanted, scene.error()));
   if (interrupt.interrupted()) return interrupted_error();
   Work work{*std::move(scene), seconds_since(started), {}};
-  if (!arguments.frames.empty()) work.sources = source_files(wanted.scene);
+  if (!arguments.frames.empty()) work.sources = source_files(wanted.scene, wanted.asset_root);
   if (!wanted.sky.file.empty()) work.sources.push_back(wanted.sky.file);
   return work;
 }
@@ -339,7 +339,8 @@ Command add_render_command(CLI::App& program) {
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
-  add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant);
+  add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant,
+                    arguments->picture.asset_root);
   add_clip_options(*parser, arguments->picture.clip);
   parser
       ->add_option("--frames", arguments->frames,

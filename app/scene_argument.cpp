@@ -96,7 +96,15 @@ Result<Scene> make_builtin_scene(const std::string& text) {
   return load_scene(std::string(builtin_prefix) + name);
 }
 
-void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant) {
+void add_asset_root_option(CLI::App& app, std::string& asset_root) {
+  app.add_option("--asset-root", asset_root,
+                 "Folder that the scene's textures and buffers may come from, at any depth below "
+                 "it [at most three levels above the scene's file, below the home folder]")
+      ->type_name("DIR");
+}
+
+void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant,
+                       std::string& asset_root) {
   app.add_option("--scene", scene,
                  "Which of the file's scenes, by its number from 0 or its name [the file's "
                  "default]")
@@ -105,6 +113,7 @@ void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant) 
                  "Which of the file's variants of its materials, by name (KHR_materials_variants) "
                  "[none: the materials that it shows by default]")
       ->type_name("NAME");
+  add_asset_root_option(app, asset_root);
 }
 
 void add_scene_argument(CLI::App& app, std::string& scene, bool required) {

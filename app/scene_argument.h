@@ -23,8 +23,13 @@ namespace asos {
 /// The built-in scene called `name` ("office" or "builtin:office").
 [[nodiscard]] Result<Scene> make_builtin_scene(const std::string& name);
 
-/// The options that choose one of the file's scenes, and one of its variants of its materials.
-void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant);
+/// The options of a command that opens one scene: one of the file's scenes, one of its variants of
+/// its materials, and its asset root.
+void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant,
+                       std::string& asset_root);
+
+/// The option for the folder that the scene's files may come from.
+void add_asset_root_option(CLI::App& app, std::string& asset_root);
 
 /// The positional argument SCENE. `required`: there is no default.
 void add_scene_argument(CLI::App& app, std::string& scene, bool required);

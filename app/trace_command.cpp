@@ -109,7 +109,8 @@ Command add_trace_command(CLI::App& program) {
       program.add_subcommand("trace", "Say how one pixel is split, cell by cell, and why");
   add_picture_options(*parser, arguments->picture, true);
   add_camera_options(*parser, arguments->picture);
-  add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant);
+  add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant,
+                    arguments->picture.asset_root);
   add_clip_options(*parser, arguments->picture.clip);
   // These options say nothing about one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})

@@ -32,13 +32,17 @@ int run_view(const PictureArguments& arguments, Asked asked, const Streams& stre
   const Result<RenderSettings> settings = with_sky(arguments);
   if (!settings) return fail(streams, settings.error());
   if (has_display())
-    return run_viewer(
-        {{arguments.scene, arguments.variant, arguments.scene_of_file, arguments.clip},
-         *settings,
-         asked.size,
-         asked.method,
-         arguments.sky_chosen,
-         forced_by(arguments.needs)});
+    return run_viewer({{arguments.scene,
+                        arguments.variant,
+                        arguments.scene_of_file,
+                        arguments.clip,
+                        {},
+                        arguments.asset_root},
+                       *settings,
+                       asked.size,
+                       asked.method,
+                       arguments.sky_chosen,
+                       forced_by(arguments.needs)});
   streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";
   return exit_bad_input;
@@ -50,7 +54,7 @@ Command add_view_command(CLI::App& program) {
   const auto arguments = std::make_shared<PictureArguments>();
   CLI::App* parser = program.add_subcommand("view", "Open a scene in a window (the default)");
   add_picture_options(*parser, *arguments, false);
-  add_scene_choices(*parser, arguments->scene_of_file, arguments->variant);
+  add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
   parser->footer(
       "Files can also be dropped on the window. Everything can be changed there.\n"

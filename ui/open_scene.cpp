@@ -12,8 +12,10 @@ namespace {
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
   return [](const SceneSource& source) {
-    return load_scene(source.path,
-                      {.keep_rig = true, .variant = source.variant, .scene = source.scene});
+    return load_scene(source.path, {.keep_rig = true,
+                                    .variant = source.variant,
+                                    .scene = source.scene,
+                                    .asset_root = source.asset_root});
   };
 }
 
@@ -32,6 +34,7 @@ void OpenScene::ask_for(SceneSource source) {
   reload_failed_ = false;
   asked_for_ = source.path;
   asked_hidden_ = source.hidden;
+  asked_asset_root_ = source.asset_root;
   reloading_ = false;
   loader_.open(std::move(source));
 }
@@ -58,7 +61,8 @@ void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) 
            variant,
            name_of(contents, contents.shown_scene),
            {},
-           std::move(hidden)});
+           std::move(hidden),
+           asset_root_});
   reloading_ = true;
 }
 
@@ -86,7 +90,8 @@ void OpenScene::show_all() {
 void OpenScene::show_scene(int index) {
   if (!scene_) return;
   const SceneContents& contents = scene_->geometry->contents;
-  ask_for({scene_->geometry->source, contents.variant, name_of(contents, index)});
+  ask_for(
+      {scene_->geometry->source, contents.variant, name_of(contents, index), {}, {}, asset_root_});
 }
 
 bool OpenScene::is(const RenderScene& scene) const {
@@ -105,6 +110,7 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   }
   files_ = std::move(outcome->files);
   hidden_ = asked_hidden_;
+  asset_root_ = asked_asset_root_;
   const glm::dvec3 before = scene_ ? scene_->world().origin : glm::dvec3(0.0);
   scene_ = std::move(*outcome->scene);
   load_seconds_ = outcome->load_seconds;

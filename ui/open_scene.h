@@ -88,6 +88,7 @@ class OpenScene {
   std::shared_ptr<const RenderScene> scene_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;
+  std::string asset_root_, asked_asset_root_;
   bool reloading_ = false;  // the scene being loaded is the open one again
   bool reload_failed_ = false;
   std::vector<int> hidden_, asked_hidden_;  // ascending

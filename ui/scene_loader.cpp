@@ -32,9 +32,9 @@ Result<PictureDescription> read_picture(const std::string& source) {
   return picture;
 }
 
-SceneSource source_of(const PictureDescription& picture) {
+SceneSource source_of(const PictureDescription& picture, const std::string& asset_root) {
   const LoadOptions options = picture.load_options();
-  return {picture.scene, options.variant, options.scene};
+  return {picture.scene, options.variant, options.scene, {}, {}, asset_root};
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const ClipChoice& clip,
@@ -60,8 +60,10 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
     }
     outcome.picture = *std::move(picture);
   }
-  const SceneSource source = outcome.picture ? source_of(*outcome.picture) : asked;
-  for (const std::string& file : source_files(source)) outcome.files.push_back(FileStamp::of(file));
+  const SceneSource source =
+      outcome.picture ? source_of(*outcome.picture, asked.asset_root) : asked;
+  for (const std::string& file : source_files(source, source.asset_root))
+    outcome.files.push_back(FileStamp::of(file));
   Result<Scene> scene = load(source);
   if (scene) leave_out(*scene, source.hidden);
   outcome.load_seconds = seconds_since(start);

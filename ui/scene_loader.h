@@ -23,6 +23,7 @@ struct SceneSource {
   std::string scene{};        ///< of the file's; see LoadOptions
   ClipChoice clip{};          ///< the moment that it is shown at first
   std::vector<int> hidden{};  ///< objects that are left out; see leave_out
+  std::string asset_root{};   ///< see LoadOptions
 
   operator const std::string&() const { return path; }
 };

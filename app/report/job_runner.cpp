@@ -58,6 +58,7 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   PictureArguments wanted;
   wanted.scene = subject.source;
   wanted.needs = plan_.needs;
+  wanted.asset_root = plan_.asset_root;
   wanted.camera = choice_of(subject.look.camera);
   if (const auto& moment = subject.look.moment) wanted.clip = {moment->animation, moment->seconds};
   Result<OpenedScene> opened = OpenedScene::open(wanted);

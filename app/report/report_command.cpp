@@ -82,6 +82,7 @@ Result<void> take_look(ReportArguments& arguments) {
     plan.look.moment = StudyMoment{clip.animation, *clip.seconds};
   plan.texture_resolution = settings->texture.resolution;
   plan.needs = arguments.look.needs;
+  plan.asset_root = arguments.look.asset_root;
   return {};
 }
 

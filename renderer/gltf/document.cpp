@@ -80,24 +80,27 @@ Buffer holding(FileBytes bytes) {
 /// Files by their place, each read once however often it is named.
 using FilesRead = std::map<std::filesystem::path, Buffer>;
 
-Buffer read_named(const std::filesystem::path& folder, const std::string& uri, FilesRead& files) {
-  const bool embedded = uri.starts_with("data:");
-  const Checked<std::filesystem::path> file = file_of_uri(folder, uri);
-  const auto known = file ? files.find(*file) : files.end();
+/// `place` names the buffer in remarks.
+Buffer read_named(Document& doc, const std::string& place, const std::string& uri,
+                  FilesRead& files) {
+  const Checked<UriFile> file = doc.files.find(uri);
+  const auto known = file ? files.find(file->path) : files.end();
   if (known != files.end()) return known->second;
-  Checked<FileBytes> bytes = read_uri(folder, uri);
-  Buffer buffer = bytes ? holding(std::move(*bytes)) : missing(bytes.error());
-  if (file && !embedded) files.emplace(*file, buffer);
+  Checked<UriBytes> read = doc.files.read(uri);
+  if (read && !read->remark.empty())
+    doc.warnings.add(fmt::format("{} '{}': {}", place, shown_uri(uri), read->remark));
+  Buffer buffer = read ? holding(std::move(read->bytes)) : missing(read.error());
+  if (file) files.emplace(file->path, buffer);
   return buffer;
 }
 
 /// Reads one buffer; `bin` is the GLB's binary chunk where this is its buffer.
-Buffer read_buffer(const json& declared, const std::filesystem::path& folder, const Bytes* bin,
+Buffer read_buffer(const json& declared, Document& doc, const std::string& place, const Bytes* bin,
                    FilesRead& files) {
   if (!declared.is_object()) return missing("is not an object");
   if (declared.contains("uri")) {
     if (!declared["uri"].is_string()) return missing("has a uri that is not a text");
-    return read_named(folder, declared["uri"].get_ref<const std::string&>(), files);
+    return read_named(doc, place, declared["uri"].get_ref<const std::string&>(), files);
   }
   return bin ? holding(FileBytes(bin->begin(), bin->end())) : missing("has no data");
 }
@@ -112,11 +115,12 @@ Checked<void> take_buffers(json& root, const Container& container, Document& doc
   for (std::size_t i = 0; i < found->size(); ++i) {
     const json& declared = (*found)[i];
     const bool is_bin = i == 0 && container.has_bin;
-    Buffer buffer = read_buffer(declared, doc.folder, is_bin ? &container.bin : nullptr, files);
+    const std::string place = fmt::format("buffer {}", i);
+    Buffer buffer = read_buffer(declared, doc, place, is_bin ? &container.bin : nullptr, files);
     if (!buffer.missing_because.empty()) {
       // A buffer without a uri may be a placeholder for decompressed data
       // (EXT_meshopt_compression).
-      const std::string text = fmt::format("buffer {}: {}", i, buffer.missing_because);
+      const std::string text = place + ": " + buffer.missing_because;
       const bool placeholder = declared.is_object() && !declared.contains("uri");
       placeholder ? doc.warnings.add(text) : doc.warnings.add_loss(text);
     } else if (!declared.contains("byteLength") || declared["byteLength"] == 0) {
@@ -193,12 +197,15 @@ Checked<void> read_model(json root, Document& doc) {
 
 }  // namespace
 
-Checked<Document> read_document(const std::filesystem::path& path) {
+Checked<Document> read_document(const std::filesystem::path& path,
+                                const std::filesystem::path& asset_root) {
   Document doc;
-  doc.folder = path.parent_path();
   Checked<FileBytes> file = read_file(path, scene_file_rules());
   if (!file) return fault(file.error());
   doc.honest_bytes = file->size();
+  Checked<AssetFolders> folders = asset_folders(path.parent_path(), asset_root);
+  if (!folders) return fault(folders.error());
+  doc.files = ModelFiles(std::move(*folders));
   const Checked<Container> container = open_container(*file, doc.warnings);
   if (!container) return fault(container.error());
   Checked<json> root = parse(container->json, doc.warnings);

@@ -37,7 +37,7 @@ struct Buffer {
 struct Document {
   static constexpr const char* indices_attribute = "/indices";
 
-  std::filesystem::path folder;
+  ModelFiles files;
   tinygltf::Model model;
   std::vector<ImageSource> images;
   std::vector<Buffer> buffers;
@@ -51,7 +51,9 @@ struct Document {
 };
 
 /// Reads a .gltf or .glb file and the buffers that it names. Faults: not a glTF 2.0 file, JSON that
-/// is broken or nested too deeply, a required extension that is not supported.
-[[nodiscard]] Checked<Document> read_document(const std::filesystem::path& path);
+/// is broken or nested too deeply, a required extension that is not supported, an asset root that
+/// is no folder. `asset_root`: see asset_folders.
+[[nodiscard]] Checked<Document> read_document(const std::filesystem::path& path,
+                                              const std::filesystem::path& asset_root = {});
 
 }  // namespace asos::gltf

@@ -1,8 +1,12 @@
 #include "renderer/gltf/files.h"
 
+#include "renderer/gltf/data_uri.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace asos::gltf {
 
@@ -11,6 +15,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t largest_outside_file = std::uint64_t{8} << 30;
+// Entries of folders that are read for names in other case, and names that are followed at once.
+constexpr std::size_t most_entries_listed = 1'000'000;
+constexpr std::size_t most_names_followed = 64;
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -21,61 +28,166 @@ int hex_digit(char c) {
 
 bool has_scheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
-  return colon != std::string_view::npos && colon < uri.find_first_of("/\\");
+  return colon != std::string_view::npos && colon < uri.find_first_of("/\\?#");
 }
 
-Checked<FileBytes> read_data_uri(std::string_view uri) {
-  const std::size_t comma = uri.find(',');
-  if (comma == std::string_view::npos) return fault("a data URI has no data");
-  const std::string_view head = uri.substr(0, comma), body = uri.substr(comma + 1);
-  if (head.ends_with(";base64")) return base64_decoded(body);
-  const std::string plain = percent_decoded(body);
-  return FileBytes(plain.begin(), plain.end());
-}
+/// A name that a URI may stand for.
+struct Spelling {
+  std::string relative;
+  std::string remark;  ///< empty: the URI means it by its standard
+};
 
-/// Where `relative` leads to, if that is inside `folder`.
-Checked<fs::path> inside(const fs::path& folder, const std::string& relative) {
-  const fs::path wanted(relative);
-  if (relative.empty()) return fault("it is empty");
-  if (relative.find('\0') != std::string::npos) return fault("it contains a zero byte");
-  if (wanted.is_absolute()) return fault("it is an absolute path");
-  for (const fs::path& step : wanted) {
-    if (step == "..") return fault("it leads out of the file's folder");
+/// The most likely first.
+std::vector<Spelling> spellings_of(std::string_view uri) {
+  std::vector<Spelling> all{{percent_decoded(uri), {}}};
+  if (uri.find('%') != std::string_view::npos) all.push_back({std::string(uri), {}});
+  const std::size_t end = uri.find_first_of("?#");
+  if (end != std::string_view::npos && end > 0)
+    all.push_back({percent_decoded(uri.substr(0, end)),
+                   fmt::format("'{}' is ignored: it is no part of a file's name",
+                               shown_uri(uri.substr(end)))});
+  const std::size_t with_backslashes = all.size();
+  for (std::size_t i = 0; i < with_backslashes; ++i) {
+    Spelling spelling = all[i];
+    if (spelling.relative.find('\\') == std::string::npos) continue;
+    std::replace(spelling.relative.begin(), spelling.relative.end(), '\\', '/');
+    spelling.remark += (spelling.remark.empty() ? "" : "; ") +
+                       std::string("backslashes are read as slashes, which glTF asks for");
+    all.push_back(std::move(spelling));
   }
-  std::error_code error;
-  const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-  if (error) return fault(fmt::format("the folder cannot be read ({})", error.message()));
-  const fs::path target = fs::weakly_canonical(root / wanted, error);
-  if (error) return fault(fmt::format("it cannot be found ({})", error.message()));
-  const fs::path step = target.lexically_relative(root);
-  if (step.empty() || *step.begin() == "..") {
-    return fault("a symbolic link leads out of the file's folder");
-  }
-  return target;
+  return all;
 }
 
 }  // namespace
 
-Checked<fs::path> file_of_uri(const fs::path& folder, std::string_view uri) {
-  if (uri.starts_with("data:") || has_scheme(uri))
-    return fault(fmt::format("'{}' is not a local file", shown_uri(uri)));
-  Checked<fs::path> path = inside(folder, percent_decoded(uri));
+/// A folder without links, which is asked for once.
+const fs::path& ModelFiles::canonical_folder(const fs::path& relative) {
+  const auto [known, is_new] = folders_known_.try_emplace(relative);
   std::error_code error;
-  if (path && uri.find('%') != std::string_view::npos && !fs::exists(*path, error)) {
-    const Checked<fs::path> as_written = inside(folder, std::string(uri));
-    if (as_written && fs::exists(*as_written, error)) return as_written;
-  }
-  if (!path) return fault(fmt::format("'{}' is refused: {}", shown_uri(uri), path.error()));
-  return path;
+  if (is_new) known->second = fs::weakly_canonical(folders_.model / relative, error);
+  return known->second;
 }
 
-Checked<FileBytes> read_uri(const fs::path& folder, std::string_view uri) {
-  if (uri.starts_with("data:")) return read_data_uri(uri);
-  const Checked<fs::path> path = file_of_uri(folder, uri);
-  if (!path) return fault(path.error());
-  Checked<FileBytes> bytes = read_file(*path, {largest_outside_file});
+/// Faults: `relative` leads out of the asset folders. Dot segments are removed first, as RFC 3986
+/// (5.2.4) asks, so that "sub/../t.png" needs no folder "sub".
+Checked<ModelFiles::Place> ModelFiles::inside(const std::string& relative) {
+  if (relative.empty()) return fault("it is empty");
+  if (relative.find('\0') != std::string::npos) return fault("it contains a zero byte");
+  if (fs::path(relative).is_absolute()) return fault("it is an absolute path");
+  Place place;
+  UriFile& file = place.file;
+  file.relative = fs::path(relative).lexically_normal();
+  std::error_code error;
+  file.path = canonical_folder(file.relative.parent_path()) / file.relative.filename();
+  const fs::file_status status = fs::symlink_status(file.path, error);
+  place.exists = fs::exists(status);
+  const bool plain = fs::is_regular_file(status) || status.type() == fs::file_type::not_found;
+  if (!plain || file.relative.filename() == ".." || !file.relative.has_filename()) {
+    error.clear();
+    file.path = fs::weakly_canonical(folders_.model / file.relative, error);
+    if (error) return fault(fmt::format("it cannot be found ({})", error.message()));
+    place.exists = fs::exists(file.path, error);
+  }
+  if (folders_.contain(file.path)) return place;
+  const bool named = folders_.contain((folders_.model / file.relative).lexically_normal());
+  return fault(
+      fmt::format("{} leads out of the asset root '{}'; another one can be chosen "
+                  "(--asset-root)",
+                  named ? "a symbolic link" : "it", folders_.root.string()));
+}
+
+/// The names in a folder; none beyond a bound.
+const ModelFiles::FoldedNames& ModelFiles::names_in(const fs::path& folder) {
+  const auto [known, is_new] = listed_.try_emplace(folder);
+  if (!is_new) return known->second;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (++entries_listed_ > most_entries_listed) break;
+    const std::string name = entry->path().filename().string();
+    known->second.emplace(lower_case(name), name);
+  }
+  return known->second;
+}
+
+/// The one file whose name is `relative` but for the case of ASCII letters; nullopt: there is none.
+/// Faults: there are several.
+Checked<std::optional<UriFile>> ModelFiles::other_case(const std::string& relative) {
+  std::vector<fs::path> found{fs::path()};
+  for (const fs::path& step : fs::path(relative).lexically_normal()) {
+    if (step.empty()) return std::optional<UriFile>();
+    std::vector<fs::path> longer;
+    for (const fs::path& path : found) {
+      if (step == ".." || step == ".") {
+        longer.push_back(path / step);
+        continue;
+      }
+      const fs::path& folder = canonical_folder(path);
+      if (!folders_.contain(folder)) continue;
+      const auto [first, last] = names_in(folder).equal_range(lower_case(step.string()));
+      for (auto name = first; name != last && longer.size() < most_names_followed; ++name)
+        longer.push_back(path / name->second);
+    }
+    found = std::move(longer);
+  }
+  if (found.size() > 1)
+    return fault(fmt::format("no file has this name; {} have it in other case", found.size()));
+  if (found.empty()) return std::optional<UriFile>();
+  Checked<Place> place = inside(found.front().string());
+  if (!place) return fault(place.error());
+  UriFile& file = place->file;
+  file.remark = fmt::format("'{}' is opened, whose name differs in case", file.relative.string());
+  return std::optional(std::move(file));
+}
+
+Checked<UriFile> ModelFiles::find(std::string_view uri) {
+  if (is_data_uri(uri) || has_scheme(uri))
+    return fault(fmt::format("'{}' is not a local file", shown_uri(uri)));
+  const auto refused = [&](const std::string& why) {
+    return fault(fmt::format("'{}' is refused: {}", shown_uri(uri), why));
+  };
+  const std::vector<Spelling> spellings = spellings_of(uri);
+  std::string refusal;
+  std::optional<UriFile> missing;
+  for (const Spelling& spelling : spellings) {
+    Checked<Place> place = inside(spelling.relative);
+    if (!place && refusal.empty()) refusal = place.error();
+    if (!place) continue;
+    if (place->exists) {
+      place->file.remark = spelling.remark;
+      return std::move(place->file);
+    }
+    if (!missing) missing = std::move(place->file);
+  }
+  if (!refusal.empty()) return refused(refusal);
+  for (const Spelling& spelling : spellings) {
+    Checked<std::optional<UriFile>> file = other_case(spelling.relative);
+    if (!file) return fault(fmt::format("'{}' cannot be read: {}", shown_uri(uri), file.error()));
+    if (!*file) continue;
+    if (!spelling.remark.empty()) (*file)->remark += "; " + spelling.remark;
+    return std::move(**file);
+  }
+  return std::move(*missing);
+}
+
+Checked<UriBytes> ModelFiles::read(std::string_view uri) {
+  if (is_data_uri(uri)) return read_data_uri(uri);
+  Checked<UriFile> file = find(uri);
+  if (!file) return fault(file.error());
+  Checked<FileBytes> bytes = read_file(file->path, {largest_outside_file});
   if (!bytes) return fault(fmt::format("'{}' cannot be read: {}", shown_uri(uri), bytes.error()));
-  return bytes;
+  return UriBytes{std::move(*bytes), std::move(file->remark)};
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+bool is_data_uri(std::string_view uri) {
+  return lower_case(uri.substr(0, 5)) == "data:";
 }
 
 std::string percent_decoded(std::string_view text) {
@@ -93,33 +205,8 @@ std::string percent_decoded(std::string_view text) {
   return out;
 }
 
-Checked<FileBytes> base64_decoded(std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  if (text.size() % 4 == 1) return fault("the base64 data is cut off");
-  FileBytes out;
-  out.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    int value = -1;
-    if (c >= 'A' && c <= 'Z') value = c - 'A';
-    if (c >= 'a' && c <= 'z') value = c - 'a' + 26;
-    if (c >= '0' && c <= '9') value = c - '0' + 52;
-    if (c == '+' || c == '-') value = 62;
-    if (c == '/' || c == '_') value = 63;
-    if (value < 0) return fault("the base64 data has a character that is not base64");
-    bits = (bits << 6) | static_cast<std::uint32_t>(value);
-    held += 6;
-    if (held >= 8) {
-      held -= 8;
-      out.push_back(static_cast<std::uint8_t>(bits >> held));
-    }
-  }
-  return out;
-}
-
 std::string shown_uri(std::string_view uri) {
-  if (uri.starts_with("data:")) return "data URI";
+  if (is_data_uri(uri)) return "data URI";
   if (uri.size() <= 120) return std::string(uri);
   return std::string(uri.substr(0, 117)) + "...";
 }

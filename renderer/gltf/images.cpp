@@ -34,11 +34,11 @@ Checked<ImageBytes> image_bytes(Document& document, Accessors& accessors, int in
   if (source.buffer_view >= 0) {
     const Checked<Bytes> bytes = accessors.view(source.buffer_view);
     if (!bytes) return fault(bytes.error());
-    return ImageBytes{{}, *bytes};
+    return ImageBytes{{}, *bytes, {}};
   }
-  Checked<FileBytes> read = read_uri(document.folder, source.uri);
+  Checked<UriBytes> read = document.files.read(source.uri);
   if (!read) return fault(read.error());
-  ImageBytes bytes{std::move(*read), {}};
+  ImageBytes bytes{std::move(read->bytes), {}, std::move(read->remark)};
   bytes.bytes = bytes.read;
   return bytes;
 }
@@ -128,8 +128,8 @@ Textures::ImagePlace Textures::place_of(const ImageSource& source) {
     const Checked<Bytes> bytes = accessors_.view(source.buffer_view);
     return bytes ? ImagePlace{bytes->data(), bytes->size(), {}} : ImagePlace{};
   }
-  const auto file = file_of_uri(doc_.folder, source.uri);
-  return file ? ImagePlace{nullptr, 0, file->string()} : ImagePlace{};
+  const auto file = doc_.files.find(source.uri);
+  return file ? ImagePlace{nullptr, 0, file->path.string()} : ImagePlace{};
 }
 
 /// Looks at the heads of all images, so that what is too much is taken off where it is least
@@ -173,6 +173,8 @@ Checked<int> Textures::add_image(int index) {
   const int shrink = shrinks_[static_cast<std::size_t>(index)];
   const Checked<ImageBytes> bytes = take_bytes(index);
   if (!bytes) return fault(bytes.error());
+  if (!bytes->remark.empty())
+    doc_.warnings.add(fmt::format("{}: {}", name_of(index), bytes->remark));
   PictureResult<Picture> picture = read_picture(bytes->bytes, shrink);
   if (!picture) return fault(picture.error());
   Image& image = picture->image;

@@ -17,6 +17,7 @@ namespace asos::gltf {
 struct ImageBytes {
   FileBytes read;
   Bytes bytes;
+  std::string remark;  ///< see UriBytes
 };
 /// A fault where there are none.
 [[nodiscard]] Checked<ImageBytes> image_bytes(Document& document, Accessors& accessors, int index);

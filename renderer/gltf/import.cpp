@@ -130,7 +130,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
 };
 
 Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& options) {
-  Checked<Document> document = read_document(path);
+  Checked<Document> document = read_document(path, options.asset_root);
   if (!document) return fault(document.error());
   if (!options.variant.empty()) {
     if (auto chosen = choose_variant(*document, options.variant); !chosen)

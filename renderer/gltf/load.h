@@ -13,6 +13,9 @@ struct LoadOptions {
   bool keep_rig = false;     ///< Scene::rig is set where there are animations
   std::string variant = {};  ///< of the file's materials (KHR_materials_variants); empty: none
   std::string scene = {};  ///< of the file's, by its number from 0 or its name; empty: its default
+  /// Folder that buffers and images may come from, however far below; empty: at most three levels
+  /// above the file (see gltf::asset_folders).
+  std::string asset_root = {};
 };
 
 /// Opens "builtin:NAME" or the path of a .gltf or .glb file. The error names the file and the

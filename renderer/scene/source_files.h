@@ -6,8 +6,13 @@
 namespace asos {
 
 /// The files that a scene is read from, there or not: `source` itself first, then the buffers and
-/// images that a glTF file names in its folder. None for a built-in scene; `source` alone where it
-/// cannot be read as glTF. Any thread.
-[[nodiscard]] std::vector<std::string> source_files(const std::string& source);
+/// images that a glTF file names below its asset root (LoadOptions::asset_root). None for a
+/// built-in scene; `source` alone where it cannot be read as glTF. Any thread.
+[[nodiscard]] std::vector<std::string> source_files(const std::string& source,
+                                                    const std::string& asset_root = {});
+
+/// Whether a file at `path` can be one of them, told without reading the scene.
+[[nodiscard]] bool may_be_source_file(const std::string& path, const std::string& source,
+                                      const std::string& asset_root = {});
 
 }  // namespace asos

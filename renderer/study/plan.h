@@ -80,6 +80,7 @@ struct StudyPlan {
   int threads = 0;     ///< of each render; 0: one for each core
   bool paper = false;  ///< also the cases of CGF'98 table 2
   NeedsChoice needs = NeedsChoice::scene;
+  std::string asset_root;  ///< see LoadOptions; records of jobs leave it out
 
   bool operator==(const StudyPlan&) const = default;
 };
