@@ -151,6 +151,22 @@ std::string packed(const std::string& text) {
   return out.substr(0, size);
 }
 
+TEST(WrittenFiles, LinksAreFollowed) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder.path() / "there");
+  folder.write("there/old.bin", "old");
+  fs::create_symlink("there/old.bin", folder.path() / "link.bin");
+  fs::create_symlink("there/new.bin", folder.path() / "dangling.bin");
+  for (const char* link : {"link.bin", "dangling.bin"}) {
+    ASSERT_TRUE(write_file_atomically(folder.file(link), {'n', 'e', 'w'}));
+    EXPECT_TRUE(fs::is_symlink(folder.path() / link)) << link;
+  }
+  EXPECT_EQ(test::content_of(folder.path() / "there/old.bin"), "new");
+  EXPECT_EQ(test::content_of(folder.path() / "there/new.bin"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "there"), {}), 2);
+}
+
 // Programs that save a PNG again pack its texts, and put them where they like.
 TEST_F(PictureWriterTest, TextsOfOtherProgramsAreRead) {
   using namespace std::string_literals;
