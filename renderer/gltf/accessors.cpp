@@ -178,8 +178,8 @@ Checked<Accessors::Elements> Accessors::locate(int index) {
   }
   const Checked<Bytes> view = this->view(accessor.bufferView);
   if (!view) return fault(fmt::format("accessor {}: {}", index, view.error()));
-  const auto& declared = doc_.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-  if (declared.byteStride != 0) elements.stride = declared.byteStride;
+  const std::uint64_t declared = doc_.strides[static_cast<std::size_t>(accessor.bufferView)];
+  if (declared != 0) elements.stride = declared;
   if (elements.stride < element || elements.stride > 65536) {
     return fault(fmt::format("accessor {} has elements of {} bytes every {} bytes", index, element,
                              elements.stride));

@@ -4,6 +4,7 @@
 #include "renderer/gltf/moved_values.h"
 #include "renderer/gltf/tidy.h"
 #include "renderer/gltf/tidy_animations.h"
+#include "renderer/gltf/tidy_entries.h"
 
 #include <fmt/format.h>
 
@@ -166,6 +167,23 @@ Checked<void> take_images(json& root, Document& doc) {
   return {};
 }
 
+/// Takes the strides of buffer views out of the JSON.
+void take_strides(json& root, Document& doc) {
+  const auto found = root.find("bufferViews");
+  if (found == root.end() || !found->is_array()) return;
+  for (json& view : *found) {
+    std::uint64_t& stride = doc.strides.emplace_back(0);
+    const auto declared = view.find("byteStride");
+    if (declared == view.end()) continue;
+    stride = declared->get<std::uint64_t>();
+    view.erase(declared);
+    if (stride % 4 != 0 || stride < 4 || stride > 252)
+      doc.warnings.add(fmt::format(
+          "buffer view {} has a byteStride of {}, which glTF does not allow; it is read by it",
+          doc.strides.size() - 1, stride));
+  }
+}
+
 /// tinygltf's remarks, a line each, but for those about properties that glTF lets a file omit.
 void add_remarks(const std::string& text, Warnings& warnings) {
   std::istringstream lines(text);
@@ -215,9 +233,12 @@ Checked<Document> read_document(const std::filesystem::path& path,
   if (!optional) return fault(optional.error());
   doc.unsupported_extensions = std::move(*optional);
   doc.variants = variants_of(*root);
+  doc.broken_cameras = tidy_entries(*root, doc.warnings);
   if (auto done = tidy(*root, container->json.size(), doc.warnings); !done)
     return fault(done.error());
   if (moves_values(*root)) doc.movable = std::make_shared<const json>(movable_parts(*root));
+  complete_planes(*root, doc.warnings);
+  take_strides(*root, doc);
   if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
   if (auto done = take_images(*root, doc); !done) return fault(done.error());
   if (auto done = read_model(std::move(*root), doc); !done) return fault(done.error());

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,10 @@ struct Document {
   tinygltf::Model model;
   std::vector<ImageSource> images;
   std::vector<Buffer> buffers;
+  /// By buffer view: bytes between the beginnings of its elements; 0: they are packed. tinygltf
+  /// refuses files for what glTF does not allow, however readable.
+  std::vector<std::uint64_t> strides;
+  std::set<std::size_t> broken_cameras;  ///< their numbers
   std::vector<std::string> unsupported_extensions;
   std::vector<std::string> variants;  ///< names by KHR_materials_variants
   /// `movable_parts` where an animation moves materials, lights or cameras; null: none does.

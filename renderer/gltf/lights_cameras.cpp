@@ -164,6 +164,7 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
     document.warnings.add(fmt::format("camera {} does not exist; left out", node.camera));
     return;
   }
+  if (document.broken_cameras.contains(static_cast<std::size_t>(node.camera))) return;
   const auto& source = document.model.cameras[static_cast<std::size_t>(node.camera)];
   const std::string place = fmt::format("camera {}", node.camera);
   Camera camera;

@@ -262,7 +262,7 @@ TEST(ImportRobust, ReferencesOutOfRange) {
   expect_refused(load_in_time(b), "mesh 8");
   b.json["nodes"][0]["mesh"] = 0;
   b.json["bufferViews"][0]["byteOffset"] = -4;
-  expect_refused(load_in_time(b), "byteOffset is not a whole number");
+  expect_refused(load_in_time(b), "byteOffset that is not a whole number");
 }
 
 TEST(ImportRobust, ASceneWithoutTrianglesSaysSo) {
