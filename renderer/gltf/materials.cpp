@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asos::gltf {
@@ -32,7 +33,11 @@ class MaterialReader {
     // KHR_materials_pbrSpecularGlossiness stands for all of the reflection; unlit materials have
     // none.
     const auto* glossy = extension(source_.extensions, "KHR_materials_pbrSpecularGlossiness");
-    if (m.unlit) glossy = nullptr;
+    if (m.unlit) {
+      glossy = nullptr;
+      m.transmission = 0.0f;
+      tell_ignored();
+    }
     if (glossy) {
       read_specular_glossiness(*glossy, m);
     } else {
@@ -53,9 +58,9 @@ class MaterialReader {
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
                                   : use(pbr.baseColorTexture, "base colour");
+    if (m.unlit) return m;
     if (const auto* e = extension(source_.extensions, "KHR_materials_transmission"))
       m.transmission_texture = use_in(*e, "transmissionTexture", "transmission");
-    if (m.unlit) return m;
     if (!glossy)
       m.metallic_roughness_texture = use(pbr.metallicRoughnessTexture, "metallic-roughness");
     m.normal_texture = use(source_.normalTexture, "normal");
@@ -80,6 +85,26 @@ class MaterialReader {
   }
 
  private:
+  /// Says which extensions an unlit material has that shade: KHR_materials_unlit holds.
+  void tell_ignored() {
+    constexpr std::array<const char*, 9> shading = {"KHR_materials_transmission",
+                                                    "KHR_materials_diffuse_transmission",
+                                                    "KHR_materials_volume",
+                                                    "KHR_materials_clearcoat",
+                                                    "KHR_materials_sheen",
+                                                    "KHR_materials_iridescence",
+                                                    "KHR_materials_anisotropy",
+                                                    "KHR_materials_specular",
+                                                    "KHR_materials_pbrSpecularGlossiness"};
+    std::string ignored;
+    for (const char* name : shading)
+      if (source_.extensions.contains(name))
+        ignored += (ignored.empty() ? "" : ", ") + std::string(name);
+    if (!ignored.empty())
+      warnings_.add(fmt::format("{}: it is unlit, so it shows its base colour alone; ignored: {}",
+                                place_, ignored));
+  }
+
   /// Whether something is to be read of which a factor says whether it shows.
   [[nodiscard]] bool shows(bool now) const { return now || moves_; }
 

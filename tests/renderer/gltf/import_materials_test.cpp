@@ -143,5 +143,31 @@ TEST(ImportMaterials, BadDefocusingRatiosAreLeftOutByName) {
   left_out({{"perturbation", {0.5}}}, "perturbation is not a number");
 }
 
+TEST(ImportMaterials, UnlitOnesIgnoreWhatShadesAndSaySo) {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_materials_transmission",
+                              "KHR_materials_clearcoat"};
+  const json unlit = json::object();
+  b.json["materials"] = {{{"name", "pane"},
+                          {"extensions",
+                           {{"KHR_materials_unlit", unlit},
+                            {"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
+                            {"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}}}}},
+                         {{"extensions", {{"KHR_materials_unlit", unlit}}}}};
+  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  const test::TemporaryFolder folder;
+  const Result<Scene> scene = import_gltf(folder.write("test.glb", b.glb()));
+  ASSERT_TRUE(scene) << scene.error().message();
+  EXPECT_TRUE(scene->materials[0].unlit);
+  EXPECT_EQ(scene->materials[0].transmission, 0.0f);
+  const std::vector<std::string>& remarks = scene->notes.warnings;
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].find("pane"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[0].find("it is unlit, so it shows its base colour alone; ignored: "
+                            "KHR_materials_transmission, KHR_materials_clearcoat"),
+            std::string::npos)
+      << remarks[0];
+}
+
 }  // namespace
 }  // namespace asos
