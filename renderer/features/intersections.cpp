@@ -42,8 +42,10 @@ Meeting meeting(glm::uvec3 a, glm::uvec3 b) {
   return m;
 }
 
-// Whether `b` lies on one side of `a`'s plane but for the corner that they share, by more than
-// single precision can err. So do most neighbours at a corner, and these are most pairs.
+// Whether a plane through the corner that they share has `a` on one side and the rest of `b` on the
+// other, by more than single precision can err: the plane of `a`, as of most neighbours at a
+// corner, or one through a side of `a` across it, as of triangles around a hub. These are most
+// pairs.
 bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
   const glm::vec3 v = a[corner_a];
   const glm::vec3 p = a[(corner_a + 1) % 3] - v, q = a[(corner_a + 2) % 3] - v;
@@ -53,7 +55,12 @@ bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
   const float size = glm::dot(glm::abs(p), glm::vec3(1)) * glm::dot(glm::abs(q), glm::vec3(1));
   constexpr float error = 4e-6f;
   const float least = error * size * (glm::dot(glm::abs(r) + glm::abs(s), glm::vec3(1)));
-  return (x > least && y > least) || (x < -least && y < -least);
+  if ((x > least && y > least) || (x < -least && y < -least)) return true;
+  const auto outside = [&](glm::vec3 inwards, glm::vec3 side) {
+    const float beyond = -least * glm::dot(glm::abs(side), glm::vec3(1));
+    return glm::dot(inwards, r) < beyond && glm::dot(inwards, s) < beyond;
+  };
+  return outside(glm::cross(n, p), p) || outside(glm::cross(q, n), q);
 }
 
 class Collider {
@@ -176,7 +183,7 @@ class Collider {
 
 IntersectionBudget IntersectionBudget::of(const World& world) {
   const std::size_t n = world.solid_triangles();
-  return {std::max<std::size_t>(250'000, 4 * n), 1'000'000 + 256 * n};
+  return {std::max<std::size_t>(250'000, 4 * n), (std::size_t{1} << 26) + 256 * n};
 }
 
 Intersections find_intersections(const World& world, std::span<const std::uint32_t> welded,

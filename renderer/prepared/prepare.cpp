@@ -111,8 +111,8 @@ SceneNotes notes_of(const RenderScene& scene) {
   const BoundaryFeatures& boundaries = scene.geometry->boundaries;
   if (boundaries.known() && !boundaries.get().intersections_complete()) {
     notes.warnings.emplace_back(
-        "surfaces pass through each other or overlap too often; the lines where "
-        "they do are found by samples only");
+        "too many surfaces overlap or lie close together; the lines where they pass through each "
+        "other are found by samples only");
   }
   if (boundaries.failed()) notes.warnings.push_back(boundaries_error(scene).message());
   return notes;

@@ -29,7 +29,7 @@ TEST(RenderWarnings, SayThatSurfacesPassThroughEachOtherTooOften) {
   const AsosRun run = run_asos({"render", path("walls.glb"), "-o", path("walls.png"), "--size",
                                 "16x9", "--max", "0", "--stats", path("walls.json")});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const std::string said = "surfaces pass through each other or overlap too often";
+  const std::string said = "too many surfaces overlap or lie close together";
   EXPECT_TRUE(contains(run.err, said));
   EXPECT_TRUE(
       contains(nlohmann::json::parse(std::ifstream(path("walls.json")))["warnings"].dump(), said));

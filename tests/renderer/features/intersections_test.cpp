@@ -237,6 +237,42 @@ TEST(Intersections, AHeapOfFewTrianglesKeepsItsLines) {
   EXPECT_NEAR(total_length(found), walls * walls * 2.0, 1e-3 * walls * walls);
 }
 
+// Triangles that meet at a hub make pairs with each other; they cross nowhere.
+World fans(int sides, bool closed_at_tips, float slant) {
+  World world;
+  const auto angle = [&](int i) {
+    return 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(sides);
+  };
+  const auto turned = [&](glm::vec3 p) {
+    return glm::vec3(std::cos(slant) * p.x - std::sin(slant) * p.y,
+                     std::sin(slant) * p.x + std::cos(slant) * p.y, p.z);
+  };
+  const float tip = closed_at_tips ? 1.5f : 0.5f;
+  world.positions = {turned({0, -tip, 0}), turned({0, tip, 0})};
+  for (int i = 0; i < sides; ++i)
+    for (const float y : {-0.5f, 0.5f})
+      world.positions.push_back(turned({std::cos(angle(i)), y, std::sin(angle(i))}));
+  for (int i = 0; i < sides; ++i) {
+    const auto a = static_cast<std::uint32_t>(2 + 2 * i);
+    const auto b = static_cast<std::uint32_t>(2 + 2 * ((i + 1) % sides));
+    world.triangles.insert(world.triangles.end(),
+                           {{0, a, b}, {1, a + 1, b + 1}, {a, b, a + 1}, {b, b + 1, a + 1}});
+  }
+  for (const glm::vec3 p : world.positions) world.bounds.grow(p);
+  return world;
+}
+
+TEST(Intersections, CylindersAndConesOfManySidesAreComplete) {
+  for (const float slant : {0.0f, 0.7f}) {
+    for (const bool tips : {false, true}) {
+      const World world = fans(4096, tips, slant);
+      const Intersections found = intersections_of(world, IntersectionBudget::of(world));
+      EXPECT_TRUE(found.complete) << slant << " " << tips;
+      EXPECT_EQ(found.lines.size(), 0u) << slant << " " << tips;
+    }
+  }
+}
+
 TEST(Intersections, ThePairsHaveABudgetToo) {
   PolygonScene scene;
   for (int i = 0; i < 100; ++i) {
