@@ -254,6 +254,8 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
   if (from && from->display.split_map)
     err << "asos: note: " << printable(arguments.picture.from_file)
         << " shows the split map over the picture, which is rendered without it\n";
+  if (from && from->scene == arguments.picture.scene)
+    for (const std::string& remark : from->found_beside) err << "asos: note: " << remark << "\n";
   const CameraChoice& camera = arguments.picture.camera;
   const bool of_file = !arguments.picture.scene.starts_with("builtin:");
   if (of_file && scene.cameras() > 1 && !camera.index && !camera.look_at && !from)

@@ -1,5 +1,6 @@
 #include "renderer/picture/picture_description.h"
 
+#include "renderer/files/printable.h"
 #include "renderer/geometry/camera_fault.h"
 #include "renderer/geometry/coordinates.h"
 #include "renderer/picture/dfr_json.h"
@@ -139,6 +140,19 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
   return fields.fault();
 }
 
+/// Takes the file of the same name in `folder` where `file` is gone; returns a remark then.
+std::string look_beside(const std::filesystem::path& folder, std::string& file) {
+  if (file.empty() || file.starts_with("builtin:")) return {};
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return {};
+  const std::filesystem::path beside = folder / std::filesystem::path(file).filename();
+  if (!std::filesystem::is_regular_file(beside, error)) return {};
+  std::string remark = fmt::format("'{}' is gone; '{}' beside the picture is used", printable(file),
+                                   printable(beside.filename().string()));
+  file = absolute_source(beside.string());
+  return remark;
+}
+
 }  // namespace
 
 LoadOptions PictureDescription::load_options() const {
@@ -239,7 +253,13 @@ Result<PictureDescription> read_description(const std::string& path) {
     return unexpected(Error{path,
                             "holds no settings: this program did not save it, or another one "
                             "left them out when it saved it again"});
-  return parse_description(found->second, path);
+  auto read = parse_description(found->second, path);
+  if (!read) return read;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (std::string* file : {&read->scene, &read->sky.file})
+    if (std::string remark = look_beside(folder, *file); !remark.empty())
+      read->found_beside.push_back(std::move(remark));
+  return read;
 }
 
 Error scene_of_picture_error(const std::string& file, const Error& error) {

@@ -188,6 +188,25 @@ TEST_F(FromOption, WhatIsWrongIsSaidWithItsFile) {
   EXPECT_FALSE(std::filesystem::exists(path("x.png")));
 }
 
+TEST_F(FromOption, AMovedSceneIsFoundBesideThePicture) {
+  const auto folder = [&](const char* name) { return std::filesystem::path(path(name)); };
+  std::filesystem::create_directories(folder("before"));
+  ASSERT_EQ(run_asos({"export-scene", "boxes", "-o", path("before/s.glb")}).exit_code, 0);
+  ASSERT_EQ(
+      render({path("before/s.glb"), "--size", "16x9", "--max", "0"}, "before/a.png").exit_code, 0);
+  std::filesystem::rename(folder("before"), folder("after"));
+  const AsosRun run = render({"--from", path("after/a.png")}, "b.png");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(
+      run.err, "'" + path("before/s.glb") + "' is gone; 's.glb' beside the picture is used"));
+  EXPECT_TRUE(png("after/a.png").rgb == png("b.png").rgb);
+  EXPECT_EQ(said("b.png").scene, path("after/s.glb"));
+  // Where the scene is in its place, that one is taken.
+  std::filesystem::copy(folder("after"), folder("before"));
+  EXPECT_EQ(render({"--from", path("after/a.png")}, "c.png").err, "");
+  EXPECT_EQ(said("c.png").scene, path("before/s.glb"));
+}
+
 TEST_F(FromOption, ASplitMapsPictureIsRenderedWithoutIt) {
   ASSERT_EQ(render({"builtin:boxes", "--size", "32x18", "--split-map", path("map.png")}, "a.png")
                 .exit_code,
