@@ -217,6 +217,7 @@ int Textures::roughness_of(int texture, float factor) {
     }
     Image image = scene_.images[static_cast<std::size_t>(rough.image)];
     copied_texels_ += texels;
+    image.low = {};  // 8 bits of glossiness are enough to see
     SharedBytes::Bytes& rgba = image.rgba.own();
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
       const float glossiness = factor * static_cast<float>(rgba[i + 3]);

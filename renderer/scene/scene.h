@@ -28,6 +28,8 @@ struct Image {
   int width = 0;
   int height = 0;
   SharedBytes rgba;
+  /// The lower bytes of texels of 16 bits, whose upper ones `rgba` has; empty: texels of 8 bits.
+  SharedBytes low{};
 };
 
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };

@@ -41,6 +41,10 @@ glm::vec4 normals_of_texel(const Image& image, int x, int y) {
 }
 
 glm::vec4 first_level_texel(const Image& image, TexelKind kind, int x, int y) {
+  if (!image.low.empty() && kind != TexelKind::normal) {
+    const Encoding encoding = kind == TexelKind::data ? Encoding::linear : Encoding::srgb;
+    return Texels(image, encoding).at(x, y);
+  }
   const std::uint8_t* p =
       image.rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                static_cast<std::size_t>(x));

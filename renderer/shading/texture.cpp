@@ -6,18 +6,34 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace asos {
 namespace {
 
+float decoded(double x, Encoding encoding) {
+  const double linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  return static_cast<float>(encoding == Encoding::srgb ? linear : x);
+}
+
 std::array<float, 256> make_decode_table(Encoding encoding) {
   std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double x = static_cast<double>(i) / 255.0;
-    const double linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-    table[i] = static_cast<float>(encoding == Encoding::srgb ? linear : x);
-  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = decoded(static_cast<double>(i) / 255.0, encoding);
   return table;
+}
+
+/// By value of 16 bits. Made when the first such picture is looked up.
+const float* wide_table(Encoding encoding) {
+  static const auto tables = [] {
+    std::array<std::vector<float>, 2> made;
+    for (const Encoding one : {Encoding::srgb, Encoding::linear}) {
+      std::vector<float>& table = made[static_cast<std::size_t>(one)];
+      for (int i = 0; i < 65536; ++i) table.push_back(decoded(i / 65535.0, one));
+    }
+    return made;
+  }();
+  return tables[static_cast<std::size_t>(encoding)].data();
 }
 
 const std::array<float, 256> srgb_table = make_decode_table(Encoding::srgb);
@@ -33,8 +49,18 @@ Texels::Texels(const Image& image, Encoding encoding)
     : width(image.width),
       height(image.height),
       bytes_(image.rgba.data()),
-      color_(encoding == Encoding::srgb ? srgb_table.data() : linear_table.data()),
-      alpha_(linear_table.data()) {}
+      low_(image.low.data()),
+      color_(low_                         ? wide_table(encoding)
+             : encoding == Encoding::srgb ? srgb_table.data()
+                                          : linear_table.data()),
+      alpha_(low_ ? wide_table(Encoding::linear) : linear_table.data()) {}
+
+glm::vec4 Texels::of_16_bits(std::size_t texel) const {
+  const auto value = [&](std::size_t c) {
+    return static_cast<std::size_t>(bytes_[texel + c]) << 8 | low_[texel + c];
+  };
+  return {color_[value(0)], color_[value(1)], color_[value(2)], alpha_[value(3)]};
+}
 
 glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv, Encoding encoding) {
   const Image* image = image_of(world, texture);

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// The meaning of the RGB bytes of an image where it is looked up. Alpha is always linear.
+/// The meaning of the RGB values of an image where it is looked up. Alpha is always linear.
 enum class Encoding { srgb, linear };
 
 /// The linear value of an sRGB-encoded byte.
@@ -22,9 +22,10 @@ class Texels {
   Texels(const Image& image, Encoding encoding);
 
   [[nodiscard]] glm::vec4 at(int x, int y) const {
-    const std::uint8_t* p =
-        bytes_ + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x));
+    const std::size_t texel = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(x));
+    if (low_) return of_16_bits(texel);
+    const std::uint8_t* p = bytes_ + texel;
     return {color_[p[0]], color_[p[1]], color_[p[2]], alpha_[p[3]]};
   }
 
@@ -32,8 +33,11 @@ class Texels {
   int height;
 
  private:
+  [[nodiscard]] glm::vec4 of_16_bits(std::size_t texel) const;
+
   const std::uint8_t* bytes_;
-  const float* color_;  // by byte
+  const std::uint8_t* low_;  // null: texels of 8 bits
+  const float* color_;       // by byte, or by value of 16 bits
   const float* alpha_;
 };
 

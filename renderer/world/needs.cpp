@@ -268,7 +268,7 @@ bool needs_mirrors(const World& world, const MaterialDfrs& dfrs) {
 void release_unused_images(World& world) {
   const std::vector<bool> used = images_of_shown_materials(world);
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) world.images[i].rgba = {};
+    if (!used[i]) world.images[i].rgba = world.images[i].low = {};
   }
 }
 

@@ -28,21 +28,42 @@ void read_info(png_structp png, png_infop info) {
   png_read_info(png, info);
 }
 
-/// Whatever the file has becomes 8-bit RGBA.
-void ask_for_rgba(png_structp png, png_infop info) {
+/// Whatever the file has becomes RGBA, of 16 bits where `wide`, else of 8.
+void ask_for_rgba(png_structp png, png_infop info, bool wide) {
   png_set_expand(png);
-  png_set_strip_16(png);
+  if (!wide) png_set_scale_16(png);
   png_set_gray_to_rgb(png);
-  png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+  png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
+}
+
+/// The image with texels of 16 bits that rows of them make, upper byte first; of 8 where that
+/// loses nothing.
+Image split_bytes(Image wide) {
+  Image image;
+  image.width = wide.width / 2;
+  image.height = wide.height;
+  const SharedBytes::Bytes& both = wide.rgba.get();
+  SharedBytes::Bytes high, low;
+  high.reserve(both.size() / 2);
+  low.reserve(both.size() / 2);
+  bool same = true;
+  for (std::size_t i = 0; i + 1 < both.size(); i += 2) {
+    high.push_back(both[i]);
+    low.push_back(both[i + 1]);
+    same = same && both[i] == both[i + 1];  // 257 times a value of 8 bits
+  }
+  image.rgba = SharedBytes(std::move(high));
+  if (!same) image.low = SharedBytes(std::move(low));
+  return image;
 }
 
 }  // namespace
 
 // Of the first chunk alone, so that what claims too much is judged whatever follows.
 PictureResult<PictureHead> png_head(PictureBytes bytes) {
-  constexpr std::size_t width_at = 16, height_at = 20, interlaced_at = 28, end = 33;
+  constexpr std::size_t width_at = 16, height_at = 20, depth_at = 24, interlaced_at = 28, end = 33;
   if (bytes.size() < end || std::memcmp(bytes.data() + 12, "IHDR", 4) != 0)
     return tl::unexpected<std::string>("it is no usable PNG (its head is cut off)");
   const auto side = [&](std::size_t at) {
@@ -51,22 +72,27 @@ PictureResult<PictureHead> png_head(PictureBytes bytes) {
     return static_cast<int>(std::min<std::uint32_t>(pixels, PNG_UINT_31_MAX));
   };
   PictureHead head{side(width_at), side(height_at), 0};
-  if (bytes[interlaced_at] != PNG_INTERLACE_NONE) head.held_bytes = 4 * head.pixels();
+  if (bytes[interlaced_at] != PNG_INTERLACE_NONE)
+    head.held_bytes = (bytes[depth_at] == 16 ? 8 : 4) * head.pixels();
   return head;
 }
 
 PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& head, int shrink) {
   PngInput input(bytes);
-  const std::size_t row = 4 * static_cast<std::size_t>(head.width);
+  std::size_t row = 4 * static_cast<std::size_t>(head.width);
   std::size_t made = 0;
+  bool wide = false;
   png_uint_32 width = 0;
   const bool begun = input.guarded([&](png_structp png, png_infop info) {
     read_info(png, info);
-    ask_for_rgba(png, info);
+    // What is reduced loses more than its lower bytes.
+    wide = png_get_bit_depth(png, info) == 16 && shrink == 1;
+    ask_for_rgba(png, info, wide);
     made = png_get_rowbytes(png, info);
     width = png_get_image_width(png, info);
   });
   if (!begun) return broken(input);
+  if (wide) row *= 2;
   if (width != static_cast<png_uint_32>(head.width) || made != row)
     return tl::unexpected<std::string>("its pixels are of no known kind");
   // Of an interlaced picture all rows are held until the last has come.
@@ -79,7 +105,7 @@ PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& h
         input.guarded([&](png_structp png, png_infop) { png_read_image(png, rows.data()); });
     if (!read) return broken(input);
   }
-  RowMeans means(head.width, head.height, shrink);
+  RowMeans means(wide ? 2 * head.width : head.width, head.height, shrink);
   for (std::size_t y = 0; y < static_cast<std::size_t>(head.height); ++y) {
     const std::span<std::uint8_t> at(pixels.data() + (rows_held > 1 ? y * row : 0), row);
     const bool read = rows_held > 1 || input.guarded([&](png_structp png, png_infop) {
@@ -88,7 +114,7 @@ PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& h
     if (!read) return broken(input);
     means.add(at);
   }
-  return Picture{means.take(), {}};
+  return Picture{wide ? split_bytes(means.take()) : means.take(), {}};
 }
 
 }  // namespace asos

@@ -2,6 +2,8 @@
 
 #include "renderer/film/image_io.h"
 #include "renderer/gltf/pictures/row_means.h"
+#include "renderer/shading/mip_chain.h"
+#include "renderer/shading/texture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_image.h"
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <jpeglib.h>
+#include <png.h>
 #include <random>
 #include <string>
 #include <vector>
@@ -160,6 +163,90 @@ TEST(Pictures, ArriveAsTheyAreOrReduced) {
   const auto small = read_picture(webp_of(smooth), 4);
   ASSERT_TRUE(small) << small.error();
   expect_same(small->image, reduced(smooth, 4), 3);
+}
+
+/// A PNG of 16 bits a value; `values` are RGBA, or grey where there is one a pixel.
+File wide_png(int width, int height, const std::vector<std::uint16_t>& values, bool interlaced) {
+  File file;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_set_write_fn(
+      png, &file,
+      [](png_structp writer, png_bytep bytes, std::size_t count) {
+        auto& to = *static_cast<File*>(png_get_io_ptr(writer));
+        to.insert(to.end(), bytes, bytes + count);
+      },
+      nullptr);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const bool grey = values.size() == pixels;
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 16,
+               grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB_ALPHA,
+               interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  File bytes;
+  for (const std::uint16_t value : values) {
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(value & 255));
+  }
+  std::vector<png_bytep> rows;
+  const std::size_t row = bytes.size() / static_cast<std::size_t>(height);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+    rows.push_back(&bytes[y * row]);
+  png_write_image(png, rows.data());
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+  return file;
+}
+
+TEST(Pictures, PngsOfSixteenBitsKeepThem) {
+  std::mt19937 random(5);
+  std::vector<std::uint16_t> values(4 * 9 * 5);
+  for (std::uint16_t& value : values) value = static_cast<std::uint16_t>(random());
+  for (const bool interlaced : {false, true}) {
+    const PictureResult<Picture> picture = read_picture(wide_png(9, 5, values, interlaced));
+    ASSERT_TRUE(picture) << picture.error();
+    World world;
+    world.images.push_back(picture->image);
+    world.textures.emplace_back();
+    world.textures[0].image = 0;
+    world.textures[0].filter = Filter::nearest;
+    for (std::size_t i = 0; i < values.size() / 4; ++i) {
+      const glm::vec2 uv((static_cast<float>(i % 9) + 0.5f) / 9.0f,
+                         (static_cast<float>(i / 9) + 0.5f) / 5.0f);
+      const glm::vec4 linear = sample_texture(world, 0, uv, Encoding::linear);
+      const glm::vec4 srgb = sample_texture(world, 0, uv, Encoding::srgb);
+      for (int c = 0; c < 4; ++c) {
+        const double right = values[4 * i + static_cast<std::size_t>(c)] / 65535.0;
+        EXPECT_NEAR(linear[c], right, 1e-7);
+        const double decoded =
+            right <= 0.04045 ? right / 12.92 : std::pow((right + 0.055) / 1.055, 2.4);
+        EXPECT_NEAR(srgb[c], c == 3 ? right : decoded, 1e-7);
+      }
+    }
+    // Averaged as well as looked up.
+    const MipChain chain = make_mip_chain(picture->image, TexelKind::data);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); i += 4) sum += values[i] / 65535.0;
+    EXPECT_NEAR(chain.back().at(0, 0).r, sum / 45.0, 2e-4);
+  }
+}
+
+TEST(Pictures, PngsOfSixteenBitsThatSayNoMoreThanEightTakeNoMore) {
+  std::vector<std::uint16_t> grey(16);
+  for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = static_cast<std::uint16_t>(257 * 16 * i);
+  const PictureResult<Picture> picture = read_picture(wide_png(4, 4, grey, false));
+  ASSERT_TRUE(picture) << picture.error();
+  EXPECT_TRUE(picture->image.low.empty());
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    EXPECT_EQ(picture->image.rgba[4 * i], 16 * i);
+    EXPECT_EQ(picture->image.rgba[4 * i + 3], 255);
+  }
+  grey[3] += 1;
+  const PictureResult<Picture> more = read_picture(wide_png(4, 4, grey, false));
+  ASSERT_TRUE(more) << more.error();
+  EXPECT_EQ(more->image.low.size(), more->image.rgba.size());
+  EXPECT_EQ(more->image.low[4 * 3 + 3], 255) << "opaque";
 }
 
 TEST(Pictures, OfDamagedDataAreRefusedOrRemarkedOn) {
