@@ -1,5 +1,7 @@
 #include "renderer/gltf/primitive.h"
 
+#include "renderer/geometry/direction.h"
+#include "renderer/geometry/finite.h"
 #include "renderer/gltf/skin.h"
 #include "renderer/gltf/surface.h"
 #include "renderer/gltf/triangles.h"
@@ -83,10 +85,26 @@ Checked<std::vector<glm::uvec3>> read_triangles(const PrimitiveRequest& request,
   return triangles_of(request.primitive.mode, indices);
 }
 
-/// A mesh of lines or points, which have no more than positions and colours.
+/// Makes the normals of lines and points unit vectors, or 0 where there is no direction: these
+/// have no surface to make them from.
+void unify_normals(VertexData& data, const std::string& place, Warnings& warnings) {
+  std::size_t broken = 0;
+  for (glm::vec3& n : data.normals) {
+    n = finite(n) ? unit_or(glm::dvec3(n), glm::vec3(0.0f)) : glm::vec3(0.0f);
+    broken += n == glm::vec3(0.0f) ? 1 : 0;
+  }
+  if (broken > 0)
+    warnings.add(
+        fmt::format("{}: {} normals are zero or not finite; they face the viewer", place, broken));
+}
+
+/// A mesh of lines or points, which have no tangents.
 Mesh stroke_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& strokes) {
   Mesh mesh;
   mesh.positions = std::move(data.positions);
+  mesh.normals = std::move(data.normals);
+  mesh.texcoords[0] = std::move(data.texcoords[0]);
+  mesh.texcoords[1] = std::move(data.texcoords[1]);
   mesh.colors = std::move(data.colors);
   for (const glm::uvec3 s : strokes) {
     if (mode == TINYGLTF_MODE_POINTS)
@@ -197,6 +215,8 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
                     request.place, dropped, declared, pieces_of(request.primitive.mode)));
   }
   if (is_stroke(request.primitive.mode)) {
+    unify_normals(*data, request.place, warnings);
+    check_texcoords(request, *data, warnings);
     loaded.mesh = stroke_mesh(request.primitive.mode, std::move(*data), *triangles);
     return loaded;
   }

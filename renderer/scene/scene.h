@@ -159,7 +159,10 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;              ///< KHR_materials_unlit
+  bool unlit = false;  ///< KHR_materials_unlit
+  /// Of lines or points (glTF 2.0, section 3.9.7). Without normals they are unlit and show their
+  /// emission, too; with normals they are lit by these, whatever way their ribbons face.
+  bool stroke = false;
   float ior = 1.5f;                ///< KHR_materials_ior
   float transmission = 0.0f;       ///< KHR_materials_transmission
   float specular = 1.0f;           ///< KHR_materials_specular: of a dielectric's reflection, 0 to 1

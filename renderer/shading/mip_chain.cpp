@@ -149,7 +149,10 @@ void add_use(std::set<ImageUse>& uses, const World& world, const TextureUse& use
 void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& needs,
               const Material& m) {
   add_use(uses, world, m.base_color_texture, base_color_kind(m));
-  if (m.unlit) return;
+  if (m.unlit) {
+    if (m.stroke && needs.emission) add_use(uses, world, m.emissive_texture, emissive_kind(m));
+    return;
+  }
   for (const TextureUse* use :
        {&m.metallic_roughness_texture, &m.occlusion_texture, &m.specular_texture,
         &m.transmission_texture, &m.coat.texture, &m.coat.roughness_texture,

@@ -27,8 +27,8 @@ PlainMaterial plain_material(const World& world, const SceneNeeds& needs, const 
   plain.shiny = m.roughness <= least_broad_roughness && needs.lights();
   const bool layered = m.coat.factor > 0.0f || m.sheen.used() || m.film.used() ||
                        m.anisotropy.used() || m.diffuse_transmission.used();
-  plain.plain =
-      !m.unlit && !layered && surface_kind(m) != SurfaceKind::blended && finite(plain.surface);
+  plain.plain = !m.unlit && !m.stroke && !layered && surface_kind(m) != SurfaceKind::blended &&
+                finite(plain.surface);
   return plain;
 }
 

@@ -119,6 +119,16 @@ void place_on_triangle(const World& world, const Triangle& t, SurfacePoint& poin
       std::min({t.b0, t.b1, t.b2}) * static_cast<float>(length) / (longest_side * point.extent);
 }
 
+/// The ribbon of a lit line faces the viewer, but lights reach the line from where its normals
+/// point. They are taken on the viewer's side, as those of double-sided surfaces are.
+void face_along_normals(const World& world, const Hit& hit, const Triangle& t, glm::vec3 to_viewer,
+                        SurfacePoint& point) {
+  const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
+  const glm::vec3 normal =
+      normalized_or(t.mix(normals[0], normals[1], normals[2]), point.geometric_normal);
+  point.geometric_normal = glm::dot(normal, to_viewer) < 0.0f ? -normal : normal;
+}
+
 /// On a face of an analytic shape: only the last rounding, to single precision, moves the point off
 /// it, and rays are tested against it in double precision.
 void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
@@ -147,7 +157,16 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     // Without transmission RayScene has applied the cut-off already.
     surface.opacity = base.a >= material.alpha_cutoff ? 1.0f : 0.0f;
   }
-  if (surface.unlit) return surface;
+  const auto emission = [&] {
+    glm::vec3 emitted = material.emissive * material.emissive_strength;
+    if (material.emissive_texture.used() && emitted != glm::vec3(0.0f))
+      emitted *= glm::vec3(sample(material.emissive_texture, emissive_kind(material)));
+    return emitted;
+  };
+  if (surface.unlit) {
+    if (material.stroke && needs.emission) surface.base_color += emission();
+    return surface;
+  }
 
   surface.metallic = material.metallic;
   surface.roughness = material.roughness;
@@ -223,12 +242,7 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
           glm::vec3(sample(through.color_texture, TexelKind::color));
   }
 
-  if (needs.emission) {
-    surface.emission = material.emissive * material.emissive_strength;
-    if (material.emissive_texture.used() && surface.emission != glm::vec3(0.0f)) {
-      surface.emission *= glm::vec3(sample(material.emissive_texture, emissive_kind(material)));
-    }
-  }
+  if (needs.emission) surface.emission = emission();
   return surface;
 }
 
@@ -256,7 +270,9 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
     point.footprint.side = extent.side;
     point.footprint.colours = extent.colours;
   }
-  shade_normal(world, needs, hit, t, world.material_of(hit.triangle).normal_texture,
+  const Material& material = world.material_of(hit.triangle);
+  if (material.stroke && !material.unlit) face_along_normals(world, hit, t, to_viewer, point);
+  shade_normal(world, needs, hit, t, material.normal_texture,
                extent.point() ? nullptr : extent.mips, point);
   return point;
 }

@@ -120,7 +120,11 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.alpha_blend |= m.alpha_mode == AlphaMode::blend || m.transmission > 0.0f;
   needs.alpha_mask |= m.alpha_mode == AlphaMode::mask;
   needs.culling |= !shows_both_sides(m);
-  if (m.unlit) return;  // an unlit material uses nothing but its base colour
+  if (m.unlit) {  // it uses its base colour, of strokes its emission, and nothing else
+    needs.emission |= m.stroke && emits(m);
+    needs.textures |= m.stroke && emits(m) && m.emissive_texture.used();
+    return;
+  }
   needs.textures |= m.metallic_roughness_texture.used() || m.normal_texture.used() ||
                     m.occlusion_texture.used() || m.specular_texture.used() ||
                     m.specular_color_texture.used() || (m.emissive_texture.used() && emits(m));

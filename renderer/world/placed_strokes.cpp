@@ -1,6 +1,7 @@
 #include "renderer/world/placed_strokes.h"
 
 #include "renderer/geometry/coordinates.h"
+#include "renderer/geometry/direction.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -29,17 +31,38 @@ glm::dvec3 placed(const Instance& instance, glm::vec3 position) {
   return glm::dvec3(instance.world_from_mesh * glm::dvec4(position, 1.0));
 }
 
-/// A material's colour, alone: lines and points have no normals to be lit by, and no inside.
+/// A material's colour and emission, for lines and points without normals to be lit by.
 Material unlit_material(const Material& material) {
   Material unlit;
   unlit.name = material.name;
   unlit.base_color = material.base_color;
+  unlit.base_color_texture = material.base_color_texture;
   unlit.alpha_mode = material.alpha_mode;
   unlit.alpha_cutoff = material.alpha_cutoff;
   unlit.metallic = 0.0f;
   unlit.double_sided = true;
   unlit.unlit = true;
+  unlit.stroke = !material.unlit;
+  if (!unlit.stroke) return unlit;
+  unlit.emissive = material.emissive;
+  unlit.emissive_strength = material.emissive_strength;
+  unlit.emissive_texture = material.emissive_texture;
   return unlit;
+}
+
+/// A material for lines and points with normals: they have no inside, and no tangents.
+Material lit_material(const Material& material) {
+  Material lit = material;
+  lit.stroke = true;
+  lit.double_sided = true;
+  lit.transmission = 0.0f;
+  lit.transmission_texture = {};
+  lit.volume = {};
+  lit.diffuse_transmission = {};
+  lit.normal_texture = {};
+  lit.coat.normal_texture = {};
+  lit.anisotropy = {};
+  return lit;
 }
 
 class Placer {
@@ -67,12 +90,19 @@ class Placer {
                          instance.name);
     Part part;
     part.name = instance.name.empty() ? mesh.name : instance.name;
-    part.material = material(mesh.material);
+    part.strokes = true;
+    part.material = material(mesh.material, !mesh.normals.empty());
     const auto index = static_cast<std::uint32_t>(world_.parts.size());
-    for (const glm::uvec2 s : mesh.segments)
-      world_.strokes.segments.push_back(stroke(instance, mesh, s, index));
-    for (const std::uint32_t p : mesh.points)
-      world_.strokes.points.push_back(stroke(instance, mesh, glm::uvec2(p), index));
+    const glm::dmat3 to_world = glm::transpose(glm::inverse(glm::dmat3(instance.world_from_mesh)));
+    Strokes& strokes = world_.strokes;
+    for (const glm::uvec2 s : mesh.segments) {
+      add_look(mesh, to_world, s, strokes.segments.size(), strokes.segment_looks);
+      strokes.segments.push_back(stroke(instance, mesh, s, index));
+    }
+    for (const std::uint32_t p : mesh.points) {
+      add_look(mesh, to_world, glm::uvec2(p), strokes.points.size(), strokes.point_looks);
+      strokes.points.push_back(stroke(instance, mesh, glm::uvec2(p), index));
+    }
     world_.parts.push_back(std::move(part));
     return {};
   }
@@ -88,20 +118,39 @@ class Placer {
     return out;
   }
 
-  std::uint32_t material(int of_scene) {
-    const auto [known, is_new] =
-        materials_.try_emplace(of_scene, static_cast<std::uint32_t>(world_.materials.size()));
+  /// `stroke`: its number.
+  void add_look(const Mesh& mesh, const glm::dmat3& to_world, glm::uvec2 ends, std::size_t stroke,
+                std::vector<StrokeLook>& looks) {
+    const bool textured = !mesh.texcoords[0].empty() || !mesh.texcoords[1].empty();
+    if (looks.empty() && mesh.normals.empty() && !textured) return;
+    looks.resize(stroke + 1);
+    for (int end = 0; end < 2; ++end) {
+      if (!mesh.normals.empty())
+        looks.back().normals[end] =
+            unit_or(to_world * glm::dvec3(mesh.normals[ends[end]]), glm::vec3(0.0f));
+      for (int set = 0; set < 2; ++set)
+        if (!mesh.texcoords[set].empty())
+          looks.back().texcoords[set][end] = mesh.texcoords[set][ends[end]];
+    }
+  }
+
+  /// Lit by normals or not.
+  std::uint32_t material(int of_scene, bool has_normals) {
+    const auto [known, is_new] = materials_.try_emplace(
+        {of_scene, has_normals}, static_cast<std::uint32_t>(world_.materials.size()));
     if (is_new) {
       const std::size_t from =
           of_scene >= 0 ? static_cast<std::size_t>(of_scene) : scene_.materials.size();
-      world_.materials.push_back(unlit_material(world_.materials[from]));
+      const Material source = world_.materials[from];
+      world_.materials.push_back(has_normals && !source.unlit ? lit_material(source)
+                                                              : unlit_material(source));
     }
     return known->second;
   }
 
   const Scene& scene_;
   World& world_;
-  std::map<int, std::uint32_t> materials_;  // the world's unlit one for each of the scene's
+  std::map<std::pair<int, bool>, std::uint32_t> materials_;  // the world's, by the scene's
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "renderer/world/strokes.h"
 
+#include "renderer/geometry/direction.h"
 #include "renderer/world/world.h"
 
 #include <algorithm>
@@ -66,8 +67,13 @@ class Eye {
 
 class Drawer {
  public:
-  Drawer(World& world, const StrokePicture& picture, bool coloured)
-      : world_(world), eye_(picture), corners_(corners_of(picture.width)), coloured_(coloured) {}
+  /// `textured`: which sets of texture coordinates vertices have.
+  Drawer(World& world, const StrokePicture& picture, bool coloured, std::array<bool, 2> textured)
+      : world_(world),
+        eye_(picture),
+        corners_(corners_of(picture.width)),
+        coloured_(coloured),
+        textured_(textured) {}
 
   // One part after the other, for its triangles are consecutive.
   void run() {
@@ -77,10 +83,14 @@ class Drawer {
       part_ = &world_.parts[p];
       part_->first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
       part_->first_vertex = static_cast<std::uint32_t>(world_.positions.size());
-      for (; segment < strokes.segments.size() && strokes.segments[segment].part == p; ++segment)
+      for (; segment < strokes.segments.size() && strokes.segments[segment].part == p; ++segment) {
+        look_ = look_of(strokes.segment_looks, segment);
         add_segment(strokes.segments[segment]);
-      for (; point < strokes.points.size() && strokes.points[point].part == p; ++point)
+      }
+      for (; point < strokes.points.size() && strokes.points[point].part == p; ++point) {
+        look_ = look_of(strokes.point_looks, point);
         add_point(strokes.points[point]);
+      }
       part_->triangle_count =
           static_cast<std::uint32_t>(world_.triangles.size()) - part_->first_triangle;
       part_->vertex_count =
@@ -92,6 +102,10 @@ class Drawer {
  private:
   // What lies nearer than this share of the farther end's depth has no place in a picture.
   static constexpr double nearest_share = 1e-6;
+
+  [[nodiscard]] static StrokeLook look_of(const std::vector<StrokeLook>& looks, std::size_t i) {
+    return i < looks.size() ? looks[i] : StrokeLook{};
+  }
 
   void add_segment(const Stroke& stroke) {
     const glm::dvec3 a = eye_.seen(glm::dvec3(stroke.a)), b = eye_.seen(glm::dvec3(stroke.b));
@@ -117,8 +131,8 @@ class Drawer {
       const auto t = static_cast<float>(end == 0 ? t0 : t1);
       const glm::vec4 color = glm::mix(stroke.color_a, stroke.color_b, t);
       const glm::dvec3 half = across * eye_.half_width(ends[end]);
-      add_vertex(ends[end] + half, color);
-      add_vertex(ends[end] - half, color);
+      add_vertex(ends[end] + half, color, t);
+      add_vertex(ends[end] - half, color, t);
     }
     add_triangle({first, first + 1, first + 2});
     add_triangle({first + 2, first + 1, first + 3});
@@ -134,20 +148,24 @@ class Drawer {
     for (int i = 0; i < corners_; ++i) {
       const double angle = step * i;
       add_vertex(middle + radius * glm::dvec3(std::cos(angle), std::sin(angle), 0.0),
-                 stroke.color_a);
+                 stroke.color_a, 0.0f);
     }
     for (std::uint32_t i = 2; i < static_cast<std::uint32_t>(corners_); ++i)
       add_triangle({first, first + i - 1, first + i});
   }
 
-  void add_vertex(glm::dvec3 seen, glm::vec4 color) {
+  /// `t`: its place along the stroke, 0 to 1.
+  void add_vertex(glm::dvec3 seen, glm::vec4 color, float t) {
     const glm::vec3 position = eye_.drawn(seen);
     world_.positions.push_back(position);
     part_->bounds.grow(position);
-    world_.normals.push_back(eye_.towards_eye());
+    const glm::dvec3 normal(glm::mix(look_.normals[0], look_.normals[1], t));
+    world_.normals.push_back(unit_or(normal, eye_.towards_eye()));
     if (!world_.tangents.empty()) world_.tangents.emplace_back(0.0f);
-    for (std::vector<glm::vec2>& texcoords : world_.texcoords)
-      if (!texcoords.empty()) texcoords.emplace_back(0.0f);
+    for (int set = 0; set < 2; ++set)
+      if (textured_[set])
+        world_.texcoords[set].push_back(
+            glm::mix(look_.texcoords[set][0], look_.texcoords[set][1], t));
     if (coloured_) world_.colors.push_back(color);
   }
 
@@ -160,6 +178,8 @@ class Drawer {
   Eye eye_;
   int corners_;
   bool coloured_;  // vertices have colours
+  std::array<bool, 2> textured_;
+  StrokeLook look_;  // of the stroke that is drawn
   Part* part_ = nullptr;
 };
 
@@ -184,6 +204,17 @@ void clear_strokes(World& world) {
   }
   world.bounds = strokes.others;
   strokes.triangle_count = strokes.vertex_count = 0;
+}
+
+/// The sets of texture coordinates that strokes' materials use.
+std::array<bool, 2> textured_sets(const World& world) {
+  std::array<bool, 2> sets{};
+  for (const Part& part : world.parts) {
+    if (!part.strokes) continue;
+    for (const TextureUse* use : texture_uses(world.materials[part.material]))
+      if (use->used()) sets[static_cast<std::size_t>(use->texcoord)] = true;
+  }
+  return sets;
 }
 
 bool coloured(const std::vector<Stroke>& strokes) {
@@ -213,11 +244,17 @@ void draw_strokes(World& world, const StrokePicture& picture) {
       !world.colors.empty() || coloured(strokes.segments) || coloured(strokes.points);
   if (any_colours) world.colors.resize(world.positions.size(), glm::vec4(1.0f));
 
+  std::array<bool, 2> textured = textured_sets(world);
+  for (std::size_t set = 0; set < 2; ++set) {
+    textured[set] |= !world.texcoords[set].empty();
+    if (textured[set]) world.texcoords[set].resize(world.positions.size(), glm::vec2(0.0f));
+  }
+
   // Numbers of faces begin where those of triangles end.
   const std::vector<std::uint32_t> of_faces(world.triangle_part.begin() + strokes.first_triangle,
                                             world.triangle_part.end());
   world.triangle_part.resize(strokes.first_triangle);
-  Drawer(world, picture, any_colours).run();
+  Drawer(world, picture, any_colours, textured).run();
   strokes.vertex_count = static_cast<std::uint32_t>(world.positions.size()) - strokes.first_vertex;
   strokes.triangle_count =
       static_cast<std::uint32_t>(world.triangles.size()) - strokes.first_triangle;

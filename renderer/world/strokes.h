@@ -21,11 +21,19 @@ struct Stroke {
   std::uint32_t part = 0;  ///< index into World::parts
 };
 
+/// What a stroke's ends show beside their colours; of a point both are one.
+struct StrokeLook {
+  glm::vec3 normals[2]{};       ///< unit, by end; 0: there is none, and it faces the eye
+  glm::vec2 texcoords[2][2]{};  ///< by set and end
+};
+
 /// The lines and points of a world. They are surfaces only as long as somebody looks at them: see
 /// draw_strokes. Their parts are the last ones, and so are their triangles and vertices.
 struct Strokes {
   std::vector<Stroke> segments;
   std::vector<Stroke> points;
+  /// One a segment and one a point; empty where none has normals or texture coordinates.
+  std::vector<StrokeLook> segment_looks, point_looks;
   Box bounds;  ///< of all of them
   std::uint32_t first_part = 0;
   // As they are drawn:

@@ -26,8 +26,11 @@ struct Part {
   bool coloured = false;         ///< a vertex of it has another colour than white
   Box bounds;                    ///< of the positions that its triangles use; empty: not known
   std::uint32_t face_count = 0;  ///< faces of an analytic shape; such a part has no triangles
+  bool strokes = false;          ///< of lines or points, which are drawn for each picture
 
-  [[nodiscard]] bool shows_nothing() const { return triangle_count == 0 && face_count == 0; }
+  [[nodiscard]] bool shows_nothing() const {
+    return triangle_count == 0 && face_count == 0 && !strokes;
+  }
 };
 
 /// A scene's surfaces flattened into one indexed triangle soup, placed in the world and recentred
