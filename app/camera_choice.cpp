@@ -1,7 +1,9 @@
 #include "app/camera_choice.h"
 
 #include "app/turntable.h"
+#include "renderer/files/printable.h"
 #include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/view.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -23,6 +25,10 @@ Camera camera_looking(const LookAt& look, glm::dvec3 origin) {
       glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0), glm::dvec4(back, 0),
                  glm::dvec4(look.eye - origin, 1));
   return camera;
+}
+
+std::string called(const Camera& camera) {
+  return camera.name.empty() ? "the camera" : fmt::format("camera '{}'", printable(camera.name));
 }
 
 }  // namespace
@@ -47,6 +53,7 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
   } else {
     camera = count > 0 ? world.cameras.front() : default_camera(world, aspect_ratio);
   }
+  if (!choice.fov_y_deg && !choice.given) camera = fitted_camera(camera, aspect_ratio, choice.fit);
   if (choice.fov_y_deg) {
     if (camera.type != Camera::Type::perspective)
       return tl::unexpected(
@@ -60,6 +67,50 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
     camera = turned_camera(camera, middle, choice.turn->frame, choice.turn->count);
   }
   return camera;
+}
+
+std::string fit_remark(const World& world, const CameraChoice& choice, double aspect_ratio) {
+  if (choice.look_at || choice.given || choice.fov_y_deg || choice.fit == CameraFit::crop)
+    return {};
+  const auto index = static_cast<std::size_t>(choice.index.value_or(0));
+  if (index >= world.cameras.size()) return {};
+  const Camera& camera = world.cameras[index];
+  const Camera fitted = fitted_camera(camera, aspect_ratio, choice.fit);
+  const bool perspective = camera.type == Camera::Type::perspective;
+  const double before = perspective ? glm::degrees(camera.fov_y_rad) : camera.height;
+  const double after = perspective ? glm::degrees(fitted.fov_y_rad) : fitted.height;
+  if (before == after) return {};
+  return fmt::format(
+      "{} has the aspect ratio {:.3g} and the picture {:.3g}: its {} is {:.4g} instead of "
+      "{:.4g} (--fit)",
+      called(camera), *camera.aspect_ratio, aspect_ratio,
+      perspective ? "vertical angle in degrees" : "height", after, before);
+}
+
+std::string planes_remark(const RenderScene& scene, const Camera& camera,
+                          const RenderSettings& settings) {
+  if (!camera.near_depth && !camera.far_depth) return {};
+  constexpr int columns = 64, rows = 36;
+  const View view(camera, settings.width, settings.height,
+                  radius_around_origin(scene.world().bounds));
+  const glm::dvec3 eye(camera.world_from_camera[3]), forward(-camera.world_from_camera[2]);
+  bool nearer = false, farther = false;
+  for (int i = 0; i < columns * rows; ++i) {
+    const Ray ray = view.ray(settings.width * (i % columns + 0.5) / columns,
+                             settings.height * (i / columns + 0.5) / rows);
+    const Hit hit = scene.rays().closest(ray, culling_of(settings));
+    if (!hit.valid()) continue;
+    const double depth = glm::dot(glm::dvec3(ray.at(hit.t)) - eye, forward);
+    nearer |= camera.near_depth && depth < *camera.near_depth;
+    farther |= camera.far_depth && depth > *camera.far_depth;
+  }
+  if (!nearer && !farther) return {};
+  const std::string near_text =
+      nearer ? fmt::format("nearer than {:.4g} (znear)", *camera.near_depth) : "";
+  const std::string far_text =
+      farther ? fmt::format("farther than {:.4g} (zfar)", *camera.far_depth) : "";
+  return fmt::format("{} asks to cut off what is {}{}{}, which is shown all the same",
+                     called(camera), near_text, nearer && farther ? " or " : "", far_text);
 }
 
 }  // namespace asos

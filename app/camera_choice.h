@@ -1,10 +1,14 @@
 #pragma once
 
 #include "app/values.h"
+#include "renderer/geometry/camera_fit.h"
+#include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
+#include "renderer/settings/settings.h"
 #include "renderer/world/world.h"
 
 #include <optional>
+#include <string>
 
 namespace asos {
 
@@ -21,6 +25,7 @@ struct CameraChoice {
   std::optional<LookAt> look_at;     ///< in the author's coordinates
   std::optional<Camera> given{};     ///< where neither is set; relative to World::origin
   std::optional<double> fov_y_deg;   ///< in place of a perspective camera's own
+  CameraFit fit = CameraFit::fit;    ///< of a camera of the file, with its own vertical angle
   std::optional<CameraTurn> turn{};  ///< about what it looks at, or else the scene's middle
 };
 
@@ -28,5 +33,15 @@ struct CameraChoice {
 /// Fails where the file has no such camera, or a field of view is asked of an orthographic one.
 [[nodiscard]] Result<Camera> choose_camera(const World& world, const CameraChoice& choice,
                                            double aspect_ratio);
+
+/// Says that a camera of the file is shown with another vertical angle than its own, so that it
+/// fits the picture; empty: it is not.
+[[nodiscard]] std::string fit_remark(const World& world, const CameraChoice& choice,
+                                     double aspect_ratio);
+
+/// Says that the picture shows what the file asks its camera to cut off (Camera::near_depth and
+/// far_depth), as far as a grid of rays meets it; empty: it shows nothing of that.
+[[nodiscard]] std::string planes_remark(const RenderScene& scene, const Camera& camera,
+                                        const RenderSettings& settings);
 
 }  // namespace asos

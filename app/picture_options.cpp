@@ -7,12 +7,19 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 #include <string>
 #include <utility>
 
 namespace asos {
 namespace {
+
+constexpr std::array camera_fit_names{
+    Named<CameraFit>{"fit", CameraFit::fit},
+    Named<CameraFit>{"fill", CameraFit::fill},
+    Named<CameraFit>{"crop", CameraFit::crop},
+};
 
 auto whole(int lo, int hi) {
   return [lo, hi](const std::string& text) { return parse_whole(text, lo, hi); };
@@ -282,6 +289,12 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
 
 void add_camera_options(CLI::App& app, PictureArguments& arguments) {
   add_camera_choice(app, arguments.camera);
+  add_choice(
+      app, "--fit", "HOW",
+      "How a camera of the file is shown in a picture of another aspect ratio: fit (all that "
+      "it sees, and more), fill (nothing else: its sides, or what is above and below, are "
+      "cut off) or crop (by its height: a wider camera loses its sides)",
+      camera_fit_names, arguments.camera.fit);
   add_parsed_option(app, "--exposure", "EV",
                     "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness",
                     number(-32, 32),

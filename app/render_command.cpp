@@ -205,6 +205,9 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
   RenderReport report = report_of(arguments, ready, *camera);
+  for (const std::string& note :
+       {fit_remark(ready.world(), choice, aspect), planes_remark(ready, *camera, wanted.settings)})
+    if (!note.empty()) report.camera_notes.push_back(note);
   if (ready.world().shows_nothing() && !arguments.allow_empty)
     return tl::unexpected(nothing_drawn(report));
   report.kept = bar.pictures() > 1 && is_rendered(arguments, report.description, work.sources);
@@ -309,6 +312,9 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
     if (!arguments.quiet) {
       if (done.finished == 0) say_warnings(*report, streams.err);
       if (done.finished == 0) say_notes(arguments, frames, work->scene, streams.err);
+      if (done.finished == 0)
+        for (const std::string& note : report->camera_notes)
+          streams.err << "asos: note: " << note << "\n";
       say_written(one, *report, streams.out);
     }
     ++done.finished;

@@ -29,6 +29,7 @@ struct RenderReport {
   std::uint64_t triangles = 0;
   std::optional<FeatureCounts> feature_edges;  ///< none: a limit of time came before
   std::vector<std::string> warnings;           ///< the scene's remarks
+  std::vector<std::string> camera_notes;       ///< see fit_remark and planes_remark
   std::uint64_t warning_count = 0;             ///< with those that the last of them only counts
   PictureDescription description;
   bool kept = false;                  ///< it was there before; then nothing below is known

@@ -1,5 +1,6 @@
 #include "ui/viewpoint.h"
 
+#include "renderer/geometry/camera_fit.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
 
@@ -66,9 +67,10 @@ void Viewpoint::follow_chosen() {
   take_over(cameras[index], chosen_camera_);
 }
 
-void Viewpoint::take_over(const Camera& camera, int index) {
+void Viewpoint::take_over(const Camera& of_file, int index) {
   chosen_camera_ = index;
-  chosen_placed_ = camera.world_from_camera;
+  chosen_placed_ = of_file.world_from_camera;
+  const Camera camera = fitted_camera(of_file, aspect_ratio(), CameraFit::fit);
   const World& world = scene_->world();
   // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
   const Box bounds = bounds_without_ground(world);
@@ -158,7 +160,14 @@ void Viewpoint::settle_size(double now_seconds) {
   settings_.width = pending_size_->width;
   settings_.height = pending_size_->height;
   pending_size_.reset();
-  if (scene_ && framing() != 0) frame_again();
+  if (!scene_) return;
+  const std::vector<Camera>& cameras = scene_->world().cameras;
+  const auto chosen = static_cast<std::size_t>(chosen_camera_);
+  if (framing() != 0)
+    frame_again();
+  else if (chosen_camera_ >= 0 && chosen < cameras.size() && !left_chosen() &&
+           cameras[chosen].aspect_ratio)
+    take_over(cameras[chosen], chosen_camera_);
 }
 
 std::optional<double> Viewpoint::seconds_to_settle(double now_seconds) const {

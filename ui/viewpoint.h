@@ -32,7 +32,7 @@ class Viewpoint {
   void follow_chosen();
   /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
   /// scene.
-  void take_over(const Camera& camera, int index = -1);
+  void take_over(const Camera& of_file, int index = -1);
   /// Looks at the same point from one side of the scene, as far away as before; what filled the
   /// picture fills it again.
   enum class Side { front, back, right, left, top, bottom };

@@ -18,6 +18,8 @@ struct Camera {
   double fov_y_rad = 0.8726646259971648;  ///< perspective: full vertical angle, in (0, pi)
   double height = 1.0;                    ///< orthographic: full height in world units
   std::optional<double> aspect_ratio;     ///< width over height, where the file asks for one
+  /// Depths that the file asks to cut the picture off at (glTF's znear and zfar). Nothing is.
+  std::optional<double> near_depth, far_depth;
 };
 
 }  // namespace asos

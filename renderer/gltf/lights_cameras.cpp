@@ -39,6 +39,8 @@ std::string read_projection(const tinygltf::Camera& source, Camera& camera) {
     camera.type = Camera::Type::perspective;
     camera.fov_y_rad = p.yfov;
     if (positive(p.aspectRatio)) camera.aspect_ratio = p.aspectRatio;
+    if (positive(p.znear)) camera.near_depth = p.znear;
+    if (positive(p.zfar) && p.zfar > p.znear) camera.far_depth = p.zfar;
     return {};
   }
   if (source.type == "orthographic") {
@@ -47,6 +49,8 @@ std::string read_projection(const tinygltf::Camera& source, Camera& camera) {
     camera.type = Camera::Type::orthographic;
     camera.height = 2.0 * std::abs(o.ymag);
     camera.aspect_ratio = std::abs(o.xmag / o.ymag);
+    if (o.znear >= 0.0 && std::isfinite(o.znear)) camera.near_depth = o.znear;
+    if (positive(o.zfar) && o.zfar > o.znear) camera.far_depth = o.zfar;
     return {};
   }
   return fmt::format("the unknown type '{}'", source.type);

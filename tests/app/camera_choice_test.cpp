@@ -1,7 +1,16 @@
 #include "app/camera_choice.h"
 
+#include "renderer/film/image_io.h"
+#include "tests/app/run_asos.h"
+#include "tests/support/shared_dir.h"
+#include "tests/support/temporary_folder.h"
+
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
 
 namespace asos {
 namespace {
@@ -51,6 +60,78 @@ TEST(CameraChoice, CamerasThatAreNotThereAreRefused) {
   world.cameras.resize(2);
   EXPECT_EQ(choose_camera(world, {2, {}, {}, {}}, 1.0).error().reason,
             "the scene's cameras are numbered 0 to 1");
+}
+
+TEST(CameraChoice, AWideCameraIsFittedAndThatIsSaid) {
+  World world = small_world();
+  world.cameras.resize(1);
+  world.cameras[0].name = "wide";
+  world.cameras[0].fov_y_rad = 0.5;
+  world.cameras[0].aspect_ratio = 3.0;
+  CameraChoice choice;
+  const double fitted = 2.0 * std::atan(2.0 * std::tan(0.25));
+  EXPECT_DOUBLE_EQ(choose_camera(world, choice, 1.5)->fov_y_rad, fitted);
+  EXPECT_EQ(fit_remark(world, choice, 1.5),
+            "camera 'wide' has the aspect ratio 3 and the picture 1.5: its vertical angle in "
+            "degrees is 54.11 instead of 28.65 (--fit)");
+  EXPECT_EQ(fit_remark(world, choice, 3.0), "");
+  EXPECT_EQ(fit_remark(world, choice, 4.0), "");
+  choice.fit = CameraFit::fill;
+  EXPECT_DOUBLE_EQ(choose_camera(world, choice, 6.0)->fov_y_rad,
+                   2.0 * std::atan(0.5 * std::tan(0.25)));
+  choice.fit = CameraFit::crop;
+  EXPECT_EQ(choose_camera(world, choice, 1.5)->fov_y_rad, 0.5);
+  EXPECT_EQ(fit_remark(world, choice, 1.5), "");
+  // An angle that is asked for is the picture's.
+  choice.fit = CameraFit::fit;
+  choice.fov_y_deg = 40.0;
+  EXPECT_DOUBLE_EQ(choose_camera(world, choice, 1.5)->fov_y_rad, 40.0 * glm::pi<double>() / 180.0);
+  EXPECT_EQ(fit_remark(world, choice, 1.5), "");
+}
+
+// The three white squares of a camera of the aspect ratio 2.67, at any size.
+TEST(CameraChoice, TheReportedWideCameraShowsItsThreeSquares) {
+  const auto shared = test::shared_dir();
+  if (!shared || !std::filesystem::is_directory(*shared / "reported"))
+    GTEST_SKIP() << "no files: set ASOS_SHARED to a folder with reported";
+  const test::TemporaryFolder folder;
+  const std::string scene = *shared / "reported/camera-aspect-ratio-2.67-cropped.glb";
+  const auto squares = [&](const std::string& size, const std::string& fit) {
+    const test::AsosRun run =
+        test::run_asos({"render", scene, "-o", folder.file("a.exr"), "--size", size, "--method",
+                        "sobol", "--spp", "1", "--sky", "0,0,0", "--fit", fit});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(test::contains(run.err, "(--fit)"), fit != "crop") << run.err;
+    const Film film = read_exr(folder.file("a.exr")).value().film;
+    int begun = 0;
+    bool inside = false;
+    for (int x = 0; x < film.width; ++x) {
+      const bool white = film.radiance[film.index(x, film.height / 2)].g > 0.5f;
+      begun += white && !inside ? 1 : 0;
+      inside = white;
+    }
+    return begun;
+  };
+  EXPECT_EQ(squares("160x90", "fit"), 3);
+  EXPECT_EQ(squares("100x100", "fit"), 3);
+  EXPECT_EQ(squares("160x90", "crop"), 1);
+}
+
+TEST(CameraChoice, PlanesThatCutNothingOffAreSaid) {
+  const auto shared = test::shared_dir();
+  if (!shared || !std::filesystem::is_directory(*shared / "reported"))
+    GTEST_SKIP() << "no files: set ASOS_SHARED to a folder with reported";
+  const test::TemporaryFolder folder;
+  const std::string scene = *shared / "reported/camera-znear-ignored_orthographic.glb";
+  const auto said = [&](const std::vector<std::string>& more) {
+    using test::operator+;
+    return test::run_asos(std::vector<std::string>{"render", scene, "-o", folder.file("a.png"),
+                                                   "--size", "32x18", "--max", "0"} +
+                          more)
+        .err;
+  };
+  EXPECT_TRUE(test::contains(said({}), "nearer than 4 (znear), which is shown all the same"));
+  EXPECT_EQ(said({"--look-at", "0,0,9,0,0,0"}).find("znear"), std::string::npos);
 }
 
 TEST(CameraChoice, OrthographicCamerasHaveNoFieldOfView) {

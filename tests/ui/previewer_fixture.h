@@ -16,8 +16,8 @@
 
 namespace asos::test {
 
-/// Knows "red", "green", "slow" (green, after `release`), "lines" (red, and one) and "many" (of
-/// triangles); all else is an error.
+/// Knows "red", "green", "slow" (green, after `release`), "lines" (red, and one), "wide" (red, seen
+/// by a camera three times as wide as high) and "many" (of triangles); all else is an error.
 class Loader {
  public:
   LoadFunction function() {
@@ -36,6 +36,15 @@ class Loader {
         line.segments = {{0, 1}};
         scene.instances.push_back({"line", static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
         scene.meshes.push_back(std::move(line));
+        return scene;
+      }
+      if (source == "wide") {
+        Scene scene = two_triangles({1, 0, 0}, source);
+        Camera camera;
+        camera.fov_y_rad = 0.5;
+        camera.aspect_ratio = 3.0;
+        camera.world_from_camera[3] = {0, 0, 5, 1};
+        scene.cameras = {camera};
         return scene;
       }
       if (source == "many") {

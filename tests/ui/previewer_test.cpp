@@ -5,6 +5,7 @@
 #include "renderer/world/ground.h"
 #include "tests/ui/previewer_fixture.h"
 
+#include <cmath>
 #include <memory>
 
 namespace asos::test::previewer_test {
@@ -228,6 +229,29 @@ TEST_F(PreviewerTest, TheViewThatFramesEverythingOrbitsItsMiddle) {
   previewer.update(now += 1.0);
   EXPECT_EQ(camera.eye(), orbited) << "it is the person's now";
   EXPECT_NE(framed, orbited);
+}
+
+// All that the file's camera sees is shown, in whatever shape the picture has.
+TEST_F(PreviewerTest, AWideCameraFitsThePictureUntilItIsLeft) {
+  Viewpoint& viewpoint = previewer.viewpoint();
+  const auto half_height = [&] { return std::tan(0.5 * viewpoint.camera().camera().fov_y_rad); };
+  const double half_width = 3.0 * std::tan(0.25);
+  viewpoint.set_picture_size(48, 32, now);
+  previewer.scene().open("wide");
+  ASSERT_TRUE(opened("wide"));
+  EXPECT_NEAR(half_height() * 48 / 32, half_width, 1e-9);
+  const Viewpoint::State before = viewpoint.state();
+  viewpoint.set_picture_size(32, 48, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_NEAR(half_height() * 32 / 48, half_width, 1e-9);
+  EXPECT_TRUE(viewpoint.same_as(before)) << "no step to undo";
+  viewpoint.set_picture_size(320, 80, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_NEAR(half_height(), std::tan(0.25), 1e-9) << "the camera's own height";
+  viewpoint.camera().orbit(0.2, 0.0);
+  viewpoint.set_picture_size(48, 32, now += 1.0);
+  previewer.update(now += 1.0);
+  EXPECT_NEAR(half_height(), std::tan(0.25), 1e-9) << "it is the person's now";
 }
 
 TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {
