@@ -7,9 +7,9 @@ namespace asos {
 /// How a camera that asks for an aspect ratio is shown in a picture of another one (glTF 2.0,
 /// section 3.10.3).
 enum class CameraFit {
-  crop,  ///< its height fills the picture's: a wider camera loses its sides
-  fit,   ///< all that it sees is shown, and more above and below, or at the sides
-  fill,  ///< nothing else is shown: it loses its sides, or what is above and below
+  crop,  ///< by height: a wider camera loses its sides
+  fit,   ///< the whole frame of the camera, with margins above and below or at the sides
+  fill,  ///< the frame covers the picture: it loses its sides, or its top and bottom
 };
 
 /// The camera for a picture of `aspect_ratio` (width over height): only the vertical angle, or the

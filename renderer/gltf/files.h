@@ -24,7 +24,7 @@ struct UriFile {
 /// The contents that a URI refers to.
 struct UriBytes {
   FileBytes bytes;
-  std::string remark;  ///< what of the URI breaks the rules of glTF; empty: nothing
+  std::string remark;  ///< on a URI that breaks the rules of glTF; else empty
 };
 
 /// Finds and reads the contents that a model's URIs refer to: embedded `data:` URIs, and files in

@@ -55,7 +55,7 @@ const json* object_in(const json& object, const char* name) {
   return found != object.end() && found->is_object() ? &*found : nullptr;
 }
 
-// Each returns what is wrong with an entry, empty where nothing is.
+// Each returns the fault of an entry, or an empty text.
 
 std::string accessor_fault(const json& accessor) {
   if (!accessor.is_object()) return "is not an object";

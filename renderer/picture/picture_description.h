@@ -51,7 +51,7 @@ struct PictureDescription {
   std::optional<MaterialDfrs> dfrs;          ///< in place of its materials' own; none: their own
   std::optional<ClipTime> time;              ///< of what moves; none: as the file's nodes place it
   PictureDisplay display;
-  /// What `read_description` found elsewhere than the description says, a remark each.
+  /// Remarks on files that `read_description` found beside the picture.
   std::vector<std::string> found_beside;
 
   /// How the scene's file is opened.
@@ -72,8 +72,8 @@ struct PictureDescription {
 [[nodiscard]] Result<PictureDescription> parse_description(const std::string& text,
                                                            const std::string& file);
 
-/// The description that a PNG or an EXR file holds. A scene or a sky that is gone from its place is
-/// looked for beside the picture. Errors name the file.
+/// The description that a PNG or an EXR file holds. Looks beside the picture for a scene or a
+/// sky that is gone from its place. Errors name the file.
 [[nodiscard]] Result<PictureDescription> read_description(const std::string& path);
 
 /// Why the scene of the picture in `file` could not be loaded.

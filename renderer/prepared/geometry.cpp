@@ -20,7 +20,8 @@ std::size_t bytes_of(const World& world) {
       bytes_of(world.positions) + bytes_of(world.normals) + bytes_of(world.tangents) +
       bytes_of(world.texcoords[0]) + bytes_of(world.texcoords[1]) + bytes_of(world.colors) +
       bytes_of(world.triangles) + bytes_of(world.triangle_part) + bytes_of(world.parts);
-  for (const Image& image : world.images) bytes += bytes_of(image.rgba.get()) + bytes_of(image.low.get());
+  for (const Image& image : world.images)
+    bytes += bytes_of(image.rgba.get()) + bytes_of(image.low.get());
   return bytes;
 }
 

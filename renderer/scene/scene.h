@@ -160,8 +160,8 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;  ///< KHR_materials_unlit
-  /// Of lines or points (glTF 2.0, section 3.9.7). Without normals they are unlit and show their
-  /// emission, too; with normals they are lit by these, whatever way their ribbons face.
+  /// The material of lines or points (glTF 2.0, section 3.9.7). Without normals they are unlit and
+  /// show their emission, too; with normals they are lit by these, however their ribbons face.
   bool stroke = false;
   float ior = 1.5f;                ///< KHR_materials_ior
   float transmission = 0.0f;       ///< KHR_materials_transmission

@@ -21,7 +21,7 @@ struct Stroke {
   std::uint32_t part = 0;  ///< index into World::parts
 };
 
-/// What a stroke's ends show beside their colours; of a point both are one.
+/// Normals and texture coordinates at the ends of a stroke. A point's ends are the same.
 struct StrokeLook {
   glm::vec3 normals[2]{};       ///< unit, by end; 0: there is none, and it faces the eye
   glm::vec2 texcoords[2][2]{};  ///< by set and end

@@ -201,7 +201,7 @@ TEST_F(FromOption, AMovedSceneIsFoundBesideThePicture) {
       run.err, "'" + path("before/s.glb") + "' is gone; 's.glb' beside the picture is used"));
   EXPECT_TRUE(png("after/a.png").rgb == png("b.png").rgb);
   EXPECT_EQ(said("b.png").scene, path("after/s.glb"));
-  // Where the scene is in its place, that one is taken.
+  // A scene in its own place comes first.
   std::filesystem::copy(folder("after"), folder("before"));
   EXPECT_EQ(render({"--from", path("after/a.png")}, "c.png").err, "");
   EXPECT_EQ(said("c.png").scene, path("before/s.glb"));

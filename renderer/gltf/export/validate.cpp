@@ -146,7 +146,8 @@ std::string image_fault(const Image& image) {
   const std::uint64_t bytes =
       4ull * static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
   if (bytes > most_bytes) return "is too large to be encoded as PNG";
-  if (image.rgba.size() != bytes || (!image.low.empty() && image.low.size() != bytes)) return "does not have width times height pixels";
+  if (image.rgba.size() != bytes || (!image.low.empty() && image.low.size() != bytes))
+    return "does not have width times height pixels";
   return {};
 }
 

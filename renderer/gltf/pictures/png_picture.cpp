@@ -85,7 +85,7 @@ PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& h
   png_uint_32 width = 0;
   const bool begun = input.guarded([&](png_structp png, png_infop info) {
     read_info(png, info);
-    // What is reduced loses more than its lower bytes.
+    // Reduced pictures lose more than their lower bytes.
     wide = png_get_bit_depth(png, info) == 16 && shrink == 1;
     ask_for_rgba(png, info, wide);
     made = png_get_rowbytes(png, info);

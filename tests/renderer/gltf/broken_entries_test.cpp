@@ -17,7 +17,7 @@ using nlohmann::json;
 using test::GltfBuilder;
 using test::load_in_time;
 
-/// A square in the first node; a second node has what a test breaks.
+/// A square in the first node; tests break the second node.
 GltfBuilder square_and_more() {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"].push_back(json::object());
@@ -25,7 +25,7 @@ GltfBuilder square_and_more() {
   return b;
 }
 
-/// The remarks on the file, of which the square is expected to be shown.
+/// The remarks on the file. Expects its square.
 std::vector<std::string> remarks_on(const GltfBuilder& builder) {
   const Result<Scene> scene = load_in_time(builder);
   EXPECT_TRUE(scene) << scene.error().message();
