@@ -13,6 +13,7 @@
 #include <vector>
 
 // Pictures of the window for people to look at, made in memory: window_pages FOLDER [MODELS].
+// window_pages --manual FOLDER writes window.png, which README.md shows.
 // Writes index.html with the window at its first start, in both themes, at 200 %, 420 pixels wide,
 // at each card of the tour, and with what asks for an explanation open; and models of the folder
 // MODELS (its scenes/NAME/NAME.glb) as they open. Fails where a picture shows nothing.
@@ -32,15 +33,17 @@ class Pages {
     glm::ivec2 size{1283, 600};
     float scale = 1.0f;
     std::function<void(UiRig&)> use;
+    int pixel_size = 3;
+    int max_level = 2;
   };
   void add(const Page& page) {
     UiRig rig(LoadFunction{}, page.size, page.scale, UiRig::Skies::usual);
     rig.set_blind(true);
-    rig.set_pixel_size(3);
+    rig.set_pixel_size(page.pixel_size);
     RenderSettings& settings = rig.previewer().edits().settings();
     settings = {};
     settings.threads = 2;
-    settings.asos.max_level = 2;
+    settings.asos.max_level = page.max_level;
     rig.previewer().scene().open(page.source);
     wait(rig, page.source);
     if (page.use) page.use(rig);
@@ -169,6 +172,23 @@ void more_pages(Pages& pages, const std::string& source) {
   }
 }
 
+// The picture of README.md: the split map over the left half of a finished picture.
+void write_manual_picture(const std::string& folder) {
+  Pages pages(folder);
+  Pages::Page page{"window", "The window", "builtin:office", {1280, 720}, 1.0f, [](UiRig& rig) {
+                     rig.key(Key::s);
+                     rig.frame();
+                     UiState& state = rig.content().state();
+                     state.frames.comparison = Comparison::wipe;
+                     state.display.show_split_map = true;
+                     state.message.clear();
+                     state.said.clear();
+                   }};
+  page.pixel_size = 1;
+  page.max_level = 4;
+  pages.add(page);
+}
+
 int write_pages(const std::string& folder, const std::string& models) {
   Pages pages(folder);
   own_pages(pages, "builtin:boxes");
@@ -191,10 +211,14 @@ int write_pages(const std::string& folder, const std::string& models) {
 
 int main(int argc, char** argv) {
   if (argc < 2 || argc > 3) {
-    std::fputs("usage: window_pages FOLDER [MODELS]\n", stderr);
+    std::fputs("usage: window_pages FOLDER [MODELS], or window_pages --manual FOLDER\n", stderr);
     return 2;
   }
   try {
+    if (std::string(argv[1]) == "--manual") {
+      asos::test::write_manual_picture(argc > 2 ? argv[2] : ".");
+      return 0;
+    }
     return asos::test::write_pages(argv[1], argc > 2 ? argv[2] : "");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "window_pages: %s\n", error.what());
