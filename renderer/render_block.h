@@ -11,7 +11,8 @@
 namespace asos {
 
 /// Renders one block of a picture: the front door of the renderer. `settings.method` names the
-/// method (renderer/comparison/method.h has the table of all); README follows a pixel from here.
+/// method (renderer/comparison/method.h has the table of all); docs/architecture.md follows a pixel
+/// from here.
 ///
 /// `block`: in pixels of the whole picture, whatever the crop; aligned to block_side(settings) and
 /// clipped at the picture's right and bottom edge. A pure function of its arguments: any thread,

@@ -1,44 +1,83 @@
 #!/usr/bin/env bash
-# Runs the README's commands: every ```sh block that follows a line `<!-- checked -->` has to
-# succeed, in an empty folder, with the freshly built asos on the PATH. What the README names with a
-# trailing slash or links to has to exist.
+# Runs the commands of README.md, CONTRIBUTING.md and docs/: every ```sh block after a line
+# `<!-- checked -->` has to succeed with the freshly built asos on the PATH. Each document has an empty
+# folder of its own. Links and names with a trailing slash have to exist, and pictures of docs/images
+# have to be shown somewhere.
 # Usage: readme_test.sh SOURCE_DIR ASOS
 set -euo pipefail
-readme="$1/README.md"
+cd -- "$1"
+root=$PWD
 program=$2
 
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-mkdir "$work/bin" "$work/here"
+mkdir "$work/bin"
 ln -s -- "$program" "$work/bin/asos"
 
-# One file a block: $work/block-1, ...
-awk -v prefix="$work/block-" '
-  /^<!-- checked -->$/ { wanted = 1; next }
-  /^```sh$/ && wanted { inside = 1; wanted = 0; ++n; next }
-  /^```$/ { inside = 0; next }
-  inside { print > (prefix n) }
-  !inside && NF { wanted = 0 }
-' "$readme"
+# checked_blocks DOCUMENT PREFIX: one file per block, PREFIX1 and so on.
+checked_blocks() {
+  awk -v prefix="$2" '
+    /^<!-- checked -->$/ { wanted = 1; next }
+    /^```sh$/ && wanted { inside = 1; wanted = 0; ++n; next }
+    /^```$/ { inside = 0; next }
+    inside { print > (prefix n) }
+    !inside && NF { wanted = 0 }
+  ' "$1"
+}
 
+# anchors DOCUMENT: its headings, as links name them.
+anchors() {
+  grep -E '^#+ ' "$1" | sed -E 's/^#+ //' | tr '[:upper:] ' '[:lower:]-' | tr -cd 'a-z0-9_\n-'
+}
+
+mapfile -t documents < <(printf '%s\n' README.md CONTRIBUTING.md; find docs -name '*.md' | sort)
 count=0
-for block in "$work"/block-*; do
-  [[ -f $block ]] || break
-  count=$((count + 1))
-  echo "-- block $count:"
-  cat -- "$block"
-  (cd -- "$work/here" && env -u DISPLAY -u WAYLAND_DISPLAY PATH="$work/bin:$PATH" bash -eu "$block")
+for document in "${documents[@]}"; do
+  here="$work/${document//\//+}"
+  mkdir "$here"
+  checked_blocks "$document" "$work/block-"
+  for block in "$work"/block-*; do
+    [[ -f $block ]] || break
+    count=$((count + 1))
+    echo "-- $document:"
+    cat -- "$block"
+    (cd -- "$here" && env -u DISPLAY -u WAYLAND_DISPLAY PATH="$work/bin:$PATH" bash -eu "$block")
+    rm -- "$block"
+  done
 done
-if ((count == 0)); then
-  echo "no checked block was found in $readme"
+# A document with commands that lost its marks, or a search that finds no documents.
+((count >= 12)) || {
+  echo "$count checked blocks were found; at least 12 are expected"
   exit 1
-fi
+}
 
-while IFS= read -r name; do
-  [[ $name == http* || -e $1/$name ]] || {
-    echo "README.md names $name, which does not exist"
-    exit 1
+status=0
+for document in "${documents[@]}"; do
+  while IFS= read -r name; do
+    [[ $name != http* ]] || continue
+    file=${name%%#*}
+    target=$root/$(dirname -- "$document")/$file
+    [[ -n $file ]] || target=$root/$document
+    if [[ ! -e $target ]]; then
+      echo "$document links to $name, which does not exist"
+      status=1
+    elif [[ $name == *#* ]] && ! anchors "$target" | grep -qxF -- "${name#*#}"; then
+      echo "$document links to $name, but $file has no such heading"
+      status=1
+    fi
+  done < <(grep -oE '\]\([^)]+\)' "$document" | sed -E 's/^\]\(|\)$//g')
+  while IFS= read -r name; do
+    [[ -e $name ]] || {
+      echo "$document names $name, which does not exist"
+      status=1
+    }
+  done < <(grep -oE '`[a-z_/]+/`' "$document" | tr -d '`')
+done
+for picture in docs/images/*.png; do
+  grep -qF -- "images/$(basename -- "$picture")" "${documents[@]}" || {
+    echo "$picture is shown nowhere"
+    status=1
   }
-done < <(grep -oE '\]\([^)]+\)|`[a-z_/]+/`' "$readme" | sed -E 's/^\]\(|\)$|`//g' |
-  grep -vxE 'bench/|fuzz/|house/')
-echo "$count blocks ran"
+done
+((status == 0)) && echo "$count blocks ran"
+exit $status

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The code's inner order: one type Pyray, no hidden state in the casters, no class of the engine
-# that has grown too large, and a README whose way of a pixel leads along functions that exist.
+# that has grown too large, and an architecture document whose way of a pixel names existing functions.
 # Usage: structure_test.sh SOURCE_DIR
 set -euo pipefail
 export LC_ALL=C
@@ -115,25 +115,25 @@ mutable=$(grep -nE '(^|[^A-Za-z_])mutable([^A-Za-z_]|$)' "${casters[@]}" /dev/nu
   sed 's://.*$::' | grep -w mutable || true)
 [[ -z $mutable ]] || fail 'casters keep nothing that is mutable:' "$mutable"
 
-# The README's numbered list of a pixel's way, each entry on one line: `function` (`file`).
+# The numbered list of a pixel's way, each entry on one line: `function` (`file`).
 awk '
   /A pixel.s way/ { inside = 1 }
   inside && /^#/ && !/A pixel.s way/ { exit }
   inside && /^[0-9]+\. / { printf "\n" }
   inside && /^[0-9]+\. /, inside && /^$/ { printf "%s ", $0 }
-' README.md >"$work/entries"
+' docs/architecture.md >"$work/entries"
 entries=$(grep -cE '^[0-9]+\. ' "$work/entries" || true)
 pairs=$(grep -E '^[0-9]+\. ' "$work/entries" |
   grep -oE '`[A-Za-z_:~]+(\(\))?` +\(`[^`]+`\)' | tr -d '`()' || true)
 count=$(grep -c . <<<"$pairs" || true)
 ((entries <= 12 && count >= 6 && count <= 12)) ||
-  fail "README.md: \"A pixel's way\" names $count functions in $entries entries; 6 to 12 are wanted"
+  fail "docs/architecture.md: \"A pixel's way\" names $count functions in $entries entries; 6 to 12 are wanted"
 while read -r function file; do
   [[ -n $function ]] || continue
   if [[ ! -f $file ]]; then
-    fail "README.md: \"A pixel's way\" names $file, which does not exist"
+    fail "docs/architecture.md: \"A pixel's way\" names $file, which does not exist"
   elif ! grep -qE "(^|[^A-Za-z_])${function##*::}\(" -- "$file"; then
-    fail "README.md: \"A pixel's way\" names $function, which $file does not have"
+    fail "docs/architecture.md: \"A pixel's way\" names $function, which $file does not have"
   fi
 done <<<"$pairs"
 
