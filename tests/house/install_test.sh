@@ -36,6 +36,12 @@ run render --from picture.png -o again.png --quiet
 cmp <(convert picture.png rgb:-) <(convert again.png rgb:-) || fail 'the pictures differ'
 [[ $(run --version) == asos* ]] || fail 'no version'
 
+notices=root/usr/share/doc/asos/copyright
+for words in 'Copyright (c) 2026 The ASOS authors' '==== libimgui-dev ====' 'Omar Cornut' \
+  '==== libtinygltf-dev ====' 'Syoyo Fujita' '==== libembree-dev ====' '==== zlib1g-dev ===='; do
+  grep -qF -- "$words" "$notices" || fail "the package's licences do not say '$words'"
+done
+
 desktop=root/usr/share/applications/asos.desktop
 grep -qx 'Exec=asos view %f' "$desktop" || fail 'the desktop entry starts something else'
 grep -qx 'MimeType=model/gltf-binary;model/gltf+json;' "$desktop" || fail 'it opens no glTF'
