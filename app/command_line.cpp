@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "app/exit_code.h"
+#include "app/version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -65,7 +66,8 @@ int run_command_line(std::vector<std::string> words, const Streams& streams) {
       "ASOS: adaptive supersampling in object space. Previews and renders glTF 2.0 scenes,\n"
       "antialiased where boundaries of objects cross a pixel.",
       "asos");
-  program.set_version_flag("--version", "asos " ASOS_VERSION);
+  program.set_version_flag("--version", version_text,
+                           "Print version, commit and features and exit");
   program.set_help_all_flag("--help-all", "Print the help of every command and exit");
   program.require_subcommand(1);
   program.footer(program_footer);

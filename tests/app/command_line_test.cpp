@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/kernels/instruction_set.h"
 #include "renderer/scene/builtin.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
@@ -24,6 +25,16 @@ TEST(CommandLine, VersionAndHelpSucceedOnStdout) {
     EXPECT_TRUE(contains(outcome.out, "asos")) << word;
     EXPECT_EQ(outcome.err, "") << word;
   }
+}
+
+TEST(CommandLine, VersionNamesCommitAndFeatures) {
+  const std::string version = run_asos({"--version"}).out;
+  EXPECT_TRUE(version.starts_with("asos 1.0.0\ncommit: ")) << version;
+  EXPECT_FALSE(contains(version, "commit: \n")) << version;
+  const std::string set = std::string("instruction set: ") + instruction_set() + "\n";
+  EXPECT_TRUE(contains(version, set)) << version;
+  for (const char* feature : {"compiler: GCC", ".glb", "Draco", "meshopt", "WebP", ".hdr", "EXR"})
+    EXPECT_TRUE(contains(version, feature)) << feature;
 }
 
 TEST(CommandLine, HelpNamesEveryCommand) {
