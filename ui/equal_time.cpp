@@ -27,10 +27,9 @@ int samples_for(Method method, double wanted) {
 EqualTimeFrame frame_of(TimedRender rendered, const RenderSettings& settings,
                         const std::string& quality, double wanted) {
   const double taken = processor_seconds(rendered.film);
-  return {
-      std::move(rendered.film),
-      fmt::format("{}, {} in {:.2f} s of one processor, {:.0f} % of {:.2f} s",
-                  row_of(settings.method).name, quality, taken, 100.0 * taken / wanted, wanted)};
+  return {std::move(rendered.film),
+          fmt::format("{}, {}, {:.2f} s CPU ({:.0f} % of {:.2f} s)", row_of(settings.method).name,
+                      quality, taken, 100.0 * taken / wanted, wanted)};
 }
 
 using Stop = std::function<bool()>;

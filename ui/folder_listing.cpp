@@ -91,7 +91,7 @@ FolderListing FolderListing::of(const fs::path& folder) {
       entry.written = at->last_write_time(ignored);
     }
     if (listing.entries.size() >= most) {
-      listing.error = "There is more here than can be shown: type a path";
+      listing.error = "Too many files to list: type a path";
       break;
     }
     listing.entries.push_back(std::move(entry));

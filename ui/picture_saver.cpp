@@ -14,7 +14,7 @@ namespace asos {
 namespace {
 
 constexpr double dialog_fades_seconds = 0.3;
-constexpr const char* no_picture = "There is no picture to save yet";
+constexpr const char* no_picture = "No picture to save yet";
 
 }  // namespace
 
@@ -65,7 +65,7 @@ std::string PictureSaver::stop() {
   job_.cancel();
   return state ? "Stopped: " + std::filesystem::path(state->path).filename().string() +
                      " was not saved"
-               : "Nothing is being saved";
+               : "No save in progress";
 }
 
 std::optional<SaveChoice> PictureSaver::take_due(double now_seconds) {

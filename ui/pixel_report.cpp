@@ -57,16 +57,16 @@ std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
   const std::size_t count = pyray.cells.size();
   const std::string cells = fmt::format("{} cell{}", count, count == 1 ? "" : "s");
   if (pyray.kind == TracedPyray::Kind::mirror)
-    return fmt::format("mirror {}, of {:.3g} %: {}", pyray.bounces + 1, from, cells);
+    return fmt::format("mirror {} ({:.3g} % of pixel, {})", pyray.bounces + 1, from, cells);
   const std::string& name = scene.lights()[pyray.light].name;
-  return fmt::format("{}, of {:.3g} %: {:.0f} % lit, {}",
+  return fmt::format("{}: {:.0f} % visible ({:.3g} % of pixel, {})",
                      name.empty() ? fmt::format("light {}", pyray.light + 1) : name, from,
                      100.0 * static_cast<double>(pyray.result.x), cells);
 }
 
 /// The part that a sheet belongs to.
 std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
-  if (sheet == ObjectTally::clusters) return "small boundaries";
+  if (sheet == ObjectTally::clusters) return "small edges";
   const World& world = scene.world();
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
     if (scene.features().sheet(t) != sheet) continue;
@@ -114,25 +114,25 @@ void find_boundaries(const RenderScene& scene, const View& view, PixelReport& re
 const char* words_of(CellFate fate) {
   switch (fate) {
     case CellFate::uniform:
-      return "no visible boundary: one sample";
+      return "no edge: one sample";
     case CellFate::cut:
-      return "cut along its boundaries";
+      return "cut along its edges";
     case CellFate::uneven:
-      return "shaded too unevenly: split";
+      return "varying shading: split";
     case CellFate::split:
-      return "marginal: split";
+      return "edge: split";
     case CellFate::stopped:
-      return "marginal, but the rule held: one sample";
+      return "edge below EPS: one sample";
     case CellFate::finest:
-      return "marginal at MAX: one sample";
+      return "edge at MAX: one sample";
     case CellFate::sampled:
-      return "no visible boundary: samples all over it";
+      return "no edge: sampled";
     case CellFate::saturated:
-      return "saturated: samples all over it";
+      return "too many edges: sampled";
     case CellFate::by_samples:
       break;
   }
-  return "split for what its samples show";
+  return "samples differ: split";
 }
 
 std::string PixelReport::verdict() const {
@@ -141,22 +141,18 @@ std::string PixelReport::verdict() const {
                        [&](const TracedCell& cell) { return cell.fate == fate; });
   };
   const double unresolved = 100.0 * trace.unresolved_area;
-  if (trace.missed)
-    return "Split although no boundary is near: its neighbours show other surfaces.";
+  if (trace.missed) return "Split without an edge: its neighbours show other surfaces.";
   if (any(CellFate::finest))
-    return fmt::format("Stopped at MAX: {:.2f} % of the pixel stays undecided.", unresolved);
+    return fmt::format("MAX reached: {:.2f} % of the pixel is unresolved.", unresolved);
   if (any(CellFate::stopped))
-    return fmt::format("Stopped by the rule: {:.2f} % of the pixel is undecided, EPS allows it.",
-                       unresolved);
-  if (any(CellFate::saturated))
-    return "Saturated: so many boundaries that samples cost less than its parts.";
+    return fmt::format("Stopped by EPS: {:.2f} % of the pixel is unresolved.", unresolved);
+  if (any(CellFate::saturated)) return "Too many edges: sampled instead.";
   if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::uniform)
-    return "Not split: no visible boundary, one sample tells all.";
+    return "Not split: no edge, one sample is enough.";
   if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::sampled)
-    return "Not split: no visible boundary; its shading is the mean of many samples.";
-  if (any(CellFate::uneven))
-    return "Resolved: parts were split because they are shaded unevenly, not for boundaries.";
-  return "Resolved: every cell has no visible boundary or was cut along its boundaries.";
+    return "Not split: no edge; shading is the mean of many samples.";
+  if (any(CellFate::uneven)) return "Split for varying shading.";
+  return "Exact: every cell is free of edges or cut along them.";
 }
 
 std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place) {

@@ -155,7 +155,7 @@ Playback::Pose Playback::posed(const Request& request) {
       pose.scene = drawn(*std::move(pose.scene), *request.strokes);
     }
   } catch (const std::bad_alloc&) {
-    pose.scene = unexpected(Error{geometry.source, "not enough memory for another time of it"});
+    pose.scene = unexpected(Error{geometry.source, "not enough memory for another frame"});
   }
   pose.prepare_seconds = elapsed_since(start) - pose.pose_seconds;
   return pose;

@@ -62,7 +62,7 @@ void Previewer::take_over(const OpenScene::Opened& opened) {
   }
   if (const Result<void> able = check_method(*scene_, edits_.settings()); !able) {
     Error error = able.error();
-    error.reason += "; ASOS takes its place";
+    error.reason += "; using ASOS instead";
     scene_.report(std::move(error));
     edits_.settings().method = Method::asos;
   }

@@ -29,14 +29,13 @@ std::vector<std::string> UnsavedWork::lines(const Previewer& previewer, const Fr
                                             const PictureJob& saving) const {
   std::vector<std::string> lines;
   const Edits now = edits_of(previewer);
-  if (now.lights != saved_.lights) lines.emplace_back("The lights that you edited");
-  if (now.dfrs != saved_.dfrs) lines.emplace_back("How you made mirrors blur");
-  if (now.sky != saved_.sky) lines.emplace_back("The sky that you chose");
+  if (now.lights != saved_.lights) lines.emplace_back("Edited lights");
+  if (now.dfrs != saved_.dfrs) lines.emplace_back("DFR edits");
+  if (now.sky != saved_.sky) lines.emplace_back("Chosen sky");
   if (const std::size_t count = frames.stored.size(); count > 0)
-    lines.push_back(count == 1 ? std::string("A frame that you stored")
-                               : fmt::format("{} frames that you stored", count));
+    lines.push_back(count == 1 ? std::string("1 snapshot") : fmt::format("{} snapshots", count));
   if (const auto state = saving.state())
-    lines.push_back(fmt::format("The picture that is being saved: {}, {:.0f} %",
+    lines.push_back(fmt::format("Picture being saved: {}, {:.0f} %",
                                 std::filesystem::path(state->path).filename().string(),
                                 100.0 * state->fraction));
   return lines;

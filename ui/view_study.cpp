@@ -174,11 +174,11 @@ class ViewStudy::Work {
 };
 
 Result<void> ViewStudy::start(const Subject& subject) {
-  if (busy()) return unexpected(Error{"study", "the one before has not ended yet"});
+  if (busy()) return unexpected(Error{"study", "the previous measurement is still running"});
   if (!subject.scene || subject.scene->world().shows_nothing())
-    return unexpected(Error{"study", "the scene is empty: there is nothing to compare"});
+    return unexpected(Error{"study", "the scene is empty"});
   if (scenes_of(subject.plan).size() != 1)
-    return unexpected(Error{"study", "a view is of one scene"});
+    return unexpected(Error{"study", "only one scene at a time"});
   auto jobs = make_jobs(subject.plan);
   if (!jobs) return unexpected(jobs.error());
   for (const Job& job : *jobs)

@@ -215,7 +215,7 @@ void WindowContent::explain_a_pixel() {
   state_.picked = most_split_pixel(previewer_.render().film());
   state_.picked_pyray = -1;
   state_.shown_level.reset();
-  if (!state_.picked) say("No pixel of this picture is split");
+  if (!state_.picked) say("No pixel is split");
 }
 
 void WindowContent::dialogs(const WindowRect& picture) {
@@ -291,7 +291,7 @@ void WindowContent::take_back() {
   const bool again = ImGui::GetIO().KeyShift;
   const bool done =
       again ? history_.redo(previewer_, state_.display) : history_.undo(previewer_, state_.display);
-  if (!done) say(again ? "Nothing to do again" : "Nothing to undo");
+  if (!done) say(again ? "Nothing to redo" : "Nothing to undo");
 }
 
 void WindowContent::panel_window(const WindowRect& rect) {

@@ -22,7 +22,7 @@ class ComparePanelTest : public PanelsTest {
   Frames& frames() { return rig.content().state().frames; }
   /// Stores the picture, and renders another one: without antialiasing.
   void store_and_change() {
-    rig.click("Store frame");
+    rig.click("Keep snapshot");
     rig.frame();
     ASSERT_EQ(frames().stored.size(), 1u);
     settings().asos.max_level = 0;
@@ -60,7 +60,7 @@ TEST_F(ComparePanelTest, FlipShowsTheStoredFrame) {
   expect_area([&](int, std::size_t i) { return now(i); });
   rig.key(Key::x);
   expect_area([&](int, std::size_t i) { return then(i); });
-  rig.click("Stored shown");
+  rig.click("Show snapshot");
   expect_area([&](int, std::size_t i) { return now(i); });
   rig.click("Compare/Off");
   expect_area([&](int, std::size_t i) { return now(i); });
@@ -120,13 +120,13 @@ TEST_F(ComparePanelTest, EightFramesAreKept) {
   for (int i = 0; i < 9; ++i) rig.key(Key::s);
   ASSERT_EQ(frames().stored.size(), Frames::most);
   EXPECT_EQ(frames().stored.back().name, "H");
-  rig.click("Frame/C");
+  rig.click("Snapshot/C");
   EXPECT_EQ(frames().chosen, 2);
-  rig.click("Remove frame");
-  rig.click("Store frame");
+  rig.click("Delete snapshot");
+  rig.click("Keep snapshot");
   ASSERT_EQ(frames().stored.size(), Frames::most);
   EXPECT_EQ(frames().stored.back().name, "C") << "the letter that was free";
-  for (int i = 0; i < 9; ++i) rig.click("Remove frame");
+  for (int i = 0; i < 9; ++i) rig.click("Delete snapshot");
   EXPECT_TRUE(frames().stored.empty());
 }
 

@@ -28,7 +28,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   slide("EPS", 0.5f, 0.9f);
   const double second = settings().asos.eps;
   rest();
-  rig.click("Jitter");
+  rig.click("Jitter unresolved cells");
   rest();
   EXPECT_TRUE(settings().asos.jitter);
   undo();
@@ -44,7 +44,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   redo();
   EXPECT_TRUE(settings().asos.jitter);
   undo();
-  rig.click("Leaf/Point");
+  rig.click("Cell shading/Point sample");
   rest();
   redo();
   EXPECT_FALSE(settings().asos.jitter) << "a new step ends what could be done again";

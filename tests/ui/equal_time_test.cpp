@@ -22,16 +22,17 @@ TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
   rig.frame();
   const auto& all = rig.content().controls().all();
   for (const MethodRow& row : method_table())
-    EXPECT_EQ(all.contains(std::string("Rival/") + row.title), can_be_timed(row)) << row.name;
-  rig.click("Rival/Stochastic");
-  rig.click("Split screen");
+    EXPECT_EQ(all.contains(std::string("Other method/") + row.title), can_be_timed(row))
+        << row.name;
+  rig.click("Other method/Stochastic");
+  rig.click("Render and compare");
   ASSERT_TRUE(rig.frames_until([&] { return state.frames.stored.size() == 1; }));
   EXPECT_EQ(state.frames.comparison, Comparison::wipe);
   EXPECT_NE(state.frames.stored[0].summary.find("tochastic"), std::string::npos)
       << state.frames.stored[0].summary;
   rig.frame();
-  EXPECT_FALSE(all.contains("Stop rival"));
-  EXPECT_TRUE(all.contains("Split screen"));
+  EXPECT_FALSE(all.contains("Cancel comparison"));
+  EXPECT_TRUE(all.contains("Render and compare"));
 }
 
 TEST_F(EqualTimeTest, ARivalCanBeStopped) {
@@ -40,13 +41,15 @@ TEST_F(EqualTimeTest, ARivalCanBeStopped) {
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   ASSERT_TRUE(rig.settle());
   rig.click("section/Equal time");
-  rig.click("Split screen");
+  rig.click("Render and compare");
   const auto& all = rig.content().controls().all();
-  ASSERT_TRUE(rig.frames_until(
-      [&] { return all.contains("Stop rival") || !rig.content().state().frames.stored.empty(); }));
-  if (!all.contains("Stop rival")) GTEST_SKIP() << "the rival was done before it could be stopped";
-  rig.click("Stop rival");
-  ASSERT_TRUE(rig.frames_until([&] { return !all.contains("Stop rival"); }));
+  ASSERT_TRUE(rig.frames_until([&] {
+    return all.contains("Cancel comparison") || !rig.content().state().frames.stored.empty();
+  }));
+  if (!all.contains("Cancel comparison"))
+    GTEST_SKIP() << "the rival was done before it could be stopped";
+  rig.click("Cancel comparison");
+  ASSERT_TRUE(rig.frames_until([&] { return !all.contains("Cancel comparison"); }));
   EXPECT_TRUE(rig.content().state().frames.stored.empty());
 }
 

@@ -192,9 +192,10 @@ class EveryControlTest : public PanelsTest {
       EXPECT_TRUE(placed.has_tooltip) << name << ", " << where;
       // Some of the built-in scenes take long to load.
       if (name.starts_with("Built-in/") && name != "Built-in/boxes") continue;
-      if (name == "Start study") continue;  // comes last
-      if (name == "Stop rival") continue;   // is there as long as the rival takes: EqualTimeTest
-      if (name == "Go on") continue;        // while a render rests at its limit: RefinementTest
+      if (name == "Measure") continue;  // comes last
+      if (name == "Cancel comparison")
+        continue;                        // is there as long as the rival takes: EqualTimeTest
+      if (name == "Continue") continue;  // while a render rests at its limit: RefinementTest
       states_[name].push_back(state);
       if (!used_.contains(name)) names.push_back(name);
     }
@@ -337,7 +338,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
   use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
   use_all("another rival", [&] {
-    for (const char* section : {"Refinement", "Sky", "Equal time", "Missed splits"})
+    for (const char* section : {"Refinement", "Sky", "Equal time", "Check splits"})
       rig.unfold(section);
     s.equal_time.method = Method::stochastic;
     rig.previewer().refinement().limits().rmse = 0.01;
@@ -366,12 +367,12 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
         SkyMap(2, 1, std::vector<glm::vec3>(2, glm::vec3(0.5f))), 0.0, "half");
   });
   use_all("outline", [&] {
-    rig.unfold("Outline");
+    rig.unfold("Objects");
     // The list is laid out only where it is seen.
     (void)rig.control("section/Scene");
   });
-  rig.click("section/Outline");
-  use_all("study", [&] { rig.unfold("Error against run time"); });
+  rig.click("section/Objects");
+  use_all("study", [&] { rig.unfold("Error vs. time"); });
   use_all("other choices", [&] {
     settings().asos.leaf = LeafKind::point;
     settings().asos.rule = StoppingRule::published;
@@ -423,24 +424,24 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   for (const auto& [name, states] : states_)
     EXPECT_TRUE(used_.contains(name)) << name << " did nothing";
   enter([] {});
-  if (rig.content().study().busy()) rig.click("Stop study");  // a drag elsewhere began one
+  if (rig.content().study().busy()) rig.click("Stop measuring");  // a drag elsewhere began one
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   // A scene that comes later than the study's would end it.
   ASSERT_TRUE(rig.settle());
   const auto offers = [&](const char* name) {
     return rig.content().controls().all().contains(name);
   };
-  rig.unfold("Error against run time");
-  rig.click("Start study");
+  rig.unfold("Error vs. time");
+  rig.click("Measure");
   EXPECT_TRUE(rig.content().study().busy())
-      << s.study.error << (offers("Start study") ? "still offered" : "gone") << ", "
+      << s.study.error << (offers("Measure") ? "still offered" : "gone") << ", "
       << s.study.rivals.size() << " rivals";
   rig.frame();
-  rig.click("Stop study");
+  rig.click("Stop measuring");
   EXPECT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   for (const auto& [name, part] : parts)
     // Whether a render rests at its limit before it is finished is a matter of time.
-    EXPECT_TRUE(reached_.contains(name) || name == "Copy warnings" || name == "Go on")
+    EXPECT_TRUE(reached_.contains(name) || name == "Copy warnings" || name == "Continue")
         << name << " was not seen";
 }
 

@@ -254,7 +254,7 @@ TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
   EXPECT_FALSE(rig.content().state().show_open);
   rig.content().state().display.exposure_ev = 2.0f;
-  rig.click("Forget settings");
+  rig.click("Reset window");
   EXPECT_TRUE(rig.content().state().recent.empty());
   EXPECT_EQ(rig.content().state().display, DisplaySettings{});
 }

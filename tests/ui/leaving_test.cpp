@@ -77,7 +77,7 @@ TEST_F(LeavingTest, EditedLightsAreAskedAbout) {
   EXPECT_FALSE(shown("Quit"));
   EXPECT_FALSE(state().leaving.quit);
   ask();
-  rig.click("Stay");
+  rig.click("Cancel");
   EXPECT_FALSE(state().leaving.quit);
   ask();
   rig.click("Quit");
@@ -104,7 +104,7 @@ TEST_F(LeavingTest, StoredFramesAreAskedAbout) {
   rig.key(Key::s);
   EXPECT_EQ(state().frames.stored.size(), 1u);
   rig.frame();
-  EXPECT_EQ(state().message, "Stored as frame A");
+  EXPECT_EQ(state().message, "Kept as snapshot A");
   state().leaving.asked = true;  // the window's own button
   rig.frame();
   rig.frame();

@@ -53,7 +53,7 @@ TEST_F(LightControlsTest, ShadowControlsRestart) {
   rig.click("Shadows");
   EXPECT_FALSE(settings().shadow.cast);
   EXPECT_TRUE(restarted());
-  rig.click("Culling");
+  rig.click("Back-face culling");
   EXPECT_FALSE(settings().cull);
   EXPECT_TRUE(restarted());
 }

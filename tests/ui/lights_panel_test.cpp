@@ -49,8 +49,8 @@ class LightsPanelTest : public PanelsTest {
 };
 
 TEST_F(LightsPanelTest, TheTypeIsSwitchedAmongAllKinds) {
-  const char* names[] = {"Sphere",    "Spot", "Direction", "Line",
-                         "Rectangle", "Disk", "Polygon",   "Point"};
+  const char* names[] = {"Sphere",    "Spot", "Directional", "Line",
+                         "Rectangle", "Disk", "Polygon",     "Point"};
   const LightKind kinds[] = {LightKind::sphere,  LightKind::spot,      LightKind::directional,
                              LightKind::linear,  LightKind::rectangle, LightKind::disk,
                              LightKind::polygon, LightKind::point};
@@ -102,7 +102,7 @@ TEST_F(LightsPanelTest, ButtonsStayWhereTheyAre) {
   rig.content().state().lights.selected = -1;
   rig.frame();
   const glm::vec2 before = rig.control("Add light").lo;
-  rig.click("Face to light");
+  rig.click("Light from face");
   rig.frame();
   EXPECT_EQ(rig.control("Add light").lo, before);
   rig.click("Add light");
@@ -145,18 +145,18 @@ TEST_F(LightsPanelTest, EveryKindHasItsSizes) {
   EXPECT_NEAR(glm::length(light().half_v), 0.375, 1e-12);
   size_of("Disk", "Radius", "0.125");
   EXPECT_DOUBLE_EQ(light().radius, 0.125);
-  size_of("Direction", "Sun's angle", "2");
+  size_of("Directional", "Sun's angle", "2");
   EXPECT_NEAR(glm::degrees(light().angular_diameter_rad), 2.0, 1e-5);
   size_of("Spot", "Cone", "30");
   EXPECT_NEAR(glm::degrees(light().outer_cone_rad), 30.0, 1e-5);
-  type_into("Full inside", "99");
+  type_into("Inner cone", "99");
   EXPECT_NEAR(light().inner_cone_rad, light().outer_cone_rad, 1e-6) << "inside the cone";
   size_of("Polygon", "Radius", "0.4");
   EXPECT_NEAR(polygon_radius(light()), 0.4, 1e-12);
   const std::size_t hexagon = light().outlines[0].size();
-  for (const auto& [name, corners] : {std::pair{"Star", 10u}, std::pair{"Three", 3u},
-                                      std::pair{"Frame", 4u}, std::pair{"Six", 6u}}) {
-    rig.click(std::string("Outline/") + name);
+  for (const auto& [name, corners] : {std::pair{"Star", 10u}, std::pair{"Triangle", 3u},
+                                      std::pair{"Frame", 4u}, std::pair{"Hexagon", 6u}}) {
+    rig.click(std::string("Shape/") + name);
     EXPECT_EQ(light().outlines[0].size(), corners) << name;
   }
   EXPECT_EQ(hexagon, 6u);
@@ -173,7 +173,7 @@ TEST_F(LightsPanelTest, LightsAreTurned) {
   EXPECT_NEAR(std::abs(glm::normalize(light().half_u).y), 1.0, 1e-6);
   rig.click("Two-sided");
   EXPECT_TRUE(light().two_sided);
-  rig.click("Shadowing");
+  rig.click("Casts shadows");
   EXPECT_FALSE(light().casts_shadows);
   EXPECT_TRUE(restarted());
 }
@@ -231,7 +231,7 @@ TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());
   (void)restarted();
-  rig.click("Face to light");
+  rig.click("Light from face");
   rig.frame();
   EXPECT_TRUE(rig.content().controls().all().contains("Light error")) << "nothing was clicked yet";
   const PixelRect area = rig.content().picture_rect();
@@ -240,7 +240,7 @@ TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
   rig.release(MouseButton::left);
   ASSERT_TRUE(rig.content().state().picked.has_value());
   EXPECT_FALSE(restarted()) << "a click turns nothing";
-  rig.click("Face to light");
+  rig.click("Light from face");
   EXPECT_TRUE(restarted());
   ASSERT_EQ(rig.previewer().edits().lights().size(), 2u);
   EXPECT_EQ(light(1).type, Light::Type::polygon);
@@ -275,7 +275,7 @@ TEST_F(LightsPanelTest, AMarkInThePictureMovesItsLight) {
   EXPECT_FALSE(rig.content().controls().all().contains("Mark/1")) << "put by";
   rig.click("Light/1");
   rig.frame();
-  rig.click("Marks");
+  rig.click("Show gizmos");
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("Mark/1"));
 }

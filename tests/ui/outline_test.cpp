@@ -68,7 +68,7 @@ TEST(Extensions, AreThoseThatAMaterialAsksFor) {
 class OutlineTest : public PanelsTest {
  protected:
   OutlineTest() {
-    rig.click("section/Outline");
+    rig.click("section/Objects");
     rig.frame();
   }
   [[nodiscard]] std::size_t parts() { return rig.previewer().scene()->world().parts.size(); }
@@ -166,7 +166,7 @@ TEST_F(OutlineTest, TheLastObjectStays) {
   rig.click("Hide");
   rig.frame();
   EXPECT_EQ(parts(), 1u);
-  EXPECT_EQ(rig.content().state().message, "There is no other object");
+  EXPECT_EQ(rig.content().state().message, "No other object");
 }
 
 }  // namespace

@@ -13,6 +13,13 @@ namespace {
 
 using test::PanelsTest;
 
+TEST_F(PanelsTest, LongLabelsMoveTheirWidgetToTheRight) {
+  const float left = rig.control("Save as...").lo.x;
+  const char* name = "Jitter unresolved cells";
+  EXPECT_GE(rig.control(name).lo.x, left + ImGui::CalcTextSize(name).x);
+  EXPECT_EQ(rig.control("MAX").lo.x, rig.control("EPS").lo.x) << "short ones have a column";
+}
+
 TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
   slide("EPS", 0.6f, 0.9f);
   const double high = settings().asos.eps;
@@ -51,31 +58,31 @@ TEST_F(PanelsTest, MaxLeafAndJitterRestart) {
   slide("MAX", 0.99f, -1.0f);
   EXPECT_EQ(settings().asos.max_level, 0);
   EXPECT_TRUE(restarted());
-  rig.click("Leaf/Point");
+  rig.click("Cell shading/Point sample");
   EXPECT_EQ(settings().asos.leaf, LeafKind::point);
   EXPECT_TRUE(restarted());
-  rig.click("Leaf/Exact");
+  rig.click("Cell shading/Exact area");
   EXPECT_EQ(settings().asos.leaf, LeafKind::exact);
   EXPECT_TRUE(restarted());
-  rig.click("Jitter");
+  rig.click("Jitter unresolved cells");
   EXPECT_TRUE(settings().asos.jitter);
   EXPECT_TRUE(restarted());
 }
 
 TEST_F(PanelsTest, AWideFilterIsOfferedWhereTheMethodHasOne) {
-  slide("Filter", 0.1f, 0.5f);
+  slide("Pixel filter", 0.1f, 0.5f);
   EXPECT_GT(settings().filter_width, 1.5);
   EXPECT_LT(settings().filter_width, 4.0);
   EXPECT_EQ(settings().filter_width, std::round(100.0 * settings().filter_width) / 100.0);
   EXPECT_TRUE(restarted());
-  slide("Filter", 0.5f, 2.0f);
+  slide("Pixel filter", 0.5f, 2.0f);
   EXPECT_EQ(settings().filter_width, RenderSettings::max_filter_width);
   rig.click("Method/Sobol");
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Filter"));
+  EXPECT_TRUE(rig.content().controls().all().contains("Pixel filter"));
   rig.click("Method/Whitted");
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Filter"));
+  EXPECT_FALSE(rig.content().controls().all().contains("Pixel filter"));
 }
 
 TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
@@ -95,13 +102,13 @@ TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
 }
 
 TEST_F(PanelsTest, AMethodThatSamplesToEpsShowsEpsAndMax) {
-  rig.click("Method/Sobol EPS");
+  rig.click("Method/Adaptive Sobol");
   EXPECT_EQ(settings().method, Method::sobol_adaptive);
   EXPECT_TRUE(restarted());
   rig.frame();
   const auto& all = rig.content().controls().all();
   EXPECT_FALSE(all.contains("Samples"));
-  EXPECT_FALSE(all.contains("Leaf/Exact"));
+  EXPECT_FALSE(all.contains("Cell shading/Exact area"));
   ASSERT_TRUE(all.contains("Seed"));
   const double eps = settings().asos.eps;
   slide("EPS", 0.5f, 0.8f);
@@ -394,15 +401,15 @@ TEST_F(PanelsTest, EveryWidgetThatChangesSomethingHasATooltip) {
   rig.frame();
   for (const char* name : {"EPS",
                            "MAX",
-                           "Leaf/Exact",
-                           "Leaf/Point",
-                           "Jitter",
-                           "Filter",
+                           "Cell shading/Exact area",
+                           "Cell shading/Point sample",
+                           "Jitter unresolved cells",
+                           "Pixel filter",
                            "Method/ASOS",
                            "Method/Uniform",
                            "Method/Stochastic",
                            "Method/Sobol",
-                           "Culling",
+                           "Back-face culling",
                            "Shadows",
                            "Quality",
                            "Light rule/Physical",

@@ -88,7 +88,7 @@ TEST_F(PixelPanelTest, ItClosesByKeyAndByButton) {
   EXPECT_FALSE(rig.content().state().picked.has_value());
   EXPECT_FALSE(rig.content().state().leaving.quit);
   pick(pixel);
-  rig.click("Close pixel");
+  rig.click("Close inspector");
   EXPECT_FALSE(rig.content().state().picked.has_value());
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("Subdivision"));
@@ -114,7 +114,7 @@ TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
   };
   ASSERT_TRUE(yellow(split_cause_colour(SplitCause::outline)));
   const int before = outlines();
-  rig.click("Boundaries");
+  rig.click("Show edges");
   ASSERT_TRUE(rig.frames_until([&] { return outlines() > before + 100; })) << "the triangles'";
   EXPECT_FALSE(restarted());
 }
@@ -188,10 +188,10 @@ TEST(PixelReport, TheSmallestCellIsFound) {
   EXPECT_EQ(cell_at(report.trace.cells, {0.9f, 0.1f}), 2u);
   EXPECT_EQ(cell_at(report.trace.cells, {0.1f, 0.9f}), 3u);
   EXPECT_EQ(cell_at(report.trace.cells, {0.9f, 0.9f}), 4u);
-  EXPECT_EQ(report.verdict().substr(0, 8), "Resolved");
+  EXPECT_EQ(report.verdict(), "Exact: every cell is free of edges or cut along them.");
   report.trace.cells.back().fate = CellFate::finest;
   report.trace.unresolved_area = 0.25;
-  EXPECT_EQ(report.verdict(), "Stopped at MAX: 25.00 % of the pixel stays undecided.");
+  EXPECT_EQ(report.verdict(), "MAX reached: 25.00 % of the pixel is unresolved.");
 }
 
 }  // namespace

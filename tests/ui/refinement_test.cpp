@@ -64,7 +64,7 @@ TEST_F(RefinementTest, AtALimitItCanGoOn) {
   int asked = 0;
   ASSERT_TRUE(rig.frames_until([&] {
     if (rig.previewer().refinement().rest() != Rest::time) return true;
-    if (asked < 2) rig.click("Go on");
+    if (asked < 2) rig.click("Continue");
     if (asked == 2) rig.previewer().refinement().limits().seconds = 0.5;
     if (asked++ > 2) rig.key(Key::space);
     return false;
@@ -82,7 +82,7 @@ TEST_F(RefinementTest, RenderAgainIsNotPaused) {
   ASSERT_TRUE(rests(Rest::paused));
   rig.click("Stop");
   ASSERT_TRUE(rests(Rest::stopped));
-  rig.click("Render again");
+  rig.click("Restart");
   EXPECT_TRUE(finished());
   EXPECT_FALSE(rig.previewer().refinement().paused());
 }
@@ -112,7 +112,7 @@ TEST_F(RefinementTest, StopEndsARenderAndAnotherBegins) {
   rig.click("Resume");
   rig.frame();
   EXPECT_FALSE(rig.previewer().render().progress().finished) << "it has ended";
-  rig.click("Render again");
+  rig.click("Restart");
   EXPECT_TRUE(finished());
 }
 

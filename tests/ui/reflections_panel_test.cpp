@@ -60,24 +60,24 @@ TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
   EXPECT_EQ(settings().mirror.bounces, MirrorSettings::max_bounces);
   EXPECT_TRUE(begun());
   EXPECT_FALSE(shows("Divergence"));
-  rig.click("Curved");
+  rig.click("Curved mirrors");
   rig.frame();
-  rig.click("Curved/adaptive");
+  rig.click("Curved mirrors/adaptive");
   EXPECT_EQ(settings().mirror.curved, CurvedMirror::adaptive);
   EXPECT_TRUE(begun());
   slide("Divergence", 0.1f, 2.0f);
   EXPECT_EQ(settings().mirror.widest_angle_deg, 180.0);
-  slide("Roughest", 0.5f, 2.0f);
+  slide("Max. roughness", 0.5f, 2.0f);
   EXPECT_EQ(settings().mirror.roughest, 1.0);
   EXPECT_TRUE(validated(settings()).has_value());
   slide("Bounces", 0.9f, -1.0f);
   EXPECT_EQ(settings().mirror.bounces, 0);
   rig.frame();
-  EXPECT_FALSE(shows("Blur/By material")) << "nothing mirrors then";
+  EXPECT_FALSE(shows("DFR/Per material")) << "nothing mirrors then";
 }
 
 TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
-  rig.click("Blur/One for all");
+  rig.click("DFR/Global");
   ASSERT_TRUE(settings().mirror.dfr.has_value());
   rig.frame();
   const DfrCurve first = settings().mirror.dfr->rgb[0];
@@ -109,7 +109,7 @@ TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
 }
 
 TEST_F(ReflectionsPanelTest, AColourIsEditedAloneAndUndone) {
-  rig.click("Blur/One for all");
+  rig.click("DFR/Global");
   rest();
   rig.click("DFR of/Blue");
   rig.frame();
@@ -127,7 +127,7 @@ TEST_F(ReflectionsPanelTest, AColourIsEditedAloneAndUndone) {
 }
 
 TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
-  rig.click("Blur/One for all");
+  rig.click("DFR/Global");
   rig.frame();
   const DfrCurve first = settings().mirror.dfr->rgb[0];
   const glm::vec2 at = rig.control("DFRMIN point").centre();
@@ -156,7 +156,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   const std::uint64_t opened = rig.previewer().scene().times_opened();
   const Geometry* geometry = rig.previewer().scene()->geometry.get();
   ASSERT_FALSE(dfr(0).has_value());
-  rig.click("Own DFR");
+  rig.click("Override roughness by DFR");
   ASSERT_TRUE(reached_scene());
   ASSERT_TRUE(dfr(0).has_value());
   EXPECT_FALSE(dfr(1).has_value()) << "another material";
@@ -180,7 +180,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
 }
 
 TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
-  rig.click("Own DFR");
+  rig.click("Override roughness by DFR");
   ASSERT_TRUE(reached_scene());
   const MaterialDfrs edited = rig.previewer().edits().dfrs();
   const test::TemporaryFolder folder;
@@ -226,7 +226,7 @@ TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {
 }
 
 TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
-  rig.click("Own DFR");
+  rig.click("Override roughness by DFR");
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(shows("Picked pixel"));
   const Film& film = rig.previewer().render().film();
@@ -240,7 +240,7 @@ TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
 
 TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {
   rig.set_pixel_size(1);
-  rig.click("Blur/One for all");
+  rig.click("DFR/Global");
   settings().mirror.dfr->rgb.fill({0.5, 0.5, 1.0});
   rig.move_to({-10.0f, -10.0f});
   for (int i = 0; i < 3; ++i) rig.frame();

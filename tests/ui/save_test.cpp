@@ -64,7 +64,7 @@ TEST_F(SaveTest, TheWindowIsSavedAsSeen) {
   display().show_split_map = true;
   rig.frame();
   open_dialog();
-  rig.click("Save what/Window");
+  rig.click("Content/Window");
   rig.click("Save");
   ASSERT_TRUE(saved("scene-001.png"));
   const RgbImage window = read_png(folder.file("scene-001.png")).value();
@@ -72,7 +72,7 @@ TEST_F(SaveTest, TheWindowIsSavedAsSeen) {
 
   open_dialog();
   EXPECT_FALSE(rig.content().controls().all().contains("Format/EXR")) << "only of a picture";
-  rig.click("Save what/As seen");
+  rig.click("Content/Viewport");
   rig.click("Save");
   ASSERT_TRUE(saved("scene-002.png"));
   const RgbImage seen = read_png(folder.file("scene-002.png")).value();

@@ -11,7 +11,7 @@ class ScrollAnchorTest : public PanelsTest {
  protected:
   ScrollAnchorTest() {
     rig.resize({660, 600});  // so that the panel is scrolled
-    rig.unfold("Outline");
+    rig.unfold("Objects");
     (void)rig.control("section/Scene");
     EXPECT_TRUE(rig.settle());
   }

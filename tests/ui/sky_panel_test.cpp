@@ -221,12 +221,12 @@ TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
   const auto words = [this] { return rig.content().controls().all().at("Progress").words; };
   settings().ground = Ground::on;
   rig.frame();
-  EXPECT_EQ(words(), "Putting the ground in place");
+  EXPECT_EQ(words(), "Updating ground");
   ASSERT_TRUE(rig.settle());
   EXPECT_TRUE(rig.frames_until([&] { return words().starts_with("Finished"); })) << words();
   settings().ground = Ground::off;
   rig.frame();
-  EXPECT_EQ(words(), "Taking the ground away");
+  EXPECT_EQ(words(), "Updating ground");
 }
 
 }  // namespace

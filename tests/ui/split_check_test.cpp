@@ -191,7 +191,7 @@ TEST_F(SplitCheckTest, TheSplitScreenShowsTheRivalAtTheRight) {
   state().equal_time.method = Method::sobol;
   rig.click("section/Equal time");
   rig.frame();
-  rig.click("Split screen");
+  rig.click("Render and compare");
   ASSERT_TRUE(rig.frames_until([&] { return !state().frames.stored.empty(); }));
   EXPECT_EQ(state().frames.comparison, Comparison::wipe);
   EXPECT_NE(state().frames.stored[0].summary.find("sobol"), std::string::npos);

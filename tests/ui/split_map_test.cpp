@@ -147,9 +147,9 @@ TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
   show(SplitMapColours::cause);
   display().show_legend = true;
   for (int i = 0; i < 3; ++i) rig.frame();
-  const std::vector<std::string> names{"outline", "crease, seam", "crossing",
-                                       "shadow",  "reflection",   "shading",
-                                       "cut-out", "saturated",    "depth limit"};
+  const std::vector<std::string> names{"silhouette", "crease, seam",   "intersection",
+                                       "shadow",     "reflection",     "shading",
+                                       "alpha edge", "too many edges", "MAX reached"};
   ASSERT_EQ(names.size() + 1, split_cause_count);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Controls::Placed entry = rig.control("Cause/" + names[i]);
@@ -169,8 +169,8 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
        {std::pair<SplitMapColours, std::string>{SplitMapColours::level,
                                                 "Deepest level of each pixel, 0 to MAX = 2"},
         {SplitMapColours::cause, "Why pixels were split"},
-        {SplitMapColours::rays, "Rays of all kinds for each pixel"},
-        {SplitMapColours::time, "Time of one processor for each pixel"}}) {
+        {SplitMapColours::rays, "Rays per pixel"},
+        {SplitMapColours::time, "CPU time per pixel"}}) {
     SCOPED_TRACE(title);
     show(colours);
     display().show_legend = true;
@@ -197,7 +197,7 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
       EXPECT_TRUE(beside.lo.x >= panel.hi.x || beside.hi.x <= panel.lo.x ||
                   beside.lo.y >= panel.hi.y || beside.hi.y <= panel.lo.y);
     }
-    rig.click("Close pixel");
+    rig.click("Close inspector");
     rig.key(Key::m);
     EXPECT_FALSE(all.contains("Map legend"));
   }
@@ -205,21 +205,21 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
 
 TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
   const auto& controls = rig.content().controls().all();
-  for (const char* name : {"   outline", "   crease", "   shadow", "   1 directional"})
+  for (const char* name : {"   silhouette", "   crease", "   shadow", "   1 directional"})
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
     EXPECT_FALSE(controls.contains(name)) << name;
   // What the causes' shares add up to stands above them; only some of these pixels are split.
-  ASSERT_TRUE(controls.contains("In the split map"));
+  ASSERT_TRUE(controls.contains("Split, by cause"));
   const auto percent = [&](const char* name) { return std::stod(controls.at(name).words); };
   const RenderStatistics statistics = rig.previewer().render().statistics();
   const RenderSettings& settings = rig.previewer().render().settings();
   double in_map = 0.0;
   for (std::size_t i = 1; i < split_cause_count; ++i)
     in_map += static_cast<double>(statistics.pixels_by_cause[i]);
-  EXPECT_NEAR(percent("In the split map"), 100.0 * in_map / (settings.width * settings.height),
+  EXPECT_NEAR(percent("Split, by cause"), 100.0 * in_map / (settings.width * settings.height),
               0.006);
-  EXPECT_GE(percent("In the split map") + 0.02, percent("   outline") + percent("   shadow"));
+  EXPECT_GE(percent("Split, by cause") + 0.02, percent("   silhouette") + percent("   shadow"));
 }
 
 }  // namespace

@@ -191,13 +191,13 @@ class StudyPanelTest : public PanelsTest {
   StudyPanelTest() {
     for (const char* other : {"Antialiasing", "Shadows", "Display", "Camera", "Statistics"})
       rig.click(std::string("section/") + other);
-    rig.click("section/Error against run time");
+    rig.click("section/Error vs. time");
     rig.frame();
     StudyChoice& choice = rig.content().state().study;
     choice.rivals = {"average"};
     choice.budget_seconds = 1;
     choice.repetitions = 1;
-    rig.click("Size/Quarter");
+    rig.click("Resolution/1/4");
   }
   void open(const std::string& source) {
     rig.previewer().scene().open(source);
@@ -217,9 +217,9 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   EXPECT_TRUE(rig.settle());
   open("grating");
   EXPECT_FALSE(shown("Study plot"));
-  rig.click("Start study");
+  rig.click("Measure");
   EXPECT_TRUE(rig.content().study().busy());
-  EXPECT_TRUE(shown("Stop study"));
+  EXPECT_TRUE(shown("Stop measuring"));
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   const ViewStudy::State found = state();
   EXPECT_EQ(found.phase, ViewStudy::Phase::finished);
@@ -243,7 +243,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
 
 TEST_F(StudyPanelTest, SaysWhereNothingCanBeCompared) {
   // Two triangles are exact: every setting of ASOS is below the reference's noise.
-  rig.click("Start study");
+  rig.click("Measure");
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   ASSERT_TRUE(state().study.equal_error.empty());
   EXPECT_TRUE(shown("Nothing to compare"));
@@ -252,19 +252,19 @@ TEST_F(StudyPanelTest, SaysWhereNothingCanBeCompared) {
 
 TEST_F(StudyPanelTest, TheButtonStops) {
   rig.content().state().study.repetitions = 9;
-  rig.click("Size/Whole");
-  rig.click("Start study");
+  rig.click("Resolution/Full");
+  rig.click("Measure");
   rig.frame();
-  rig.click("Stop study");
+  rig.click("Stop measuring");
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   EXPECT_EQ(state().phase, ViewStudy::Phase::stopped);
-  EXPECT_TRUE(shown("Start study"));
+  EXPECT_TRUE(shown("Measure"));
 }
 
 TEST_F(StudyPanelTest, AnotherSceneEndsTheStudyOfTheOneBefore) {
   rig.content().state().study.repetitions = 9;
-  rig.click("Size/Whole");
-  rig.click("Start study");
+  rig.click("Resolution/Full");
+  rig.click("Measure");
   ASSERT_NE(rig.content().study().scene(), nullptr);
   open("point light");
   EXPECT_EQ(rig.content().study().scene(), nullptr);
@@ -274,8 +274,8 @@ TEST_F(StudyPanelTest, AnotherSceneEndsTheStudyOfTheOneBefore) {
 
 TEST_F(StudyPanelTest, TheCameraMovesWhileAStudyRuns) {
   rig.content().state().study.repetitions = 9;
-  rig.click("Size/Whole");
-  rig.click("Start study");
+  rig.click("Resolution/Full");
+  rig.click("Measure");
   const glm::dmat4 before = rig.previewer().viewpoint().camera().camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
   EXPECT_NE(rig.previewer().viewpoint().camera().camera().world_from_camera, before);
@@ -289,9 +289,9 @@ TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
   EXPECT_TRUE(choice.rivals.contains("sobol"));
   rig.click("Study/average");
   EXPECT_FALSE(choice.rivals.contains("average"));
-  rig.click("Size/Half");
+  rig.click("Resolution/1/2");
   EXPECT_EQ(choice.reduction, 2);
-  slide("Budget", 0.1f, 2.0f);
+  slide("Reference time", 0.1f, 2.0f);
   EXPECT_EQ(choice.budget_seconds, 600);
   RenderSettings shown;
   shown.width = 641;
@@ -306,8 +306,8 @@ TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
   EXPECT_EQ(plan.threads, 5);
   EXPECT_EQ(plan.look.reflections, 2);
   EXPECT_EQ(plan.texture_resolution, 3);
-  for (const char* name : {"Study/sobol", "Size/Whole", "Size/Half", "Size/Quarter", "Budget",
-                           "Repetitions", "Start study"})
+  for (const char* name : {"Study/sobol", "Resolution/Full", "Resolution/1/2", "Resolution/1/4",
+                           "Reference time", "Repetitions", "Measure"})
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;
 }
 

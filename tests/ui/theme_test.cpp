@@ -126,7 +126,8 @@ TEST_F(ThemeTest, ThereAreTwoSizesOfText) {
 TEST_F(ThemeTest, WidgetsStandInARhythmOfFour) {
   EXPECT_FLOAT_EQ(row_height(), theme::row_pixels);
   const float first = rig.control("EPS").lo.y;
-  for (const char* name : {"MAX", "Leaf/Exact", "Jitter", "Filter"}) {
+  for (const char* name :
+       {"MAX", "Cell shading/Exact area", "Jitter unresolved cells", "Pixel filter"}) {
     const float down = rig.control(name).lo.y - rig.control("EPS").lo.y;
     EXPECT_FLOAT_EQ(std::remainder(down, 4.0f), 0.0f) << name << " " << down << " below " << first;
   }

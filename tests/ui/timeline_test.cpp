@@ -69,7 +69,7 @@ class Timeline : public testing::Test {
 };
 
 TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
-  for (const char* name : {"Clip", "Play", "Step on", "Step back", "Loop", "Speed", "Frames/s"}) {
+  for (const char* name : {"Clip", "Play", "Frame >", "< Frame", "Loop", "Speed", "Frames/s"}) {
     EXPECT_TRUE(rig.control(name).has_tooltip) << name;
   }
   EXPECT_FALSE(has("Time")) << "at rest there is no time";
@@ -113,7 +113,7 @@ TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
     if (scene()->geometry->time) moments.insert(scene()->geometry->time->seconds);
     return moments.size() >= 4;
   }));
-  rig.click("Hold");
+  rig.click("Pause clip");
   ASSERT_FALSE(playback().playing());
   const double seconds = playback().time()->seconds;
   arrive();
@@ -200,11 +200,11 @@ TEST_F(Timeline, EndsOrBeginsAgain) {
 TEST_F(Timeline, StepsByWholeFrames) {
   playback().seek(0.05);  // between the first and the second of 24 a second
   arrive();
-  rig.click("Step on");
+  rig.click("Frame >");
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0 / 24);
-  rig.click("Step on");
+  rig.click("Frame >");
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 3.0 / 24);
-  rig.click("Step back");
+  rig.click("< Frame");
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0 / 24);
   playback().step(-9);
   EXPECT_EQ(playback().time()->seconds, 0.0);

@@ -28,10 +28,10 @@ class TourTest : public PanelsTest {
   void begin() {
     rig.click("Tour");
     rig.frame();
-    ASSERT_TRUE(has("Next card"));
+    ASSERT_TRUE(has("Next"));
   }
   void next() {
-    rig.click("Next card");
+    rig.click("Next");
     rig.frame();
     rig.frame();
   }
@@ -95,7 +95,7 @@ TEST(TourOfAScene, WatchesAPixelThatIsSplit) {
     TourOf tour(scene, 2);
     ASSERT_TRUE(tour.found());
     cut_short |= tour.cut_short();
-    tour.rig.click("Next card");
+    tour.rig.click("Next");
     tour.rig.frame();
     ASSERT_TRUE(tour.state().picked);
     EXPECT_EQ(tour.state().picked, tour.state().tour.found);
@@ -190,7 +190,7 @@ TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
                 middle.y > over.hi.y)
         << name << " covers " << middle.x << ' ' << middle.y;
   }
-  rig.click("Next card");
+  rig.click("Next");
   rig.frame();
   EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are pressed, too";
 }
@@ -200,7 +200,7 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   begin();
   EXPECT_TRUE(has("Loupe")) << "pixels of the picture, large";
   ASSERT_TRUE(state().tour.pixel);
-  EXPECT_FALSE(has("Card before"));
+  EXPECT_FALSE(has("Previous"));
 
   next();
   EXPECT_EQ(state().picked, state().tour.pixel);
@@ -214,32 +214,32 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   }
   EXPECT_EQ(levels, (std::vector<int>{0, 1, 2})) << "down to MAX";
   EXPECT_FALSE(state().shown_level);
-  rig.click("Again");
+  rig.click("Replay");
   EXPECT_EQ(state().shown_level, 0);
 
   next();
   EXPECT_FALSE(state().picked);
   EXPECT_TRUE(state().display.show_split_map);
   const double before = settings().asos.eps;
-  slide("Tolerance", 0.6f, 0.1f);
+  slide("Tolerance (EPS)", 0.6f, 0.1f);
   EXPECT_NE(settings().asos.eps, before);
   EXPECT_TRUE(restarted());
 
   next();
-  rig.click("Map by/Causes");
+  rig.click("Map by/Cause");
   EXPECT_EQ(state().display.split_colours, SplitMapColours::cause);
-  rig.click("Card before");
+  rig.click("Previous");
   rig.frame();
-  EXPECT_TRUE(has("Tolerance"));
+  EXPECT_TRUE(has("Tolerance (EPS)"));
   next();
 
   next();
   EXPECT_FALSE(state().display.show_split_map);
-  EXPECT_FALSE(has("Next card")) << "the last one";
+  EXPECT_FALSE(has("Next")) << "the last one";
   ASSERT_TRUE(rig.settle());
   rig.key(Key::s);
   ASSERT_EQ(state().frames.stored.size(), 1u) << "a frame of one's own";
-  rig.click("Ask for a rival");
+  rig.click("Compare now");
   ASSERT_TRUE(rig.frames_until([&] { return state().frames.comparison == Comparison::wipe; }));
   EXPECT_EQ(state().frames.stored.size(), 2u);
   rig.frame();
@@ -268,7 +268,7 @@ TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
   StoredSettings stored;
   stored.tour_seen = true;
   rig.content().apply(stored);
-  rig.click("Forget settings");
+  rig.click("Reset window");
   rig.frame();
   EXPECT_TRUE(rig.content().stored_settings().tour_seen);
   begin();
@@ -286,7 +286,7 @@ TEST_F(TourTest, TheWayOnStaysUnderThePointer) {
   for (int card = 0; card < Tour::cards; ++card) {
     for (int i = 0; i < 3; ++i) rig.frame();
     const bool last = card + 1 == Tour::cards;
-    const Controls::Placed on = rig.control(last ? "Done" : "Next card");
+    const Controls::Placed on = rig.control(last ? "Done" : "Next");
     // Relative to the card, which may stand in another corner.
     const float left = on.lo.x - rig.control("Card").lo.x;
     if (card == 0) first = left;
@@ -301,8 +301,8 @@ TEST_F(TourTest, FitsIntoAnyWindow) {
        {glm::ivec2(420, 600), glm::ivec2(200, 150), glm::ivec2(40, 40), glm::ivec2(1400, 900)}) {
     rig.resize(size);
     for (int i = 0; i < 3; ++i) rig.frame();
-    if (!has("End tour")) continue;
-    const Controls::Placed end = rig.control("End tour");
+    if (!has("Close tour")) continue;
+    const Controls::Placed end = rig.control("Close tour");
     EXPECT_LE(end.hi.x, static_cast<float>(size.x));
     EXPECT_LE(end.hi.y, static_cast<float>(size.y));
     EXPECT_GE(end.lo.x, 0.0f);
@@ -328,9 +328,9 @@ TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
       EXPECT_GE(placed.lo.y, picture.lo.y) << card << " at " << scale;
       EXPECT_LE(placed.hi.x, picture.lo.x + picture.size.x) << card << " at " << scale;
       EXPECT_LE(placed.hi.y, picture.lo.y + picture.size.y) << card << " at " << scale;
-      const Controls::Placed end = rig.control(card + 1 < Tour::cards ? "End tour" : "Done");
+      const Controls::Placed end = rig.control(card + 1 < Tour::cards ? "Close tour" : "Done");
       EXPECT_LE(end.hi.y, placed.hi.y) << card << " at " << scale << ": it is seen at once";
-      if (card + 1 < Tour::cards) rig.click("Next card");
+      if (card + 1 < Tour::cards) rig.click("Next");
     }
   }
 }

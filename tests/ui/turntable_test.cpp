@@ -79,11 +79,11 @@ TEST_F(TurntableInTheWindow, TurnsByKeyOrSwitchUntilTheCameraIsDragged) {
   Turntable& turntable = rig.previewer().turntable();
   const double start = azimuth_rad(camera);
   const glm::dvec3 pivot = camera.pivot();
-  EXPECT_FALSE(rig.content().controls().all().contains("Seconds a turn"));
+  EXPECT_FALSE(rig.content().controls().all().contains("Turn time"));
   rig.key(Key::t);
   EXPECT_TRUE(turntable.turning());
   EXPECT_TRUE(rig.frames_until([&] { return std::abs(azimuth_rad(camera) - start) > 0.2; }));
-  EXPECT_TRUE(rig.content().controls().all().contains("Seconds a turn"));
+  EXPECT_TRUE(rig.content().controls().all().contains("Turn time"));
   EXPECT_LT(glm::distance(camera.pivot(), pivot), 1e-12);
   // A window that sleeps between frames goes on by itself.
   const double here = azimuth_rad(camera);

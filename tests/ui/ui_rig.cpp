@@ -184,7 +184,7 @@ bool holds(const std::map<std::string, Controls::Placed>& all, const char* windo
 
 // Whether a control is one of the pixel's panel.
 bool of_pixel(const std::string& name) {
-  return name == "Back" || name == "Boundaries" || name == "Subdivision" || name == "Levels" ||
+  return name == "Back" || name == "Show edges" || name == "Subdivision" || name == "Levels" ||
          name.starts_with("Pyray/");
 }
 

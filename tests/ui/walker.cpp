@@ -193,7 +193,7 @@ void Walker::use_control() {
   std::advance(at, below(static_cast<unsigned>(parts.size())));
   const std::string head = at->first;
   // As large as that no walk could end.
-  if (head == "Pixels" || head == "Across" || head == "Down") return rest();
+  if (head == "Size" || head == "Width (px)" || head == "Height (px)") return rest();
   const unsigned which = below(12);
   const glm::vec2 place(share(), 0.5f), to = anywhere();
   const bool moves = below(2) == 0;

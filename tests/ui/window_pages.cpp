@@ -166,7 +166,7 @@ void more_pages(Pages& pages, const std::string& source) {
                  rig.content().state().look.theme = look;
                  for (int i = 0; i < 3; ++i) rig.frame();
                  for (const char* section : {"section/Refinement", "section/Sky", "section/Compare",
-                                             "section/Equal time", "section/Missed splits"})
+                                             "section/Equal time", "section/Check splits"})
                    rig.click(section);
                }});
   }

@@ -15,33 +15,32 @@ namespace asos {
 namespace {
 
 constexpr std::array leaves{
-    Controls::Option{"Exact",
-                     "A cell that a single boundary crosses is cut along it; both parts count by "
-                     "their exact area. Straight edges come out exact at any level."},
-    Controls::Option{"Point", "As published: one sample for every cell that is not split."},
+    Controls::Option{"Exact area",
+                     "Cells are cut along their edges and weighted by exact area. Straight edges "
+                     "are exact at any MAX."},
+    Controls::Option{"Point sample", "As published: one sample per cell."},
 };
 
 constexpr std::array rules{
-    Controls::Option{"Unresolved area",
-                     "Stop when the area of all cells that are still undecided is EPS at most."},
-    Controls::Option{"Published",
-                     "Stop when no object's share can change by more than EPS: L / 2^2K. With "
-                     "several objects in a pixel their changes may add up to more."},
+    Controls::Option{"Total area < EPS",
+                     "Stop when the area of all unresolved cells is below EPS."},
+    Controls::Option{"Per object (published)",
+                     "The published rule: stop when no object can change by more than EPS. Several "
+                     "objects may add up to more."},
 };
 
 constexpr std::array detections{
-    Controls::Option{"Square", "A boundary counts where it crosses the pyray itself."},
-    Controls::Option{"Cone",
-                     "As published: a boundary counts where it crosses the cone around the pyray, "
-                     "which splits more."},
+    Controls::Option{"Pixel", "An edge counts where it crosses the pixel."},
+    Controls::Option{
+        "Cone",
+        "As published: an edge counts where it crosses the cone around the pixel. Splits more."},
 };
 
 constexpr std::array texture_filters{
-    Controls::Option{"Footprint",
-                     "Textures, and highlights where a surface turns, are averaged over the patch "
-                     "that a sample stands for: no moire, no sparkle."},
-    Controls::Option{"Points",
-                     "Textures and highlights are looked up just where a sample's ray hits."},
+    Controls::Option{
+        "Area",
+        "Average textures and highlights over the area of a sample. Avoids moire and sparkle."},
+    Controls::Option{"Point", "Look up textures and highlights at single points."},
 };
 
 // As a fraction where that says more: 1/256 is one step of an 8-bit picture.
@@ -52,9 +51,9 @@ std::string eps_words(double eps) {
 }
 
 std::string level_words(int max_level) {
-  if (max_level == 0) return "0: whole pixels";
+  if (max_level == 0) return "0 (no splitting)";
   const int cells = 1 << max_level;
-  return fmt::format("{}: up to {} x {} cells", max_level, cells, cells);
+  return fmt::format("{} (up to {} x {})", max_level, cells, cells);
 }
 
 // Options in the order of the values of an enumeration.
@@ -72,46 +71,41 @@ bool is_held() {
 }
 
 void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast& forecast) {
-  std::string words = "comes while EPS or MAX is dragged";
+  std::string words = "drag EPS or MAX";
   if (const Forecast* told = forecast.of(previewer)) words = forecast_words(*told);
-  controls.row(
-      "Forecast", words,
-      "The share of pixels that would be split, and how many seconds of the clock the render would "
-      "take on all its threads; told by blocks all over the picture, before it is rendered.",
-      {true, 2});
+  controls.row("Estimate", words,
+               "Estimated share of split pixels and render time, from a few test blocks.",
+               {true, 1});
 }
 
 void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
-  controls.log_slider(
-      "EPS",
-      "The error that you accept in a pixel's display intensity, 0 to 1. Smaller is "
-      "finer and slower. 1/256 is one step of an 8-bit picture. Ctrl+click to type "
-      "a value.",
-      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
+  controls.log_slider("EPS",
+                      "Largest error allowed per pixel, 0 to 1. 1/256 is one 8-bit step. Larger is "
+                      "faster. Ctrl+click to type a value.",
+                      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
   bool held = is_held();
   controls.slider("MAX",
-                  "Maximum splits of a pixel, 0 to 8. Level n has cells of 1/2^n pixel, with at "
-                  "most four samples each. Smaller is faster and coarser. Ctrl+click to type a "
-                  "value.",
+                  "Maximum splits per pixel, 0 to 8. Level n has cells of 1/2^n pixel, each with "
+                  "up to four samples. Smaller is faster and coarser. Ctrl+click to type a value.",
                   settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
   held |= is_held();
   if (held) forecast.ask(previewer);
   forecast_row(controls, previewer, forecast);
   if (settings.method == Method::asos) {
-    choose(controls, "Leaf", leaves, settings.asos.leaf, usual.asos.leaf);
-    choose(controls, "Rule", rules, settings.asos.rule, usual.asos.rule);
-    choose(controls, "Detection", detections, settings.asos.detect, usual.asos.detect);
-    controls.checkbox("Shading",
-                      "Split what is shaded unevenly, too: strongly bent surfaces, and what lies "
-                      "close to a light.",
-                      settings.asos.refine_shading, usual.asos.refine_shading);
+    choose(controls, "Cell shading", leaves, settings.asos.leaf, usual.asos.leaf);
+    choose(controls, "Stop when", rules, settings.asos.rule, usual.asos.rule);
+    choose(controls, "Edge test", detections, settings.asos.detect, usual.asos.detect);
+    controls.checkbox(
+        "Refine shading",
+        "Also refine where shading varies within a pixel, such as highlights and curved surfaces.",
+        settings.asos.refine_shading, usual.asos.refine_shading);
   }
-  controls.checkbox("Jitter",
-                    "Move the samples of cells that are still undecided at level MAX to random "
-                    "places: noise instead of steps.",
-                    settings.asos.jitter, usual.asos.jitter);
+  controls.checkbox(
+      "Jitter unresolved cells",
+      "Move samples of cells unresolved at MAX to random places. Noise replaces steps.",
+      settings.asos.jitter, usual.asos.jitter);
 }
 
 // The methods round up to n x n samples, so n is what the slider offers.
@@ -120,34 +114,30 @@ void sample_controls(Controls& controls, RenderSettings& settings) {
   int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(settings.sampling.spp))));
   side = std::clamp(side, 1, max_side);
   const auto words = [](int n) { return fmt::format("{} x {} = {}", n, n, n * n); };
-  if (controls.slider("Samples", "Samples in each pixel: n x n.", side, {1, max_side, 4}, words)) {
+  if (controls.slider("Samples", "Samples per pixel: n x n.", side, {1, max_side, 4}, words)) {
     settings.sampling.spp = side * side;
   }
 }
 
 void seed_control(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
-  controls.slider("Seed",
-                  "Number of the scrambling: another seed gives another picture of the same noise. "
-                  "Ctrl+click to type a value.",
-                  settings.seed, {0, 99, usual.seed},
-                  [](int seed) { return fmt::format("{}", seed); });
+  controls.slider(
+      "Seed", "Seed of the noise. Other seeds give other noise. Ctrl+click to type a value.",
+      settings.seed, {0, 99, usual.seed}, [](int seed) { return fmt::format("{}", seed); });
 }
 
 // For methods that sample each pixel on until it is good enough.
 void adaptive_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   controls.log_slider("EPS",
-                      "The standard error, of display intensity (0 to 1), at which a pixel takes "
-                      "no more samples. Smaller: less noise, slower. Ctrl+click to type a value.",
+                      "Standard error at which a pixel gets no more samples, 0 to 1. Smaller has "
+                      "less noise and is slower. Ctrl+click to type a value.",
                       settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
-  controls.slider("MAX",
-                  "A pixel takes 4^MAX times 4 samples at most, and never fewer than 16. "
-                  "Ctrl+click to type a value.",
-                  settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, [](int max) {
-                    return fmt::format("{}: {} to {} samples", max, 16,
-                                       std::max(16, 4 << (2 * max)));
-                  });
+  controls.slider(
+      "MAX", "Maximum samples per pixel: 4^(MAX+1), at least 16. Ctrl+click to type a value.",
+      settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, [](int max) {
+        return fmt::format("{} ({} to {} samples)", max, 16, std::max(16, 4 << (2 * max)));
+      });
   seed_control(controls, settings);
 }
 
@@ -157,7 +147,7 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
   int doublings =
       static_cast<int>(std::lround(std::log2(static_cast<double>(settings.sampling.spp))));
   doublings = std::clamp(doublings, 0, most_doublings);
-  if (controls.slider("Samples", "Samples in each pixel, a power of two.", doublings,
+  if (controls.slider("Samples", "Samples per pixel, a power of two.", doublings,
                       {0, most_doublings, 4}, [](int n) { return fmt::format("{}", 1 << n); })) {
     settings.sampling.spp = 1 << doublings;
   }
@@ -168,38 +158,37 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
 void filter_control(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   auto width = static_cast<float>(settings.filter_width);
-  if (controls.slider("Filter",
-                      "Side of the square around its middle that a pixel is the mean of, 1 to 4 "
-                      "pixels. Wider than 1, pixels overlap: softer, and calmer where it moves. "
+  if (controls.slider("Pixel filter",
+                      "Width of the box filter, 1 to 4 pixels. Above 1: softer, less flicker. "
                       "Ctrl+click to type a value.",
                       width,
                       {1.0f, static_cast<float>(RenderSettings::max_filter_width),
                        static_cast<float>(usual.filter_width)},
-                      [](float w) { return fmt::format("{:.2f} pixels", w); }))
+                      [](float w) { return fmt::format("{:.2f} px", w); }))
     settings.filter_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
 }
 
 void line_control(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   auto width = static_cast<float>(settings.line_width);
-  if (controls.slider("Lines",
-                      "Width of the scene's lines, and the diameter of its points, 0 to 16 pixels; "
-                      "0 leaves them out. Ctrl+click to type a value.",
-                      width,
-                      {0.0f, static_cast<float>(RenderSettings::max_line_width),
-                       static_cast<float>(usual.line_width)},
-                      [](float w) { return fmt::format("{:.2f} pixels", w); }))
+  if (controls.slider(
+          "Lines",
+          "Width of lines and points, 0 to 16 pixels. 0 hides them. Ctrl+click to type a value.",
+          width,
+          {0.0f, static_cast<float>(RenderSettings::max_line_width),
+           static_cast<float>(usual.line_width)},
+          [](float w) { return fmt::format("{:.2f} px", w); }))
     settings.line_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
 }
 
 void texture_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
-  choose(controls, "Textures", texture_filters, settings.texture.filter, usual.texture.filter);
+  choose(controls, "Texture filter", texture_filters, settings.texture.filter,
+         usual.texture.filter);
   if (!in_object_space(settings.method)) return;
   controls.slider("TR",
-                  "Texture resolution: TR x TR jittered samples of each pixel of textured surface "
-                  "that nothing bounds, 1 to 8 (CGF'98 section 3.2). Needed where textures are "
-                  "looked up at points.",
+                  "TR x TR texture samples per pixel without edges, 1 to 8 (CGF'98 section 3.2). "
+                  "Only needed with point filtering.",
                   settings.texture.resolution,
                   {1, TextureSettings::max_resolution, usual.texture.resolution},
                   [](int n) { return n == 1 ? std::string("1") : fmt::format("{0} x {0}", n); });
@@ -240,9 +229,7 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast&
   if (scene && !scene->world().strokes.empty()) line_control(controls, settings);
   if (!scene || scene->needs.textures) texture_controls(controls, settings);
   if (scene && !scene->needs.culling) return;
-  controls.checkbox("Culling",
-                    "Leave out the backs of surfaces whose material is not double-sided, as glTF "
-                    "says. Without it they are seen from both sides.",
+  controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",
                     settings.cull, usual.cull);
 }
 

@@ -7,23 +7,19 @@ namespace asos {
 namespace {
 
 constexpr std::array background_kinds{
-    Controls::Option{"Environment", "The sky, as mirrors show it."},
-    Controls::Option{"Blurred", "The sky, out of focus; mirrors, glass and light keep it sharp."},
-    Controls::Option{"Colours",
-                     "A gradient down the picture; mirrors, glass and light keep the sky."},
+    Controls::Option{"Environment", "The sky."},
+    Controls::Option{"Blurred", "The sky out of focus. Mirrors, glass and lighting keep it sharp."},
+    Controls::Option{"Colours", "A vertical gradient. Mirrors, glass and lighting keep the sky."},
     Controls::Option{"Transparent",
-                     "Nothing: saved pictures have an alpha channel, which tells exactly how much "
-                     "of each pixel surfaces cover. Mirrors, glass and light keep the sky."},
+                     "Transparent, with exact coverage in saved pictures. Mirrors, glass and "
+                     "lighting keep the sky."},
 };
 
 constexpr std::array grounds{
-    Controls::Option{"Off", "The scene stands on nothing."},
-    Controls::Option{"On",
-                     "A plate at its lowest point that receives its shadows. It is no part of the "
-                     "scene: neither counted nor saved with it."},
+    Controls::Option{"Off", "No ground."},
+    Controls::Option{"On", "A ground plane that catches shadows. Not part of the file."},
     Controls::Option{"Mirror",
-                     "A plate that mirrors by a defocusing ratio (DFR): sharp where it is looked "
-                     "along, blurred from above."},
+                     "A reflecting ground plane: sharp along the surface, blurred from above."},
 };
 
 }  // namespace
@@ -38,9 +34,9 @@ void background_controls(Controls& controls, RenderSettings& settings) {
   if (controls.options("Background", background_kinds, kind, {false, 0}))
     background.kind = static_cast<BackgroundKind>(kind);
   if (background.kind != BackgroundKind::colours) return;
-  controls.colour("Upper", "At the picture's upper border: red, green, blue, 0 to 255 as shown.",
+  controls.colour("Upper", "Colour at the upper border, red, green, blue, 0 to 255.",
                   background.top, usual.top);
-  controls.colour("Lower", "At the picture's lower border: red, green, blue, 0 to 255 as shown.",
+  controls.colour("Lower", "Colour at the lower border, red, green, blue, 0 to 255.",
                   background.bottom, usual.bottom);
 }
 

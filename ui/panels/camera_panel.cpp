@@ -19,10 +19,10 @@ void camera_list(Controls& controls, Viewpoint& viewpoint, const std::vector<Cam
   }
   // A camera that was left is not shown any more, and may be chosen again.
   int chosen = viewpoint.left_chosen() ? -1 : viewpoint.chosen_camera() + 1;
-  if (controls.list("View",
-                    "The cameras of the file, and a view that frames the whole scene. Empty: the "
-                    "camera has been moved.",
-                    names, chosen)) {
+  if (controls.list(
+          "View",
+          "Cameras of the file, and a view of the whole scene. Empty: the camera was moved.", names,
+          chosen)) {
     viewpoint.choose_camera(chosen - 1);
   }
 }
@@ -35,11 +35,9 @@ void side_buttons(Controls& controls, Viewpoint& viewpoint) {
     Side side;
   };
   constexpr std::array buttons{
-      Button{"Front", "Look at the same point along -Z. Keys: 1; Ctrl + 1 from behind.",
-             Side::front},
-      Button{"Right", "Look at the same point along -X. Keys: 3; Ctrl + 3 from the left.",
-             Side::right},
-      Button{"Top", "Look at the same point from above. Keys: 7; Ctrl + 7 from below.", Side::top},
+      Button{"Front", "View along -Z (1). From behind: Ctrl+1.", Side::front},
+      Button{"Right", "View along -X (3). From the left: Ctrl+3.", Side::right},
+      Button{"Top", "View from above (7). From below: Ctrl+7.", Side::top},
   };
   const float gaps = 2.0f * ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gaps) / 3.0f;
@@ -50,8 +48,8 @@ void side_buttons(Controls& controls, Viewpoint& viewpoint) {
 }
 
 constexpr std::array projections{
-    Controls::Option{"Perspective", "What is farther away looks smaller. Key: 5."},
-    Controls::Option{"Orthographic", "What is farther away looks as large. Key: 5."},
+    Controls::Option{"Perspective", "Distant objects look smaller (5)."},
+    Controls::Option{"Orthographic", "Distant objects keep their size (5)."},
 };
 
 void lens_controls(Controls& controls, OrbitCamera& camera) {
@@ -62,23 +60,20 @@ void lens_controls(Controls& controls, OrbitCamera& camera) {
   if (chosen == 1) return;
   constexpr float usual_deg = 45.0f;
   float fov_deg = static_cast<float>(glm::degrees(now.fov_y_rad));
-  if (controls.slider(
-          "Field of view", "From the picture's lower edge to its upper one, in degrees.", fov_deg,
-          {1.0f, 170.0f, usual_deg}, [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
+  if (controls.slider("Field of view", "Vertical field of view in degrees.", fov_deg,
+                      {1.0f, 170.0f, usual_deg},
+                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
     camera.set_fov_y(glm::radians(static_cast<double>(fov_deg)));
 }
 
 void turntable_controls(Controls& controls, Turntable& turntable) {
   bool turning = turntable.turning();
-  if (controls.checkbox("Turntable",
-                        "Circle what is looked at until the camera is turned otherwise. Each view "
-                        "is shown by the passes that there is time for. Key: T.",
+  if (controls.checkbox("Turntable", "Circle the orbit centre until you move the camera (T).",
                         turning, false))
     turntable.set_turning(turning);
   if (!turning) return;
   controls.number(
-      "Seconds a turn", "How long a whole turn takes. Ctrl+click to type a value.",
-      turntable.seconds_a_turn,
+      "Turn time", "Seconds per turn. Ctrl+click to type a value.", turntable.seconds_a_turn,
       {{Turntable::fastest, Turntable::slowest, Turntable{}.seconds_a_turn}, 0.01, true},
       [](double s) { return fmt::format("{:.3g} s", s); });
 }
@@ -91,16 +86,11 @@ void camera_panel(Controls& controls, Previewer& previewer) {
   const std::vector<Camera>& cameras = previewer.scene()->world().cameras;
   if (!cameras.empty()) camera_list(controls, viewpoint, cameras);
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (controls.button("Frame all",
-                      "Move the camera so that everything is in the picture; the direction stays. "
-                      "Keys: Home, F.",
-                      width)) {
+  if (controls.button("Frame all", "Fit the whole scene into the picture (Home, F).", width)) {
     viewpoint.frame_all();
   }
   ImGui::SameLine();
-  if (controls.button("Reset view",
-                      "Back to the view that the scene opened with, or that was chosen last.",
-                      width)) {
+  if (controls.button("Reset view", "Restore the view of the start or the chosen camera.", width)) {
     viewpoint.choose_camera(viewpoint.chosen_camera());
   }
   side_buttons(controls, viewpoint);

@@ -21,7 +21,7 @@ constexpr std::size_t most_runs = 12'000;  // that are drawn
 
 std::string alarm_words(double alarm) {
   return alarm > 0.0 ? fmt::format("{:.4f}  =  {:.1f} / 255", alarm, 255.0 * alarm)
-                     : std::string("0: any");
+                     : std::string("0 (any)");
 }
 
 std::string share_of(std::size_t part, std::size_t whole) {
@@ -41,14 +41,13 @@ void finding_rows(Controls& controls, const SplitFindings* found, const Film& fi
     rmse = fmt::format("{:.2g}, noise {:.2g}", found->rmse, found->noise);
   }
   controls.row("Missed splits", missed,
-               "Pixels that were not split and are off the reference by more than the alarm and "
-               "than its noise explains; as a share of those that were not split.");
-  controls.row("Wasted splits", wasted,
-               "Pixels that were split and came out as a single sample would have shown them, "
-               "within a quarter of a step of an 8-bit picture; as a share of the split ones.");
+               "Unsplit pixels with an error above the threshold and the reference's noise. "
+               "Percentage of unsplit pixels.");
+  controls.row(
+      "Unneeded splits", wasted,
+      "Split pixels that one sample would have shown equally well. Percentage of split pixels.");
   controls.row("RMSE", rmse,
-               "Root mean square error of the picture against the reference, linear values clipped "
-               "to 0 to 1, and how much of that is the reference's own.");
+               "RMSE against the reference, clipped linear values, and the reference's own noise.");
 }
 
 void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const PictureView& view,
@@ -77,31 +76,29 @@ void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const Pictu
 void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
                  const SplitCheck& check) {
   if (!previewer.scene() || !in_object_space(previewer.edits().settings().method) ||
-      !controls.section("Missed splits", false))
+      !controls.section("Check splits", false))
     return;
   const CheckChoice usual;
   controls.checkbox(
-      "Find missed",
-      "Sample the finished picture's view in the background, with up to 256 samples a "
-      "pixel, and mark where splitting was missed or wasted.",
+      "Check splits",
+      "Compare with a 256-sample reference and mark pixels split too little or for nothing.",
       choice.check, usual.check);
   if (!choice.check) return;
-  controls.log_slider("Above",
-                      "The error of display intensity, 0 to 1, beyond which a pixel that was not "
-                      "split is marked. Ctrl+click to type a value.",
-                      choice.alarm, {0.0, 1.0, usual.alarm}, alarm_words);
-  controls.checkbox("Missed", "Red: not split, and visibly off the reference.", choice.mark_missed,
-                    usual.mark_missed);
-  controls.checkbox("Wasted", "Blue: split, and no different from one sample.", choice.mark_wasted,
-                    usual.mark_wasted);
+  controls.log_slider(
+      "Threshold",
+      "Error above which an unsplit pixel is marked, 0 to 1. Ctrl+click to type a value.",
+      choice.alarm, {0.0, 1.0, usual.alarm}, alarm_words);
+  controls.checkbox("Show missed", "Red: not split, but visibly different from the reference.",
+                    choice.mark_missed, usual.mark_missed);
+  controls.checkbox("Show unneeded", "Blue: split, but one sample would suffice.",
+                    choice.mark_wasted, usual.mark_wasted);
   const SplitFindings* found = check.findings();
-  std::string words = "when finished";
+  std::string words = "(when finished)";
   if (check.busy()) words = "sampling";
   if (found)
     words = fmt::format("{} samples{}", found->passes * SplitCheck::samples_each,
-                        check.busy() ? ", going on" : "");
-  controls.row("Reference", words,
-               "What the picture is compared with, and how many samples of each pixel.");
+                        check.busy() ? ", continuing" : "");
+  controls.row("Reference", words, "Samples per pixel of the reference.");
   finding_rows(controls, found, previewer.render().film());
 }
 

@@ -18,13 +18,11 @@ namespace asos {
 namespace {
 
 constexpr std::array comparisons{
-    Controls::Option{"Off", "The current picture alone."},
-    Controls::Option{"Wipe",
-                     "The current picture at the left, the stored frame at the right of a line."},
-    Controls::Option{"Flip", "One in place of the other. Key: X."},
+    Controls::Option{"Off", "Only the current picture."},
+    Controls::Option{"Wipe", "Current picture on the left, snapshot on the right."},
+    Controls::Option{"Flip", "Switch between picture and snapshot (X)."},
     Controls::Option{"Difference",
-                     "By how much they differ in display intensity, the largest channel, on an "
-                     "absolute scale."},
+                     "Difference of display intensity, largest channel, on an absolute scale."},
 };
 
 std::string summary_of(const Previewer& previewer) {
@@ -57,8 +55,7 @@ void difference_legend(Controls& controls, const std::string& most) {
   draw.AddText({corner.x, corner.y + em}, theme::packed(theme::dim_text), "0");
   draw.AddText({right, corner.y + em}, theme::packed(theme::dim_text), most.c_str());
   ImGui::Dummy({width, 2.2f * em});
-  controls.placed("Difference legend",
-                  "Black: no difference. White: as much as the scale tells, or more.");
+  controls.placed("Difference legend", "Black: no difference. White: the scale's maximum or more.");
 }
 
 /// Of that part of the picture which the frame shows, too; `sized`: the frame at its size.
@@ -80,7 +77,7 @@ void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
   const PreviewRender& render = previewer.render();
   const Film& film = render.film();
   const bool same = frame.film.width == film.width && frame.film.height == film.height;
-  std::string words = "when finished";
+  std::string words = "(when finished)";
   if (render.progress().finished && film.width > 0) {
     const Frames::Measured now{render.restarts(), frames.revision, frames.chosen};
     if (!(now == frames.measured)) {
@@ -90,17 +87,13 @@ void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
     }
     words = fmt::format("{:.3g}", frames.rmse);
   }
-  controls.row("RMSE", words,
-               "Root mean square difference of the finished picture and the stored frame, of "
-               "linear values.");
+  controls.row("RMSE", words, "RMS difference between picture and snapshot, linear values.");
   if (same) return;
   controls.row("Resampled",
                fmt::format("{} x {} to {} x {}", frame.film.width, frame.film.height, film.width,
                            film.height),
-               "The frame was stored at another size: it is shown, and compared, scaled to the "
-               "picture's height, each pixel the mean of what it covers; beyond its sides it is "
-               "black, and counts for nothing. Edges differ by that alone: for what is exact "
-               "store it at this size.");
+               "The snapshot has another size and is resampled. Edges differ for that reason. For "
+               "exact differences keep a snapshot of this size.");
 }
 
 void comparison_controls(Controls& controls, Frames& frames) {
@@ -113,18 +106,16 @@ void comparison_controls(Controls& controls, Frames& frames) {
     case Comparison::none:
       break;
     case Comparison::wipe:
-      controls.slider("Wipe", "Where the line is, in percent of the picture's width.", frames.wipe,
+      controls.slider("Wipe", "Position of the divider in percent of the width.", frames.wipe,
                       {0.0f, 1.0f, 0.5f},
                       [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
       break;
     case Comparison::flip:
-      controls.checkbox("Stored shown", "Show the stored frame in place of the picture. Key: X.",
+      controls.checkbox("Show snapshot", "Show the snapshot instead of the picture (X).",
                         frames.flipped, false);
       break;
     case Comparison::difference:
-      controls.slider("Scale",
-                      "The difference of display intensity, 0 to 1, that shows as white; 1/256 is "
-                      "one step of an 8-bit picture.",
+      controls.slider("Scale", "Difference shown as white, 0 to 1. 1/256 is one 8-bit step.",
                       frames.scale_stops, {-10.0f, 0.0f, -4.0f}, scale_words);
       difference_legend(controls, scale_words(frames.scale_stops));
       break;
@@ -137,22 +128,22 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
   if (!previewer.scene() || !controls.section("Compare", false)) return;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   const bool full = frames.stored.size() >= Frames::most;
-  if (controls.button("Store frame",
-                      full ? "There are eight frames: remove one first."
-                           : "Put the picture by as it is, to compare with. Key: S.",
+  if (controls.button("Keep snapshot",
+                      full ? "Eight snapshots at most: delete one first."
+                           : "Keep the picture to compare with (S).",
                       width))
     store_frame(frames, previewer);
   ImGui::SameLine();
-  if (controls.button("Remove frame", "Forget the chosen frame.", width))
+  if (controls.button("Delete snapshot", "Delete the chosen snapshot.", width))
     frames.remove(frames.chosen);
   if (frames.stored.empty()) return;
 
   std::vector<Controls::Option> options;
   for (const StoredFrame& frame : frames.stored)
     options.push_back({frame.name.c_str(), frame.summary.c_str()});
-  controls.options("Frame", options, frames.chosen);
-  controls.row("Made by", frames.stored[static_cast<std::size_t>(frames.chosen)].summary,
-               "How the chosen frame was rendered.");
+  controls.options("Snapshot", options, frames.chosen);
+  controls.row("Settings", frames.stored[static_cast<std::size_t>(frames.chosen)].summary,
+               "Settings of the chosen snapshot.");
   error_row(controls, previewer, frames);
   comparison_controls(controls, frames);
 }

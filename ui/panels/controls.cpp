@@ -177,7 +177,10 @@ void Controls::label(const char* name, const char* tooltip) {
   ImGui::TextDisabled("%s", name);
   note_double_click(name);
   explain(name, tooltip);
-  ImGui::SameLine(ImGui::GetFontSize() * label_width_em);
+  // Long labels move their widget to the right.
+  const float left = ImGui::GetStyle().WindowPadding.x;
+  const float text = ImGui::CalcTextSize(name).x + 0.6f * ImGui::GetFontSize();
+  ImGui::SameLine(std::max(ImGui::GetFontSize() * label_width_em, left + text));
   ImGui::SetNextItemWidth(-1.0f);
 }
 

@@ -25,10 +25,10 @@ constexpr double quarter_turn = 0.5 * std::numbers::pi;
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 constexpr std::array channels{
-    Controls::Option{"All", "Edit the curves of red, green and blue as one."},
-    Controls::Option{"Red", "Edit the curve of red alone."},
-    Controls::Option{"Green", "Edit the curve of green alone."},
-    Controls::Option{"Blue", "Edit the curve of blue alone."},
+    Controls::Option{"All", "Edit all channels together."},
+    Controls::Option{"Red", "Edit the red curve."},
+    Controls::Option{"Green", "Edit the green curve."},
+    Controls::Option{"Blue", "Edit the blue curve."},
 };
 /// Those of the split map that are most like them, which the colour-blind tell apart.
 constexpr std::array<std::uint32_t, 4> channel_colours{theme::plot_text, 0xd55e00, 0x009e73,
@@ -41,9 +41,9 @@ struct Preset {
 /// The ratios that CGF'98 shows, and a perfect mirror.
 constexpr std::array presets{
     Preset{"Perfect mirror", {1.0, 1.0, 1.0}},
-    Preset{"Figure 7 with N = 1", {0.6, 0.95, 1.0}},
-    Preset{"Figure 18", {0.05, 1.0, 32.0}},
-    Preset{"Figure 19", {0.05, 1.0, 64.0}},
+    Preset{"Linear", {0.6, 0.95, 1.0}},
+    Preset{"Soft (N = 32)", {0.05, 1.0, 32.0}},
+    Preset{"Softer (N = 64)", {0.05, 1.0, 64.0}},
 };
 
 /// Where the plot is in the window: the angle of incidence to the right, 0 to 90 degrees, and the
@@ -99,8 +99,7 @@ void draw_dfr_axes(const DfrPlot& plot) {
     plot_text({x, plot.hi.y + 0.25f * em}, 0.5f, fmt::format("{}\u00b0", 30 * i), theme::dim_text);
   }
   plot_text({plot.lo.x, plot.lo.y - 1.35f * em}, 0.0f, "DFR", theme::text);
-  plot_text({plot.hi.x, plot.lo.y - 1.35f * em}, 1.0f, "dashed: widening at 2\u00b0",
-            theme::dim_text);
+  plot_text({plot.hi.x, plot.lo.y - 1.35f * em}, 1.0f, "dashed: cone growth (%)", theme::dim_text);
 }
 
 /// The ratio as a line, the widening dashed.
@@ -168,20 +167,17 @@ void knobs(Controls& controls, const DfrPlot& plot, Dfr& dfr, DfrChannel channel
   const glm::vec2 max_at(plot.x_at(quarter_turn), plot.y_at(curve.max));
 
   const Controls::Handle n = controls.handle(
-      "N point",
-      "Drag sideways: the angle at which the ratio is half-way from DFRMIN to DFRMAX. The larger N "
-      "is, the nearer it lies to 90 degrees. A double click resets.",
+      "N point", "Drag to set N: the angle where the ratio is half-way. Double-click to reset.",
       n_at);
   if (n.moved)
     set_curves(dfr, channel, &DfrCurve::exponent, exponent_of_halfway(plot.angle_deg(n.moved->x)));
   if (n.reset) set_curves(dfr, channel, &DfrCurve::exponent, to.exponent);
-  const Controls::Handle min = controls.handle(
-      "DFRMIN point", "Drag up or down: DFRMIN, the ratio where the mirror is looked at square on.",
-      min_at);
+  const Controls::Handle min =
+      controls.handle("DFRMIN point", "Drag to set DFRMIN, the ratio at normal incidence.", min_at);
   if (min.moved) set_curves(dfr, channel, &DfrCurve::min, plot.ratio(min.moved->y));
   if (min.reset) set_curves(dfr, channel, &DfrCurve::min, to.min);
   const Controls::Handle max = controls.handle(
-      "DFRMAX point", "Drag up or down: DFRMAX, the ratio at grazing incidence.", max_at);
+      "DFRMAX point", "Drag to set DFRMAX, the ratio at grazing incidence.", max_at);
   if (max.moved) set_curves(dfr, channel, &DfrCurve::max, plot.ratio(max.moved->y));
   if (max.reset) set_curves(dfr, channel, &DfrCurve::max, to.max);
   draw_knob(n_at, rgb, n.lit);
@@ -201,11 +197,9 @@ void plot_and_bar(Controls& controls, Dfr& dfr, DfrChannel channel, const Dfr& u
   const glm::vec2 bar_hi(plot.hi.x, bar_lo.y + bar_height_em * em);
 
   ImGui::Dummy({width, dfr_plot_height_em * em});
-  controls.placed(
-      "DFR curve",
-      "The defocusing ratio, 0 to 1, against the angle of incidence: DFRMIN + (DFRMAX - "
-      "DFRMIN) sin(angle)^N. 1 mirrors sharply. Dashed: by how many percent a pyray of "
-      "2 degrees becomes wider. Drag the three points.");
+  controls.placed("DFR curve",
+                  "Defocusing ratio (DFR) by angle of incidence. 1 is a perfect mirror. Dashed: "
+                  "growth of a 2-degree cone in percent. Drag the three points.");
   draw_dfr_axes(plot);
   const bool one = alike(dfr);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -224,9 +218,9 @@ void plot_and_bar(Controls& controls, Dfr& dfr, DfrChannel channel, const Dfr& u
   knobs(controls, plot, dfr, channel, usual);
   ImGui::SetCursorScreenPos(after);
   ImGui::Dummy({width, bar_height_em * em + 0.3f * em});
-  controls.placed("DFR patch",
-                  "A white bar, 12 pyrays high, as the mirror shows it under each angle of "
-                  "incidence: the wider the reflected pyray, the softer its edges.");
+  controls.placed(
+      "DFR patch",
+      "A white bar as reflected at each angle of incidence. Wider cones blur its edges.");
 }
 
 /// Typed values, beside the points.
@@ -239,12 +233,10 @@ void dfr_numbers(Controls& controls, Dfr& dfr, DfrChannel channel, const Dfr& us
     double step;
   };
   constexpr std::array fields{
-      Field{"DFRMIN", "The ratio at 0 degrees, where the mirror is looked at square on, 0 to 1.",
-            &DfrCurve::min, 1.0, 0.005},
-      Field{"DFRMAX", "The ratio at 90 degrees, grazing incidence, 0 to 1.", &DfrCurve::max, 1.0,
-            0.005},
-      Field{"N", "How fast the ratio goes from DFRMIN to DFRMAX: 0 to 1000, no unit.",
-            &DfrCurve::exponent, most_plotted_exponent, 0.05},
+      Field{"DFRMIN", "Ratio at normal incidence, 0 to 1.", &DfrCurve::min, 1.0, 0.005},
+      Field{"DFRMAX", "Ratio at grazing incidence, 0 to 1.", &DfrCurve::max, 1.0, 0.005},
+      Field{"N", "Exponent of the curve, 0 to 1000.", &DfrCurve::exponent, most_plotted_exponent,
+            0.05},
   };
   for (const Field& field : fields) {
     double value = curve_of(dfr, channel).*field.member;
@@ -267,10 +259,9 @@ void preset_list(Controls& controls, Dfr& dfr) {
   // A curve that is none of them has a name, too, but cannot be chosen.
   if (chosen < 0) {
     chosen = static_cast<int>(names.size());
-    names.emplace_back("own curve");
+    names.emplace_back("custom");
   }
-  if (controls.list("Preset", "Ratios that were published (CGF'98), for all three colours.", names,
-                    chosen) &&
+  if (controls.list("Preset", "Published curves (CGF'98) for all channels.", names, chosen) &&
       chosen < static_cast<int>(presets.size()))
     dfr.rgb.fill(presets[static_cast<std::size_t>(chosen)].curve);
 }
@@ -287,20 +278,17 @@ bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& us
   plot_and_bar(controls, dfr, channel, usual, incidence_rad);
   if (incidence_rad) {
     const double ratio = dfr_at(curve_of(dfr, channel), std::cos(*incidence_rad));
-    controls.row("Picked pixel",
-                 fmt::format("{:.1f}\u00b0, {:.2g}, +{:.3g} %", *incidence_rad * deg_per_rad, ratio,
-                             percentage_increase(plotted_pyray_rad, ratio)),
-                 "The angle at which the picked pixel looks at its mirror, the ratio there, and by "
-                 "how much a pyray of 2 degrees widens.");
+    controls.row(
+        "Picked pixel",
+        fmt::format("{:.1f}\u00b0, {:.2g}, +{:.3g} %", *incidence_rad * deg_per_rad, ratio,
+                    percentage_increase(plotted_pyray_rad, ratio)),
+        "Angle of incidence at the inspected pixel, its ratio, and growth of a 2-degree cone.");
   }
   dfr_numbers(controls, dfr, channel, usual);
   float unevenness = static_cast<float>(dfr.perturbation);
-  if (controls.slider(
-          "Unevenness",
-          "By what share of itself the ratio varies at random from place to place, 0 to "
-          "100 %: a surface that is not the same everywhere.",
-          unevenness, {0.0f, 1.0f, static_cast<float>(usual.perturbation)},
-          [](float share) { return fmt::format("{:.0f} %", 100.0f * share); }))
+  if (controls.slider("Variation", "Random variation of the ratio from place to place, 0 to 100 %.",
+                      unevenness, {0.0f, 1.0f, static_cast<float>(usual.perturbation)},
+                      [](float share) { return fmt::format("{:.0f} %", 100.0f * share); }))
     dfr.perturbation = static_cast<double>(unevenness);
   return dfr != before;
 }

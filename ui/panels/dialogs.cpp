@@ -23,29 +23,29 @@ constexpr std::array help_lines{
     HelpLine{"Wheel", "move closer, farther"},
     HelpLine{"Double click", "orbit about this point"},
     HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
-    HelpLine{"Shift + right drag", "turn lights and sky about the scene"},
+    HelpLine{"Shift + right drag", "rotate lights and sky"},
     HelpLine{"Home, F", "frame the whole scene"},
     HelpLine{"1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
-    HelpLine{"T", "turntable: circle the scene, or stop"},
-    HelpLine{"Click", "see how a pixel was split"},
+    HelpLine{"T", "turntable on or off"},
+    HelpLine{"Click", "inspect a pixel"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + wheel, + and -", "zoom into the pixels"},
     HelpLine{"Right drag, zoomed", "move the picture"},
-    HelpLine{"0", "back to one to one"},
-    HelpLine{"S, X", "store the picture, flip to it and back"},
+    HelpLine{"0", "zoom back to 1:1"},
+    HelpLine{"S, X", "keep snapshot, switch to it and back"},
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
-    HelpLine{"Space", "pause the render, go on"},
+    HelpLine{"Space", "pause or resume rendering"},
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
     HelpLine{"Tab", "hide or show the panel"},
     HelpLine{"F6, arrows, Space, Enter", "use the panel by keyboard"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + O, drop a file", "open a scene"},
-    HelpLine{"Page Up, Page Down", "the previous, the next model of the folder"},
-    HelpLine{"R", "load the file again"},
+    HelpLine{"Page Up, Page Down", "previous, next model of the folder"},
+    HelpLine{"R", "reload the file"},
     HelpLine{"P, F12", "save the picture as PNG"},
-    HelpLine{"Ctrl + S", "save it as EXR, larger, or with the window"},
+    HelpLine{"Ctrl + S", "save as EXR, larger, or with the window"},
     HelpLine{"F1, ?", "this help"},
     HelpLine{"Esc; Ctrl + Q", "close what is open; quit"},
 };
@@ -83,21 +83,21 @@ namespace {
 void flip(UiState& state, const Film& film) {
   Frames& frames = state.frames;
   if (frames.stored.empty()) {
-    state.said = "No frame is stored yet: S stores one";
+    state.said = "No snapshot yet: press S to keep one";
     return;
   }
   frames.flipped = !(frames.comparison == Comparison::flip && frames.flipped);
   frames.comparison = Comparison::flip;
   const StoredFrame& frame = *frames.compared();
-  state.said = frames.flipped ? "Frame " + frame.name : std::string("The picture");
+  state.said = frames.flipped ? "Snapshot " + frame.name : std::string("Current picture");
   if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
     state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
 }
 
 void store(UiState& state, const Previewer& previewer) {
   state.said = store_frame(state.frames, previewer)
-                   ? "Stored as frame " + state.frames.stored.back().name
-                   : std::string("There are eight frames already: remove one first");
+                   ? "Kept as snapshot " + state.frames.stored.back().name
+                   : std::string("Eight snapshots at most: delete one first");
 }
 
 // To another model of the folder.
@@ -106,7 +106,7 @@ void page(UiState& state, Previewer& previewer, int step) {
   if (!scene) return;
   const std::optional<NextModel> next = next_model(scene->geometry->source, step);
   if (!next) {
-    state.said = "There is no other model in this folder";
+    state.said = "No other model in this folder";
     return;
   }
   previewer.scene().open(next->path);

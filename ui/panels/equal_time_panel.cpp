@@ -26,7 +26,8 @@ void rival_choice(Controls& controls, Method& method) {
     return static_cast<int>(std::find(offered.begin(), offered.end(), wanted) - offered.begin());
   };
   int chosen = place_of(method);
-  if (controls.options("Rival", options, chosen, {false, place_of(EqualTimeChoice{}.method)}))
+  if (controls.options("Other method", options, chosen,
+                       {false, place_of(EqualTimeChoice{}.method)}))
     method = offered[static_cast<std::size_t>(chosen)];
 }
 
@@ -67,21 +68,19 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
   const PreviewRender& render = previewer.render();
   rival_choice(controls, choice.method);
   if (job.busy()) {
-    if (controls.button("Stop rival", "End the render of the other method.", -1.0f)) job.stop();
-  } else if (controls.button("Split screen",
-                             "Render the view as it is by this method, as well as it can in "
-                             "the processor time of the finished picture, store it as a frame, and "
-                             "show it at the right of the wipe line.",
+    if (controls.button("Cancel comparison", "Stop rendering the other method.", -1.0f)) job.stop();
+  } else if (controls.button("Render and compare",
+                             "Render this view by another method in the same CPU time. The result "
+                             "is kept as a snapshot and shown behind a divider.",
                              -1.0f)) {
     start_equal_time(previewer, choice, job, frames);
   }
-  std::string words = "when finished";
+  std::string words = "(when finished)";
   if (render.progress().finished) words = processor_words(processor_seconds(render.film()));
-  if (frames.stored.size() >= Frames::most) words = "remove a frame first";
+  if (frames.stored.size() >= Frames::most) words = "delete a snapshot first";
   if (job.busy()) words = "rendering";
-  controls.row("Processor time", words,
-               "Processor time of all workers together that the picture's final pixels took, "
-               "which the other method gets.");
+  controls.row("CPU time", words,
+               "CPU time of the finished picture, all threads. The other method gets the same.");
 }
 
 }  // namespace asos

@@ -158,8 +158,7 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
   const float em = ImGui::GetFontSize();
   std::string opened;
   browser.follow();
-  if (controls.button("Up", "To the folder that holds this one."))
-    browser.enter(browser.shown_folder().parent_path());
+  if (controls.button("Up", "Parent folder.")) browser.enter(browser.shown_folder().parent_path());
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(printable(browser.shown_folder().string()).c_str());
@@ -173,8 +172,8 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
           ImGuiInputTextFlags_CallbackHistory,
       on_key, &browser);
   controls.placed("Path",
-                  "Filters the folder; a path of a .gltf or .glb file, a saved picture, or "
-                  "builtin:NAME. Tab completes, the arrows choose, Enter opens.");
+                  "Filter, or a path of a scene or saved picture, or builtin:NAME. Tab completes, "
+                  "Enter opens.");
   if (browser.typed != before) browser.chosen = 0;
   if (entered) opened = browser.take_entered();
   browser.follow();
@@ -201,15 +200,14 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
     ImGui::PopID();
     if (chosen && std::exchange(browser.scroll_to_chosen, false)) ImGui::SetScrollHereY();
     controls.placed((entry.is_folder ? "Folder/" : "Entry/") + entry.name,
-                    entry.is_folder ? "Look into this folder." : "Open this file.",
+                    entry.is_folder ? "Open this folder." : "Open this file.",
                     Controls::Use::edits);
     entry_columns(entry, width, chosen);
   }
   if (!browser.listing.error.empty()) ImGui::TextDisabled("%s", browser.listing.error.c_str());
   if (browser.listing.error.empty() && browser.listing.entries.empty())
-    ImGui::TextDisabled("Nothing here that can be opened");
-  if (matching.empty() && !browser.listing.entries.empty())
-    ImGui::TextDisabled("Nothing here has such a name");
+    ImGui::TextDisabled("No scenes in this folder");
+  if (matching.empty() && !browser.listing.entries.empty()) ImGui::TextDisabled("No match");
   ImGui::EndChild();
   if (!into.empty()) browser.enter(into);
   ImGui::Dummy({0.0f, 0.2f * em});

@@ -12,26 +12,21 @@ namespace asos {
 namespace {
 
 constexpr std::array kind_options{
-    Controls::Option{"Point", "A point: sharp shadows. Its intensity is in candela."},
-    Controls::Option{"Sphere", "A shining ball: soft shadows. Its intensity is in candela."},
-    Controls::Option{"Spot", "A point, or a ball, that shines into a cone. In candela."},
-    Controls::Option{"Direction",
-                     "Light that comes from infinitely far, all one way; with an angle it is a "
-                     "sun. Its intensity is the illuminance of what faces it, in lux."},
-    Controls::Option{"Line",
-                     "A straight shining line. Its intensity is that of the whole, seen square on, "
-                     "in candela."},
-    Controls::Option{"Rectangle", "A flat rectangle that shines one way. In nits."},
-    Controls::Option{"Disk", "A flat disk that shines one way. In nits."},
-    Controls::Option{"Polygon",
-                     "A flat outline, which may have a hole, that shines one way. In nits."},
+    Controls::Option{"Point", "Point light: sharp shadows. Unit: candela."},
+    Controls::Option{"Sphere", "Sphere light: soft shadows. Unit: candela."},
+    Controls::Option{"Spot", "Point or sphere light limited to a cone. Unit: candela."},
+    Controls::Option{"Directional", "Parallel light, such as the sun. Unit: lux."},
+    Controls::Option{"Line", "Line light. Unit: candela of the whole line, seen from the side."},
+    Controls::Option{"Rectangle", "Flat rectangle, one-sided. Unit: cd/m²."},
+    Controls::Option{"Disk", "Flat disk, one-sided. Unit: cd/m²."},
+    Controls::Option{"Polygon", "Flat polygon, one-sided, may have a hole. Unit: cd/m²."},
 };
 static_assert(kind_options.size() == light_kind_count);
 
 constexpr std::array outline_options{
-    Controls::Option{"Three", "An outline of three equal sides."},
-    Controls::Option{"Six", "An outline of six equal sides."},
-    Controls::Option{"Star", "A star of five points: an outline that is not convex."},
+    Controls::Option{"Triangle", "A regular triangle."},
+    Controls::Option{"Hexagon", "A regular hexagon."},
+    Controls::Option{"Star", "A five-pointed star."},
     Controls::Option{"Frame", "A square with a square hole."},
 };
 static_assert(outline_options.size() == polygon_shape_count);
@@ -43,7 +38,7 @@ const char* intensity_unit(LightKind kind) {
     case LightKind::rectangle:
     case LightKind::disk:
     case LightKind::polygon:
-      return "nit";
+      return "cd/m\u00b2";
     case LightKind::point:
     case LightKind::sphere:
     case LightKind::spot:
@@ -94,19 +89,16 @@ class LightEditor {
   }
 
   void brightness() {
-    changed_ |= controls_.colour("Colour",
-                                 "Of the light: red, green and blue as sRGB, 0 to 255; the "
-                                 "brightest part is what the intensity tells. Click the patch for "
-                                 "a picker.",
-                                 light_.color, edited_.original.color);
+    changed_ |= controls_.colour(
+        "Colour", "Light colour, sRGB red, green, blue, 0 to 255. Click the patch for a picker.",
+        light_.color, edited_.original.color);
     double intensity = static_cast<double>(light_.intensity);
     constexpr double most = 1e12, step = 1e-3;
     const char* unit = intensity_unit(kind_of(light_));
     if (controls_.number(
             "Intensity",
-            "How bright: candela (cd) for points, balls and lines, lux (lx) for directions, nits "
-            "(cd per square metre) for flat lights. Drag: one percent a pixel. Ctrl+click to type "
-            "a value.",
+            "Brightness in cd (points, spheres, lines), lx (directional) or cd/m² (flat lights). "
+            "Drag, or Ctrl+click to type a value.",
             intensity,
             {{0.0, most, original(static_cast<double>(edited_.original.intensity))}, step, true},
             [&](double value) { return number_words(value) + " " + unit; })) {
@@ -149,18 +141,17 @@ class LightEditor {
       case LightKind::sphere:
       case LightKind::disk:
         length("Radius",
-               "Half of what the light measures across, in metres. Larger: softer "
-               "shadows. Ctrl+click to type a value.",
+               "Radius in metres. Larger lights cast softer shadows. Ctrl+click to type a value.",
                light_.radius, old.radius);
         break;
       case LightKind::linear:
-        half_side("Length", "From end to end, in metres. Ctrl+click to type a value.",
-                  light_.half_u, old.half_u);
+        half_side("Length", "Length in metres. Ctrl+click to type a value.", light_.half_u,
+                  old.half_u);
         break;
       case LightKind::rectangle:
-        half_side("Width", "Of the rectangle, in metres. Ctrl+click to type a value.",
+        half_side("Width", "Side of the rectangle in metres. Ctrl+click to type a value.",
                   light_.half_u, old.half_u);
-        half_side("Height", "Of the rectangle, in metres. Ctrl+click to type a value.",
+        half_side("Height", "Side of the rectangle in metres. Ctrl+click to type a value.",
                   light_.half_v, old.half_v);
         break;
       case LightKind::polygon:
@@ -171,8 +162,7 @@ class LightEditor {
         break;
       case LightKind::directional:
         degrees("Sun's angle",
-                "How wide the sun looks, in degrees: 0 gives sharp shadows; the real one is half a "
-                "degree wide.",
+                "Apparent size of the sun in degrees. 0: sharp shadows. The real sun has 0.5.",
                 light_.angular_diameter_rad, {0.0f, 90.0f, 0.0f});
         break;
     }
@@ -180,27 +170,25 @@ class LightEditor {
 
   void polygon() {
     int shape = -1;
-    if (controls_.options("Outline", outline_options, shape)) {
+    if (controls_.options("Shape", outline_options, shape)) {
       set_polygon_shape(light_, static_cast<PolygonShape>(shape));
       changed_ = true;
     }
     double radius = polygon_radius(light_);
     if (radius > 0.0 &&
         length("Radius",
-               "From the middle to the farthest corner, in metres. Ctrl+click to type a "
-               "value.",
+               "Distance from centre to farthest corner, in metres. Ctrl+click to type a value.",
                radius, polygon_radius(edited_.original)))
       set_polygon_radius(light_, radius);
   }
 
   void cone() {
     constexpr float widest = 89.9f;
-    if (degrees("Cone", "Half of the cone's opening, in degrees: outside there is no light of it.",
-                light_.outer_cone_rad, {0.1f, widest, 45.0f}))
+    if (degrees("Cone", "Half angle of the cone in degrees.", light_.outer_cone_rad,
+                {0.1f, widest, 45.0f}))
       light_.inner_cone_rad = std::min(light_.inner_cone_rad, light_.outer_cone_rad);
-    degrees("Full inside",
-            "Half of the inner cone's opening, in degrees: inside the light is full, and from "
-            "there to the cone it fades.",
+    degrees("Inner cone",
+            "Half angle of full brightness in degrees. The light fades from there to the cone.",
             light_.inner_cone_rad,
             {0.0f, static_cast<float>(glm::degrees(light_.outer_cone_rad)), 0.0f});
   }
@@ -208,10 +196,10 @@ class LightEditor {
   void place() {
     if (light_.type == Light::Type::directional) return;
     glm::dvec3 position = light_.position + origin_;
-    if (!controls_.vector("Position",
-                          "Of the light's middle: x, y (up) and z, in metres. Drag, Ctrl+click to "
-                          "type, or drag the light's mark in the picture.",
-                          position, 2e-3 * scene_.radius, edited_.original.position + origin_))
+    if (!controls_.vector(
+            "Position",
+            "Centre of the light, x, y (up), z, in metres. Drag, type, or drag its gizmo.",
+            position, 2e-3 * scene_.radius, edited_.original.position + origin_))
       return;
     move_light(light_, position - origin_ - light_.position);
     changed_ = true;
@@ -223,28 +211,25 @@ class LightEditor {
     LightTurn turn = turn_of(light_);
     const LightTurn old = same_kind_ ? turn_of(edited_.original) : LightTurn{};
     const auto reset = [](double rad) { return static_cast<float>(glm::degrees(rad)); };
-    bool turned = degrees("Azimuth",
-                          "The compass angle of where the light shines to, or a line runs to, in "
-                          "degrees: 0 along +z, 90 along +x.",
-                          turn.azimuth_rad, {-180.0f, 180.0f, reset(old.azimuth_rad)});
-    turned |= degrees("Elevation",
-                      "How far above the horizon the light shines, in degrees: -90 is straight "
-                      "down.",
-                      turn.elevation_rad, {-90.0f, 90.0f, reset(old.elevation_rad)});
+    bool turned = degrees(
+        "Azimuth", "Compass angle of the light's direction, in degrees: 0 along +z, 90 along +x.",
+        turn.azimuth_rad, {-180.0f, 180.0f, reset(old.azimuth_rad)});
+    turned |=
+        degrees("Elevation", "Direction above the horizon in degrees. -90 points straight down.",
+                turn.elevation_rad, {-90.0f, 90.0f, reset(old.elevation_rad)});
     if (kind == LightKind::rectangle || kind == LightKind::polygon)
-      turned |= degrees("Roll", "How far the outline is turned in its plane, in degrees.",
-                        turn.roll_rad, {-180.0f, 180.0f, reset(old.roll_rad)});
+      turned |= degrees("Roll", "Rotation of the shape in its plane, in degrees.", turn.roll_rad,
+                        {-180.0f, 180.0f, reset(old.roll_rad)});
     if (turned) turn_light(light_, turn);
   }
 
   void flags() {
     const LightKind kind = kind_of(light_);
     if (kind == LightKind::rectangle || kind == LightKind::disk || kind == LightKind::polygon)
-      changed_ |= controls_.checkbox("Two-sided", "The light shines both ways.", light_.two_sided,
+      changed_ |= controls_.checkbox("Two-sided", "Emits light on both sides.", light_.two_sided,
                                      edited_.original.two_sided);
-    changed_ |= controls_.checkbox("Shadowing",
-                                   "Surfaces shut this light out. Without it, it shines through "
-                                   "everything.",
+    changed_ |= controls_.checkbox("Casts shadows",
+                                   "Objects block this light. Off: it passes through everything.",
                                    light_.casts_shadows, edited_.original.casts_shadows);
   }
 

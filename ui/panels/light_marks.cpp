@@ -95,10 +95,9 @@ void mark(Controls& controls, SceneEdits& edits, LightChoice& choice, const Proj
   ImGui::PushID(static_cast<int>(index));
   ImGui::InvisibleButton("light mark", {3.0f * r, 3.0f * r});
   ImGui::PopID();
-  controls.placed(
-      "Mark/" + std::to_string(index + 1),
-      selected ? "Drag to move the light along the picture." : "Click to select this light.",
-      Controls::Use::edits);
+  controls.placed("Mark/" + std::to_string(index + 1),
+                  selected ? "Drag to move the light." : "Click to select this light.",
+                  Controls::Use::edits);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
   draw.AddCircleFilled(at, r, theme::packed(theme::plot_ground, 0.8f));
@@ -160,15 +159,15 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
   const float top = area.rect.lo.y, bottom = area.rect.lo.y + area.rect.size.y;
   ImGui::SetCursorScreenPos({x - grip, top});
   ImGui::InvisibleButton("wipe", {2.0f * grip, bottom - top});
-  controls.placed("Wipe line", "Drag the line.", Controls::Use::edits);
+  controls.placed("Wipe line", "Drag the divider.", Controls::Use::edits);
   const bool held = ImGui::IsItemActive();
   if (held) frames.wipe = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.0f, 1.0f);
   const bool lit = held || ImGui::IsItemHovered();
   ImGui::GetWindowDrawList()->AddLine(
       {x, top}, {x, bottom}, theme::packed(lit ? over_picture(theme::accent_bright) : 0xffffff),
       1.5f);
-  side_label("the picture", {x - 1.5f * grip, top}, 1.0f);
-  side_label("frame " + frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
+  side_label("current picture", {x - 1.5f * grip, top}, 1.0f);
+  side_label("snapshot " + frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
 }
 
 }  // namespace asos

@@ -73,7 +73,7 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
   bool on = edited.on;
   const bool stands_for_surface = edited.light.own_part >= 0;
   if (ImGui::Checkbox("##on", &on)) edits.edit_lights()[i].on = on;
-  controls.placed("Light on/" + number, "Whether the light shines.", Controls::Use::edits);
+  controls.placed("Light on/" + number, "Turn the light on or off.", Controls::Use::edits);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const bool selected = choice.selected == static_cast<int>(i);
@@ -82,10 +82,9 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
   ImGui::PopStyleColor();
   if (pressed) choice.selected = selected ? -1 : static_cast<int>(i);
   controls.placed("Light/" + number,
-                  stands_for_surface
-                      ? "Stands for a surface that shines. Click to edit it, and again to be "
-                        "done; the surface itself looks as before."
-                      : "Click to edit this light, and again to be done.",
+                  stands_for_surface ? "Light of an emissive surface. Click to edit; click again "
+                                       "to close. The surface keeps its look."
+                                     : "Click to edit this light; click again to close.",
                   Controls::Use::edits);
   right_aligned(kind);
   ImGui::PopID();
@@ -106,13 +105,11 @@ void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
     std::vector<EditedLight>& lights = edits.edit_lights();
     for (std::size_t i = 0; i < group.count; ++i) lights[group.first + i].on = on;
   }
-  controls.placed("Surface on/" + number, "Whether the surface's lights shine, all of them.",
+  controls.placed("Surface on/" + number, "Turn all lights of the surface on or off.",
                   Controls::Use::edits);
   ImGui::SameLine();
   const bool open = ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
-  controls.placed("Surface/" + number,
-                  "A surface that shines, by so many lights: one for each of its flat pieces. "
-                  "Click to see them.",
+  controls.placed("Surface/" + number, "Emissive surface with several lights. Click to list them.",
                   Controls::Use::edits);
   right_aligned(std::to_string(group.count) + " lights");
   ImGui::PopID();
@@ -125,8 +122,8 @@ void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
 void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
   if (edits.lights().size() >= many_lights) {
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##find light", "find a light by its name", &choice.find);
-    controls.placed("Find light", "Only lights whose names hold these letters are listed.");
+    ImGui::InputTextWithHint("##find light", "Filter lights", &choice.find);
+    controls.placed("Find light", "List only lights whose names contain these letters.");
   } else {
     choice.find.clear();
   }
@@ -161,19 +158,19 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
     return;
   }
   if (!previewer.scene()->geometry->boundaries.known()) {
-    choice.error = "The boundaries of surfaces are still being looked for.";
+    choice.error = "Edges are still being searched.";
     return;
   }
   const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
   const std::size_t triangles = previewer.scene()->world().triangles.size();
   if (!hit.valid() || hit.triangle >= triangles) {
-    choice.error = "There is no flat surface at the pixel that was clicked.";
+    choice.error = "The clicked pixel shows no flat surface.";
     return;
   }
   std::optional<Light> light =
       light_on_face(*previewer.scene(), hit.triangle, previewer.viewpoint().camera().eye());
   if (!light) {
-    choice.error = "The surface that was clicked has no flat piece.";
+    choice.error = "The clicked surface has no flat face.";
     return;
   }
   add(previewer.edits(), choice, std::move(*light));
@@ -184,28 +181,23 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
              std::optional<glm::ivec2> picked) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
-  if (controls.button("Add light",
-                      "Add a ball between the viewer and the middle of what the camera circles.",
-                      width)) {
+  if (controls.button("Add light", "Add a sphere light between camera and orbit centre.", width)) {
     const SceneSize size = SceneSize::of(previewer.scene()->world().bounds);
     const OrbitCamera& camera = previewer.viewpoint().camera();
     add(previewer.edits(), choice, new_light(camera.eye(), camera.pivot(), size.radius));
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(choice.selected < 0);
-  if (controls.button("Remove light", "Remove the selected light. Ctrl+Z brings it back.", width)) {
+  if (controls.button("Remove light", "Remove the selected light (undo: Ctrl+Z).", width)) {
     std::vector<EditedLight>& lights = previewer.edits().edit_lights();
     lights.erase(lights.begin() + choice.selected);
     choice.selected = std::min(choice.selected, static_cast<int>(lights.size()) - 1);
   }
   ImGui::EndDisabled();
-  if (controls.button("Face to light",
-                      "Turn the flat piece of surface that was clicked in the picture into a light "
-                      "of that outline. The surface itself looks as before.",
-                      width))
+  if (controls.button("Light from face", "Make an area light from the face you clicked.", width))
     add_face(previewer, choice, picked);
   ImGui::SameLine();
-  if (controls.button("Reset lights", "Back to the lights that the scene came with.", width)) {
+  if (controls.button("Reset lights", "Restore the scene's lights.", width)) {
     previewer.edits().reset_lights();
     choice.selected = -1;
   }
@@ -239,10 +231,10 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
   if (edit_light(controls, edited,
                  {SceneSize::of(world.bounds), looked_at(previewer.viewpoint()), world.origin}))
     edits.edit_lights()[index] = std::move(edited);
-  controls.checkbox("Marks",
-                    "Show the lights in the picture: the selected one with its outline. Drag its "
-                    "mark to move it along the picture; click another's to select that.",
-                    choice.show_marks, true);
+  controls.checkbox(
+      "Show gizmos",
+      "Show lights in the picture. Drag a gizmo to move the light; click one to select it.",
+      choice.show_marks, true);
 }
 
 }  // namespace asos

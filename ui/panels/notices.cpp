@@ -44,7 +44,7 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
   // A method that refuses the scene is an error too, but the scene is there.
   const bool open = scene && scene->geometry->source == scene.asked_for();
   const char* headline = open ? "Not possible with this scene" : "Could not open";
-  if (scene.reload_failed()) headline = "Could not reload: the scene from before stays";
+  if (scene.reload_failed()) headline = "Reload failed; still showing the last good version";
   ImGui::TextUnformatted(headline);
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(0.0f);
@@ -52,11 +52,11 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
   ImGui::TextDisabled("%s", printable(error.reason).c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  if (controls.button("Copy", "Copy this message to the clipboard.")) {
+  if (controls.button("Copy", "Copy the message.")) {
     ImGui::SetClipboardText(error.message().c_str());
   }
   ImGui::SameLine();
-  if (controls.button("Close", "Put this message away. Key: Esc.")) scene.dismiss_error();
+  if (controls.button("Close", "Close (Esc).")) scene.dismiss_error();
   end_notice();
 }
 

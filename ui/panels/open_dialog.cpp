@@ -28,8 +28,8 @@ std::filesystem::path first_folder(const Previewer& previewer) {
 std::string recent_list(Controls& controls, const std::vector<std::string>& recent,
                         const std::string& filter) {
   std::string chosen;
-  ImGui::TextDisabled("Opened before");
-  if (recent.empty()) ImGui::TextDisabled("nothing yet");
+  ImGui::TextDisabled("Recent");
+  if (recent.empty()) ImGui::TextDisabled("(none)");
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const std::string name = printable(std::filesystem::path(recent[i]).filename().string());
     if (!named_like(name, filter)) continue;
@@ -44,7 +44,7 @@ std::string recent_list(Controls& controls, const std::vector<std::string>& rece
 
 std::string builtin_list(Controls& controls, const std::string& filter) {
   std::string chosen;
-  ImGui::TextDisabled("Built in");
+  ImGui::TextDisabled("Built-in scenes");
   for (const BuiltinScene& scene : builtin_scenes()) {
     if (!named_like(scene.name, filter)) continue;
     if (ImGui::Selectable(scene.name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
@@ -106,12 +106,11 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
     chosen = known;
 
   ImGui::Spacing();
-  if (controls.button("Open", "Open what is chosen, or the path that was typed. Key: Enter.",
-                      6.0f * em))
+  if (controls.button("Open", "Open the chosen or typed file (Enter).", 6.0f * em))
     chosen = state.browser.take_entered();
   if (!chosen.empty() && chosen == state.browser.typed) chosen = known_like(state, chosen);
   ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", "Open nothing. Key: Esc.", 6.0f * em) ||
+  const bool cancelled = controls.button("Cancel", "Close (Esc).", 6.0f * em) ||
                          ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
   if (!chosen.empty()) {
     std::error_code ignored;

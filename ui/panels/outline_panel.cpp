@@ -40,25 +40,23 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
   std::string said;
   const auto act = [&](bool possible, auto change) {
     if (!chosen) {
-      said = "No object is chosen: click one in the picture or in the list";
+      said = "No object chosen: click one in the picture or list";
     } else if (!possible) {
-      said = "There is no other object";
+      said = "No other object";
     } else {
       change();
       choice.selected = -1;
-      said = "Saved pictures do not remember what is hidden";
+      said = "Saved pictures do not store hidden objects";
     }
   };
-  if (controls.button("Hide",
-                      "Load the scene without the chosen object; its light and its shadow go, too.",
-                      width))
+  if (controls.button("Hide", "Hide the object with its light and shadow.", width))
     act(parts > 1, [&] { scene.hide(choice.selected); });
   ImGui::SameLine();
-  if (controls.button("Isolate", "Show the chosen object alone.", width))
+  if (controls.button("Isolate", "Show only the chosen object.", width))
     act(parts > 1, [&] { scene.show_only(choice.selected); });
   ImGui::SameLine();
-  if (controls.button("Show all", "Bring back what is hidden.", width)) {
-    said = scene.hidden().empty() ? "Nothing is hidden" : "All objects are shown";
+  if (controls.button("Show all", "Show all hidden objects.", width)) {
+    said = scene.hidden().empty() ? "Nothing hidden" : "All objects shown";
     if (!scene.hidden().empty()) scene.show_all();
   }
   return said;
@@ -67,7 +65,7 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
 void material_row(Controls& controls, const Material& material, std::size_t index,
                   std::size_t objects) {
   ImGui::TextUnformatted(name_or(material.name, "Material", index).c_str());
-  controls.placed("Listed material/" + std::to_string(index + 1), "A material of the scene.");
+  controls.placed("Listed material/" + std::to_string(index + 1), "Material of the scene.");
   ImGui::SameLine();
   ImGui::TextDisabled("%s", fmt::format("{}", objects).c_str());
   std::string asked;
@@ -113,10 +111,8 @@ void tree(Controls& controls, const World& world, OutlineChoice& choice) {
         if (ImGui::Selectable(name_or(world.parts[i].name, "Object", i).c_str(),
                               at == choice.selected))
           choice.selected = at == choice.selected ? -1 : at;
-        controls.placed(
-            "Object/" + std::to_string(i + 1),
-            "An object that has this material. Click: choose it, to hide or to isolate.",
-            Controls::Use::edits);
+        controls.placed("Object/" + std::to_string(i + 1),
+                        "Object with this material. Click to choose it.", Controls::Use::edits);
         ImGui::PopID();
       }
     }
@@ -159,17 +155,17 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
                           std::optional<glm::ivec2> picked) {
   if (!previewer.scene()) return {};
   follow(previewer, choice, picked);
-  if (!controls.section("Outline", false)) return {};
+  if (!controls.section("Objects", false)) return {};
   const World& world = previewer.scene()->world();
   const std::string said = buttons(controls, previewer, choice);
   const std::size_t hidden = previewer.scene().hidden().size();
   controls.row("Objects",
                hidden > 0 ? fmt::format("{}, and {} hidden", world.parts.size(), hidden)
                           : fmt::format("{}", world.parts.size()),
-               "Those that are shown, each of one material.");
+               "Visible objects, one material each.");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##find object", "Find an object", &choice.find);
-  controls.placed("Find object", "Letters that the names of listed objects hold.",
+  controls.placed("Find object", "List only objects whose names contain these letters.",
                   Controls::Use::edits);
   tree(controls, previewer.scene()->world(), choice);
   return said;

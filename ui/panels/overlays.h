@@ -54,6 +54,8 @@ void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 
 /// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);
+/// Returns the name of a cause in the legend, such as "silhouette".
+[[nodiscard]] const char* title_of(SplitCause cause);
 
 void help_overlay(UiState& state, const WindowRect& area);
 /// Asks for a path or a built-in scene and opens it.

@@ -42,19 +42,19 @@ void values(Controls& controls, const Film& film, const Frames& frames,
   const glm::vec3 radiance = film.radiance[i];
   const glm::u8vec3 bytes = display_bytes(radiance, display.transform());
   controls.row("Linear", colour_words(radiance),
-               "Red, green and blue of the pixel as rendered: 1 is white at exposure 0.");
-  controls.row("As shown", fmt::format("{} {} {}", bytes.x, bytes.y, bytes.z),
-               "The bytes on the screen, 0 to 255.");
+               "Linear red, green and blue; 1 is white at exposure 0.");
+  controls.row("8-bit", fmt::format("{} {} {}", bytes.x, bytes.y, bytes.z),
+               "Display values, 0 to 255.");
   for (const StoredFrame& frame : frames.stored) {
-    const std::string name = "Against " + frame.name;
+    const std::string name = "vs. " + frame.name;
     if (pixel.x >= frame.film.width || pixel.y >= frame.film.height ||
         frame.film.width != film.width || frame.film.height != film.height) {
-      controls.row(name.c_str(), "another size", "The stored frame has no such pixel.");
+      controls.row(name.c_str(), "another size", "The snapshot has another size.");
       continue;
     }
     const glm::vec3 d = radiance - frame.film.radiance[i];
     controls.row(name.c_str(), fmt::format("{:+.5f} {:+.5f} {:+.5f}", d.x, d.y, d.z),
-                 "Linear value minus that of the stored frame.");
+                 "Linear difference from the snapshot.");
   }
 }
 
@@ -84,16 +84,14 @@ void cost_rows(Controls& controls, const Film& film, const SplitFindings* findin
     controls.row("Rays",
                  fmt::format("{:.0f} in {:.4g} \u00b5s", film.rays[i],
                              1e6 * static_cast<double>(film.seconds[i])),
-                 "Rays of all kinds that the pixel took, and its part of the processor time of the "
-                 "block that it was rendered with.");
+                 "Rays of the pixel, and its CPU time within its block.");
   }
   if (!findings || findings->reference->width != film.width ||
       findings->reference->height != film.height)
     return;
   const glm::vec3 d = glm::clamp(film.radiance[i], 0.0f, 1.0f) - findings->reference->radiance[i];
   controls.row("Error", fmt::format("{:+.5f} {:+.5f} {:+.5f}", d.x, d.y, d.z),
-               "Linear value, clipped to 0 to 1, minus that of the reference that looks for missed "
-               "splits.");
+               "Difference from the reference of \"Check splits\", clipped linear values.");
 }
 
 /// The pixel's square on the screen.
@@ -172,7 +170,7 @@ void cell_tooltip(const TracedCell& cell) {
   ImGui::TextUnformatted(
       fmt::format("Cell of level {}: {:.4g} % of the pixel", cell.level, area).c_str());
   ImGui::TextUnformatted(words_of(cell.fate));
-  ImGui::TextDisabled("%s", fmt::format("{} boundaries, {} groups not resolved, {} hidden",
+  ImGui::TextDisabled("%s", fmt::format("{} edges, {} unresolved groups, {} hidden",
                                         cell.boundaries.size(), cell.clusters, cell.hidden)
                                 .c_str());
   constexpr std::size_t most = 8;
@@ -235,7 +233,7 @@ void tree(Controls& controls, const PixelReport& report, const UiState& state) {
 void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
   if (shown >= 0) {
     ImGui::TextUnformatted(report.pyray_names[static_cast<std::size_t>(shown)].c_str());
-    if (controls.button("Back", "To the pyray that this one came from, or the pixel.", -1.0f))
+    if (controls.button("Back", "Back to the previous view.", -1.0f))
       shown = report.trace.pyrays[static_cast<std::size_t>(shown)].parent;
   }
   std::vector<int> children;
@@ -244,15 +242,15 @@ void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
   if (children.empty()) return;
   constexpr float most_rows = 5.5f;
   const float rows = std::min(static_cast<float>(children.size()), most_rows);
-  ImGui::TextDisabled("Pyrays of its leaves: click to step into one");
+  ImGui::TextDisabled("Shadow and mirror rays (click to open)");
   ImGui::BeginChild("pyrays", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
   for (const int child : children) {
     ImGui::PushID(child);
     if (ImGui::Selectable(report.pyray_names[static_cast<std::size_t>(child)].c_str()))
       shown = child;
     controls.placed("Pyray/" + std::to_string(child + 1),
-                    "Show how this pyray was split: to a light, white where it is seen, or by way "
-                    "of a mirror. The percentage is its leaf's share.",
+                    "Show how this ray pyramid was split. White: the light is visible. Percentages "
+                    "are weights in the pixel.",
                     Controls::Use::edits);
     ImGui::PopID();
   }
@@ -283,9 +281,8 @@ void level_table(Controls& controls, const PixelReport& report) {
   }
   ImGui::EndTable();
   controls.placed("Levels",
-                  "The papers' table. K: level. M: marginal cells. Of the object whose share could "
-                  "still change most: marginal cells whose middle hits it (in) and misses it "
-                  "(out), and L, the larger of the two.");
+                  "Table of the papers. K: level. M: cells with edges. in, out: such cells inside "
+                  "and outside the object. L: the larger of both.");
 }
 
 }  // namespace
@@ -309,10 +306,10 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   const glm::ivec2 pixel = *state.picked;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fmt::format("Pixel {}, {}", pixel.x, pixel.y).c_str());
-  constexpr const char* close = "Close pixel";
+  constexpr const char* close = "Close inspector";
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(close).x -
                   2.0f * ImGui::GetStyle().FramePadding.x);
-  const bool closed = controls.button(close, "Close this view. Key: Esc.");
+  const bool closed = controls.button(close, "Close (Esc).");
   if (report && !report->trace.cells.empty()) why(controls, film, *report, pixel);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);
@@ -323,11 +320,9 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
     pyray_list(controls, *report, shown);
     level_table(controls, *report);
     if (!in_object_space(report->settings.method))
-      ImGui::TextDisabled("As ASOS splits it; the picture is by another method.");
+      ImGui::TextDisabled("Splitting by ASOS; another method rendered the picture.");
   }
-  controls.checkbox("Boundaries",
-                    "Draw the boundaries of the hit list into the picture: all that the search "
-                    "finds for the whole view, those behind surfaces, too.",
+  controls.checkbox("Show edges", "Draw all edges of the view into the picture, hidden ones too.",
                     state.show_boundaries, false);
   if (report && state.show_boundaries && !report->all_boundaries)
     ImGui::TextDisabled(

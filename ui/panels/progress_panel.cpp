@@ -31,9 +31,7 @@ bool changes_ground(const Previewer& previewer) {
 std::string status_words(const Previewer& previewer, const StatusLine& status) {
   if (!status.message.empty()) return status.message;
   if (!previewer.scene()) return previewer.scene().loading() ? "Loading" : "No scene";
-  if (changes_ground(previewer))
-    return previewer.edits().settings().ground == Ground::off ? "Taking the ground away"
-                                                              : "Putting the ground in place";
+  if (changes_ground(previewer)) return "Updating ground";
   return progress_words(previewer.render().progress(), previewer.refinement().rest(),
                         looks_for_boundaries(previewer));
 }
@@ -93,10 +91,7 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
     ImGui::TextUnformatted(words.c_str());
   else
     ImGui::TextDisabled("%s", words.c_str());
-  controls.placed_words(
-      "Progress", words,
-      "Seconds of the clock, which is what you wait. All threads together take more of "
-      "their processors' time; \"Equal time\" and the split map by time count that.");
+  controls.placed_words("Progress", words, "Wall-clock time. CPU time is in \"Equal time\".");
 
   const std::string help =
       (status.zoom > 1 ? fmt::format("zoom {}x   ", status.zoom) : std::string()) + "F1 help";
@@ -105,8 +100,7 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   const std::string pixel = pixel_words(film, *status.pixel, status.display);
   right_words({pixel + "   " + help, pixel, help});
   controls.placed("Pixel values",
-                  "The pixel under the pointer: where it is, its linear red, green and blue, the "
-                  "bytes on the screen, and the deepest level that it was split to.");
+                  "Pixel under the pointer: position, linear values, display values, level.");
 }
 
 }  // namespace asos

@@ -28,19 +28,19 @@ void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::
                                   ImGuiWindowFlags_NoSavedSettings |
                                   ImGuiWindowFlags_AlwaysAutoResize))
     return;
-  ImGui::TextUnformatted("This would be lost:");
+  ImGui::TextUnformatted("Quit and lose these changes?");
   ImGui::PushTextWrapPos(0.0f);
   for (const std::string& line : losses) ImGui::BulletText("%s", line.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  choice.quit |= controls.button("Quit", "Close the window. Keys: Ctrl+Q again.", 6.0f * em);
+  choice.quit |= controls.button("Quit", "Close the window (Ctrl+Q again).", 6.0f * em);
   if (saving) {
     ImGui::SameLine();
-    if (controls.button("Quit when saved", "Close the window once the picture is complete."))
+    if (controls.button("Quit when saved", "Close the window when the picture is complete."))
       choice.after_save = true;
   }
   ImGui::SameLine();
-  const bool stay = controls.button("Stay", "Close nothing. Key: Esc.", 6.0f * em) ||
+  const bool stay = controls.button("Cancel", "Return to the window (Esc).", 6.0f * em) ||
                     ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
   if (choice.quit || choice.after_save || stay || losses.empty()) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -19,14 +19,13 @@ namespace {
 /// The curve that a person starts to edit from: figure 18's.
 constexpr DfrCurve first_curve{0.05, 1.0, 32.0};
 
-const std::array<std::string, 4> curved_ways{"nearest pyramid", "tangent plane", "split to MAX",
+const std::array<std::string, 4> curved_ways{"approximate", "tangent plane", "split to MAX",
                                              "adaptive"};
 static_assert(curved_ways.size() == static_cast<std::size_t>(CurvedMirror::adaptive) + 1);
 
 constexpr std::array blur_sources{
-    Controls::Option{"By material",
-                     "Each material blurs what it mirrors by its own curve, or by its roughness."},
-    Controls::Option{"One for all", "One curve for all that mirrors, whatever its material says."},
+    Controls::Option{"Per material", "Each material uses its own DFR or its roughness."},
+    Controls::Option{"Global", "One DFR for all mirrors."},
 };
 
 Dfr first_dfr() {
@@ -72,34 +71,32 @@ void follow(const Previewer& previewer, ReflectionChoice& choice, std::optional<
 void bounce_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   controls.slider("Bounces",
-                  "How often a pyray is reflected, 0 to 64; 0: mirrors show the sky's mean and "
-                  "highlights only. Ctrl+click to type a value.",
+                  "Maximum mirror bounces, 0 to 64. 0: no reflections. Ctrl+click to type a value.",
                   settings.mirror.bounces, {0, MirrorSettings::max_bounces, usual.mirror.bounces},
-                  [](int n) { return n == 0 ? std::string("0: none") : std::to_string(n); });
+                  [](int n) { return n == 0 ? std::string("0 (none)") : std::to_string(n); });
   if (settings.mirror.bounces == 0) return;
   float roughest = static_cast<float>(settings.mirror.roughest);
-  if (controls.slider("Roughest",
-                      "The largest roughness, 0 to 1, of what mirrors the scene; rougher surfaces "
-                      "show the sky's mean and highlights instead. Larger costs more.",
+  if (controls.slider("Max. roughness",
+                      "Largest roughness that reflects the scene, 0 to 1. Rougher surfaces reflect "
+                      "the mean sky.",
                       roughest, {0.0f, 1.0f, static_cast<float>(usual.mirror.roughest)},
                       [](float r) { return fmt::format("{:.2f}", r); }))
     settings.mirror.roughest = static_cast<double>(roughest);
   // The others cast single rays.
   if (!in_object_space(settings.method)) return;
   int way = static_cast<int>(settings.mirror.curved);
-  if (controls.list("Curved",
-                    "How curved mirrors reflect a pyray (CGF'98 section 5.2). nearest pyramid: the "
-                    "one nearest to its reflected corner rays. tangent plane: as the plane at its "
-                    "axis would; cheapest, wrong where the surface bends within a pixel. split to "
-                    "MAX: by tangent planes, each pyray split down to MAX first. adaptive: split "
-                    "where the reflected corner rays diverge by more than an angle.",
-                    curved_ways, way, static_cast<int>(usual.mirror.curved)))
+  if (controls.list(
+          "Curved mirrors",
+          "Reflection on curved mirrors (CGF'98 section 5.2). approximate: nearest pyramid. "
+          "tangent plane: fastest, wrong on strong curvature. split to MAX: tangent planes at the "
+          "deepest level. adaptive: split where corner rays diverge.",
+          curved_ways, way, static_cast<int>(usual.mirror.curved)))
     settings.mirror.curved = static_cast<CurvedMirror>(way);
   if (settings.mirror.curved != CurvedMirror::adaptive) return;
   float angle = static_cast<float>(settings.mirror.widest_angle_deg);
   if (controls.slider("Divergence",
-                      "The angle between corner rays that a shape reflects, 0 to 180 degrees, "
-                      "beyond which a pyray is split; of meshes an eighth of it.",
+                      "Largest angle between reflected corner rays, 0 to 180 degrees. Meshes use "
+                      "an eighth of it.",
                       angle, {0.0f, 180.0f, static_cast<float>(usual.mirror.widest_angle_deg)},
                       [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
     settings.mirror.widest_angle_deg = static_cast<double>(angle);
@@ -111,16 +108,16 @@ void material_controls(Controls& controls, Previewer& previewer, ReflectionChoic
   std::vector<std::string> names;
   for (const MirrorMaterial& mirror : choice.mirrors) names.push_back(mirror.name);
   choice.material = std::clamp(choice.material, 0, static_cast<int>(names.size()) - 1);
-  controls.list("Material", "Of those that mirror. A click into the picture chooses what is there.",
-                names, choice.material);
+  controls.list("Material", "Mirror material to edit. Clicking the picture chooses one.", names,
+                choice.material);
   const MirrorMaterial& mirror = choice.mirrors[static_cast<std::size_t>(choice.material)];
   const std::uint32_t first = mirror.members.front();
   const std::optional<Dfr>& original = previewer.scene()->world().materials[first].dfr;
   std::optional<Dfr> dfr = previewer.edits().dfrs()[first];
   bool own = dfr.has_value();
-  bool changed = controls.checkbox(
-      "Own DFR", "Blur by a curve over the angle of incidence instead of by roughness.", own,
-      original.has_value());
+  bool changed =
+      controls.checkbox("Override roughness by DFR", "Blur by a DFR curve instead of roughness.",
+                        own, original.has_value());
   if (changed) dfr = own ? std::optional(original.value_or(first_dfr())) : std::nullopt;
   if (dfr)
     changed |=
@@ -142,7 +139,7 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
   if (settings.mirror.bounces == 0) return;
 
   int source = settings.mirror.dfr ? 1 : 0;
-  if (controls.options("Blur", blur_sources, source, {true, 0})) {
+  if (controls.options("DFR", blur_sources, source, {true, 0})) {
     settings.mirror.dfr.reset();
     if (source == 1) settings.mirror.dfr = first_dfr();
   }
@@ -155,11 +152,9 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
     if (at >= 0 && at == choice.material) incidence_rad = seen->incidence_rad;
     material_controls(controls, previewer, choice, incidence_rad);
   }
-  if (controls.button(
-          "Reset reflections",
-          "Back to the materials that the scene came with, and to the usual settings of "
-          "this group.",
-          -1.0f)) {
+  if (controls.button("Reset reflections",
+                      "Restore the scene's materials and the default reflection settings.",
+                      -1.0f)) {
     const RenderSettings usual;
     previewer.edits().reset_dfrs();
     settings.mirror.dfr.reset();

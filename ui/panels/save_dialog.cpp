@@ -22,7 +22,7 @@ struct NamedSize {
   glm::ivec2 size;
 };
 constexpr std::array named_sizes{
-    NamedSize{"As shown", "As many pixels as the picture in the window.", {0, 0}},
+    NamedSize{"Same as window", "The size of the picture in the window.", {0, 0}},
     NamedSize{"HD", "1920 x 1080 pixels.", {1920, 1080}},
     NamedSize{"4K", "3840 x 2160 pixels.", {3840, 2160}},
     NamedSize{"8K", "7680 x 4320 pixels.", {7680, 4320}},
@@ -30,21 +30,17 @@ constexpr std::array named_sizes{
 
 void choose_what(Controls& controls, SaveChoice& choice) {
   constexpr std::array options{
-      Controls::Option{"Picture",
-                       "The picture alone, rendered to the end in the background, at any size."},
-      Controls::Option{"As seen",
-                       "The picture's area of the window with all that lies over it: split map, "
-                       "marks, messages; zoomed as it is."},
-      Controls::Option{"Window", "All of the window, the panel too."}};
+      Controls::Option{"Render", "The picture alone, rendered in the background at any size."},
+      Controls::Option{"Viewport", "The viewport with split map, gizmos and messages."},
+      Controls::Option{"Window", "The whole window."}};
   int what = static_cast<int>(choice.what);
-  if (controls.options("Save what", options, what))
-    choice.what = static_cast<SaveChoice::What>(what);
+  if (controls.options("Content", options, what)) choice.what = static_cast<SaveChoice::What>(what);
 }
 
 void choose_format(Controls& controls, SaveChoice& choice) {
   constexpr std::array options{
-      Controls::Option{"PNG", "8 bits a colour, at the exposure that is set."},
-      Controls::Option{"EXR", "Linear radiance as 32-bit floats; the exposure does not matter."}};
+      Controls::Option{"PNG", "8 bits per channel, with exposure."},
+      Controls::Option{"EXR", "Linear radiance, 32-bit floats, without exposure."}};
   int format = choice.exr ? 1 : 0;
   if (controls.options("Format", options, format)) choice.exr = format == 1;
 }
@@ -55,11 +51,11 @@ void shape_words(Controls& controls, glm::ivec2 size, glm::ivec2 shown) {
   if (shown.x <= 0 || shown.y <= 0) return;
   const double wider = wanted.x / wanted.y / (window.x / window.y);
   constexpr double visibly = 0.005;
-  std::string words = "The same view as in the window.";
+  std::string words = "Same view as in the window.";
   if (wider > 1.0 + visibly)
-    words = fmt::format("Shows {:.0f} % more at the sides than the window.", 100.0 * (wider - 1.0));
+    words = fmt::format("Shows {:.0f} % more at the sides.", 100.0 * (wider - 1.0));
   if (wider < 1.0 - visibly)
-    words = fmt::format("Shows {:.0f} % less at the sides than the window.", 100.0 * (1.0 - wider));
+    words = fmt::format("Shows {:.0f} % less at the sides.", 100.0 * (1.0 - wider));
   ImGui::TextDisabled("%s", words.c_str());
   controls.placed("Shape", nullptr);
 }
@@ -71,17 +67,15 @@ void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
     options[i] = {named_sizes[i].name, named_sizes[i].tooltip};
     if (named_sizes[i].size == choice.size) chosen = static_cast<int>(i);
   }
-  if (controls.options("Pixels", options, chosen) && chosen >= 0)
+  if (controls.options("Size", options, chosen) && chosen >= 0)
     choice.size = named_sizes[static_cast<std::size_t>(chosen)].size;
   const glm::ivec2 size = choice.size.x > 0 ? choice.size : shown;
   glm::dvec2 typed(size);
   const Controls::Drag drag{{1.0, double{SaveChoice::largest_side}, std::nullopt}, 1.0, true};
   const auto words = [](double pixels) { return fmt::format("{:.0f}", pixels); };
-  const bool across = controls.number("Across", "Pixels from left to right.", typed.x, drag, words);
-  const bool down = controls.number("Down",
-                                    "Pixels from top to bottom. The camera's vertical field of "
-                                    "view stays.",
-                                    typed.y, drag, words);
+  const bool across = controls.number("Width (px)", "Width in pixels.", typed.x, drag, words);
+  const bool down = controls.number(
+      "Height (px)", "Height in pixels. The vertical field of view stays.", typed.y, drag, words);
   if (across || down) choice.size = glm::ivec2(glm::round(typed));
   shape_words(controls, choice.size.x > 0 ? choice.size : shown, shown);
 }
@@ -89,15 +83,15 @@ void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
 // The path, and what would go.
 void choose_file(Controls& controls, SaveChoice& choice) {
   ImGui::Spacing();
-  ImGui::TextDisabled("File, without %s", choice.as_exr() ? ".exr" : ".png");
+  ImGui::TextDisabled("File name (%s is added)", choice.as_exr() ? ".exr" : ".png");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##file", &choice.stem);
-  controls.placed("File", "Where it is saved; the ending follows from the format.",
+  controls.placed("File name", "Path of the file. The ending follows from the format.",
                   Controls::Use::edits);
   std::error_code ignored;
   if (std::filesystem::exists(choice.path(), ignored)) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-    ImGui::TextUnformatted("There is such a file: it will be replaced.");
+    ImGui::TextUnformatted("File exists and will be replaced.");
     ImGui::PopStyleColor();
   } else {
     ImGui::TextDisabled(" ");
@@ -107,7 +101,7 @@ void choose_file(Controls& controls, SaveChoice& choice) {
 }  // namespace
 
 void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
-  constexpr const char* title = "Save the picture";
+  constexpr const char* title = "Save picture";
   if (choice.show && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -125,11 +119,9 @@ void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
   }
   choose_file(controls, choice);
   const bool save =
-      controls.button("Save", "Save it. A large picture takes its time, and the window goes on.",
-                      6.0f * em) &&
-      !choice.stem.empty();
+      controls.button("Save", "Save in the background.", 6.0f * em) && !choice.stem.empty();
   ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", "Save nothing. Key: Esc.", 6.0f * em) ||
+  const bool cancelled = controls.button("Cancel", "Close without saving (Esc).", 6.0f * em) ||
                          ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
   choice.asked = save;
   if (save || cancelled) {
@@ -167,7 +159,7 @@ bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& 
       corner, {corner.x + width * static_cast<float>(state->fraction), corner.y + 0.2f * em},
       theme::packed(theme::accent_bright));
   ImGui::Dummy({width, 0.2f * em});
-  const bool stop = controls.button("Stop saving", "Stop rendering it; no file is left.");
+  const bool stop = controls.button("Stop saving", "Stop and leave no file.");
   ImGui::End();
   ImGui::PopStyleVar(2);
   return stop;

@@ -19,8 +19,7 @@ void scenes_panel(Controls& controls, OpenScene& scene) {
                         ? fmt::format("{}", i)
                         : fmt::format("{}: {}", i, printable(contents.scenes[i])));
   int chosen = contents.shown_scene;
-  if (controls.list("Scene", "Which of the file's scenes is shown; it is seen as it asks for.",
-                    names, chosen, contents.default_scene))
+  if (controls.list("Scene", "Scene of the file to show.", names, chosen, contents.default_scene))
     scene.show_scene(chosen);
 }
 

@@ -119,7 +119,7 @@ void equal_time(const Sketch& s) {
   s.filled({5.0f, 1.2f}, {14.0f, 2.4f}, Ink::accent);
   s.filled({5.0f, 3.4f}, {14.0f, 4.6f}, Ink::warm);
   s.words({2.6f, 1.8f}, "ASOS");
-  s.words({2.6f, 4.0f}, "rival");
+  s.words({2.6f, 4.0f}, "other");
   s.line({14.0f, 0.6f}, {14.0f, 5.4f}, Ink::dim);
 }
 
@@ -201,92 +201,58 @@ struct Help {
 
 constexpr Help helps[] = {
     {"Antialiasing",
-     "A pixel is a pyramid, which is split into quarters only where boundaries of objects pass "
-     "through it. EPS says how far a pixel may be off, MAX how deep it may be split.",
+     "Pixels are split only where object edges cross them. EPS: allowed error. MAX: maximum depth.",
      antialiasing},
-    {"Refinement",
-     "The picture is rendered in passes, each better all over than the one before. Here it can "
-     "rest, or stop by itself after a time or at a quality.",
+    {"Refinement", "The picture is refined in passes. Pause it, or stop it by time or quality.",
      refinement},
-    {"Animation",
-     "What the file says to move, at the time that the slider shows. While it plays, each moment "
-     "is shown as well as there is time for; one that is held is rendered to the end.",
+    {"Animation", "Plays the file's animation. Paused frames are refined to full quality.",
      animation},
-    {"Scenes",
-     "The file holds several scenes, of which one is shown. Another one is loaded when it is "
-     "chosen here.",
-     scenes},
-    {"Variants",
-     "The same model in other materials, as the file names them. The file is loaded again when "
-     "another one is chosen.",
-     variants},
-    {"Warnings",
-     "What of the file is missing, repaired or not shown. Read it before you trust the picture.",
-     warnings},
+    {"Scenes", "The file has several scenes. Choosing one loads it.", scenes},
+    {"Variants", "Material variants of the file. Choosing one reloads the file.", variants},
+    {"Warnings", "Problems in the file that affect the picture.", warnings},
     {"Lights",
-     "All that shines: lights of the file, faces that glow, and those that you add. Click a mark "
-     "in "
-     "the picture, or a name here, to move or change one.",
+     "Lights of the file, emissive faces, and lights you add. Click a gizmo or a name to edit one.",
      lights},
     {"Shadows",
-     "Between a light and a patch that a leaf shows, a pyramid is split as pixels are. A point's "
-     "shadow has a sharp edge, that of a lamp with a size a soft one.",
+     "Shadows are split at their edges, as pixels are. Lights with a size cast soft shadows.",
      shadows},
     {"Reflections",
-     "A mirror sends a pixel's pyramid on, and what it meets is split in turn. The curve says how "
-     "much wider it gets, and so how blurred the image is, by the angle at which it is looked at.",
+     "Reflections are split at edges, too. The DFR curve sets the blur by viewing angle.",
      reflections},
     {"Sky",
-     "What surrounds the scene, lights it from all sides and shows in mirrors. It may be a colour, "
-     "a "
-     "gradient, or a picture all around.",
+     "The sky lights the scene and appears in mirrors. It is a colour, a gradient or a picture.",
      sky},
     {"Compare",
-     "Put the picture by, change something, and look at both: beside each other, in turn, or as "
-     "their difference. A frame of another size is resampled, and that is said.",
+     "Keep a snapshot, change something, and compare. Snapshots of another size are resampled.",
      compare},
     {"Equal time",
-     "Another method gets the processor time that this picture took, and renders the same view. "
-     "What "
-     "it makes of it stands at the right of a line that can be dragged.",
+     "Another method renders this view in the same CPU time. Compare both with a draggable "
+     "divider.",
      equal_time},
-    {"Missed splits",
-     "The finished picture is sampled in the background until it is clear which pixels are off. "
-     "Those that should have been split are marked, and those that were split for nothing.",
+    {"Check splits",
+     "Compares the picture with many samples. Marks pixels split too little or for nothing.",
      missed_splits},
     {"Display",
-     "How a finished picture is shown, which never renders it anew. The split map shows in colours "
-     "where the work went, and why.",
+     "Display settings never restart the render, except the tone curve. The split map shows where "
+     "pixels were split.",
      display},
     {"Camera",
-     "Where the eye stands, and the point that it turns about. Drag to orbit; double click a point "
-     "to turn about that.",
+     "Position of the camera and its orbit centre. Drag to orbit; double-click a point to orbit "
+     "around it.",
      camera},
-    {"Statistics",
-     "Rays, and how deep pixels were split, of the pixels that are finished. Rest the pointer on a "
-     "row to read what it counts.",
+    {"Statistics", "Rays and splitting of the finished pixels. Point at a row for its meaning.",
      statistics},
-    {"Error against run time",
-     "The view is rendered by several methods at several settings and held against many samples. "
-     "The lower a line lies and the more to the left, the better the method.",
+    {"Error vs. time",
+     "Renders the view by several methods and settings, and measures their errors. Lower left is "
+     "better.",
      study},
-    {"Scene",
-     "What the file holds: triangles, objects, lights, and the edges that can be boundaries. "
-     "Memory "
-     "is that of geometry, textures and hierarchies.",
+    {"Scene", "Contents of the file: triangles, objects, lights, edges and memory.", scene},
+    {"Objects",
+     "Materials with their extensions, and their objects. Choose an object to hide or isolate it.",
      scene},
-    {"Outline",
-     "The scene's materials with the extensions that each asks for, and the objects that have "
-     "them. "
-     "Choose an object, here or by a click on the picture, to hide it or to see it alone.",
-     scene},
-    {"Left out",
-     "What this scene does not need is not even looked for. Each row says why, and what is saved.",
-     left_out},
-    {"Window",
-     "Dark or light, and how large text is, on top of what the screen asks for. Both are "
-     "remembered.",
-     window},
+    {"Skipped work",
+     "Work that this scene does not need. Each row gives the reason and the savings.", left_out},
+    {"Window", "Theme and text size, remembered by the program.", window},
 };
 
 const Help* help_of(std::string_view section) {

@@ -58,7 +58,7 @@ void Controls::help_button(const char* section) {
   if (ImGui::Button("?", {width, 0.0f})) ImGui::OpenPopup("help");
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);
-  placed(std::string("Help/") + section, "Say what this section is for.", Use::edits);
+  placed(std::string("Help/") + section, "Explain this section.", Use::edits);
   if (ImGui::BeginPopup("help")) {
     section_help(section);
     ImGui::EndPopup();

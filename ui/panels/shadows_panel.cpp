@@ -13,11 +13,10 @@ namespace {
 
 constexpr std::array light_rules{
     Controls::Option{"Physical",
-                     "Light falls off with the squared distance and is integrated over "
-                     "the light's whole visible part."},
-    Controls::Option{"Published",
-                     "As in the papers: a light of some size counts by its visible share, each "
-                     "part by its distance and the cosine at the light."},
+                     "Inverse-square falloff, integrated over the visible part of the light."},
+    Controls::Option{
+        "Published",
+        "As published: area lights count by their visible fraction, distance and angle."},
 };
 
 bool divides(ShadowQuality quality) {
@@ -32,17 +31,14 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
   static_assert(shadow_quality_names.back().value == ShadowQuality::extended_adaptive);
   int chosen = static_cast<int>(settings.shadow.quality);
   if (controls.list("Quality",
-                    "How soft shadows are found over the patch that a leaf shows. refined: one "
-                    "pyray, and leaves are split where its shadow would be off the patch's mean. "
-                    "centre: one pyray. supersampling, forced: from n x n jittered or regular "
-                    "points. extended: one from behind the patch, whole, divided into n x n or "
-                    "into as many parts as the light asks for.",
+                    "Method for soft shadows. refined: one look at the light per patch, split "
+                    "where it varies. centre: one look. supersampling, forced: n x n jittered or "
+                    "regular points. extended: a look from behind the patch, whole or divided.",
                     names, chosen, static_cast<int>(usual.shadow.quality))) {
     settings.shadow.quality = static_cast<ShadowQuality>(chosen);
   }
   if (!divides(settings.shadow.quality)) return;
-  controls.slider("Divisions",
-                  "Into n x n parts the patch is divided, 1 to 16. Ctrl+click to type a value.",
+  controls.slider("Divisions", "Divisions of a patch, n x n, 1 to 16. Ctrl+click to type a value.",
                   settings.shadow.divisions, {1, 16, usual.shadow.divisions},
                   [](int n) { return fmt::format("{} x {}", n, n); });
 }
@@ -55,16 +51,15 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
   if (!scene || scene->needs.shadows)
     controls.checkbox("Shadows", "Lights cast shadows.", settings.shadow.cast, usual.shadow.cast);
   if (settings.shadow.cast)
-    controls.checkbox("Sky",
-                      "Surfaces hide the sky from each other, which grounds what stands on them. "
-                      "Off: they see a share of it that their material tells, which is faster.",
+    controls.checkbox("Ambient occlusion",
+                      "Objects block sky light from each other (contact shadows). Off is faster.",
                       settings.shadow.sky, usual.shadow.sky);
   if (settings.shadow.cast) {
     bool bounces = settings.shadow.bounces > 0;
-    controls.checkbox("Bounced",
-                      "Surfaces light each other: one diffuse bounce, and the sky's shadows with "
-                      "it. Slower.",
-                      bounces, usual.shadow.bounces > 0);
+    controls.checkbox(
+        "Indirect light (1 bounce)",
+        "Surfaces light each other by one diffuse bounce. Includes ambient occlusion. Slower.",
+        bounces, usual.shadow.bounces > 0);
     settings.shadow.bounces = bounces ? 1 : 0;
   }
   // The published method chooses its own quality and rule.

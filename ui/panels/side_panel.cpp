@@ -26,33 +26,27 @@ void headline(Controls& controls, const RenderScene* scene) {
 void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   const RenderScene* scene = previewer.scene().get();
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (controls.button("Open...", "Open another scene. Ctrl+O, or drop a file on the window.",
-                      width)) {
+  if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", width)) {
     state.show_open = true;
   }
   ImGui::SameLine();
-  if (controls.button("Save picture",
-                      "Save the picture as PNG, with the split map where it is shown. Keys: P, "
-                      "F12.",
+  if (controls.button("Save picture", "Save as PNG, with the split map if shown (P, F12).",
                       width)) {
     state.screenshot_requested = true;
   }
-  if (controls.button("Save as...",
-                      "Save as EXR, at another size, or with the window. Key: Ctrl+S.", width))
+  if (controls.button("Save as...", "Save as EXR, at another size, or with the window (Ctrl+S).",
+                      width))
     state.save.show = true;
   ImGui::SameLine();
-  if (controls.button("Tour", "Five cards that show what this program does, on this picture.",
-                      width))
+  if (controls.button("Tour", "Five cards that explain the program.", width))
     state.tour_asked = true;
   // A built-in scene never changes.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
-    if (controls.button("Reload", "Load the file again; the view stays. Key: R.", width))
+    if (controls.button("Reload", "Reload the file and keep the view (R).", width))
       previewer.scene().reload();
     ImGui::SameLine();
     ImGui::Checkbox("Watch file", &state.watch);
-    controls.placed("Watch file",
-                    "Load the file again whenever it changes: looked at once a second. A file "
-                    "that cannot be read leaves the scene as it is.",
+    controls.placed("Watch file", "Reload automatically when the file changes.",
                     Controls::Use::edits);
   }
 }
@@ -94,15 +88,13 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
 
 void reset_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   ImGui::Spacing();
-  if (controls.button("Reset scene settings",
-                      "Everything that the picture is rendered with back to how it was at first: "
-                      "method, lights, shadows, reflections, sky and materials. The view stays. "
-                      "Ctrl+Z brings it back.",
+  if (controls.button("Reset render settings",
+                      "Restore method, lights, shadows, reflections, sky and materials. The view "
+                      "stays. Undo with Ctrl+Z.",
                       -1.0f))
     previewer.edits().reset();
-  if (controls.button("Forget settings",
-                      "Back to how the window was at first: display, panel, and no recent files. "
-                      "The scene and what it is rendered with stay.",
+  if (controls.button("Reset window",
+                      "Restore display and panel settings and clear recent files. The scene stays.",
                       -1.0f))
     state.forget = true;
 }

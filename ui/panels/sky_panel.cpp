@@ -22,16 +22,11 @@ namespace {
 enum class SkyKind { neutral, environment, colour, gradient, file };
 
 constexpr std::array sky_kinds{
-    Controls::Option{"Neutral", "The same grey from everywhere: for a scene on its own."},
-    Controls::Option{"Preset",
-                     "Surroundings that the program brings along, with a sun where there is one "
-                     "for a scene without lights."},
-    Controls::Option{"Colour", "One colour from everywhere."},
-    Controls::Option{"Gradient",
-                     "From one colour at the zenith to another at the horizon and below it."},
-    Controls::Option{"File",
-                     "An equirectangular picture of all directions, linear: .hdr or .exr, twice as "
-                     "wide as it is high."},
+    Controls::Option{"Neutral", "Uniform grey."},
+    Controls::Option{"Preset", "Built-in environments. Some add a sun to scenes without lights."},
+    Controls::Option{"Colour", "One colour."},
+    Controls::Option{"Gradient", "From a zenith colour to a horizon colour."},
+    Controls::Option{"File", "An equirectangular .hdr or .exr picture, twice as wide as high."},
 };
 
 constexpr glm::vec3 first_zenith{0.22f, 0.42f, 0.85f};
@@ -62,7 +57,7 @@ void choose_kind(SceneEdits& edits, SkyEdit& choice, SkyKind kind) {
 
 void environment_controls(Controls& controls, SceneEdits& edits) {
   std::vector<std::string> names;
-  std::string hint = "What surrounds the scene.";
+  std::string hint = "Environment of the scene.";
   int chosen = 0;
   for (const EnvironmentRow& row : environments) {
     if (row.value == *edits.settings().sky->choice().environment)
@@ -97,21 +92,19 @@ void colour_controls(Controls& controls, RenderSettings& settings, SkyKind kind)
   SkyColours colours(*settings.sky);
   bool changed = false;
   if (kind == SkyKind::gradient) {
-    changed |= controls.colour("Zenith", "Straight above: red, green, blue, 0 to 255 as shown.",
+    changed |= controls.colour("Zenith", "Colour at the zenith, red, green, blue, 0 to 255.",
                                colours.zenith, first_zenith);
     changed |=
-        controls.colour("Horizon", "At the horizon and below: red, green, blue, 0 to 255 as shown.",
+        controls.colour("Horizon", "Colour at the horizon and below, red, green, blue, 0 to 255.",
                         colours.horizon, first_horizon);
   } else {
-    changed |=
-        controls.colour("Sky colour", "From everywhere: red, green, blue, 0 to 255 as shown.",
-                        colours.zenith, first_zenith);
+    changed |= controls.colour("Sky colour", "Colour of the sky, red, green, blue, 0 to 255.",
+                               colours.zenith, first_zenith);
     colours.horizon = colours.zenith;
   }
-  changed |=
-      controls.number("Brightness", "How many times as bright as the colour the sky is, 1 to 1000.",
-                      colours.brightness, {{1.0, 1000.0, 1.0}, 0.01, true},
-                      [](double times) { return fmt::format("{:.4g} x", times); });
+  changed |= controls.number("Brightness", "Brightness factor of the sky colour, 1 to 1000.",
+                             colours.brightness, {{1.0, 1000.0, 1.0}, 0.01, true},
+                             [](double times) { return fmt::format("{:.4g} x", times); });
   if (changed) settings.sky = colours.sky();
 }
 
@@ -127,9 +120,9 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered = ImGui::InputTextWithHint("##sky path", "path of a .hdr or .exr file",
                                                 &choice.path, ImGuiInputTextFlags_EnterReturnsTrue);
-  controls.placed("Sky path", "Of an equirectangular picture, .hdr or .exr.");
+  controls.placed("Sky path", "Path of an equirectangular .hdr or .exr picture.");
   if (controls.button(reader.busy() ? "Reading..." : "Load sky",
-                      "Read the picture and put it around the scene. Key: Enter.", -1.0f) ||
+                      "Load the picture as the sky (Enter).", -1.0f) ||
       entered) {
     choice.error.clear();
     choice.reading = FileStamp::of(choice.path);
@@ -142,15 +135,14 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
   if (!choice.error.empty()) warn(controls, "Sky error", choice.error);
   if (!settings.sky || !settings.sky->is_picture()) return;
   if (!choice.remark.empty()) warn(controls, "Sky remark", choice.remark);
-  controls.row("Picture", settings.sky->choice().file, "The file that surrounds the scene.");
+  controls.row("Picture", settings.sky->choice().file, "File of the sky.");
   float turn = static_cast<float>(settings.sky->choice().turn_deg);
   if (controls.slider(
-          "Turn", "About the vertical, counter-clockwise as seen from above, in degrees.", turn,
+          "Turn", "Rotation about the vertical in degrees, counter-clockwise from above.", turn,
           {-180.0f, 180.0f, 0.0f}, [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
     settings.sky = std::make_shared<const Sky>(settings.sky->turned(static_cast<double>(turn)));
   double brightness = settings.sky->choice().brightness;
-  if (controls.number("Brightness",
-                      "How many times as bright as the picture the sky is, 0 to 1000.", brightness,
+  if (controls.number("Brightness", "Brightness factor of the picture, 0 to 1000.", brightness,
                       {{0.0, SkyChoice::most_brightness, 1.0}, 0.01, true},
                       [](double times) { return fmt::format("{:.4g} x", times); }))
     settings.sky = std::make_shared<const Sky>(settings.sky->brightened(brightness));

@@ -21,16 +21,16 @@ struct CauseWords {
   const char* tooltip;
 };
 constexpr std::array<CauseWords, split_cause_count> cause_words{{
-    {"not split", "Pixels that one sample, or one leaf, stands for."},
-    {"outline", "Where a surface ends: an open edge, or where it turns away from the eye."},
-    {"crease, seam", "A kink of a surface, or where its material or its texture changes."},
-    {"crossing", "A line in which surfaces pass through each other."},
-    {"shadow", "The edge of a shadow. A hard one may cut a pixel that is not split otherwise."},
-    {"reflection", "The edge of something that the surface mirrors."},
-    {"shading", "No boundary: shaded too unevenly for one sample."},
-    {"cut-out", "No boundary was found; split by what its samples show."},
-    {"saturated", "So many boundaries that samples cost less than the parts between them."},
-    {"depth limit", "Boundaries still passed through its cells at level MAX: not resolved."},
+    {"not split", "One sample, or one cell, was enough."},
+    {"silhouette", "Silhouette or open edge."},
+    {"crease, seam", "Crease, or change of material or texture."},
+    {"intersection", "Intersection of surfaces."},
+    {"shadow", "Edge of a shadow. Hard shadows may cut pixels that are not split otherwise."},
+    {"reflection", "Edge of a reflected object."},
+    {"shading", "No edge, but the shading varies within the pixel."},
+    {"alpha edge", "No edge found; split because samples differ, as at alpha edges."},
+    {"too many edges", "Too many edges: sampled instead."},
+    {"MAX reached", "MAX reached with edges left."},
 }};
 
 // The split map's colours on their absolute scale: a level keeps its colour whatever the picture
@@ -55,9 +55,7 @@ void level_legend(Controls& controls, int max_level) {
   }
   draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
   ImGui::Dummy({width, height + 1.3f * em});
-  controls.placed("Scale",
-                  "The deepest level that a pixel was split to, from 0 to MAX. A level keeps its "
-                  "colour whatever the picture shows.");
+  controls.placed("Scale", "Deepest level of a pixel, 0 to MAX. Each level keeps its colour.");
 }
 
 struct CostTick {
@@ -103,13 +101,11 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
   }
   draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
   ImGui::Dummy({width, height + 1.4f * em});
-  controls.placed_words("Scale", words,
-                        colours == SplitMapColours::rays
-                            ? "Rays of all kinds for a pixel, from 1 to 4096 and above, "
-                              "logarithmic. The scale does not depend on the picture."
-                            : "Seconds of one processor for a pixel, from 0.1 microseconds to 10 "
-                              "milliseconds and above, logarithmic. The scale does not depend "
-                              "on the picture.");
+  controls.placed_words(
+      "Scale", words,
+      colours == SplitMapColours::rays
+          ? "Rays per pixel, 1 to 4096, logarithmic. The scale is absolute."
+          : "CPU time per pixel, 0.1 µs to 10 ms, logarithmic. The scale is absolute.");
 }
 
 // One swatch a cause, in two columns.
@@ -135,9 +131,9 @@ std::string headline(SplitMapColours colours, int max_level) {
     case SplitMapColours::cause:
       return "Why pixels were split";
     case SplitMapColours::rays:
-      return "Rays of all kinds for each pixel";
+      return "Rays per pixel";
     case SplitMapColours::time:
-      return "Time of one processor for each pixel";
+      return "CPU time per pixel";
     case SplitMapColours::level:
       break;
   }
@@ -178,16 +174,19 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
       cost_legend(controls, display.split_colours);
       break;
   }
-  const bool why = controls.button("Why is this pixel like this?",
-                                   "Open the pixel that was split deepest, of these the one "
-                                   "nearest to the middle. A click on any "
-                                   "other pixel asks the same of that.");
+  const bool why =
+      controls.button("Why is this pixel like this?",
+                      "Inspect the most deeply split pixel. Click any pixel to inspect it.");
   ImGui::SameLine();
   ImGui::TextDisabled("M: hide   C: next");
   controls.placed_window("Map legend");
   ImGui::End();
   ImGui::PopStyleVar();
   return why;
+}
+
+const char* title_of(SplitCause cause) {
+  return cause_words[static_cast<std::size_t>(cause)].name;
 }
 
 const char* words_of(SplitCause cause) {

@@ -17,13 +17,13 @@ namespace {
 constexpr const char* subject = "asos";
 
 constexpr std::array reductions{
-    Controls::Option{"Whole", "Pictures as large as the one in the window."},
-    Controls::Option{"Half", "Pictures of half the width and height: a quarter of the time."},
-    Controls::Option{"Quarter", "Pictures of a quarter of the width and height."},
+    Controls::Option{"Full", "The window's resolution."},
+    Controls::Option{"1/2", "Half the width and height, a quarter of the time."},
+    Controls::Option{"1/4", "A quarter of the width and height."},
 };
 
 void rival_boxes(Controls& controls, StudyChoice& choice) {
-  ImGui::TextDisabled("ASOS beside");
+  ImGui::TextDisabled("Compare with");
   const float column = 0.5f * ImGui::GetContentRegionAvail().x;
   int place = 0;
   for (const std::string& method : ladder_methods()) {
@@ -36,7 +36,7 @@ void rival_boxes(Controls& controls, StudyChoice& choice) {
       else
         choice.rivals.erase(method);
     }
-    controls.placed("Study/" + method, "Measure this method, over a ladder of its own settings.",
+    controls.placed("Study/" + method, "Measure this method at several settings.",
                     Controls::Use::edits);
   }
 }
@@ -45,17 +45,15 @@ void choice_controls(Controls& controls, StudyChoice& choice) {
   const StudyChoice usual;
   rival_boxes(controls, choice);
   int chosen = choice.reduction == 1 ? 0 : choice.reduction == 2 ? 1 : 2;
-  if (controls.options("Size", reductions, chosen, {true, 1})) choice.reduction = 1 << chosen;
-  controls.slider("Budget",
-                  "Seconds for the reference that errors are told against. Its first pass always "
-                  "runs to the end; the methods take what they take. Ctrl+click to type a value.",
+  if (controls.options("Resolution", reductions, chosen, {true, 1})) choice.reduction = 1 << chosen;
+  controls.slider("Reference time",
+                  "Seconds for the reference of all errors. Its first pass always finishes. "
+                  "Ctrl+click to type a value.",
                   choice.budget_seconds, {1, 600, usual.budget_seconds},
                   [](int s) { return fmt::format("{} s", s); });
-  controls.slider("Repetitions",
-                  "How often each setting is rendered; times are the median. Ctrl+click to type a "
-                  "value.",
-                  choice.repetitions, {1, 9, usual.repetitions},
-                  [](int n) { return fmt::format("{}", n); });
+  controls.slider(
+      "Repetitions", "Renders per setting; times are medians. Ctrl+click to type a value.",
+      choice.repetitions, {1, 9, usual.repetitions}, [](int n) { return fmt::format("{}", n); });
 }
 
 void start(StudyChoice& choice, ViewStudy& study, const Previewer& previewer) {
@@ -69,13 +67,10 @@ void start(StudyChoice& choice, ViewStudy& study, const Previewer& previewer) {
 void buttons(Controls& controls, StudyChoice& choice, ViewStudy& study,
              const Previewer& previewer) {
   if (study.busy()) {
-    if (controls.button("Stop study", "End the study. What it found out stays.", -1.0f))
-      study.stop();
-  } else if (controls.button("Start study",
-                             "Measure error against run time on the view as it is now, with the "
-                             "sky, reflections and TR that it has, and else the settings of "
-                             "\"asos report\" and not those above. Moving the camera "
-                             "lets the study rest; it goes on with the view that it began with.",
+    if (controls.button("Stop measuring", "Stop measuring. Results stay.", -1.0f)) study.stop();
+  } else if (controls.button("Measure",
+                             "Measure this view. Uses the settings of \"asos report\", not those "
+                             "above. Pauses while you move the camera.",
                              -1.0f)) {
     start(choice, study, previewer);
   }
@@ -91,7 +86,7 @@ std::string words(const ViewStudy::State& state) {
     case ViewStudy::Phase::none:
       return "";
     case ViewStudy::Phase::running:
-      if (state.resting) return "Rests while other work takes the processors";
+      if (state.resting) return "Paused while other work uses the CPU";
       return state.points_run < state.points ? "Now: " + state.doing
                                              : "Refining the reference: " + state.doing;
     case ViewStudy::Phase::stopped:
@@ -100,8 +95,7 @@ std::string words(const ViewStudy::State& state) {
       break;
   }
   return state.quiet ? "Finished"
-                     : "Finished; the reference is noisy: a larger budget lowers the "
-                       "floor";
+                     : "Finished. The reference is noisy; increase the reference time.";
 }
 
 void progress(Controls& controls, const ViewStudy::State& state) {
@@ -137,10 +131,10 @@ std::string range_text(const Verdict& verdict) {
 void speed_table(Controls& controls, const SceneStudy& study) {
   const std::vector<Verdict> rows = verdicts(study.equal_error);
   ImGui::Spacing();
-  ImGui::TextWrapped("Times slower than ASOS at equal error (below 1: faster)");
+  ImGui::TextWrapped("Time over ASOS at equal error (below 1: faster)");
   if (!ImGui::BeginTable("slower", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
     return;
-  for (const char* head : {"method", "median", "range"}) ImGui::TableSetupColumn(head);
+  for (const char* head : {"Method", "Median", "Range"}) ImGui::TableSetupColumn(head);
   ImGui::TableHeadersRow();
   for (const Verdict& row : rows) {
     ImGui::TableNextRow();
@@ -153,11 +147,9 @@ void speed_table(Controls& controls, const SceneStudy& study) {
     ImGui::TextUnformatted(range_text(row).c_str());
   }
   ImGui::EndTable();
-  controls.placed(
-      "Slower",
-      "Over the settings of ASOS that no other one of its settings beats, above the "
-      "floor: the median, the least and the most. Not reached: settings whose error the "
-      "method did not reach as far as it was measured.");
+  controls.placed("Slower",
+                  "Time ratios over ASOS's best settings above the noise floor: median, minimum "
+                  "and maximum. Not reached: the method did not reach that error.");
 }
 
 }  // namespace
@@ -188,7 +180,7 @@ void update_study(ViewStudy& study, const Previewer& previewer, bool other_work)
 
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
                  const Previewer& previewer) {
-  if (!controls.section("Error against run time", false) || !previewer.scene()) return;
+  if (!controls.section("Error vs. time", false) || !previewer.scene()) return;
   // Shown while a study runs, too: what would come back at its end would move the rest.
   ImGui::BeginDisabled(study.busy());
   choice_controls(controls, choice);
@@ -203,15 +195,14 @@ void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
   draw_plot(plot);
   ImGui::EndGroup();
   controls.placed("Study plot",
-                  "Root mean square error over run time, both logarithmic: lower and further left "
-                  "is better. Hollow points lie under the floor, where the reference's own noise "
-                  "would be more than 12 % of the error; they are compared with nothing.");
+                  "RMSE vs. CPU time (log-log); lower left is better. Hollow points are below the "
+                  "reference's noise and are not compared.");
   if (!state.study.equal_error.empty()) {
     speed_table(controls, state.study);
   } else if (state.phase != ViewStudy::Phase::running) {
     ImGui::TextWrapped(
-        "Nothing to compare: no setting of ASOS is above the floor, or no other method was "
-        "measured. A larger budget lowers the floor.");
+        "Nothing to compare above the noise floor. Increase the reference time or choose another "
+        "method.");
     controls.placed("Nothing to compare", nullptr);
   }
 }

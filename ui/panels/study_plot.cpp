@@ -70,7 +70,7 @@ class Canvas {
       words({lo_.x - width - 0.3f * em_, y - 0.5f * em_}, text);
     }
     words({lo_.x, lo_.y - 1.3f * em_}, "RMSE, linear radiance 0 to 1");
-    centred({0.5f * (lo_.x + hi_.x), hi_.y + 1.5f * em_}, "processor seconds of all threads");
+    centred({0.5f * (lo_.x + hi_.x), hi_.y + 1.5f * em_}, "CPU seconds, all threads");
   }
 
   void floor() const {
@@ -79,9 +79,9 @@ class Canvas {
     const float dash = 0.4f * em_;
     for (float x = lo_.x; x < hi_.x; x += 2.0f * dash)
       draw_->AddLine({x, y}, {std::min(x + dash, hi_.x), y}, theme::packed(theme::plot_text, 0.6f));
-    draw_->AddText({std::round(hi_.x - ImGui::CalcTextSize("floor").x - 0.3f * em_),
+    draw_->AddText({std::round(hi_.x - ImGui::CalcTextSize("noise floor").x - 0.3f * em_),
                     std::round(y - 1.1f * em_)},
-                   theme::packed(theme::plot_text, 0.6f), "floor");
+                   theme::packed(theme::plot_text, 0.6f), "noise floor");
   }
 
   void line(const StudyPlot::Line& line) const {

@@ -23,9 +23,9 @@ const char* doing(Rest rest) {
     case Rest::paused:
       return "Paused at";
     case Rest::time:
-      return "Rests at its time limit,";
+      return "Time limit reached,";
     case Rest::quality:
-      return "Rests at its quality,";
+      return "Quality reached,";
     case Rest::stopped:
       return "Stopped at";
   }
@@ -43,17 +43,17 @@ std::string duration_words(double seconds) {
 }
 
 std::string wait_words(double seconds) {
-  return fmt::format("about {} to wait", rough_duration(seconds));
+  return fmt::format("{} left", rough_duration(seconds));
 }
 
 std::string processor_words(double seconds) {
-  return fmt::format("{:.3g} s of one processor", seconds);
+  return fmt::format("{:.3g} s CPU", seconds);
 }
 
 std::string progress_words(const Progress& progress, Rest rest, bool without_boundaries) {
-  if (progress.failed) return "Not enough memory for the boundaries";
+  if (progress.failed) return "Not enough memory for edges";
   if (without_boundaries && rest == Rest::none)
-    return "Looking for boundaries   " + duration_words(progress.seconds);
+    return "Finding edges   " + duration_words(progress.seconds);
   if (progress.finished) return "Finished in " + duration_words(progress.seconds);
   std::string text = fmt::format("{} {:.0f} %   {}", doing(rest), 100.0 * progress.fraction,
                                  duration_words(progress.seconds));
@@ -62,8 +62,9 @@ std::string progress_words(const Progress& progress, Rest rest, bool without_bou
 }
 
 std::string forecast_words(const Forecast& forecast) {
-  return fmt::format("{:.1f} \u00b1 {:.1f} % split, {}", 100.0 * forecast.split_share,
-                     100.0 * forecast.split_error, wait_words(forecast.wait_seconds));
+  const double percent = 100.0 * forecast.split_share;
+  return fmt::format("about {:.{}f} % split, {}", percent, percent < 1.0 ? 1 : 0,
+                     rough_duration(forecast.wait_seconds));
 }
 
 }  // namespace asos

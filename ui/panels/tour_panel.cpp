@@ -20,8 +20,8 @@ namespace {
 
 constexpr float card_width_em = 25.0f;
 constexpr const char* none_is_split =
-    "Edges cut this pixel cleanly: each part is weighed by its exact area. A pyray that one sample "
-    "cannot tell is split into four, and each part again; in this picture none was found.";
+    "Edges cut this pixel cleanly, so exact areas are used. Otherwise a pixel is split into four, "
+    "again and again.";
 
 struct CardWords {
   const char* title;
@@ -29,24 +29,19 @@ struct CardWords {
 };
 constexpr std::array<CardWords, Tour::cards> card_words{{
     {"A pixel is a pyramid",
-     "From the eye through the four corners of a pixel runs a pyramid: a pyray. Whatever lies in "
-     "it "
-     "makes the pixel's colour. Below, some pixels of your picture, with an edge in the middle "
-     "one."},
+     "A pixel sees a pyramid of space. Everything inside it contributes to the pixel's colour. The "
+     "marked pixel below contains an edge."},
     {"Watch this pixel split",
-     "A pyray that one sample cannot tell is split into four, and each part again, as far as that "
-     "is worth while. What edges cut cleanly is weighed by its exact area."},
+     "If one sample is not enough, the pyramid is split into four, again and again. Where a few "
+     "edges cut it cleanly, their exact areas are used."},
     {"Drag EPS",
-     "EPS is how far a pixel may be off. Drag it to the left: more pixels are split, and deeper; "
-     "to "
-     "the right: fewer. The picture follows."},
+     "EPS is the error you accept per pixel. Drag left for more splitting, right for less."},
     {"See the map",
-     "Black pixels were told by one sample; the brighter the colour, the deeper the pixel was "
-     "split. "
-     "M shows and hides the map, and a click on a pixel says why it is as it is."},
+     "Black: one sample was enough. Brighter: split deeper. Press M to toggle the map; click a "
+     "pixel to see why."},
     {"Which method is better?",
-     "Let another method have the processor time that this picture took, and look at both beside a "
-     "line that you can drag. \"Error against run time\" in the panel measures it."},
+     "Give another method the same CPU time and compare with a draggable divider. \"Error vs. "
+     "time\" in the panel measures both."},
 }};
 
 // Some pixels of the picture around one, large.
@@ -79,9 +74,8 @@ void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
 void eps_slider(Controls& controls, Previewer& previewer) {
   RenderSettings& settings = previewer.edits().settings();
   controls.log_slider(
-      "Tolerance",
-      "EPS: how far a pixel's display intensity (0 to 1) may be off. Ctrl + Z takes "
-      "it back, a double click resets it.",
+      "Tolerance (EPS)",
+      "Error allowed per pixel, 0 to 1. Undo with Ctrl+Z, reset with a double click.",
       settings.asos.eps, {0.0, 1.0, RenderSettings{}.asos.eps},
       [](double eps) { return eps > 0.0 ? fmt::format("1/{:.0f}", 1.0 / eps) : std::string("0"); });
   const Film& film = previewer.render().film();
@@ -89,15 +83,15 @@ void eps_slider(Controls& controls, Previewer& previewer) {
                                    [](std::uint8_t level) { return level > 0; });
   const double pixels = std::max<double>(1.0, static_cast<double>(film.split_level.size()));
   controls.row("Split",
-               fmt::format("{:.1f} % of the pixels", 100.0 * static_cast<double>(split) / pixels),
-               "The share of the picture's pixels that are split.");
+               fmt::format("{:.1f} % of pixels", 100.0 * static_cast<double>(split) / pixels),
+               "Percentage of split pixels.");
 }
 
 void map_choice(Controls& controls, DisplaySettings& display) {
   constexpr std::array options{
-      Controls::Option{"Levels", "How deep each pixel was split."},
-      Controls::Option{"Causes", "Why it was: outlines, creases, shadows, reflections."},
-      Controls::Option{"Their rays", "How many rays each pixel took."},
+      Controls::Option{"Level", "Deepest level of each pixel."},
+      Controls::Option{"Cause", "Cause: silhouettes, creases, shadows, reflections."},
+      Controls::Option{"Rays", "Rays per pixel."},
   };
   int colours = std::min(static_cast<int>(display.split_colours), 2);
   if (controls.options("Map by", options, colours, {true, 0}))
@@ -111,20 +105,20 @@ void ask_rival(Controls& controls, const Previewer& previewer, UiState& state, E
     tour.rival = state.frames.stored.back().name;
     tour.frames_when_asked.reset();
   }
-  if (controls.button("Ask for a rival",
-                      "Render the view by the method that \"Equal time\" has chosen, in the same "
-                      "time, and show it at the right of a line.")) {
+  if (controls.button("Compare now",
+                      "Render the view by the method of \"Equal time\" in the same CPU time. The "
+                      "result appears right of a divider.")) {
     if (start_equal_time(previewer, state.equal_time, job, state.frames))
       tour.frames_when_asked = state.frames.stored.size();
     else if (!job.busy())
-      state.said = finished ? "There are eight frames already: remove one first"
-                            : "Once the picture is finished";
+      state.said = finished ? "Eight snapshots at most: delete one first"
+                            : "Wait until the picture is finished";
   }
   ImGui::SameLine();
-  std::string words = finished ? row_of(state.equal_time.method).title
-                               : std::string("when the picture is finished");
+  std::string words =
+      finished ? row_of(state.equal_time.method).title : std::string("(when finished)");
   if (job.busy()) words += " is rendering";
-  if (state.frames.comparison == Comparison::wipe && !job.busy()) words += " is at the right";
+  if (state.frames.comparison == Comparison::wipe && !job.busy()) words += " is on the right";
   ImGui::TextDisabled("%s", words.c_str());
 }
 
@@ -140,8 +134,8 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
       if (state.tour.pixel) loupe(controls, film, *state.tour.pixel, state.display.transform());
       break;
     case Tour::Card::split:
-      if (!state.tour.pixel) ImGui::TextDisabled("No pixel of this picture is split.");
-      if (controls.button("Again", "Show the splitting from the whole pixel on.")) {
+      if (!state.tour.pixel) ImGui::TextDisabled("No pixel is split.");
+      if (controls.button("Replay", "Show the splitting from the whole pixel again.")) {
         state.shown_level = 0;
         state.tour.since_seconds = now_seconds;
       }
@@ -165,20 +159,20 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
 std::optional<int> buttons(Controls& controls, int card) {
   std::optional<int> next;
   const bool last = card + 1 == Tour::cards;
-  const char* end = "Put everything back. \"Tour\" in the panel begins it again. Key: Esc.";
+  const char* end = "Close the tour (Esc).";
   ImGui::Spacing();
   if (last) {
     if (controls.button("Done", end)) next = Tour::cards;
-  } else if (controls.button("Next card", "To the next card.")) {
+  } else if (controls.button("Next", "Next card.")) {
     next = card + 1;
   }
   ImGui::SameLine();
   if (card > 0) {
-    if (controls.button("Card before", "To the card before.")) next = card - 1;
+    if (controls.button("Previous", "Previous card.")) next = card - 1;
     ImGui::SameLine();
   }
   if (!last) {
-    if (controls.button("End tour", end)) next = Tour::cards;
+    if (controls.button("Close tour", end)) next = Tour::cards;
     ImGui::SameLine();
   }
   const std::string count = fmt::format("{} of {}", card + 1, Tour::cards);

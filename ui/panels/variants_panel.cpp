@@ -19,10 +19,7 @@ void variants_panel(Controls& controls, OpenScene& scene) {
   int chosen = 0;
   if (!contents.variant.empty() && found != contents.variants.end())
     chosen = static_cast<int>(found - contents.variants.begin()) + 1;
-  if (controls.list("Variant",
-                    "Which of the file's variants of its materials is shown. None: the materials "
-                    "that its meshes name themselves.",
-                    names, chosen, 0))
+  if (controls.list("Variant", "Material variant. None: default materials.", names, chosen, 0))
     scene.show_variant(chosen == 0 ? std::string()
                                    : contents.variants[static_cast<std::size_t>(chosen) - 1]);
 }

@@ -37,7 +37,7 @@ void warnings_panel(Controls& controls, const SceneNotes& notes) {
   ImGui::PopStyleColor();
   ImGui::EndChild();
   controls.placed("Warnings", nullptr);
-  if (controls.button("Copy warnings", "Copy these lines to the clipboard.", -1.0f)) {
+  if (controls.button("Copy warnings", "Copy the warnings to the clipboard.", -1.0f)) {
     ImGui::SetClipboardText(text.c_str());
   }
 }

@@ -27,8 +27,7 @@ void scale_choice(Controls& controls, float& scale) {
   std::array<Controls::Option, scales.size()> options{};
   int chosen = -1, usual = 0;
   for (std::size_t i = 0; i < scales.size(); ++i) {
-    options[i] = {scales[i].name,
-                  "How large text and all else of the window is, beside what the screen asks for."};
+    options[i] = {scales[i].name, "Size of text and controls, on top of the screen's scale."};
     if (scales[i].scale == scale) chosen = static_cast<int>(i);
     if (scales[i].scale == WindowLook{}.scale) usual = static_cast<int>(i);
   }
