@@ -22,9 +22,9 @@ constexpr const char* program_footer =
     "\n"
     "Examples:\n"
     "  asos                                     open the built-in office in a window\n"
-    "  asos model.glb --max 4                   open a model, splitting pixels up to 4 times\n"
+    "  asos model.glb --max 4                   open a model with up to four splits per pixel\n"
     "  asos render builtin:house -o house.png   render to a file\n"
-    "  asos info model.glb                      say what a file holds and what is left out\n"
+    "  asos info model.glb                      list contents and problems of a file\n"
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
@@ -63,8 +63,8 @@ int fail(const Streams& streams, const Error& error) {
 
 int run_command_line(std::vector<std::string> words, const Streams& streams) {
   CLI::App program(
-      "ASOS: adaptive supersampling in object space. Previews and renders glTF 2.0 scenes,\n"
-      "antialiased where boundaries of objects cross a pixel.",
+      "ASOS: adaptive supersampling in object space. Previews and renders glTF 2.0 scenes; "
+      "splits\npixels only where edges of objects cross them.",
       "asos");
   program.set_version_flag("--version", version_text,
                            "Print version, commit and features and exit");

@@ -27,7 +27,7 @@ int run_export(const ExportArguments& arguments, const Streams& streams) {
       file->commit([&](const std::string& path) { return export_gltf(*scene, path); });
   if (!written) return fail(streams, written.error());
   if (!scene->contents.animations.empty())
-    streams.err << "asos: note: its animation is not written; the file shows its beginning\n";
+    streams.err << "asos: note: the animation is not written; the file shows its first frame\n";
   streams.out << fmt::format("Wrote {} ({} triangles).\n", printable(file->path()),
                              scene->instanced_triangles());
   return exit_ok;
@@ -43,7 +43,7 @@ Command add_export_command(CLI::App& program) {
       ->required();
   parser
       ->add_option("-o,--output", arguments->output,
-                   "File to write: .glb, or .gltf with everything embedded")
+                   "File to write: .glb, or .gltf with embedded data")
       ->type_name("FILE.(glb|gltf)")
       ->required();
   parser->footer("Example:\n  asos export-scene office -o office.glb");

@@ -23,10 +23,9 @@ void add_from_option(CLI::App& app, PictureArguments& arguments) {
     arguments.tone = read->display.tone;
     arguments.from = *std::move(read);
   };
-  app.add_option_function<std::string>(
-         "--from", take,
-         "A picture that this program saved: its scene, camera, lights and settings, which other "
-         "options override")
+  app.add_option_function<std::string>("--from", take,
+                                       "Picture saved by ASOS: restores scene, camera, lights and "
+                                       "settings; other options override")
       ->type_name("PICTURE.(png|exr)");
 }
 

@@ -74,12 +74,12 @@ int run_info(const InfoArguments& arguments, const Streams& streams) {
 Command add_info_command(CLI::App& program) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* parser = program.add_subcommand(
-      "info", "Say what a scene holds, what is unsupported and what is left out");
+      "info", "List contents, unsupported features and skipped work of a scene");
   add_scene_argument(*parser, arguments->scene, true);
   add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
   add_needs_option(*parser, arguments->needs);
-  parser->add_flag("--json", arguments->json, "Answer in JSON");
+  parser->add_flag("--json", arguments->json, "Print JSON");
   parser->add_flag(
       "--all", arguments->all,
       fmt::format("List all entries of long lists [the first {} of each; JSON has all]",

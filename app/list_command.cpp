@@ -10,8 +10,7 @@
 namespace asos {
 
 Command add_list_command(CLI::App& program) {
-  CLI::App* parser =
-      program.add_subcommand("list-scenes", "List the built-in scenes, one a line with a summary");
+  CLI::App* parser = program.add_subcommand("list-scenes", "List the built-in scenes");
   parser->footer("Example:\n  asos list-scenes");
   return {parser, [](const Streams& streams) -> int {
             for (const BuiltinScene& scene : builtin_scenes())

@@ -30,63 +30,58 @@ auto number(double lo, double hi, bool open = false) {
 }
 
 void add_mirror_options(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(app, "--reflections", "N",
-                    "Bounces that mirror-like surfaces are followed for, 0 (none) to 64",
-                    whole(0, MirrorSettings::max_bounces),
-                    [&](int n) { settings.mirror.bounces = n; })
+  add_parsed_option(
+      app, "--reflections", "N", "Maximum mirror and refraction bounces, 0 (none) to 64",
+      whole(0, MirrorSettings::max_bounces), [&](int n) { settings.mirror.bounces = n; })
       ->default_str(std::to_string(settings.mirror.bounces));
-  add_parsed_option(app, "--roughest-mirror", "R",
-                    "Surfaces rougher than this, 0 to 1, show the sky's mean and lights' "
-                    "highlights instead of what they reflect",
-                    number(0, 1), [&](double r) { settings.mirror.roughest = r; })
+  add_parsed_option(
+      app, "--roughest-mirror", "R",
+      "Largest roughness that reflects the scene, 0 to 1; rougher surfaces reflect the mean sky",
+      number(0, 1), [&](double r) { settings.mirror.roughest = r; })
       ->default_str(fmt::format("{}", settings.mirror.roughest));
   add_parsed_option(
       app, "--dfr", "MIN,MAX,N",
-      "How all that mirrors blurs, instead of what its material says: DFR = MIN + "
-      "(MAX - MIN) sin(alpha)^N at the angle of incidence alpha (CGF'98 section 5.1)",
+      "One DFR for all mirrors: DFR = MIN + (MAX - MIN) sin(alpha)^N at the angle of incidence "
+      "alpha (CGF'98 section 5.1)",
       [](const std::string& text) { return parse_dfr(text); },
       [&](const Dfr& dfr) { settings.mirror.dfr = dfr; });
 }
 
 void add_curved_mirror_options(CLI::App& app, RenderSettings& settings) {
-  add_choice(app, "--curved-mirror", "NAME",
-             "How curved surfaces reflect a pyray: approximate (the nearest pyramid), tangent (by "
-             "the tangent plane), supersample (split to MAX first) or adaptive (split where it "
-             "widens; CGF'98 sections 5.2.1 to 5.2.4)",
-             curved_mirror_names, settings.mirror.curved);
+  add_choice(
+      app, "--curved-mirror", "NAME",
+      "Reflection on curved mirrors: approximate (nearest pyramid), tangent (tangent plane), "
+      "supersample (split to MAX first) or adaptive (split where rays diverge; CGF'98 section 5.2)",
+      curved_mirror_names, settings.mirror.curved);
   add_parsed_option(app, "--mirror-angle", "DEG",
-                    "Degrees that a pyray may be wide that a curved shape reflects, 0 to 180, and "
-                    "an eighth of that of meshes; wider ones are split",
+                    "Largest angle of a reflected pyramid on curved shapes, 0 to 180 degrees; "
+                    "meshes use an eighth of it",
                     number(0, 180), [&](double a) { settings.mirror.widest_angle_deg = a; })
       ->default_str(fmt::format("{}", settings.mirror.widest_angle_deg));
 }
 
 void add_texture_resolution(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(app, "--tr", "N",
-                    "TR, 1 to 8: asos takes N x N jittered samples of a pixel of textured surface "
-                    "that no boundary passes through (CGF'98 section 3.2)",
-                    whole(1, TextureSettings::max_resolution),
-                    [&](int n) { settings.texture.resolution = n; })
+  add_parsed_option(
+      app, "--tr", "N",
+      "TR, 1 to 8: N x N texture samples per pixel without edges (CGF'98 section 3.2)",
+      whole(1, TextureSettings::max_resolution), [&](int n) { settings.texture.resolution = n; })
       ->default_str(std::to_string(settings.texture.resolution));
 }
 
 // Options that only the methods that ASOS is compared with have.
 void add_rival_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--contrast", "C",
-                    "whitted: by how much the display intensities of a square's corners may differ "
-                    "without its being split: 0 to 1",
+                    "whitted: contrast above which a square is split, display intensity 0 to 1",
                     number(0, 1), [&](double c) { settings.sampling.contrast = c; })
       ->default_str(fmt::format("{}", settings.sampling.contrast));
-  add_parsed_option(app, "--depth", "K",
-                    "whitted: the deepest level that squares are split to, 0 to 8",
+  add_parsed_option(app, "--depth", "K", "whitted: deepest level, 0 to 8",
                     whole(0, max_level_limit), [&](int k) { settings.sampling.depth = k; })
       ->default_str(std::to_string(settings.sampling.depth));
   app.add_flag("--spheres", settings.sampling.spheres,
-               "whitted: split, too, where a ray misses a small object but not the enlarged sphere "
-               "around it");
+               "whitted: also split where a ray misses an object but hits its enlarged sphere");
   add_parsed_option(app, "--contrast-scale", "S",
-                    "mitchell: scale of the contrasts 0.4, 0.3, 0.6 of red, green, blue that ask "
-                    "for the high density: 0 (it is taken everywhere) to 4 (nowhere)",
+                    "mitchell: scale of the contrast thresholds 0.4, 0.3, 0.6 (red, green, blue); "
+                    "0 (high density everywhere) to 4 (nowhere)",
                     number(0, SamplingSettings::max_contrast_scale),
                     [&](double s) { settings.sampling.contrast_scale = s; })
       ->default_str(fmt::format("{}", settings.sampling.contrast_scale));
@@ -119,94 +114,81 @@ std::string listed(bool (*wanted)(const MethodRow& row)) {
 
 void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--method", "NAME", method_words().c_str(), method_table(), settings.method);
-  add_parsed_option(
-      app, "--max", "K",
-      "MAX, the deepest level a pixel is split to: 0 to 8 (cells of 1/2^K pixel, with "
-      "at most 4 samples each); sobol-adaptive: at most 4^K * 4 samples a pixel",
-      whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
+  add_parsed_option(app, "--max", "K",
+                    "MAX, the deepest level, 0 to 8: cells of 1/2^K pixel with at most 4 samples "
+                    "each; sobol-adaptive: at most 4^(K+1) samples per pixel",
+                    whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
       ->default_str(std::to_string(settings.asos.max_level));
-  add_parsed_option(
-      app, "--eps", "E",
-      "EPS, the allowed error of a pixel's display intensity: 0 to 1; sobol-adaptive: "
-      "the standard error that it samples a pixel to",
-      number(0, 1), [&](double e) { settings.asos.eps = e; })
+  add_parsed_option(app, "--eps", "E",
+                    "EPS, the allowed error of a pixel's display intensity, 0 to 1; "
+                    "sobol-adaptive: the standard error",
+                    number(0, 1), [&](double e) { settings.asos.eps = e; })
       ->default_str(fmt::format("{}", settings.asos.eps));
-  add_choice(app, "--leaf", "KIND",
-             "exact (cells are cut along their few boundaries) or point (sampled)", leaf_names,
-             settings.asos.leaf);
+  add_choice(app, "--leaf", "KIND", "Cell shading: exact (cut along edges) or point (one sample)",
+             leaf_names, settings.asos.leaf);
   add_choice(app, "--rule", "NAME",
-             "When splitting stops: unresolved (marginal area <= EPS) or published (each object's "
-             "L / 2^2K <= EPS)",
+             "When to stop splitting: unresolved (unresolved area <= EPS) or published (L / 2^2K "
+             "<= EPS for each object)",
              rule_names, settings.asos.rule);
-  add_choice(app, "--detect", "KIND",
-             "What a boundary has to cross: the pyray itself (square) or the cone around it (cone)",
+  add_choice(app, "--detect", "KIND", "Edge test: square (the pixel) or cone (the cone around it)",
              detection_names, settings.asos.detect);
-  add_parsed_option(app, "--fat", "N",
-                    "Pixels along the side of the fat pyrays that fetch boundaries: 2, 4, 8 or 16",
+  add_parsed_option(app, "--fat", "N", "Block size for the edge search in pixels: 2, 4, 8 or 16",
                     whole(2, 16), [&](int n) { settings.asos.fat = n; })
       ->default_str(std::to_string(settings.asos.fat));
   add_parsed_option(
       app, "--filter-width", "W",
-      "Side, in pixels, of the square around its middle that a pixel is the mean of: 1 to 4; of " +
-          listed([](const MethodRow& row) { return row.takes_filter_width; }) +
-          " (CGF'98 section 3)",
+      "Width of the box filter in pixels, 1 to 4; for " + listed([](const MethodRow& row) {
+        return row.takes_filter_width;
+      }) + " (CGF'98 section 3)",
       number(1, RenderSettings::max_filter_width), [&](double w) { settings.filter_width = w; })
       ->default_str(fmt::format("{}", settings.filter_width));
-  add_parsed_option(app, "--line-width", "W",
-                    "Of the scene's lines, and the diameter of its points, in pixels: 0 (they are "
-                    "left out) to 16",
-                    number(0, RenderSettings::max_line_width),
-                    [&](double w) { settings.line_width = w; })
-      ->default_str(fmt::format("{}", settings.line_width));
-  app.add_flag("--jitter", settings.asos.jitter,
-               "Jitter the samples of cells that stay unresolved at MAX");
   add_parsed_option(
-      app, "--spp", "N",
-      "Samples a pixel of sobol, of mitchell where the contrast is high, and, rounded up to a "
-      "square, of uniform, stochastic and ray-bound (there at boundaries)",
-      whole(1, 65536), [&](int n) { settings.sampling.spp = n; })
+      app, "--line-width", "W", "Width of lines and points in pixels, 0 (hidden) to 16",
+      number(0, RenderSettings::max_line_width), [&](double w) { settings.line_width = w; })
+      ->default_str(fmt::format("{}", settings.line_width));
+  app.add_flag("--jitter", settings.asos.jitter, "Jitter the samples of cells unresolved at MAX");
+  add_parsed_option(app, "--spp", "N",
+                    "Samples per pixel of sobol and, at high contrast, mitchell; rounded up to a "
+                    "square for uniform, stochastic and ray-bound",
+                    whole(1, 65536), [&](int n) { settings.sampling.spp = n; })
       ->default_str(std::to_string(settings.sampling.spp));
   add_rival_options(app, settings);
   add_choice(app, "--texture-filter", "KIND",
-             "Textures, and highlights where surfaces turn, are averaged over what a sample stands "
-             "for (footprint) or looked up at its ray's hit (point)",
+             "Texture filter: footprint (averages textures and highlights over the area of a "
+             "sample) or point (single points)",
              texture_filter_names, settings.texture.filter);
   add_texture_resolution(app, settings);
   app.add_flag("!--no-shading-refinement", settings.asos.refine_shading,
-               "Do not split what is shaded unevenly, only what boundaries cross");
+               "Split at edges only, not for varying shading");
   app.add_flag("!--no-culling", settings.cull,
                "Show the backs of single-sided materials, which glTF hides");
-  app.add_flag("!--no-shadows", settings.shadow.cast, "Lights cast no shadows");
-  add_choice(app, "--sky-shadows", "ON|OFF",
-             "Whether surfaces hide the sky from each other (on), or see a share of it that their "
-             "material tells (off: faster)",
+  app.add_flag("!--no-shadows", settings.shadow.cast, "Turn shadows off");
+  add_choice(app, "--sky-shadows", "ON|OFF", "Ambient occlusion: objects block sky light (slower)",
              on_off_names, settings.shadow.sky);
-  add_parsed_option(app, "--bounces", "N",
-                    "Diffuse bounces of light between surfaces that are followed, 0 or 1, with the "
-                    "sky's shadows: what hides the sky sends light (slower)",
-                    whole(0, 1), [&](int n) { settings.shadow.bounces = n; })
+  add_parsed_option(
+      app, "--bounces", "N",
+      "Bounces of indirect diffuse light, 0 or 1; includes ambient occlusion (slower)", whole(0, 1),
+      [&](int n) { settings.shadow.bounces = n; })
       ->default_str(std::to_string(settings.shadow.bounces));
-  add_choice(
-      app, "--shadow-quality", "NAME",
-      "How soft shadows are found over the patch that a leaf shows: refined (split where one "
-      "pyray would be off), centre, supersampling, forced, extended, extended-divided or "
-      "extended-adaptive (CGF'98 sections 4.2 to 4.3.4)",
-      shadow_quality_names, settings.shadow.quality);
+  add_choice(app, "--shadow-quality", "NAME",
+             "Method for soft shadows: refined (one look at the light, split where it varies), "
+             "centre, supersampling, forced, extended, extended-divided or extended-adaptive "
+             "(CGF'98 sections 4.2 to 4.3.4)",
+             shadow_quality_names, settings.shadow.quality);
   add_parsed_option(app, "--shadow-divisions", "N",
-                    "Parts along a patch's side of the shadow qualities that divide it: 1 to 16",
+                    "Divisions of a patch per side, for the qualities that divide it: 1 to 16",
                     whole(1, 16), [&](int n) { settings.shadow.divisions = n; })
       ->default_str(std::to_string(settings.shadow.divisions));
   add_choice(app, "--light-rule", "NAME",
-             "Irradiance of lights of some size: physical (closed forms) or published (I A cos "
-             "theta with inverse square at each leaf)",
+             "Light of area lights: physical (closed forms) or published (I A cos theta with "
+             "inverse square at each cell)",
              light_rule_names, settings.shadow.light_rule);
   add_mirror_options(app, settings);
   add_curved_mirror_options(app, settings);
-  add_parsed_option(
-      app, "--seed", "N",
-      "Of the scrambling of sobol, sobol-adaptive, mitchell, whitted and average: other seeds, "
-      "other noise",
-      whole(0, std::numeric_limits<int>::max()), [&](int seed) { settings.seed = seed; })
+  add_parsed_option(app, "--seed", "N",
+                    "Seed of the noise of sobol, sobol-adaptive, mitchell, whitted and average",
+                    whole(0, std::numeric_limits<int>::max()),
+                    [&](int seed) { settings.seed = seed; })
       ->default_str("0");
   add_parsed_option(app, "--threads", "N", "Worker threads, 1 to 1024; 0: one for each core",
                     whole(0, 1024), [&](int n) { settings.threads = n; })
@@ -215,10 +197,9 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
 
 void add_sky_options(CLI::App& app, PictureArguments& arguments, const char* usual) {
   add_parsed_option(app, "--sky", "WHAT",
-                    "What surrounds the scene and lights it from all sides: neutral (grey), an "
-                    "environment (studio, daylight, dusk, white, grey: with a light for a scene "
-                    "that has none), R,G,B (linear), R,G,B:R,G,B (zenith:horizon), or FILE.hdr or "
-                    "FILE.exr (equirectangular)",
+                    "Sky: neutral (grey), an environment (studio, daylight, dusk, white, grey; "
+                    "with a light for scenes without lights), R,G,B (linear), R,G,B:R,G,B "
+                    "(zenith:horizon), FILE.hdr or FILE.exr (equirectangular)",
                     parse_sky,
                     [&](SkyChoice sky) {
                       sky.turn_deg = arguments.sky.turn_deg;
@@ -228,12 +209,12 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments, const char* usu
                     })
       ->default_str(usual);
   add_parsed_option(app, "--sky-turn", "DEG",
-                    "Turns a sky from a file about the vertical, counter-clockwise as seen from "
-                    "above, -360 to 360 degrees",
+                    "Rotation of a picture sky about the vertical, counter-clockwise from above, "
+                    "-360 to 360 degrees",
                     number(-360, 360), [&](double degrees) { arguments.sky.turn_deg = degrees; })
       ->default_str("0");
   add_parsed_option(app, "--sky-brightness", "TIMES",
-                    "What the radiance of a sky from a file is multiplied by, 0 to 1000",
+                    "Brightness factor of a picture sky, 0 to 1000",
                     number(0, SkyChoice::most_brightness),
                     [&](double times) { arguments.sky.brightness = times; })
       ->default_str("1");
@@ -241,33 +222,30 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments, const char* usu
 
 void add_stage_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--background", "WHAT",
-                    "What the eye sees where no surface is, while mirrors, glass and light keep "
-                    "the environment (--sky): environment, blurred (it), transparent (an alpha "
-                    "channel: straight in PNG, premultiplied in EXR), R,G,B (linear) or "
-                    "R,G,B:R,G,B (from the picture's upper to its lower border)",
+                    "Background: environment (the sky), blurred, transparent (alpha channel), "
+                    "R,G,B (linear) or R,G,B:R,G,B (upper:lower border)",
                     parse_background,
                     [&](const Background& background) { settings.background = background; })
       ->default_str("environment");
   add_choice(app, "--ground", "WHAT",
-             "What the scene stands on: off (nothing), on (a plate at its lowest point, which "
-             "shows shadows) or mirror (which mirrors, too, sharper where it is looked along)",
-             ground_names, settings.ground);
+             "Ground plane: off, on (catches shadows) or mirror (also reflects)", ground_names,
+             settings.ground);
 }
 
 // The camera, but for what is shown of its picture.
 void add_camera_choice(CLI::App& app, CameraChoice& camera) {
   CLI::Option* index = add_parsed_option(
       app, "--camera", "N",
-      "The file's N-th camera, from 0 [its first, or else one that frames all]",
+      "Number of the file's camera, from 0 [the first, else one that frames the scene]",
       whole(0, std::numeric_limits<int>::max()), [&](int n) { camera.index = n; });
   add_parsed_option(
       app, "--look-at", "ex,ey,ez,tx,ty,tz",
-      "From the eye at ex,ey,ez to the target tx,ty,tz, in the file's units, +Y up",
+      "View from the eye ex,ey,ez to the target tx,ty,tz, in file units, +Y up",
       [](const std::string& text) { return parse_look_at(text); },
       [&](LookAt look) { camera.look_at = look; })
       ->excludes(index);
   add_parsed_option(app, "--fov", "DEG",
-                    "Full vertical field of view in degrees, between 0 and 180 [the camera's]",
+                    "Vertical field of view in degrees, between 0 and 180 [the camera's]",
                     number(0, 180, true), [&](double degrees) { camera.fov_y_deg = degrees; });
 }
 
@@ -300,33 +278,28 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
                     number(-32, 32),
                     [&](double ev) { arguments.exposure_ev = static_cast<float>(ev); })
       ->default_str("0");
-  add_choice(app, "--tone", "CURVE",
-             "How PNG pictures show what is brighter than white: none (clipped), neutral (Khronos "
-             "PBR Neutral: base colours stay) or agx (like film)",
-             tone_names, arguments.tone);
+  add_choice(
+      app, "--tone", "CURVE",
+      "Tone curve of PNG files: none (clipped), neutral (Khronos PBR Neutral) or agx (film-like)",
+      tone_names, arguments.tone);
   add_parsed_option(
       app, "--crop", "x,y,w,h",
-      "Only this part of the picture, in pixels from its top left corner [all]",
+      "Render only this rectangle, in pixels from the top left corner [all]",
       [](const std::string& text) { return parse_rect(text, largest_side); },
       [&](PixelRect crop) { arguments.settings.crop = crop; });
 }
 
 void add_clip_options(CLI::App& app, ClipChoice& clip) {
-  app.add_option(
-         "--animation", clip.animation,
-         "Which of the file's animations moves it, by its name or its number from 0 [the "
-         "first, where a time is asked for; else none: all stands where its nodes place it]")
+  app.add_option("--animation", clip.animation,
+                 "Animation, by name or number from 0 [the first with --time, else the rest pose]")
       ->type_name("NAME|N");
-  add_parsed_option(app, "--time", "SECONDS",
-                    "When in the animation; before its first key and after its last one it stands "
-                    "still [0]",
+  add_parsed_option(app, "--time", "SECONDS", "Time in the animation in seconds [0]",
                     number(0, 1e6), [&](double seconds) { clip.seconds = seconds; });
 }
 
 void add_needs_option(CLI::App& app, NeedsChoice& needs) {
   add_choice(app, "--needs", "WHAT",
-             "What is kept and done: scene (what the scene needs) or all (everything, which takes "
-             "longer for the same picture)",
+             "Work to do: scene (only what the scene needs) or all (slower, same picture)",
              needs_names, needs);
 }
 

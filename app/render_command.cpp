@@ -33,27 +33,21 @@ namespace asos {
 namespace {
 
 constexpr const char* render_footer =
-    "The picture is of the whole camera's view; --crop renders a part of it, pixel for pixel the\n"
-    "same. PNG is what the window shows; EXR holds linear radiance, which --exposure does not\n"
-    "change. Both carry the settings, times and statistics as text, and --from renders such a\n"
-    "picture again.\n"
-    "\n"
-    "Examples:\n"
-    "  asos render builtin:office -o office.png --size 1920x1080 --max 4\n"
-    "  asos render model.glb -o model.exr --look-at 4,2,4,0,1,0 --fov 40 --stats model.json\n"
-    "  asos render builtin:fence -o fence.png --crop 320,180,64,48 --split-map levels.png\n"
-    "  asos render builtin:boxes -o rival.png --method stochastic --spp 64\n"
-    "  asos render --from office.png -o larger.png --size 3840x2160\n"
-    "  asos render builtin:office -o soon.png --time-limit 10\n"
-    "  asos render builtin:boxes -o turn.png --frames 0-29/120   # a quarter of a turn\n"
-    "  asos render fox.glb -o fox.png --animation Run --time 0.5\n"
-    "  asos render fox.glb -o fox.png --animation Run --frames 0-23/24   # its first second\n"
-    "\n"
-    "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
+    "--crop renders a part of the picture, with the same pixels. PNG holds display values, EXR "
+    "linear\nradiance without exposure. Both contain settings, times and statistics as text; "
+    "--from renders\nsuch a file again.\n\nExamples:\n  asos render builtin:office -o office.png "
+    "--size 1920x1080 --max 4\n  asos render model.glb -o model.exr --look-at 4,2,4,0,1,0 --fov 40 "
+    "--stats model.json\n  asos render builtin:fence -o fence.png --crop 320,180,64,48 --split-map "
+    "levels.png\n  asos render builtin:boxes -o sampled.png --method stochastic --spp 64\n  asos "
+    "render --from office.png -o larger.png --size 3840x2160\n  asos render builtin:office -o "
+    "soon.png --time-limit 10\n  asos render builtin:boxes -o turn.png --frames 0-29/120   # a "
+    "quarter of a turn\n  asos render fox.glb -o fox.png --animation Run --time 0.5\n  asos render "
+    "fox.glb -o fox.png --animation Run --frames 0-23/24   # its first second\n\nExit codes: 0 "
+    "done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
 constexpr const char* nothing_written = "asos: interrupted, nothing was written\n";
 constexpr const char* frames_kept =
-    "asos: interrupted; the same command goes on with the first frame that is not there\n";
+    "asos: interrupted; the same command continues with the first missing frame\n";
 constexpr double most_time_limit_seconds = 1e6;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -240,7 +234,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
 
 void say_written(const RenderArguments& arguments, const RenderReport& report, std::ostream& out) {
   if (report.kept) {
-    out << fmt::format("Kept {}, which is of these settings.\n", printable(arguments.output));
+    out << fmt::format("Kept {}, which has these settings.\n", printable(arguments.output));
     return;
   }
   out << fmt::format("Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
@@ -256,21 +250,19 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
   const auto& from = arguments.picture.from;
   if (from && from->display.split_map)
     err << "asos: note: " << printable(arguments.picture.from_file)
-        << " shows the split map over the picture, which is rendered without it\n";
+        << " shows the split map; the picture is rendered without it\n";
   if (from && from->scene == arguments.picture.scene)
     for (const std::string& remark : from->found_beside) err << "asos: note: " << remark << "\n";
   const CameraChoice& camera = arguments.picture.camera;
   const bool of_file = !arguments.picture.scene.starts_with("builtin:");
   if (of_file && scene.cameras() > 1 && !camera.index && !camera.look_at && !from)
     err << fmt::format(
-        "asos: note: the first of the file's {} cameras is looked through; --camera "
-        "N chooses another\n",
+        "asos: note: using the first of the file's {} cameras; --camera N chooses another\n",
         scene.cameras());
   if (const std::size_t beyond = beyond_the_end(frames, scene.contents()); beyond > 0)
     err << fmt::format(
-        "asos: note: {} of {} are of times after the animation's end, where it "
-        "stands still\n",
-        beyond, frames.size() == 1 ? "1 picture" : fmt::format("{} pictures", frames.size()));
+        "asos: note: {} of {} are after the animation's end and show its last pose\n", beyond,
+        frames.size() == 1 ? "1 picture" : fmt::format("{} pictures", frames.size()));
 }
 
 // Reads the scene to know what else it is made of.
@@ -338,12 +330,12 @@ int run_render(const RenderArguments& arguments, const Streams& streams) {
 
 Command add_render_command(CLI::App& program) {
   const auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* parser = program.add_subcommand("render", "Render a scene to a PNG or an EXR file");
+  CLI::App* parser = program.add_subcommand("render", "Render a scene to PNG or EXR");
   arguments->picture.scene.clear();
   add_from_option(*parser, arguments->picture);
   add_picture_options(*parser, arguments->picture, true);
   parser->get_option("SCENE")->required(false);  // as --from names one
-  parser->add_option("-o,--output", arguments->output, "Picture to write; the ending decides")
+  parser->add_option("-o,--output", arguments->output, "Picture to write, .png or .exr")
       ->type_name("OUT.(png|exr)")
       ->required();
   add_camera_options(*parser, arguments->picture);
@@ -352,32 +344,28 @@ Command add_render_command(CLI::App& program) {
   add_clip_options(*parser, arguments->picture.clip);
   parser
       ->add_option("--frames", arguments->frames,
-                   "Frames A to B (or one, or with N alone all) of a turn of N frames around what "
-                   "the camera is told to look at, or the scene's middle: OUT-000.png and so on. "
-                   "With --animation, of the animation at so many frames a second: OUT-0000.png. "
-                   "Frames of the same settings that are there are kept")
+                   "Frames A to B (or one, or all N) of a turntable of N frames: OUT-000.png and "
+                   "so on. With --animation: frames of the animation at FPS, OUT-0000.png. "
+                   "Finished frames with the same settings are kept")
       ->type_name("A-B/N|FPS");
-  CLI::Option* split_map = parser
-                               ->add_option("--split-map", arguments->split_map,
-                                            "Also write the split map, in the window's colours")
-                               ->type_name("FILE.png");
+  CLI::Option* split_map =
+      parser->add_option("--split-map", arguments->split_map, "Also write the split map")
+          ->type_name("FILE.png");
   add_choice(*parser, "--split-map-by", "WHAT",
-             "What the split map's colours tell of a pixel: level (the deepest, 0 to MAX), cause "
-             "(why it was split), rays (how many it took) or time",
+             "Colours of the split map: level (deepest, 0 to MAX), cause, rays or time",
              split_map_names, arguments->split_map_by)
       ->needs(split_map);
-  parser->add_option("--stats", arguments->stats_file, "Also write the statistics as JSON")
+  parser->add_option("--stats", arguments->stats_file, "Also write statistics as JSON")
       ->type_name("FILE.json");
   add_parsed_option(
       *parser, "--time-limit", "SECONDS",
-      "Of rendering, without loading: the picture comes in passes, each better than the last, and "
-      "is "
-      "written as good as it is by then, each pixel at its best [none: as long as it takes]",
+      "Render time in seconds, without loading: writes the best picture of that time [none: to the "
+      "end]",
       [](const std::string& text) { return parse_number(text, 0.0, most_time_limit_seconds); },
       [arguments](double seconds) { arguments->time_limit_seconds = seconds; });
   parser->add_flag("--allow-empty", arguments->allow_empty,
-                   "Render a scene of which nothing can be drawn, which is an error otherwise");
-  parser->add_flag("--quiet", arguments->quiet, "No progress bar, no remarks and no closing line");
+                   "Accept a scene without triangles, lines or points");
+  parser->add_flag("--quiet", arguments->quiet, "No progress bar, warnings or closing line");
   parser->footer(render_footer);
   parser->callback([arguments] {
     read_frames(*arguments);

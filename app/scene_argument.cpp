@@ -106,12 +106,10 @@ void add_asset_root_option(CLI::App& app, std::string& asset_root) {
 void add_scene_choices(CLI::App& app, std::string& scene, std::string& variant,
                        std::string& asset_root) {
   app.add_option("--scene", scene,
-                 "Which of the file's scenes, by its number from 0 or its name [the file's "
-                 "default]")
+                 "Scene of the file, by number from 0 or name [the file's default]")
       ->type_name("N|NAME");
   app.add_option("--variant", variant,
-                 "Which of the file's variants of its materials, by name (KHR_materials_variants) "
-                 "[none: the materials that it shows by default]")
+                 "Material variant by name (KHR_materials_variants) [default materials]")
       ->type_name("NAME");
   add_asset_root_option(app, asset_root);
 }

@@ -26,17 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* stability_footer =
-    "Renders small scenes that strain the numbers: scales from 1e-12 to 1e12, slivers, grazing\n"
-    "views, lights in awkward places, settings beyond their ends. Each is compared with a closed\n"
-    "form, an invariance or a converged value, within a bound whose reason is told.\n"
-    "DIR gets stability.html, which opens from disk, and stability.csv, one line a case.\n"
-    "\n"
-    "Examples:\n"
-    "  asos stability -o stability\n"
-    "  asos stability -o stability --quick\n"
-    "\n"
-    "Exit codes: 0 all cases hold, 1 a bound is broken or a file cannot be written, 2 bad command\n"
-    "line, 130 interrupted.";
+    "Renders small scenes with extreme numbers: scales from 1e-12 to 1e12, slivers, grazing "
+    "views,\nlights in awkward places, settings beyond their range. Each is compared with a closed "
+    "form, an\ninvariance or a converged value, within a bound with a stated reason. DIR gets "
+    "stability.html\nand stability.csv, one line per case.\n\nExamples:\n  asos stability -o "
+    "stability\n  asos stability -o stability --quick\n\nExit codes: 0 all cases hold, 1 a bound "
+    "is broken or a file cannot be written, 2 bad command\nline, 130 interrupted.";
 
 /// Where the answers go, known to be writable.
 struct StabilityFiles {
@@ -108,12 +103,12 @@ int run_stability(const StabilityArguments& arguments, const std::vector<stabili
 
 Command add_stability_command(CLI::App& program) {
   const auto arguments = std::make_shared<StabilityArguments>();
-  CLI::App* parser = program.add_subcommand(
-      "stability", "Check the numbers on stiff and extreme cases, each within a stated bound");
-  parser->add_option("-o,--output", arguments->folder, "Folder for the page and the table")
+  CLI::App* parser =
+      program.add_subcommand("stability", "Check numerical accuracy on extreme cases");
+  parser->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->required();
-  parser->add_flag("--quick", arguments->quick, "Only the part that takes less than a minute");
+  parser->add_flag("--quick", arguments->quick, "Only cases that take less than a minute together");
   parser->footer(stability_footer);
   return {parser, [arguments](const Streams& streams) {
             return run_stability(*arguments, stability::all_cases(arguments->quick), streams);

@@ -24,22 +24,14 @@ namespace asos {
 namespace {
 
 constexpr const char* trace_footer =
-    "The first table is the papers': for each level K the M marginal cells, and for each object\n"
-    "near them how many of their axes hit it (in) and miss it (out), L, the larger of the two, "
-    "and\n"
-    "the shares of the pixel's area. Then come all cells, with the boundaries near them and their\n"
-    "samples. Places run from 0 to 1 across the pixel, from its top left corner; colours are\n"
-    "linear. #N is the N-th smooth surface of a part. Last come the pyrays that its leaves sent "
-    "on\n"
-    "to lights and by way of mirrors and glass: the pyray whose leaf it was, that leaf's sample "
-    "and\n"
-    "weight in it, and what came back. --json has the cells of these as well. What is sampled "
-    "sends\n"
-    "rays instead, which are not told.\n"
-    "\n"
-    "Examples:\n"
-    "  asos trace builtin:boxes --size 320x180 --pixel 160,90\n"
-    "  asos trace model.glb --pixel 640,360 --method asos-published --json";
+    "The first table is the papers': for each level K the M cells with edges. For each object "
+    "near\nthem it counts cell axes that hit it (in) and miss it (out); L is the larger of the "
+    "two. Then come\nall cells with their edges and samples. Positions run from 0 to 1 across the "
+    "pixel, from its top\nleft corner; colours are linear. #N is the N-th smooth surface of a "
+    "part. Last come the pyramids\nthat its cells send to lights, mirrors and glass: the parent, "
+    "its sample and weight, and the\nresult. --json adds their cells. Sampled parts send rays, "
+    "which are not listed.\n\nExamples:\n  asos trace builtin:boxes --size 320x180 --pixel "
+    "160,90\n  asos trace model.glb --pixel 640,360 --method asos-published --json";
 
 struct TraceArguments {
   PictureArguments picture;
@@ -106,7 +98,7 @@ int run_trace(const TraceArguments& arguments, const Streams& streams) {
 Command add_trace_command(CLI::App& program) {
   const auto arguments = std::make_shared<TraceArguments>();
   CLI::App* parser =
-      program.add_subcommand("trace", "Say how one pixel is split, cell by cell, and why");
+      program.add_subcommand("trace", "Print how one pixel is split, cell by cell, and why");
   add_picture_options(*parser, arguments->picture, true);
   add_camera_options(*parser, arguments->picture);
   add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant,
@@ -115,10 +107,10 @@ Command add_trace_command(CLI::App& program) {
   // These options say nothing about one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
     parser->remove_option(parser->get_option(option));
-  add_parsed_option(*parser, "--pixel", "x,y", "The pixel, from the picture's top left corner",
-                    parse_pixel, [arguments](glm::ivec2 pixel) { arguments->pixel = pixel; })
+  add_parsed_option(*parser, "--pixel", "x,y", "Pixel, from the top left corner", parse_pixel,
+                    [arguments](glm::ivec2 pixel) { arguments->pixel = pixel; })
       ->required();
-  parser->add_flag("--json", arguments->json, "Answer in JSON");
+  parser->add_flag("--json", arguments->json, "Print JSON");
   parser->footer(trace_footer);
   parser->callback([arguments] { check(*arguments); });
   return {parser, [arguments](const Streams& streams) { return run_trace(*arguments, streams); }};

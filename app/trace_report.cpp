@@ -82,7 +82,7 @@ class Namer {
   }
 
   [[nodiscard]] std::string of_sheet(std::uint32_t sheet) const {
-    if (sheet == ObjectTally::clusters) return "small boundaries, not resolved";
+    if (sheet == ObjectTally::clusters) return "small edges, not resolved";
     const World& world = scene_.world();
     const std::uint32_t triangle = first_triangle_.at(sheet);
     const std::uint32_t part = world.triangle_part[triangle];
@@ -219,7 +219,7 @@ std::string head_text(const Json& trace) {
   text += fmt::format("Colour {} (linear), unresolved area {:.4g}\n",
                       colour_text(trace["radiance"]), trace["unresolved_area"].get<double>());
   if (trace["missed_split"].get<bool>())
-    text += "Missed split: its samples differ from a neighbour's, and no boundary is near.\n";
+    text += "Edge not found: its samples differ from a neighbour's, but no edge is near.\n";
   return text;
 }
 
@@ -251,8 +251,8 @@ std::string cell_text(const Json& cell) {
       fmt::format("{:>2}  {}  1/{:<4} {}", cell["level"].get<int>(), place_text(cell["corner"]),
                   std::lround(1.0 / cell["side"].get<double>()), text_of(cell["fate"]));
   if (clusters > 0)
-    text += fmt::format(", {} {} of boundaries not resolved", clusters,
-                        clusters == 1 ? "group" : "groups");
+    text +=
+        fmt::format(", {} {} of edges not resolved", clusters, clusters == 1 ? "group" : "groups");
   if (hidden > 0) text += fmt::format(", {} hidden", hidden);
   text += "\n";
   for (const Json& b : cell["boundaries"])

@@ -115,14 +115,13 @@ Result<glm::ivec2> parse_pixel(std::string_view text) {
 
 Result<LookAt> parse_look_at(std::string_view text) {
   const auto values = read_list<double, 6>(text, ',');
-  if (!values)
-    return refuse(text, "not six numbers such as 4,2,4,0,1,0 (the eye, then what it looks at)");
+  if (!values) return refuse(text, "not six numbers such as 4,2,4,0,1,0 (eye, then target)");
   const auto& v = *values;
   const LookAt look{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
   if (!within_reach(look.eye) || !within_reach(look.target))
     return refuse(text,
                   fmt::format("coordinates have to be finite and within {:g}", largest_coordinate));
-  if (look.eye == look.target) return refuse(text, "the eye and what it looks at are one point");
+  if (look.eye == look.target) return refuse(text, "eye and target are the same point");
   return look;
 }
 

@@ -43,7 +43,7 @@ int run_view(const PictureArguments& arguments, Asked asked, const Streams& stre
                        asked.method,
                        arguments.sky_chosen,
                        forced_by(arguments.needs)});
-  streams.err << "asos: there is no display to open a window on. To render to a file instead:\n"
+  streams.err << "asos: no display to open a window on. Render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";
   return exit_bad_input;
 }
@@ -57,12 +57,8 @@ Command add_view_command(CLI::App& program) {
   add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
   parser->footer(
-      "Files can also be dropped on the window. Everything can be changed there.\n"
-      "\n"
-      "Examples:\n"
-      "  asos\n"
-      "  asos model.glb --eps 0.01 --max 4\n"
-      "  asos builtin:fence --method stochastic --spp 16");
+      "Files can also be dropped on the window.\n\nExamples:\n  asos\n  asos model.glb --eps 0.01 "
+      "--max 4\n  asos builtin:fence --method stochastic --spp 16");
   return {parser, [arguments, parser](const Streams& streams) {
             const Asked asked{parser->count("--size") > 0, parser->count("--method") > 0};
             return run_view(*arguments, asked, streams);

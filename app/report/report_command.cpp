@@ -28,20 +28,17 @@ namespace asos {
 namespace {
 
 constexpr const char* report_footer =
-    "Every method renders every scene over a ladder of its own settings. DIR gets report.html, "
-    "which\n"
-    "opens from disk, points.csv, report.json, plots/, pictures/ and jobs/.\n"
+    "Renders every scene by every method at several settings. DIR gets report.html, points.csv,\n"
+    "report.json, plots/, pictures/ and jobs/.\n"
     "\n"
-    "The jobs of a report can run apart, on machines alike, and be put together:\n"
-    "  asos report SCENE -o DIR --list-jobs        one line a job\n"
+    "Jobs can run apart on equal machines and be merged:\n"
+    "  asos report SCENE -o DIR --list-jobs        lists the jobs\n"
     "  asos report SCENE -o DIR --job K            runs job K, into DIR/jobs\n"
-    "  asos report --merge DIR [DIR...] -o OUT     makes the report of all that was run\n"
+    "  asos report --merge DIR [DIR...] -o OUT     makes the report of finished jobs\n"
     "\n"
-    "With --frames, or with --animation alone, flicker is measured: how a pixel's error varies "
-    "over\n"
-    "the frames of an animation. DIR gets report.html with film strips, flicker.csv, "
-    "flicker.json,\n"
-    "plots/ and pictures/.\n"
+    "--frames, or --animation alone, measures flicker: the variation of a pixel's error over the\n"
+    "frames of an animation. DIR gets report.html, flicker.csv, flicker.json, plots/ and\n"
+    "pictures/.\n"
     "\n"
     "Examples:\n"
     "  asos report builtin:boxes -o boxes --size 320x180\n"
@@ -245,8 +242,7 @@ void choose_frames(ReportArguments& arguments) {
   if (!arguments.flicker) return;
   if (arguments.job || arguments.list_jobs || plan.paper || !arguments.merge.empty())
     throw CLI::ValidationError("--animation",
-                               "flicker is measured at once and of scenes alone: no "
-                               "--job, --list-jobs, --merge or --suite");
+                               "flicker does not work with --job, --list-jobs, --merge or --suite");
   if (plan.scenes.empty() && clip.animation)
     plan.scenes = {*std::exchange(clip.animation, std::nullopt)};
 }
@@ -258,7 +254,8 @@ void check(ReportArguments& arguments) {
   const bool studies = !plan.scenes.empty() || plan.paper;
   if (arguments.merge.empty() && !studies) throw CLI::RequiredError("SCENE, --suite or --merge");
   if (!arguments.merge.empty() && (studies || arguments.job || arguments.list_jobs))
-    throw CLI::ValidationError("--merge", "the jobs know their scenes and settings: name none");
+    throw CLI::ValidationError("--merge",
+                               "--merge takes scenes and settings from the jobs: do not name any");
   if (arguments.output.empty() && !arguments.list_jobs) throw CLI::RequiredError("-o");
   if (plan.methods.empty()) plan.methods = default_methods();
   for (const std::string& method : plan.methods)
@@ -276,9 +273,10 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
       ->default_str(fmt::format("{}x{}", plan.width, plan.height));
   add_parsed_option(
       app, "--budget", "SECONDS",
-      "Wall time for the reference of each scene; its first pass always runs to the end. Unless "
-      "given, up to ten times longer while more than a quarter of ASOS's settings could not be "
-      "compared. With --job, of a single half of a pass",
+      "Wall time for the reference of each scene; its first pass always finishes. Unless given, up "
+      "to "
+      "ten times longer while a quarter of ASOS's settings cannot be compared. With --job, for "
+      "each half of a pass",
       [](const std::string& text) { return parse_number(text, 0.0, 1e9, true); },
       [&](double seconds) {
         plan.budget_seconds = seconds;
@@ -287,15 +285,14 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
       ->default_str(fmt::format("{}", plan.budget_seconds));
   add_parsed_option(
       app, "--longest", "SECONDS",
-      "Wall time for one picture of a setting; where it takes longer it is given up, and so are "
-      "the "
-      "dearer settings of its ladder",
+      "Wall time for one picture; a slower setting is abandoned, with all slower settings of its "
+      "method",
       [](const std::string& text) { return parse_number(text, 0.0, 1e9, true); },
       [&](double seconds) { plan.longest_seconds = seconds; })
       ->default_str(fmt::format("{}", plan.longest_seconds));
   std::string known;
   for (const std::string& name : ladder_methods()) known += (known.empty() ? "" : ", ") + name;
-  app.add_option("--methods", plan.methods, "Which to compare, with commas between them: " + known)
+  app.add_option("--methods", plan.methods, "Methods to compare, separated by commas: " + known)
       ->delimiter(',')
       ->type_name("LIST")
       ->default_str("all but beam");
@@ -306,10 +303,10 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
              throw CLI::ValidationError("--suite", "\"" + name + "\": not one of paper");
            plan.paper = true;
          },
-         "paper: also the cases of CGF'98 table 2, beside what was published")
+         "paper: also the cases of CGF'98 table 2 with the published figures")
       ->type_name("NAME");
   add_parsed_option(
-      app, "--repetitions", "N", "How often each setting is rendered: 1 to 99",
+      app, "--repetitions", "N", "Renders per setting: 1 to 99",
       [](const std::string& text) { return parse_whole(text, 1, 99); },
       [&](int n) { plan.repetitions = n; })
       ->default_str(std::to_string(plan.repetitions));
@@ -324,26 +321,26 @@ void add_study_options(CLI::App& app, StudyPlan& plan) {
 
 Command add_report_command(CLI::App& program) {
   const auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* parser =
-      program.add_subcommand("report", "Measure error against run time, ASOS beside other methods");
+  CLI::App* parser = program.add_subcommand(
+      "report", "Measure error against run time, or flicker, of ASOS and other methods");
   add_study_options(*parser, arguments->plan);
   add_look_options(*parser, arguments->look);
   add_clip_options(*parser, arguments->look.clip);
   add_parsed_option(
       *parser, "--frames", "A-B/FPS",
-      "Measure flicker over these frames of the animation (or with FPS alone over all) [0-23/24, "
-      "with --animation and without --time]",
+      "Frames of the animation to measure flicker over (FPS alone: all) [0-23/24, with --animation "
+      "and without --time]",
       [](const std::string& text) { return parse_clip_frames(text); },
       [arguments](const ClipFrames& frames) { arguments->frames = frames; });
   parser->add_option("-o,--output", arguments->output, "Folder to write to")->type_name("DIR");
-  parser->add_flag("--list-jobs", arguments->list_jobs, "List the jobs of the report, one a line");
+  parser->add_flag("--list-jobs", arguments->list_jobs, "List the jobs, one per line");
   add_parsed_option(
-      *parser, "--job", "K", "Run one job alone, by its number",
+      *parser, "--job", "K", "Run one job by its number",
       [](const std::string& text) { return parse_whole(text, 0, 1'000'000'000); },
       [arguments](int k) { arguments->job = static_cast<std::size_t>(k); });
   parser
       ->add_option("--merge", arguments->merge,
-                   "Make the report from jobs that have been run, in these folders")
+                   "Make the report from finished jobs in these folders")
       ->type_name("DIR...");
   parser->add_flag("--quiet", arguments->quiet, "No progress and no closing line");
   parser->footer(report_footer);

@@ -96,7 +96,7 @@ TEST(TraceCommand, TheTableIsThePapers) {
         ++rows;
         const int in = object.at("in"), out = object.at("out"), larger = object.at("larger");
         EXPECT_LE(in + out, row.at("marginal").get<int>());
-        const bool clusters = object.at("object") == "small boundaries, not resolved";
+        const bool clusters = object.at("object") == "small edges, not resolved";
         EXPECT_EQ(larger, clusters ? in + out : std::max(in, out));
         EXPECT_EQ(object.at("share"), static_cast<double>(larger) / cells);
         EXPECT_EQ(object.at("change"),
