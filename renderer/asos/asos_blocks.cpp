@@ -34,6 +34,7 @@ BlockResult together(const BlockJob& job, const std::vector<StartedPyray>& parts
   result.tile.split_level.resize(pixels);
   result.tile.cause.resize(pixels);
   result.tile.rays.resize(pixels);
+  result.tile.outlook.resize(pixels);
   for (const StartedPyray& part : parts) {
     const BlockResult done = part.result(max_level);
     copy_pixels(done.tile, result.tile);

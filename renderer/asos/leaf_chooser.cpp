@@ -32,6 +32,7 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
   if (terms_.layers(leaf).unbounded) return {Estimator::samples, Unevenness::layers};
   LeafChoice choice{weight, terms_.shading(leaf), Prices::leaf, may_split};
   LeafDecision decision{choose(allowance, choice)};
+  decision.error = static_cast<float>(choice.bound.error);
   if (decision.estimator != Estimator::centre) decision.cause = Unevenness::shading;
   if (!terms_.soft_shadows()) return decision;
   if (shared) {
@@ -47,6 +48,7 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
     choice.bound += penumbra;
     choice.price += shadows_price_;
     decision.estimator = choose(allowance, choice);
+    decision.error = static_cast<float>(choice.bound.error);
     if (decision.estimator != Estimator::centre)
       decision.cause = even ? Unevenness::shading : Unevenness::shadow;
   }

@@ -56,6 +56,7 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   if (eye_->mirrored())
     sums_[leaf.root].misplaced |=
         chooser_->may_misplace_light(leaf.sample, leaf.weight, leaf.region);
+  sums_[leaf.root].note_error(leaf.decision.error, leaf.weight);
   if (worth_one_sample(leaf)) return single_.add(leaf);
   if (leaf.decision.sampled() && add_samples(leaf)) return;
 

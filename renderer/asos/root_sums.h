@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -46,6 +47,7 @@ struct RootSum {
   bool misplaced = false;     ///< bent mirrors, one in the other, may show a bright light elsewhere
   bool varies = false;        ///< samples of one of its parts differ visibly
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
+  float error = 0.0f;         ///< of the root's centre, as the bounds of its leaves tell
   std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
 
   /// Adds the estimate of a part of this weight by samples. `layers`: it was sampled for what
@@ -54,6 +56,10 @@ struct RootSum {
   void add(glm::dvec3 leaf, double leaf_weight) {
     radiance += leaf_weight * leaf;
     weight += leaf_weight;
+  }
+  /// A leaf's bound is a quarter of that of what it is a quarter of.
+  void note_error(float leaf, double leaf_weight) {
+    error = std::max(error, leaf / static_cast<float>(leaf_weight));
   }
   [[nodiscard]] glm::vec3 mean() const {
     return weight > 0.0 ? glm::vec3(radiance / weight) : glm::vec3(0.0f);

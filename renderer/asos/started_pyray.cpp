@@ -29,6 +29,16 @@ int level_of(std::uint32_t samples) {
   return samples > 1 ? (std::bit_width(samples - 1) + 1) / 2 : 0;
 }
 
+SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
+  SplitOutlook outlook;
+  outlook.error = sum.error;
+  outlook.unresolved = static_cast<float>(outcome.unresolved_area);
+  outlook.samples = sum.varies || sum.cut_out ? sum.samples : 0;
+  outlook.edges = static_cast<std::uint8_t>(outcome.boundaries.empty() ? 0 : outcome.deepest);
+  outlook.at_limit = outcome.at_limit;
+  return outlook;
+}
+
 // Publishes a pixel's radiance, level, cause and rays, and counts its cells and events.
 void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockResult& result,
                    std::vector<std::uint64_t>& rays) {
@@ -53,6 +63,7 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
       cause_of({outcome, trace.by_samples || sum.cut_out, sum.shadow_cut, sum.mirror_cut});
   result.tile.cause.push_back(cause);
   if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
+  result.tile.outlook.push_back(outlook_of(trace.outcome, sum));
   rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));
 }
 

@@ -77,8 +77,9 @@ void copy_shared(const std::vector<T>& from, const PixelRect& from_rect, std::ve
 }
 
 // What is not told is `otherwise`.
-void copy_told(const std::vector<float>& from, const PixelRect& from_rect, std::vector<float>& to,
-               const PixelRect& to_rect, float otherwise) {
+template <typename T>
+void copy_told(const std::vector<T>& from, const PixelRect& from_rect, std::vector<T>& to,
+               const PixelRect& to_rect, const T& otherwise) {
   if (from.size() >= pixels_of(from_rect)) return copy_shared(from, from_rect, to, to_rect);
   each_shared_row(from_rect, to_rect, [&](std::ptrdiff_t, std::ptrdiff_t into, int count) {
     std::fill_n(to.begin() + into, count, otherwise);
@@ -99,6 +100,7 @@ void copy_pixels(const FinishedTile& from, FinishedTile& to) {
   if (!to.rays.empty()) copy_costs(from.rays, from.rect, to.rays, to.rect);
   if (!to.seconds.empty()) copy_costs(from.seconds, from.rect, to.seconds, to.rect);
   if (!to.coverage.empty()) copy_told(from.coverage, from.rect, to.coverage, to.rect, 1.0f);
+  if (!to.outlook.empty()) copy_told(from.outlook, from.rect, to.outlook, to.rect, {});
 }
 
 Film::Film(int w, int h)
@@ -125,6 +127,8 @@ void Film::put(const FinishedTile& tile) {
   copy_costs(tile.seconds, tile.rect, seconds, whole);
   if (!tile.coverage.empty() && coverage.empty()) coverage.assign(radiance.size(), 1.0f);
   if (!coverage.empty()) copy_told(tile.coverage, tile.rect, coverage, whole, 1.0f);
+  if (!tile.outlook.empty() && outlook.empty()) outlook.resize(radiance.size());
+  if (!outlook.empty()) copy_told(tile.outlook, tile.rect, outlook, whole, {});
 }
 
 glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/split_cause.h"
+#include "renderer/film/split_outlook.h"
 #include "renderer/geometry/pixel_rect.h"
 
 #include <glm/glm.hpp>
@@ -25,6 +26,8 @@ struct FinishedTile {
   /// The share of each pixel that surfaces cover, 0 to 1: where the background is transparent, and
   /// `radiance` is theirs alone. Empty: all is covered.
   std::vector<float> coverage;
+  /// Of ASOS: how deep each pixel would be split by another EPS and MAX. Empty: not known.
+  std::vector<SplitOutlook> outlook;
   bool coarse = false;  ///< better pixels follow
 };
 
@@ -42,7 +45,8 @@ struct Film {
   std::vector<SplitCause> cause;
   std::vector<float> rays;
   std::vector<float> seconds;
-  std::vector<float> coverage;  ///< as a tile's; empty until a tile tells any
+  std::vector<float> coverage;        ///< as a tile's; empty until a tile tells any
+  std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile tells any
 
   Film() = default;
   Film(int w, int h);

@@ -30,6 +30,7 @@ struct LeafDecision {
   Estimator estimator = Estimator::centre;
   Unevenness cause = Unevenness::none;
   std::uint32_t record = 0;  ///< the caster's number; 0: nothing
+  float error = 0.0f;        ///< of the centre, in display intensity, as far as it has a bound
 
   [[nodiscard]] bool sampled() const { return estimator == Estimator::samples; }
   [[nodiscard]] bool splits() const { return estimator == Estimator::split; }

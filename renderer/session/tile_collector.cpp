@@ -17,6 +17,7 @@ FinishedTile part_of(const FinishedTile& tile, const PixelRect& rect) {
   if (!tile.rays.empty()) part.rays.resize(pixels);
   if (!tile.seconds.empty()) part.seconds.resize(pixels);
   if (!tile.coverage.empty()) part.coverage.resize(pixels);
+  if (!tile.outlook.empty()) part.outlook.resize(pixels);
   copy_pixels(tile, part);
   return part;
 }

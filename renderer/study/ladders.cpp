@@ -32,9 +32,13 @@ Rungs levels(const std::string& method, const RenderSettings& base, double eps) 
   return rungs;
 }
 
+/// By EPS at the default MAX, as users turn it.
 Rungs asos_rungs(const std::string& method, const RenderSettings& base) {
-  Rungs rungs = levels(method, base, 0.0);
-  for (Rung& rung : levels(method, base, 1.0 / 256.0)) rungs.push_back(std::move(rung));
+  Rungs rungs;
+  const int max_level = AsosSettings{}.max_level;
+  for (double inverse = 8.0; inverse <= 2048.0; inverse *= 2.0)
+    rungs.push_back(asos_rung(method, base, max_level, 1.0 / inverse));
+  for (Rung& rung : rungs) rung.curve = method;
   return rungs;
 }
 

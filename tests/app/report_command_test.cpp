@@ -67,12 +67,12 @@ test::TemporaryFolder* FinishedReport::folder_ = nullptr;
 
 TEST_F(FinishedReport, TheCsvHasItsColumnsAndALineForEachRun) {
   const auto lines = lines_of(content_of(path("points.csv")));
-  ASSERT_EQ(lines.size(), 1u + 2u * (10u + 5u));
+  ASSERT_EQ(lines.size(), 1u + 2u * (9u + 5u));
   EXPECT_EQ(lines[0],
             "scene,method,setting,repetition,seconds,rmse,mae,p99,p999,max,rmse_display,perceptual,"
             "rays,pyrays,memory_mb");
   for (const std::string& line : lines) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 14);
-  EXPECT_TRUE(lines[1].starts_with("builtin:boxes,asos,MAX 1 EPS 0,1,")) << lines[1];
+  EXPECT_TRUE(lines[1].starts_with("builtin:boxes,asos,MAX 4 EPS 1/8,1,")) << lines[1];
 }
 
 TEST_F(FinishedReport, TheJsonHasItsFields) {

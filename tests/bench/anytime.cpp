@@ -1,7 +1,8 @@
 // How good a picture is while it renders: ASOS in a progressive session beside Sobol sampling, at
 // the moments at which Sobol sampling has taken 1, 4, 16 and 64 samples a pixel.
 //
-//   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves] [SCENE...]
+//   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves]
+//                 [--strips DIR] [SCENE...]
 //
 // Times are seconds of one worker's processor from the first ray on; boundaries are known before,
 // and so is the scene's hierarchy. Errors are RMSE of linear radiance clipped to 0..1 against
@@ -9,8 +10,11 @@
 // at that moment. A line a scene: the error over that of Sobol sampling at each moment, the time to
 // the end over that of a render without rounds, and by how much an error ever rose as time went on.
 // Then medians and worst. --curves has each picture's time, error and what it shows as well.
+// --strips writes a picture for each scene: what the method and Sobol sampling show, side by side,
+// at 1/4, 1/2, 1, 2, 4 and 8 times the moment of 16 samples.
 
 #include "renderer/comparison/method.h"
+#include "renderer/film/image_io.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/halved_reference.h"
@@ -38,6 +42,7 @@ struct Settings {
   bool keep = false;
   std::string method = "asos";
   bool curves = false;
+  std::string strips;
   std::vector<std::string> scenes;
 };
 
@@ -99,6 +104,42 @@ double error_at(const std::vector<Point>& curve, double seconds) {
   return error;
 }
 
+/// The picture that was shown at a moment.
+const Film& film_at(const std::vector<Seen>& seen, double seconds) {
+  const Film* film = &seen.front().film;
+  for (const Seen& one : seen)
+    if (one.seconds <= seconds) film = &one.film;
+  return *film;
+}
+
+/// Two renders side by side, a row for each moment.
+Result<void> write_strip(const std::string& path, const std::vector<Seen>& own,
+                         const std::vector<Seen>& sobol, double sixteen_samples) {
+  constexpr std::array times{0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
+  const int width = own.front().film.width, height = own.front().film.height;
+  RgbImage strip;
+  strip.width = 2 * width;
+  strip.height = static_cast<int>(times.size()) * height;
+  strip.rgb.resize(3 * static_cast<std::size_t>(strip.width) *
+                   static_cast<std::size_t>(strip.height));
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    for (const bool right : {false, true}) {
+      const Film& film = film_at(right ? sobol : own, times[row] * sixteen_samples);
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          const glm::u8vec3 shown = display_bytes(film.radiance[film.index(x, y)], 0.0f);
+          const std::size_t line =
+              row * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
+          const std::size_t at = line * static_cast<std::size_t>(strip.width) +
+                                 static_cast<std::size_t>(x + (right ? width : 0));
+          for (int c = 0; c < 3; ++c) strip.rgb[3 * at + static_cast<std::size_t>(c)] = shown[c];
+        }
+      }
+    }
+  }
+  return write_png(path, strip);
+}
+
 struct Row {
   std::string name;
   std::vector<double> over_sobol;  ///< error, at each of `moments`
@@ -128,7 +169,8 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   const Point direct = last_of(snapshot);
   snapshot.progressive = true;
   std::vector<Point> curve;
-  for (const Seen& seen : watched(snapshot)) {
+  const std::vector<Seen> own = watched(snapshot);
+  for (const Seen& seen : own) {
     curve.push_back({seen.seconds, reference->error_of(seen.film).rmse});
     if (settings.curves)
       fmt::print("{:>10.4f} s  {:.2e}  {:>4} samples, {:.2f} final\n", curve.back().seconds,
@@ -149,6 +191,14 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
     const Point sobol = last_of(snapshot);
     if (settings.curves)
       fmt::print("{:>10.4f} s  {:.2e}  sobol {}\n", sobol.seconds, sobol.error, samples);
+    if (samples == 16 && !settings.strips.empty()) {
+      Snapshot rounds = snapshot;
+      rounds.settings.sampling.spp = 256;
+      const auto written = write_strip(
+          settings.strips + "/" + named.name.substr(named.name.find_last_of("/:") + 1) + ".png",
+          own, watched(rounds), sobol.seconds);
+      if (!written) return unexpected(written.error());
+    }
     row.over_sobol.push_back(error_at(curve, sobol.seconds) / std::max(sobol.error, 1e-6));
   }
   return row;
@@ -184,6 +234,7 @@ int run(int argc, char** argv) {
   std::vector<std::string> methods;
   for (const MethodRow& row : method_table()) methods.emplace_back(row.name);
   options.choice("--method", settings.method, methods);
+  options.text("--strips", settings.strips, "folder of filmstrips");
   options.flag("--curves", settings.curves, "each picture, too");
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;

@@ -64,6 +64,10 @@ class EyeBlock {
 
   [[nodiscard]] const EyeContext& eye() const { return eye_; }
   [[nodiscard]] const ErrorTerms& terms() const { return *terms_; }
+  [[nodiscard]] EyeSamples& samples() { return *samples_; }
+  [[nodiscard]] WeakLights& weak_lights() { return *weak_lights_; }
+  [[nodiscard]] const ShadowContext& shadows() const { return shadows_; }
+  [[nodiscard]] RenderStatistics& counts() { return counts_; }
   /// All of pixel (x, y), or a square in its centre of so much of its side.
   [[nodiscard]] Leaf leaf(int x, int y, float part = 1.0f) const {
     constexpr float pixel = 1.0f / side;

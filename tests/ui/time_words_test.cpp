@@ -46,6 +46,14 @@ TEST(TimeWords, AProgressTellsWhatIsWaitedFor) {
   progress.seconds_left = 3.2;
   EXPECT_EQ(progress_words(progress, Rest::none, false), "Rendering 40 %   2.0 s   4 s left");
   EXPECT_EQ(progress_words(progress, Rest::none, true), "Finding edges   2.0 s");
+  Reached reached;
+  reached.pass = Reached::Pass::samples;
+  reached.samples = 4;
+  EXPECT_EQ(progress_words(progress, Rest::none, false, reached),
+            "Rendering 40 %   4 samples per pixel   2.0 s   4 s left");
+  reached.final_share = 0.125;
+  EXPECT_EQ(pass_words(reached), "12 % of pixels final");
+  EXPECT_EQ(pass_words({}), "");
   EXPECT_EQ(progress_words(progress, Rest::paused, true), "Paused at 40 %   2.0 s   4 s left");
   progress.finished = true;
   EXPECT_EQ(progress_words(progress, Rest::none, false), "Finished in 2.0 s");

@@ -33,7 +33,7 @@ std::string status_words(const Previewer& previewer, const StatusLine& status) {
   if (!previewer.scene()) return previewer.scene().loading() ? "Loading" : "No scene";
   if (changes_ground(previewer)) return "Updating ground";
   return progress_words(previewer.render().progress(), previewer.refinement().rest(),
-                        looks_for_boundaries(previewer));
+                        looks_for_boundaries(previewer), previewer.render().reached());
 }
 
 // Of one width each, so that nothing dances under a moving pointer.

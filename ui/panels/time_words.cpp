@@ -50,13 +50,23 @@ std::string processor_words(double seconds) {
   return fmt::format("{:.3g} s CPU", seconds);
 }
 
-std::string progress_words(const Progress& progress, Rest rest, bool without_boundaries) {
+std::string pass_words(const Reached& reached) {
+  if (reached.final_share > 0.0)
+    return fmt::format("{} % of pixels final", static_cast<int>(100.0 * reached.final_share));
+  if (reached.pass != Reached::Pass::samples) return "";
+  return fmt::format("{} {} per pixel", reached.samples,
+                     reached.samples == 1 ? "sample" : "samples");
+}
+
+std::string progress_words(const Progress& progress, Rest rest, bool without_boundaries,
+                           const Reached& reached) {
   if (progress.failed) return "Not enough memory for edges";
   if (without_boundaries && rest == Rest::none)
     return "Finding edges   " + duration_words(progress.seconds);
   if (progress.finished) return "Finished in " + duration_words(progress.seconds);
-  std::string text = fmt::format("{} {:.0f} %   {}", doing(rest), 100.0 * progress.fraction,
-                                 duration_words(progress.seconds));
+  std::string text = fmt::format("{} {:.0f} %   ", doing(rest), 100.0 * progress.fraction);
+  if (const std::string pass = pass_words(reached); !pass.empty()) text += pass + "   ";
+  text += duration_words(progress.seconds);
   if (progress.seconds_left >= 0.0) text += "   " + wait_words(progress.seconds_left);
   return text;
 }

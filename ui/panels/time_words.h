@@ -21,7 +21,9 @@ namespace asos {
 /// What a render does, how far it is, and how long it still takes; `without_boundaries`: they are
 /// being looked for.
 [[nodiscard]] std::string progress_words(const Progress& progress, Rest rest,
-                                         bool without_boundaries);
+                                         bool without_boundaries, const Reached& reached = {});
+/// How far all pixels have come: "4 samples per pixel", or how many are final; empty before that.
+[[nodiscard]] std::string pass_words(const Reached& reached);
 /// "3.1 ± 0.2 % split, about 5 s to wait".
 [[nodiscard]] std::string forecast_words(const Forecast& forecast);
 

@@ -1,0 +1,42 @@
+#include "renderer/asos/predicted_level.h"
+
+#include "renderer/pyray/allowance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asos {
+
+LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked)
+    : max_level_(asked.asos.max_level), eps_(asked.asos.eps) {
+  const Allowance before = Allowance::of(rendered), after = Allowance::of(asked);
+  tolerance_ = static_cast<double>(after.tolerance);
+  most_samples_ = after.most_samples(1.0);
+  const double one = before.samples(1.0, Allowance::usual_contrast);
+  more_samples_ = after.samples(1.0, Allowance::usual_contrast) / std::max(one, 1.0);
+}
+
+int LevelPrediction::level_of(const SplitOutlook& pixel) const {
+  double level = 0.0;
+  // Boundaries.
+  if (pixel.edges > 0) {
+    level = pixel.edges;
+    if (pixel.unresolved > 0.0f) {
+      const double halvings = std::log2(static_cast<double>(pixel.unresolved) / eps_);
+      level = std::max(1.0, level + std::ceil(halvings));
+    } else if (pixel.at_limit) {
+      level = max_level_;
+    }
+  }
+  // Shading.
+  const auto error = static_cast<double>(pixel.error);
+  if (error > tolerance_) level = std::max(level, std::ceil(0.5 * std::log2(error / tolerance_)));
+  // Samples.
+  if (pixel.samples > 1) {
+    const double samples = std::clamp(more_samples_ * pixel.samples, 1.0, most_samples_);
+    level = std::max(level, std::ceil(0.5 * std::log2(samples)));
+  }
+  return static_cast<int>(std::clamp(level, 0.0, static_cast<double>(max_level_)));
+}
+
+}  // namespace asos

@@ -1,0 +1,186 @@
+// How leaves are chosen for and shaded, part by part: LeafChooser, LeafShader, SingleSamples,
+// WeakLights.
+
+#include "renderer/asos/leaf_chooser.h"
+#include "renderer/asos/leaf_shader.h"
+#include "renderer/asos/single_samples.h"
+#include "tests/support/eye_block.h"
+#include "tests/support/sample_lights.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace asos::test::leaves_test {
+namespace {
+
+Material glows(glm::vec3 color) {
+  Material material = matte(color);
+  material.unlit = true;
+  return material;
+}
+
+/// A wall of that material that fills the picture of 16 x 16 pixels, seen along -Z, 16 units high.
+World wall(const Material& material) {
+  World world;
+  add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, material);
+  return world;
+}
+
+Light sun(float intensity = 1.0f) {
+  Light light;
+  light.type = Light::Type::directional;
+  light.direction = {0, -0.6, -0.8};
+  light.intensity = intensity;
+  return light;
+}
+
+Light bulb(glm::dvec3 position, float intensity) {
+  Light light;
+  light.type = Light::Type::point;
+  light.position = position;
+  light.intensity = intensity;
+  return light;
+}
+
+EyeBlock block_of(World world, std::vector<Light> lights, RenderSettings settings = {}) {
+  return EyeBlock(make_render_scene(std::move(world), std::move(lights)), orthographic(16.0),
+                  settings);
+}
+
+RenderSettings at_max(int max_level) {
+  RenderSettings settings;
+  settings.asos.max_level = max_level;
+  return settings;
+}
+
+PyrayLeaf pixel_leaf(const EyeBlock& block, int x, int y, double weight = 1.0) {
+  const auto number = static_cast<std::uint32_t>(y * EyeBlock::side + x);
+  return {number, number, weight, block.leaf(x, y).region};
+}
+
+TEST(LeafChooser, TakesTheCentreOfWhatIsEvenlyLit) {
+  EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
+  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  chooser.learn_normals(EyeBlock::side);
+  const LeafDecision decision = chooser.decide(5, 1.0, block.leaf(1, 1).region, true);
+  EXPECT_EQ(decision.estimator, Estimator::centre);
+  EXPECT_EQ(decision.cause, Unevenness::none);
+  EXPECT_EQ(chooser.even_around(5, block.leaf(1, 1).region), nullptr);
+}
+
+// A bulb a tenth of a unit before a wall, where a pixel shows a unit: its light falls off within
+// one.
+TEST(LeafChooser, DividesOrSamplesWhatIsNot) {
+  EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)});
+  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  chooser.learn_normals(EyeBlock::side);
+  // The block's pixel (2, 1) shows x and y from 0 to 1.
+  const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
+  EXPECT_NE(decision.estimator, Estimator::centre);
+  EXPECT_EQ(decision.cause, Unevenness::shading);
+  const LeafDecision last = chooser.decide(6, 1.0, block.leaf(2, 1).region, false);
+  EXPECT_NE(last.estimator, Estimator::split) << "it may not";
+}
+
+TEST(LeafChooser, AsksNothingAtMax0) {
+  EyeBlock block =
+      block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, at_max(0));
+  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
+  EXPECT_EQ(decision.estimator, Estimator::centre);
+  EXPECT_EQ(decision.cause, Unevenness::none);
+}
+
+// The plane under a sun has radiance albedo / pi times intensity times the cosine.
+TEST(LeafShader, AddsALeafByItsWeight) {
+  EyeBlock block = block_of(wall(matte({0.8f, 0.4f, 0.2f})), {sun(2.0f)});
+  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
+  BlurredSum blurred;
+  LeafShader shader(block.eye(), block.samples(), chooser, block.weak_lights(), block.shadows(),
+                    sums, blurred);
+  const PyrayLeaf leaf = pixel_leaf(block, 1, 1, 0.25);
+  shader.shade(std::span(&leaf, 1));
+  shader.finish();
+  EXPECT_DOUBLE_EQ(sums[leaf.root].weight, 0.25);
+  const glm::vec3 mean = sums[leaf.root].mean();
+  const float expected = 2.0f * 0.8f / std::numbers::pi_v<float>;
+  // The environment lights it as well, from all around, and evenly: by nothing, in these settings.
+  EXPECT_NEAR(mean.r / mean.g, 2.0f, 0.05f);
+  EXPECT_GE(mean.r, 0.8f * expected - 1e-4f);
+  EXPECT_TRUE(shader.take_open().parts.empty()) << "nothing was sampled";
+}
+
+// The brightness of a surface that a bulb almost touches is left open by few samples; what is open
+// is in no sum.
+TEST(LeafShader, LeavesRegionsOpen) {
+  RenderSettings settings = at_max(6);
+  settings.asos.eps = 1.0 / 2048.0;
+  EyeBlock block =
+      block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, settings);
+  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
+  BlurredSum blurred;
+  LeafShader shader(block.eye(), block.samples(), chooser, block.weak_lights(), block.shadows(),
+                    sums, blurred);
+  PyrayLeaf leaf = pixel_leaf(block, 2, 1);
+  leaf.decision = {Estimator::samples, Unevenness::shading};
+  shader.shade(std::span(&leaf, 1));
+  shader.finish();
+  const OpenRegions open = shader.take_open();
+  ASSERT_EQ(open.parts.size(), 1u);
+  EXPECT_EQ(open.parts[0].root, leaf.root);
+  EXPECT_EQ(open.parts[0].weight, 1.0);
+  EXPECT_GT(open.parts[0].so_far.cost, 0.0);
+  EXPECT_GT(open.parts[0].so_far.error, 0.0);
+  EXPECT_EQ(sums[leaf.root].weight, 0.0);
+  EXPECT_TRUE(shader.take_open().parts.empty()) << "they were taken";
+}
+
+TEST(SingleSamples, ShadeByOneSampleEach) {
+  EyeBlock block = block_of(wall(glows({0.25f, 0.5f, 1.0f})), {}, at_max(0));
+  SingleSamples samples(block.eye(), block.samples());
+  EXPECT_TRUE(samples.run().empty());
+  samples.add(pixel_leaf(block, 0, 0, 1.0));
+  samples.add(pixel_leaf(block, 3, 2, 0.25));
+  const auto found = samples.run();
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].root, 0u);
+  EXPECT_EQ(found[1].root, 11u);
+  EXPECT_EQ(found[1].weight, 0.25);
+  for (const Contribution& one : found) {
+    EXPECT_FALSE(one.dropped);
+    EXPECT_NEAR(one.radiance.r, 0.25 * one.weight, 1e-6);
+    EXPECT_NEAR(one.radiance.g, 0.5 * one.weight, 1e-6);
+    EXPECT_NEAR(one.radiance.b, 1.0 * one.weight, 1e-6);
+  }
+  EXPECT_TRUE(samples.run().empty()) << "none waits";
+}
+
+// One bulb that matters, and many that do not: together they are worth few rays.
+TEST(WeakLights, AreTheManyDimOnes) {
+  std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
+  for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
+  EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
+  many.weak_lights().find(EyeBlock::side);
+  EXPECT_FALSE(many.weak_lights().holds(0));
+  for (std::size_t i = 1; i < lights.size(); ++i) EXPECT_TRUE(many.weak_lights().holds(i)) << i;
+
+  lights.resize(LightPicks::few_lights);
+  EyeBlock few = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
+  few.weak_lights().find(EyeBlock::side);
+  EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few are asked one by one";
+  few.weak_lights().take_all();
+  EXPECT_TRUE(few.weak_lights().lights().empty());
+  many.weak_lights().take_all();
+  EXPECT_TRUE(many.weak_lights().holds(0));
+}
+
+}  // namespace
+}  // namespace asos::test::leaves_test

@@ -1,0 +1,87 @@
+#include "renderer/asos/predicted_level.h"
+
+#include "renderer/scene/builtin.h"
+#include "tests/support/render_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace asos::test::predicted_level_test {
+namespace {
+
+RenderSettings settings_of(int max_level, double eps) {
+  RenderSettings settings;
+  settings.width = 96;
+  settings.height = 54;
+  settings.asos.max_level = max_level;
+  settings.asos.eps = eps;
+  return settings;
+}
+
+TEST(LevelPrediction, FollowsEachCause) {
+  const RenderSettings now = settings_of(4, 1.0 / 256.0);
+  const LevelPrediction same(now, now), deeper(now, settings_of(6, 1.0 / 1024.0)),
+      flatter(now, settings_of(4, 1.0 / 16.0)), shallow(now, settings_of(1, 1.0 / 256.0));
+  SplitOutlook clear;
+  for (const LevelPrediction& prediction : {same, deeper, flatter, shallow})
+    EXPECT_EQ(prediction.level_of(clear), 0);
+  SplitOutlook cut;
+  cut.edges = 2;
+  EXPECT_EQ(same.level_of(cut), 2);
+  EXPECT_EQ(deeper.level_of(cut), 2) << "its cells are exact";
+  EXPECT_EQ(shallow.level_of(cut), 1);
+  SplitOutlook marginal;
+  marginal.edges = 4;
+  marginal.unresolved = 1.0f / 128.0f;
+  marginal.at_limit = true;
+  EXPECT_EQ(same.level_of(marginal), 4);
+  EXPECT_EQ(deeper.level_of(marginal), 6);
+  EXPECT_EQ(flatter.level_of(marginal), 1) << "three halvings fewer";
+  SplitOutlook shaded;
+  shaded.error = 1.0f / 32.0f;
+  EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two quarterings are left";
+  EXPECT_EQ(flatter.level_of(shaded), 0);
+  SplitOutlook sampled;
+  sampled.samples = 64;
+  EXPECT_EQ(same.level_of(sampled), 3);
+  EXPECT_GT(deeper.level_of(sampled), 3);
+  EXPECT_LT(flatter.level_of(sampled), 3);
+}
+
+// Beside the map that other settings really give: most pixels within a level, and about as many
+// split.
+TEST(LevelPrediction, IsCloseToTheMapOfOtherSettings) {
+  for (const char* name : {"boxes", "office", "fence", "primitives"}) {
+    const std::shared_ptr<const RenderScene> scene = *prepare(*builtin_scene(name));
+    const auto render = [&](const RenderSettings& settings) {
+      return render_picture(*scene, first_camera(scene->world(), 96.0 / 54.0), settings).film;
+    };
+    const RenderSettings now = settings_of(4, 1.0 / 256.0);
+    const Film film = render(now);
+    ASSERT_EQ(film.outlook.size(), film.radiance.size());
+    for (const RenderSettings& asked :
+         {now, settings_of(2, 1.0 / 256.0), settings_of(4, 1.0 / 32.0), settings_of(5, 1.0 / 512.0),
+          settings_of(1, 1.0 / 16.0)}) {
+      const Film truth = render(asked);
+      const LevelPrediction prediction(now, asked);
+      int close = 0, split = 0, truly_split = 0;
+      for (std::size_t i = 0; i < film.outlook.size(); ++i) {
+        const int level = prediction.level_of(film.outlook[i]);
+        close += std::abs(level - truth.split_level[i]) <= 1;
+        split += level > 0;
+        truly_split += truth.split_level[i] > 0;
+      }
+      const auto pixels = static_cast<double>(film.outlook.size());
+      EXPECT_GT(close / pixels, 0.8)
+          << name << " MAX " << asked.asos.max_level << " EPS 1/" << 1.0 / asked.asos.eps;
+      EXPECT_NEAR(split / pixels, truly_split / pixels, 0.15)
+          << name << " MAX " << asked.asos.max_level << " EPS 1/" << 1.0 / asked.asos.eps;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::predicted_level_test
