@@ -20,7 +20,8 @@ inline constexpr double flatness_of_emitters = 1e-4;
 struct EmitterTriangle {
   std::array<glm::dvec3, 3> corner;
   std::array<std::uint32_t, 3> vertex{};
-  glm::dvec3 normal{0.0};  ///< unit, of the front side: counter-clockwise (glTF)
+  std::uint32_t triangle = 0;  ///< of the world
+  glm::dvec3 normal{0.0};      ///< unit, of the front side: counter-clockwise (glTF)
   double area = 0.0;
   glm::dvec3 radiance{0.0};  ///< nits, the mean over the triangle
 

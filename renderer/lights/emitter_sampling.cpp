@@ -178,6 +178,7 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
     const glm::dvec3 across = glm::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
     const double length = glm::length(across);
     if (!(length > 0.0) || !std::isfinite(length)) continue;
+    t.triangle = of.first_triangle + i;
     t.area = 0.5 * length;
     t.normal = across / length;
     const int n = std::max(1, static_cast<int>(fewer * steps[i]));

@@ -6,6 +6,7 @@
 #include "renderer/lights/emitter_moments.h"
 #include "renderer/lights/emitter_shapes.h"
 #include "renderer/lights/prepared_light.h"
+#include "renderer/lights/textured_emitter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,13 @@ constexpr double facing_share = 0.5;
 constexpr double large_piece = 0.1;
 
 struct EmissiveSurface {
+  const World& world;
+  EmissionAt emission;
   std::vector<EmitterTriangle> triangles;
   bool double_sided = false;
+  bool painted = false;  ///< a texture or a mask tells what shines
   double scene_radius = 0.0;
+  std::size_t most_of_piece = 1;  ///< lights of a painted one
 };
 
 /// Regions that are joined by edges.
@@ -116,6 +121,7 @@ std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiec
   }
   const bool both_sides = two_sided(surface, piece);
   const bool few = piece.regions.size() <= max_lights_of_curved_piece;
+  const std::size_t most_of_region = surface.most_of_piece / piece.regions.size();
   std::vector<Light> lights;
   Piece curved;
   for (const Piece& region : piece.regions) {
@@ -124,7 +130,11 @@ std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiec
     std::optional<Light> flat;
     if (few || area >= large_share * piece.moments.area)
       flat = polygon_light(surface.triangles, region, both_sides);
-    if (flat) {
+    if (flat && surface.painted && flat->type == Light::Type::rectangle && most_of_region > 1) {
+      for (Light& light : split_by_texture(surface.world, surface.emission, *flat,
+                                           surface.triangles, region, most_of_region))
+        lights.push_back(std::move(light));
+    } else if (flat) {
       lights.push_back(std::move(*flat));
     } else {
       curved.insert(curved.end(), region.begin(), region.end());
@@ -227,9 +237,17 @@ std::vector<Light> emissive_lights(const World& world, EmissionAt emission) {
     const Part& of = world.parts[part];
     const Material& material = world.materials[of.material];
     if (of.shows_light || of.triangle_count == 0 || !emits(material)) continue;
-    EmissiveSurface surface{emitting_triangles(world, part, emission), material.double_sided,
+    const bool masked = material.alpha_mode != AlphaMode::opaque &&
+                        (material.base_color_texture.used() || !world.colors.empty());
+    EmissiveSurface surface{world,
+                            emission,
+                            emitting_triangles(world, part, emission),
+                            material.double_sided,
+                            material.emissive_texture.used() || masked,
                             radius};
     std::vector<ConnectedPiece> pieces = pieces_of(surface);
+    surface.most_of_piece = std::min(max_lights_of_curved_piece,
+                                     max_lights_of_part / std::max<std::size_t>(1, pieces.size()));
     for (Light& light : pieces.size() > max_lights_of_part ? lights_of_many(surface, pieces)
                                                            : lights_of_few(surface, pieces)) {
       light.name = of.name;

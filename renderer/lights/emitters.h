@@ -27,7 +27,8 @@ inline constexpr std::size_t max_lights_of_curved_piece = 16;
 /// but those that show a light of the scene already (Part::shows_light). `own_part` is the part.
 /// The power pi * L * area of the front sides is that of the triangles. Piece by piece, joined by
 /// edges with positions in common:
-///  - flat regions become polygons with their exact outlines, or rectangles;
+///  - flat regions become polygons with their exact outlines, or rectangles; a rectangle that a
+///    texture or a mask paints becomes up to `max_lights_of_curved_piece` rectangles;
 ///  - a round blob becomes a ball of the same area, I = L A / 4 candela;
 ///  - a long straight tube becomes a linear light, I = L A / pi candela: a line that shines with
 ///    the sine of the angle to it gives off pi^2 I in all;
