@@ -79,7 +79,8 @@ void EyeCaster::middles_known(int side) {
       if (!samples_.hit(i).valid()) continue;
       (eye_.scene->world().material_of(samples_.hit(i).triangle).unlit ? unlit : lit) = true;
       const SurfacePoint point = samples_.point(i);
-      groups_.add(samples_.hit(i), point.position, point.geometric_normal, samples_.patch(i, 1.0));
+      groups_.add(samples_.hit(i), point.position, point.geometric_normal, samples_.patch(i, 1.0),
+                  point.lift);
     }
     shades_parts_ = lit || !unlit;
   }

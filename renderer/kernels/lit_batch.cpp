@@ -80,8 +80,8 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
 
 void LitBatch::add(const SurfacePoint& point) {
   const std::size_t i = count++;
-  position.set(i, point.position);
-  geometric.set(i, point.geometric_normal);
+  position.set(i, point.lit_position());
+  geometric.set(i, point.horizon());
   normal.set(i, point.shading_normal);
   clear_height[i] = asos::clear_height(point);
   to_edge[i] = point.to_edge;

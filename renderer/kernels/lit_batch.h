@@ -24,8 +24,8 @@ struct LitBatch {
   };
 
   std::size_t count = 0;
-  Vectors position;
-  Vectors geometric;  ///< normal
+  Vectors position;   ///< where lights reach it
+  Vectors geometric;  ///< normal of its horizon
   Vectors normal;     ///< shading normal
   Vectors to_viewer;
   Floats clear_height{};

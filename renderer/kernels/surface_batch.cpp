@@ -5,9 +5,11 @@ namespace asos {
 SurfacePoint surface_at(const TriangleBatch& hits, const SurfaceRest& rest, const LitBatch& points,
                         std::uint32_t triangle, std::size_t i) {
   SurfacePoint point;
-  point.position = points.position.at(i);
+  point.position = rest.position.at(i);
   point.error = rest.error.at(i);
-  point.geometric_normal = points.geometric.at(i);
+  point.geometric_normal = rest.geometric.at(i);
+  point.lift = rest.lift.at(i);
+  point.smooth_normal = rest.smooth_normal.at(i);
   point.shading_normal = points.normal.at(i);
   point.extent = rest.extent[i];
   point.to_edge = points.to_edge[i];

@@ -35,6 +35,8 @@ struct TriangleBatch {
 
 /// What is known of a SurfacePoint beside what its LitBatch holds.
 struct SurfaceRest {
+  LitBatch::Vectors position, geometric;  ///< of the triangle
+  LitBatch::Vectors lift, smooth_normal;
   LitBatch::Vectors error;
   LitBatch::Floats extent{};
   LitBatch::Floats normal_side{};  ///< -1 where the interpolated normal was turned round; else 1

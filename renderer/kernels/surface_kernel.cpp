@@ -7,6 +7,7 @@
 #include "renderer/kernels/lanes.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/lobe_norms.h"
+#include "renderer/shading/smooth_surface.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <hwy/highway.h>
@@ -168,6 +169,53 @@ HWY_INLINE SmoothLanes smooth_normal(const TriangleBatch& hits, const Weights& w
   return {select(sound, divided(mixed, divisor), geometric), length};
 }
 
+/// height_of_smooth's: how far the smooth surface lies above the triangles of points i and on.
+HWY_INLINE Vectors height_of_smooth(const TriangleBatch& hits, const Weights& w,
+                                    const Vectors& geometric, Lanes side, Lanes extent,
+                                    std::size_t i) {
+  const auto zero = hn::Zero(FloatTag());
+  const Vectors corner[3] = {loaded(hits.corner_0, i), loaded(hits.corner_1, i),
+                             loaded(hits.corner_2, i)};
+  const Vectors normal[3] = {loaded(hits.normal_0, i), loaded(hits.normal_1, i),
+                             loaded(hits.normal_2, i)};
+  const Lanes weights[3] = {w.b0, w.b1, w.b2};
+  Vectors lift{zero, zero, zero};
+  const auto bends = hn::Or(differ(normal[0], normal[1]), differ(normal[0], normal[2]));
+  if (hn::AllFalse(FloatTag(), bends)) return lift;
+  auto highest = zero, least_cosine = all_lanes(1.0f);
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    const Vectors n = scaled(side, normal[a]);
+    least_cosine = hn::Min(least_cosine, dot(n, geometric));
+    const auto above_b = dot(corner[a] - corner[b], n), above_c = dot(corner[a] - corner[c], n);
+    highest = hn::Max(highest, hn::Max(above_b, above_c));
+    const auto above = hn::Add(hn::Mul(weights[b], above_b), hn::Mul(weights[c], above_c));
+    lift = lift + scaled(hn::Mul(weights[a], hn::Max(zero, above)), n);
+  }
+  const auto bulges = hn::Gt(highest, hn::Mul(all_lanes(least_bulge), extent));
+  const auto smooth =
+      hn::And(hn::And(bends, bulges), hn::Gt(least_cosine, all_lanes(least_smooth_cosine)));
+  return select(smooth, lift, {zero, zero, zero});
+}
+
+/// Moves points i and on to the smooth surface, after place_points; of the triangle's normal
+/// becomes the horizon's.
+HWY_INLINE void lift_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
+                            const Vectors& normal, Lanes side, SurfaceRest& rest, LitBatch& points,
+                            std::size_t i) {
+  const auto zero = hn::Zero(FloatTag());
+  const Vectors none{zero, zero, zero};
+  const Vectors lift = height_of_smooth(hits, w, geometric, side, loaded(rest.extent, i), i);
+  const auto lifted = differ(lift, none);
+  const Vectors position = loaded(points.position, i);
+  store(position, rest.position, i);
+  store(geometric, rest.geometric, i);
+  store(lift, rest.lift, i);
+  store(select(lifted, normal, none), rest.smooth_normal, i);
+  store(position + lift, points.position, i);
+  store(select(lifted, normal, geometric), points.geometric, i);
+}
+
 /// The patches of points i and on, where they matter.
 HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spacing,
                               const Vectors& geometric, const SmoothLanes& smooth,
@@ -234,13 +282,15 @@ void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& 
     store(to_viewer, points.to_viewer, i);
     Vectors geometric = loaded(points.geometric, i);
     geometric = turned_if(hn::Lt(dot(geometric, to_viewer), zero), geometric);
-    store(geometric, points.geometric, i);
     place_points(hits, w, geometric, rest, points, i);
 
     const SmoothLanes smooth = smooth_normal(hits, w, geometric, i);
     const auto below = hn::Lt(dot(smooth.normal, geometric), zero);
-    store(turned_if(below, smooth.normal), points.normal, i);
-    store(hn::IfThenElse(below, hn::Neg(one), one), rest.normal_side, i);
+    const Vectors normal = turned_if(below, smooth.normal);
+    const auto side = hn::IfThenElse(below, hn::Neg(one), one);
+    store(normal, points.normal, i);
+    store(side, rest.normal_side, i);
+    lift_points(hits, w, geometric, normal, side, rest, points, i);
     place_patches(hits, spacing, geometric, smooth, rest, points, i);
   }
 }

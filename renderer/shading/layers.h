@@ -36,7 +36,8 @@ inline constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
   const float across = std::abs(glm::dot(point.geometric_normal, d));
   // The surface's own error along its normal, seen along the ray; at most 64 times that for rays
   // that graze it. A triangle met twice all the same is noticed by its index.
-  const glm::vec3 moved = spawn_origin(point, point.geometric_normal) - point.position;
+  const glm::vec3 moved =
+      point.position + clear_height(point) * point.geometric_normal - point.position;
   const float error = glm::length(moved) / (std::max(across, 1.0f / 64.0f) * length);
   return std::max(std::nextafter(t, std::numeric_limits<float>::infinity()), t + error);
 }

@@ -18,8 +18,8 @@ namespace asos {
 class Sky;
 
 [[nodiscard]] inline Receiver receiver_at(const SurfacePoint& point) {
-  return {glm::dvec3(point.position), glm::dvec3(point.shading_normal),
-          glm::dvec3(point.geometric_normal)};
+  return {glm::dvec3(point.lit_position()), glm::dvec3(point.shading_normal),
+          glm::dvec3(point.horizon())};
 }
 
 /// The lights that a reflection of a point shows: there the lobe has no highlights of them.

@@ -84,9 +84,14 @@ PatchBend::Point PatchBend::point(const ViewedPoint& view, const ViewedMaterial&
   SurfacePoint& surface = point.surface;
   surface.position += from_middle.place;
   surface.shading_normal = glm::normalize(surface.shading_normal + from_middle.normal);
+  if (surface.smooth_normal != glm::vec3(0.0f))
+    surface.smooth_normal = glm::normalize(surface.smooth_normal + from_middle.normal);
   // It is a point: what the patch turns by lies between it and the others.
   surface.spread.right = surface.spread.down = glm::vec3(0.0f);
-  if (rounded) surface.geometric_normal = surface.shading_normal;
+  if (rounded) {
+    surface.geometric_normal = surface.shading_normal;
+    surface.forget_smooth_surface();
+  }
   if (std::isfinite(view.distance))
     point.to_viewer = glm::normalize(view.to_viewer - from_middle.place / view.distance);
   if (!material.stretch.none()) {

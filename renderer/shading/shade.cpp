@@ -109,6 +109,7 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
     SurfacePoint behind = point;
     behind.geometric_normal = -point.geometric_normal;
     behind.shading_normal = -point.shading_normal;
+    behind.forget_smooth_surface();
     const ViewedPoint from_behind{behind, glm::reflect(to_viewer, point.shading_normal),
                                   view.n_dot_v};
     add_lit(seen, from_behind, viewed_from_behind(material, view.n_dot_v), below, transport,

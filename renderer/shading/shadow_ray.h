@@ -19,8 +19,8 @@ namespace asos {
   if (!std::isfinite(at.distance)) {
     // Surfaces under suns are often large, and so is the height that clears them: beside its way
     // the ray would meet shadows that lie beside.
-    ray.origin = point.position + clear_way(clear_height(point), point.to_edge,
-                                            point.geometric_normal, ray.direction);
+    ray.origin = point.lit_position() +
+                 clear_way(clear_height(point), point.to_edge, point.horizon(), ray.direction);
     return ray;
   }
   ray.origin = spawn_origin(point, ray.direction);

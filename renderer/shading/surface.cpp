@@ -3,6 +3,7 @@
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/hit_triangle.h"
+#include "renderer/shading/smooth_surface.h"
 #include "renderer/shading/tangent_frame.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_filter.h"
@@ -81,6 +82,16 @@ void turn_by_map(const World& world, const Hit& hit, const TextureUse& map, cons
     point.shading_normal = side * mapped.normal;
 }
 
+/// The smooth surface above the triangle, if any; before the shading normal is turned by a map.
+void find_smooth_surface(const World& world, const Triangle& t,
+                         const std::array<glm::vec3, 3>& normals, float side, SurfacePoint& point) {
+  const SmoothTriangle smooth{
+      {world.positions[t.v.x], world.positions[t.v.y], world.positions[t.v.z]}, normals};
+  point.lift =
+      height_of_smooth(smooth, {t.b0, t.b1, t.b2}, point.geometric_normal, side, point.extent);
+  if (point.lift != glm::vec3(0.0f)) point.smooth_normal = point.shading_normal;
+}
+
 /// The shading normal, on the geometric normal's side whatever the winding, and its spread.
 void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, const Triangle& t,
                   const TextureUse& map, const MipChains* mips, SurfacePoint& point) {
@@ -92,6 +103,7 @@ void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, c
   const float side = glm::dot(smooth, point.geometric_normal) < 0.0f ? -1.0f : 1.0f;
   point.shading_normal = side * smooth;
   const float length = glm::length(mixed);
+  if (!t.face) find_smooth_surface(world, t, normals, side, point);
   if (!point.footprint.point() && length > 0.0f)
     point.spread = interpolated_spread(normals, point.footprint, smooth, length);
   if (needs.normal_maps && map.used()) turn_by_map(world, hit, map, mips, side, point);
@@ -401,9 +413,9 @@ float clear_height(const SurfacePoint& point) {
 }
 
 glm::vec3 spawn_origin(const SurfacePoint& point, glm::vec3 direction) {
-  const glm::vec3 n = point.geometric_normal;
+  const glm::vec3 n = point.horizon();
   const float height = clear_height(point);
-  return point.position + (glm::dot(n, direction) < 0.0f ? -height : height) * n;
+  return point.lit_position() + (glm::dot(n, direction) < 0.0f ? -height : height) * n;
 }
 
 }  // namespace asos

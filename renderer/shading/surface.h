@@ -22,12 +22,25 @@ struct SurfacePoint {
   glm::vec3 error{0.0f};             ///< bound of position's rounding error, by coordinate
   glm::vec3 geometric_normal{0.0f};  ///< unit, towards the viewer; 0 for a zero-area triangle
   glm::vec3 shading_normal{0.0f};    ///< unit, in the geometric normal's half-space
-  float extent = 0.0f;               ///< largest side of the triangle's box
+  /// Where a mesh stands for a smooth surface that bulges above it, that surface as lights see it
+  /// (height_of_smooth): how far it lies above `position`, and its unit normal, without any map; 0:
+  /// lights see the triangle.
+  glm::vec3 lift{0.0f};
+  glm::vec3 smooth_normal{0.0f};
+  float extent = 0.0f;  ///< largest side of the triangle's box
   /// At least how far its triangle goes on in all directions; of analytic shapes without a bound.
   float to_edge = std::numeric_limits<float>::infinity();
   std::uint32_t triangle = Hit::none;
   Footprint footprint;
   NormalSpread spread;  ///< of the shading normals across the footprint
+
+  /// Where lights and the sky reach it, and the normal below whose horizon they do not.
+  [[nodiscard]] glm::vec3 lit_position() const { return position + lift; }
+  [[nodiscard]] glm::vec3 horizon() const {
+    return smooth_normal == glm::vec3(0.0f) ? geometric_normal : smooth_normal;
+  }
+  /// Lights see the triangle itself.
+  void forget_smooth_surface() { lift = smooth_normal = glm::vec3(0.0f); }
 };
 
 /// Clearcoat at a point.
@@ -171,9 +184,9 @@ template <typename Vector, typename Number>
   return way * d + (along < Number(0) ? -rest : rest) * n;
 }
 
-/// Where a ray towards `direction` leaves a surface without meeting it again: the point moved along
-/// the geometric normal by its own error bound and that of the ray-triangle test, which grows with
-/// the triangle (pbrt, "Managing Rounding Error").
+/// Where a ray towards a light in `direction` leaves a surface without meeting it again: the lit
+/// position moved along the horizon's normal by the point's own error bound and that of the
+/// ray-triangle test, which grows with the triangle (pbrt, "Managing Rounding Error").
 [[nodiscard]] glm::vec3 spawn_origin(const SurfacePoint& point, glm::vec3 direction);
 
 }  // namespace asos

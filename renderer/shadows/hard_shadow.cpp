@@ -29,6 +29,10 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
       parallel ? PatchCaster::frame_along(lit.light.towards, world_reach(block.scene->world), patch)
                : PatchCaster::frame_from(lit.light.position, patch);
   if (!frame) return ray_visibility(block, query, counts);
+  // A smooth surface may still see a light that stands below the patch's plane.
+  const glm::dvec3 to_light =
+      parallel ? lit.light.towards : lit.light.position - glm::dvec3(lit.point.lit_position());
+  if (!(glm::dot(to_light, patch.plane.normal) > 0.0)) return sampled_shadow(block, query, counts);
 
   // A part that is known well enough by a few rays takes them: at once, if they cost less than to
   // ask whether anything bounds its shadow.

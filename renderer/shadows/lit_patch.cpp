@@ -50,8 +50,9 @@ const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& qu
     return points_;
   }
   // Where the viewer sees the patch.
-  const PlaneCrossings plane(*block.frame, HalfSpace::through(glm::dvec3(point.position),
-                                                              glm::dvec3(point.geometric_normal)));
+  const glm::dvec3 middle(point.lit_position());
+  const PlaneCrossings plane(*block.frame,
+                             HalfSpace::through(middle, glm::dvec3(point.geometric_normal)));
   std::size_t found = 0;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const auto on_plane = plane.at(glm::dvec2(places_[k]));
@@ -62,8 +63,7 @@ const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& qu
     }
     add_number(number_of_[k]);
     points_.position.set(found, glm::vec3(*on_plane));
-    const auto from_middle =
-        static_cast<float>(glm::distance(*on_plane, glm::dvec3(point.position)));
+    const auto from_middle = static_cast<float>(glm::distance(*on_plane, middle));
     points_.to_edge[found] = std::max(0.0f, point.to_edge - from_middle);
     ++found;
   }

@@ -270,8 +270,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return {};
   Box box;
-  box.grow(query.point.position - around);
-  box.grow(query.point.position + around);
+  box.grow(query.point.lit_position() - around);
+  box.grow(query.point.lit_position() + around);
   const ShadowKnowledge known =
       block.groups->ask(query.light, query.index, query.point, box, counts.shadow_rays);
   if (known.passage != ShadowKnowledge::Passage::open || (known.cut && known.cut->empty()))

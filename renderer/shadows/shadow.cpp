@@ -35,7 +35,7 @@ std::optional<Visibility> told_visibility(const ShadowKnowledge& known,
 Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
   Box around;
-  around.grow(lit.point.position);
+  around.grow(lit.point.lit_position());
   const ShadowKnowledge known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
   if (const auto told = told_visibility(known, lit.light)) return *told;
@@ -58,7 +58,7 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
   if (patch) {
     around = box_of(*patch);
   } else {
-    around.grow(lit.point.position);
+    around.grow(lit.point.lit_position());
   }
   const ShadowKnowledge known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);

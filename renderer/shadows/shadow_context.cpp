@@ -73,8 +73,9 @@ bool has_patch(const ShadowContext& block, const Illumination& lit) {
 std::optional<ShadowPatch> patch_of(const ShadowContext& block, const SurfacePoint& point,
                                     const LeafRegion& region, const Square& s) {
   ShadowPatch patch;
-  const glm::dvec3 normal(point.geometric_normal);
-  patch.plane = HalfSpace::through(glm::dvec3(point.position), normal);
+  // As high above the triangle all over: the smooth surface's own plane may dip below it.
+  patch.plane =
+      HalfSpace::through(glm::dvec3(point.lit_position()), glm::dvec3(point.geometric_normal));
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec2 corner(s.u + ((i & 1) ? s.side : 0.0f), s.v + ((i & 2) ? s.side : 0.0f));
     const auto at = block.frame->on_plane(corner, patch.plane);

@@ -43,7 +43,8 @@ void ShadowGroups::reset(std::size_t lights) {
   used_ = 0;
 }
 
-void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch) {
+void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch,
+                       glm::vec3 lift) {
   // Find the group of the surface, or begin one.
   const std::uint32_t sheet = scene_.features.sheet(hit.triangle);
   std::size_t i = 0;
@@ -67,8 +68,10 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
   // Grow it by the patch, half as far again as that goes to first order.
   const glm::vec3 around = 0.75f * (glm::abs(patch.right) + glm::abs(patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return;
-  group.box.grow(position - around);
-  group.box.grow(position + around);
+  for (const glm::vec3 at : {position, position + lift}) {
+    group.box.grow(at - around);
+    group.box.grow(at + around);
+  }
   group.planar = group.planar &&
                  std::abs(group.plane.height(glm::dvec3(position))) <= group.tolerance &&
                  glm::dot(glm::dvec3(normal), group.plane.normal) > 1.0 - 1e-9;
@@ -115,6 +118,15 @@ Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
       box.grow(glm::vec3(light.position + u * light.half_u + v * light.half_v));
   }
   return box;
+}
+
+// Whether all of a light stands above a group's plane.
+bool ShadowGroups::rises_above(const PreparedLight& light, const Group& group) const {
+  const Box box = light_box(light, group.box);
+  const glm::dvec3 n = group.plane.normal;
+  const glm::dvec3 lowest(n.x > 0.0 ? box.lo.x : box.hi.x, n.y > 0.0 ? box.lo.y : box.hi.y,
+                          n.z > 0.0 ? box.lo.z : box.hi.z);
+  return group.plane.height(lowest) > group.tolerance;
 }
 
 void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, Group& group,
@@ -193,6 +205,8 @@ ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t inde
   // A group knows nothing of the other side of its surface, which light shines through diffusely.
   const bool other_side = glm::dot(glm::dvec3(point.geometric_normal), group->plane.normal) < 0.0;
   if (group->planar && other_side) return {};
+  // Nor of what lies below its plane, where a smooth surface may still see the light.
+  if (group->planar && point.lift != glm::vec3(0.0f) && !rises_above(light, *group)) return {};
   Answer& answer = group->answers[index];
   if (!answer.known) find(light, point, *group, answer, rays_cast);
   const bool on_plane =

@@ -34,8 +34,9 @@ class ShadowGroups {
 
   /// Starts a block, whose pixels are seen to show these patches around these hits.
   void reset(std::size_t lights);
-  /// A point that the block shows, and the patch of its pixel.
-  void add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch);
+  /// A point that the block shows, and the patch of its pixel; `lift`: SurfacePoint's.
+  void add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch,
+           glm::vec3 lift = glm::vec3(0.0f));
 
   /// The passage from a patch around `point` to a light, as far as it is known. Rays cast to find
   /// out are added to `rays_cast`. The cut lives until the next call of `reset`.
@@ -64,6 +65,7 @@ class ShadowGroups {
             std::uint64_t& rays_cast);
   [[nodiscard]] bool stood_upon(Group& group) const;
   [[nodiscard]] bool nothing_between(const PreparedLight& light, const Shaft& shaft) const;
+  [[nodiscard]] bool rises_above(const PreparedLight& light, const Group& group) const;
   [[nodiscard]] Box light_box(const PreparedLight& light, const Box& from) const;
 
   const ShadowScene& scene_;

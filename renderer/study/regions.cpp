@@ -55,7 +55,7 @@ class Looker {
   }
 
   [[nodiscard]] bool in_penumbra(const SurfacePoint& point) const {
-    const Receiver receiver{point.position, point.shading_normal, point.geometric_normal};
+    const Receiver receiver = receiver_at(point);
     return std::any_of(
         shader_.lights().begin(), shader_.lights().end(), [&](const PreparedLight& light) {
           return light.casts_shadows && light.extended() && seen_in_part(light, receiver, point);

@@ -63,6 +63,12 @@ struct Subjects {
                           i % 2 == 0 ? normal : turned,
                           {0, 0}});
     }
+    if (i % 4 == 1) {  // a smooth surface, seen from either side
+      const glm::dvec3 a(vertices[0].position), b(vertices[1].position), c(vertices[2].position);
+      const glm::dvec3 own = glm::normalize(glm::cross(b - a, c - a));
+      for (TinyVertex& v : vertices)
+        v.normal = glm::vec3(glm::normalize(own + 0.6 * space.direction()));
+    }
     if (i % 17 == 0) vertices[2].position = vertices[1].position;  // no area
     if (i % 19 == 0) {                                             // no normal
       for (TinyVertex& v : vertices) v.normal = glm::vec3(0.0f);
@@ -133,7 +139,7 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
       place_surfaces(*subjects.batch, filtered ? &subjects.spacing : nullptr, found->rest,
                      found->points);
       ASSERT_EQ(found->points.count, points_of_a_batch);
-      int spread = 0;
+      int spread = 0, lifted = 0;
       for (std::size_t i = 0; i < points_of_a_batch; ++i) {
         SCOPED_TRACE(i);
         const SurfacePoint point =
@@ -145,6 +151,11 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
         EXPECT_EQ(point.to_edge, expected.to_edge);
         EXPECT_EQ(point.geometric_normal, expected.geometric_normal);
         EXPECT_EQ(point.shading_normal, expected.shading_normal);
+        EXPECT_EQ(point.lift, expected.lift);
+        EXPECT_EQ(point.smooth_normal, expected.smooth_normal);
+        EXPECT_EQ(found->points.position.at(i), expected.lit_position());
+        EXPECT_EQ(found->points.geometric.at(i), expected.horizon());
+        lifted += expected.lift != glm::vec3(0.0f);
         EXPECT_EQ(point.footprint.right, expected.footprint.right);
         EXPECT_EQ(point.footprint.down, expected.footprint.down);
         if (expected.spread.flat() || glm::length(expected.spread.right) < 1e30f) {
@@ -155,6 +166,7 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
         spread += !expected.spread.flat();
       }
       EXPECT_EQ(spread > 40, filtered) << "some normals have to turn";
+      EXPECT_GT(lifted, 20);
     }
   }
 }
