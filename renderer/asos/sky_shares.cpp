@@ -128,10 +128,6 @@ void SkyShares::send(std::size_t index, std::uint32_t end) {
       continue;
     }
     lit.sent += glm::dvec3(sample->carried);
-    if (!sample->above) {
-      lit.arrive(glm::dvec3(0.0), sample->carried);
-      continue;
-    }
     ++eye_->counts->sky_rays;
     const std::size_t i = packet_->count++;
     packet_->rays[i] = sky_ray(lit.point, *sample);

@@ -17,6 +17,13 @@ namespace asos {
   return glm::vec3(glm::normalize(v / most));
 }
 
+/// The direction, reflected back above the plane of a normal where it leads below it.
+template <typename Vector>
+[[nodiscard]] Vector above_plane(const Vector& direction, const Vector& normal) {
+  const auto height = glm::dot(direction, normal);
+  return height < 0 ? direction - 2 * height * normal : direction;
+}
+
 /// A unit vector at right angles to a unit vector.
 [[nodiscard]] inline glm::vec3 any_perpendicular(glm::vec3 n) {
   const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);

@@ -363,7 +363,26 @@ HWY_INLINE Lanes sum_of(const Vectors& v) {
   return hn::Add(hn::Add(v.x, v.y), v.z);
 }
 
-bool view(const LobeNormTable& table, MaterialBatch& materials, LitBatch& points) {
+/// mirroring_cosine's.
+HWY_INLINE Lanes mirroring_cosine(const Vectors& normal, const Vectors& geometric,
+                                  const Vectors& to_viewer, Lanes n_dot_v) {
+  const auto one = all_lanes(1.0f), two = all_lanes(2.0f), half = all_lanes(0.5f);
+  const auto least = all_lanes(least_mirrored_rise);
+  const auto cosine = dot(normal, to_viewer), height = dot(to_viewer, geometric);
+  const auto rise = hn::Sub(hn::Mul(hn::Mul(two, cosine), dot(normal, geometric)), height);
+  const auto bends = hn::And(differ(normal, geometric), hn::Lt(rise, least));
+  if (hn::AllFalse(FloatTag(), bends)) return n_dot_v;
+  const auto more = hn::Sub(least, rise);
+  const auto along =
+      hn::Add(hn::Sub(hn::Mul(hn::Mul(two, cosine), cosine), one), hn::Mul(more, height));
+  const auto length = hn::Sqrt(hn::Add(one, hn::Mul(more, hn::Add(hn::Mul(two, rise), more))));
+  const auto square = hn::Mul(half, hn::Add(one, hn::Div(along, length)));
+  const auto bent = hn::Sqrt(hn::Max(hn::Zero(FloatTag()), square));
+  return hn::IfThenElse(bends, hn::Max(all_lanes(grazing_cosine), bent), n_dot_v);
+}
+
+bool view(const LobeNormTable& table, const SurfaceRest& rest, MaterialBatch& materials,
+          LitBatch& points) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   auto all_finite = true;
@@ -373,7 +392,9 @@ bool view(const LobeNormTable& table, MaterialBatch& materials, LitBatch& points
     store(n_dot_v, points.n_dot_v, i);
     const auto roughness = loaded(materials.roughness, i), f90 = loaded(materials.f90, i);
     const Vectors f0 = loaded(materials.f0, i);
-    const NormLanes norms = lobe_norms(table, n_dot_v, roughness);
+    const auto mirroring = mirroring_cosine(loaded(points.normal, i), loaded(rest.geometric, i),
+                                            loaded(points.to_viewer, i), n_dot_v);
+    const NormLanes norms = lobe_norms(table, mirroring, roughness);
     const Vectors shine{environment_specular(norms, f0.x, f90),
                         environment_specular(norms, f0.y, f90),
                         environment_specular(norms, f0.z, f90)};
@@ -416,8 +437,8 @@ void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, Surf
   HWY_DYNAMIC_DISPATCH(place)(hits, spacing, rest, points);
 }
 
-bool view_materials(MaterialBatch& materials, LitBatch& points) {
-  return HWY_DYNAMIC_DISPATCH(view)(lobe_norm_table(), materials, points);
+bool view_materials(const SurfaceRest& rest, MaterialBatch& materials, LitBatch& points) {
+  return HWY_DYNAMIC_DISPATCH(view)(lobe_norm_table(), rest, materials, points);
 }
 
 }  // namespace asos

@@ -19,6 +19,7 @@ void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, Surf
 /// What the viewer sees of their materials, as `viewed` makes it of one, and LitBatch::add: the
 /// rest of LitBatch. Reflections show no lights. False where anything is not finite, or where a
 /// position is not.
-[[nodiscard]] bool view_materials(MaterialBatch& materials, LitBatch& points);
+[[nodiscard]] bool view_materials(const SurfaceRest& rest, MaterialBatch& materials,
+                                  LitBatch& points);
 
 }  // namespace asos

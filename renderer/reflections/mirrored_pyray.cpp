@@ -1,6 +1,7 @@
 #include "renderer/reflections/mirrored_pyray.h"
 
 #include "renderer/geometry/finite.h"
+#include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace asos {
 namespace {
 
 // Mirrored directions rise at least so much, of their length, above the surface.
-constexpr double least_rise = 1.0 / 1024.0;
+constexpr auto least_rise = static_cast<double>(least_mirrored_rise);
 // A patch seen more steeply is no longer than one seen so: as patch_on_plane has it.
 constexpr double steepest = 1.0 / 64.0;
 

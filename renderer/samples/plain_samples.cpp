@@ -79,7 +79,7 @@ bool PlainSamples::shade(LitBatch& points) {
     const glm::vec3 emission = arrays_->emission[i];
     finite = finite && std::isfinite(emission.x + emission.y + emission.z);
   }
-  return view_materials(arrays_->materials, points) && finite;
+  return view_materials(arrays_->rest, arrays_->materials, points) && finite;
 }
 
 void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {

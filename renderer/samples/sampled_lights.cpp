@@ -53,7 +53,7 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
 void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
                             RenderStatistics& counts, int lobe) {
   const auto sample = sample_sky(point, places_->in_lobe(lobe));
-  if (!sample || !sample->above) return;
+  if (!sample) return;
   const glm::vec3 carried = share.weight * sample->carried;
   if (carried == glm::vec3(0.0f)) return;
   ++counts.sky_rays;
@@ -67,7 +67,7 @@ void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
 void SampledLights::add_sky_ray(const SkyLitPoint& point, const SampleIndex& index,
                                 const SampleShare& share, RenderStatistics& counts) {
   const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
-  if (!sample || !sample->above) return;
+  if (!sample) return;
   const glm::vec3 weight = share.weight * sample->weight;
   if (weight == glm::vec3(0.0f)) return;
   ++counts.sky_rays;

@@ -1,10 +1,12 @@
 #include "renderer/samples/sampled_reflections.h"
 
+#include "renderer/geometry/direction.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/reflections/horizon.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/mirrored_pyray.h"
 #include "renderer/shading/lobe_directions.h"
+#include "renderer/shading/viewed_point.h"
 
 #include <cmath>
 #include <numbers>
@@ -25,21 +27,28 @@ ViewedRay ReflectedSample::viewed(const Hit& hit) const {
   return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, {}, false, passage};
 }
 
-// A direction of the lobe, for the one that a smooth surface has. False: it leads below the
-// surface.
+// Replaces the direction of a smooth mirror by one of the lobe. Some of a lobe about a shading
+// normal may lead below the surface itself, where nothing could be seen: such a direction is
+// reflected back above it, so that no light is lost. False: facets lose the direction to each
+// other.
 bool SampledReflections::turn_by_lobe(const Reflection& reflection, glm::dvec2 place,
                                       glm::dvec3& direction, glm::vec3& weight) {
   const SurfacePoint& point = reflection.point;
-  const LobeDirections lobe(*reflection.lobe, point.spread.variance, point.shading_normal,
-                            -reflection.seen.ray.direction);
-  if (reflection.ratio > 0.0f) {
+  const glm::vec3 to_viewer = -reflection.seen.ray.direction;
+  const bool refracts = reflection.ratio > 0.0f;
+  const glm::vec3 normal = refracts ? point.shading_normal : mirroring_normal(point, to_viewer);
+  ViewedMaterial material = *reflection.lobe;
+  if (normal != point.shading_normal)
+    material.stretch.along -= glm::dot(material.stretch.along, normal) * normal;
+  const LobeDirections lobe(material, point.spread.variance, normal, to_viewer);
+  if (refracts) {
     const auto found = lobe.refracted(place, reflection.ratio);
     if (found && glm::dot(*found, point.geometric_normal) < 0.0f) direction = glm::dvec3(*found);
     return true;
   }
   const auto found = lobe.mirrored(place);
-  if (!found || !(glm::dot(found->unit, point.geometric_normal) > 0.0f)) return false;
-  direction = glm::dvec3(found->unit);
+  if (!found) return false;
+  direction = above_plane(glm::dvec3(found->unit), glm::dvec3(point.geometric_normal));
   weight *= found->weight;
   return true;
 }
@@ -88,11 +97,11 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   MirrorSurface surface = mirror_surface(*world_, reflection.hit, reflection.point, pyray, true);
   if (reflection.ratio > 0.0f) surface = refracting(surface, static_cast<double>(reflection.ratio));
   const auto picture = mirrored(pyray, surface, {});
-  if (!picture) return;
   ReflectedSample next = start;
   next.weight *= (reflection.lobe ? reflection.share : reflection.reflected) * colours / goes_on;
   next.width = seen.width + width;
-  next.spacing = spacing_of(*picture, start.side);
+  // Without a pyramid around what it shows the sample keeps its extent.
+  next.spacing = picture ? spacing_of(*picture, start.side) : spacing;
   glm::dvec3 direction = mirrored_direction(surface, pyray.axis);
   if (reflection.lobe) {
     if (!turn_by_lobe(reflection, places_->in_lobe(seen.bounces), direction, next.weight)) return;

@@ -45,8 +45,7 @@ LobeDirections::LobeDirections(const ViewedMaterial& material, float spread, glm
   right_ = tangents.right;
   up_ = tangents.up;
   normal_ = tangents.normal;
-  viewer_ = tangents.local(to_viewer);
-  viewer_.z = std::max(viewer_.z, grazing_cosine);
+  viewer_ = viewer_above(tangents.local(to_viewer));
   const float across = material.roughness * material.roughness;
   const glm::vec2 alpha(
       material.stretch.none() ? across : alpha_along(material.stretch, material.roughness), across);

@@ -77,7 +77,7 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
   if (material.coat.factor > 0.0f) {
     const SurfacePoint own = coat_point(world_, needs_, layer.hit, mips, point);
     const ViewedPoint view = viewed_point(own, to_viewer);
-    const ViewedMaterial coat = viewed(material.coat, view.n_dot_v);
+    const ViewedMaterial coat = viewed(material.coat, mirroring_cosine(view));
     if (!seen.diffuse) add_lit(seen, view, coat, below, transport, radiance, counts);
     left = 1.0f - coat.f0.x;
     below.share *= left;
@@ -85,6 +85,7 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
 
   // KHR_materials_sheen: sheen + base * (1 - max3(colour) * E(n.v)).
   const ViewedPoint view = viewed_point(point, to_viewer);
+  const float mirroring = mirroring_cosine(view);
   if (material.sheen.color != glm::vec3(0.0f)) {
     const ViewedMaterial sheen = viewed(material.sheen, view.n_dot_v);
     add_lit(seen, view, sheen, below, transport, radiance, counts);
@@ -97,11 +98,11 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
     radiance += below.share * material.emission;
   ViewedMaterial base{};
   if (!layer.boundary) {
-    base = viewed(material, view.n_dot_v);
-  } else if (const auto cosine = layer.boundary->fresnel_cosine(view.n_dot_v, layer.passage)) {
+    base = viewed(material, mirroring);
+  } else if (const auto cosine = layer.boundary->fresnel_cosine(mirroring, layer.passage)) {
     base = viewed(material, *cosine);
   } else {
-    base = viewed(total_reflector(material), view.n_dot_v);
+    base = viewed(total_reflector(material), mirroring);
   }
   left *= base.below;
   add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);

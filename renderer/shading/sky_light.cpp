@@ -1,5 +1,6 @@
 #include "renderer/shading/sky_light.h"
 
+#include "renderer/geometry/direction.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/environment.h"
@@ -82,7 +83,6 @@ SkySampler::SkySampler(const SkyLitPoint& point)
     : sky_(point.sky),
       material_(point.material),
       factor_(point.share),
-      geometric_normal_(point.view.point.geometric_normal),
       alpha_(alpha_of(point.material)),
       picture_(point.sky && point.sky->is_picture()),
       sheen_(point.material.sheen > 0.0f) {
@@ -90,8 +90,10 @@ SkySampler::SkySampler(const SkyLitPoint& point)
   right_ = tangents.right;
   up_ = tangents.up;
   normal_ = tangents.normal;
-  viewer_ = local(point.view.to_viewer);
-  viewer_.z = std::max(viewer_.z, grazing_cosine);
+  viewer_ = viewer_above(local(point.view.to_viewer));
+  const SurfacePoint& surface = point.view.point;
+  const glm::vec3 horizon = surface.horizon();
+  if (horizon != surface.shading_normal && horizon != glm::vec3(0.0f)) horizon_ = local(horizon);
   // The share of each kind of direction.
   const float by_diffuse = largest(sheen_ ? material_.ambient : material_.diffuse);
   const float by_lobe = point.mirrors ? 0.0f : largest(material_.specular);
@@ -101,47 +103,73 @@ SkySampler::SkySampler(const SkyLitPoint& point)
   if (reflects_) share_ = {by_diffuse / sum, by_lobe / sum, by_picture / sum};
 }
 
-// Chooses one of the kinds, and a direction of it, in the surface's frame.
-glm::vec3 SkySampler::direction_of(glm::dvec2 place) const {
+// Chooses one of the kinds, and a direction of it, in the surface's frame. None: it carries
+// nothing.
+std::optional<glm::vec3> SkySampler::direction_of(glm::dvec2 place) const {
   auto first = static_cast<float>(place.x);
   const auto second = static_cast<float>(place.y);
-  if (first < share_[0]) return by_cosine({first / share_[0], second});
-  if (!picture_ || first < share_[0] + share_[1]) {
+  glm::vec3 found;
+  if (first < share_[0]) {
+    found = by_cosine({first / share_[0], second});
+  } else if (!picture_ || first < share_[0] + share_[1]) {
     first = std::min((first - share_[0]) / share_[1], 1.0f - 0x1p-24f);
-    return glm::reflect(-viewer_, visible_normal(viewer_, alpha_, {first, second}));
+    found = glm::reflect(-viewer_, visible_normal(viewer_, alpha_, {first, second}));
+  } else {
+    const double rest =
+        (place.x - static_cast<double>(share_[0] + share_[1])) / static_cast<double>(share_[2]);
+    const SkyDirection bright = sky_->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
+    found = local(glm::vec3(bright.direction));
+    // What lies below the surface does not shine on it.
+    if (!(glm::dot(found, horizon_) > 0.0f)) return std::nullopt;
   }
-  const double rest =
-      (place.x - static_cast<double>(share_[0] + share_[1])) / static_cast<double>(share_[2]);
-  const SkyDirection bright = sky_->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
-  return local(glm::vec3(bright.direction));
+  return found.z > 0.0f ? std::optional(found) : std::nullopt;
+}
+
+SkySampler::Reflected SkySampler::reflected_from(glm::vec3 direction) const {
+  Reflected found;
+  found.density = share_[0] * direction.z * std::numbers::inv_pi_v<float>;
+  found.brdf = diffuse_brdf(material_,
+                            material_.falloff == 0.0f ? 0.0f : schlick_weight(viewer_, direction));
+  if (share_[1] > 0.0f || sheen_) {
+    const glm::vec3 half = glm::normalize(direction + viewer_);
+    const BrdfAngles angles{direction.z, viewer_.z, half.z, glm::dot(viewer_, half)};
+    if (!sheen_) found.density += share_[1] * lobe_density(viewer_, half, alpha_);
+    const float lobe = material_.stretch.none() ? lobe_of(material_, angles)
+                                                : stretched_lobe(alpha_, half, direction, viewer_);
+    found.brdf += specular_brdf(material_, angles, lobe);
+  }
+  return found;
+}
+
+// Adds what the sample carries from a direction of the shading normal's hemisphere. A picture
+// shines from where the ray goes: its sun does not shine through the surface.
+void SkySampler::add(glm::vec3 direction, glm::vec3 brdf, float density, SkySample& sample) const {
+  const glm::vec3 from = picture_ ? sample.direction : world(direction);
+  const glm::vec3 radiance = sky_ ? sky_->radiance(from) : background_radiance;
+  const glm::vec3 weight = factor_ * brdf * (direction.z / density);
+  sample.weight += weight;
+  sample.carried += weight * radiance;
+  const float even = std::numbers::inv_pi_v<float> * direction.z / density;
+  sample.matte += factor_ * material_.diffuse * even * radiance;
 }
 
 std::optional<SkySample> SkySampler::at(glm::dvec2 place) const {
   if (!reflects_) return std::nullopt;
-  const glm::vec3 direction = direction_of(place);
-  if (!(direction.z > 0.0f)) return std::nullopt;
+  const std::optional<glm::vec3> direction = direction_of(place);
+  if (!direction) return std::nullopt;
   SkySample sample;
-  sample.direction = world(direction);
-  sample.above = glm::dot(sample.direction, geometric_normal_) > 0.0f;
+  sample.direction = world(above_plane(*direction, horizon_));
 
-  // Its light over the density of all of them.
-  float density = share_[0] * direction.z * std::numbers::inv_pi_v<float>;
-  glm::vec3 reflected = diffuse_brdf(
-      material_, material_.falloff == 0.0f ? 0.0f : schlick_weight(viewer_, direction));
-  if (share_[1] > 0.0f || sheen_) {
-    const glm::vec3 half = glm::normalize(direction + viewer_);
-    const BrdfAngles angles{direction.z, viewer_.z, half.z, glm::dot(viewer_, half)};
-    if (!sheen_) density += share_[1] * lobe_density(viewer_, half, alpha_);
-    const float lobe = material_.stretch.none() ? lobe_of(material_, angles)
-                                                : stretched_lobe(alpha_, half, direction, viewer_);
-    reflected += specular_brdf(material_, angles, lobe);
-  }
+  // Its light over the density of all of them, with that of the direction on the other side of the
+  // surface's plane.
+  const glm::vec3 other_side = glm::reflect(*direction, horizon_);
+  const bool folded = other_side.z > 0.0f;
+  const Reflected own = reflected_from(*direction);
+  const Reflected other = folded ? reflected_from(other_side) : Reflected{};
+  float density = own.density + other.density;
   if (picture_) density += share_[2] * static_cast<float>(sky_->bright_density(sample.direction));
-  const glm::vec3 radiance = sky_ ? sky_->radiance(sample.direction) : background_radiance;
-  sample.weight = factor_ * reflected * (direction.z / density);
-  sample.carried = sample.weight * radiance;
-  const float even = std::numbers::inv_pi_v<float> * direction.z / density;
-  sample.matte = factor_ * material_.diffuse * even * radiance;
+  add(*direction, own.brdf, density, sample);
+  if (folded) add(other_side, other.brdf, density, sample);
   return sample;
 }
 

@@ -19,14 +19,14 @@ struct SkySample {
   glm::vec3 weight{0.0f};     ///< of the radiance from there in that towards the viewer
   glm::vec3 carried{0.0f};    ///< radiance towards the viewer, if nothing lies in the direction
   glm::vec3 matte{0.0f};      ///< the same of the diffuse part alone, as if it did not fall off
-  bool above = true;          ///< the surface itself does not lie there
 };
 
 /// Directions of a surface's whole reflection of the sky: the mean over places in the unit square
 /// is the integral of radiance, BRDF and cosine over the hemisphere. Directions come by the cosine,
 /// by the lobe (visible normals: Heitz 2018) and of pictures by their radiance, weighed by the
-/// balance heuristic (Veach and Guibas 1995). Keeps what does not depend on the place, for who asks
-/// often.
+/// balance heuristic (Veach and Guibas 1995). A direction of the shading normal's hemisphere that
+/// leads below the surface itself is reflected back above it, so that no light is lost. Keeps what
+/// does not depend on the place, for repeated use.
 class SkySampler {
  public:
   explicit SkySampler(const SkyLitPoint& point);
@@ -43,14 +43,20 @@ class SkySampler {
   [[nodiscard]] glm::vec3 local(glm::vec3 v) const {
     return {glm::dot(v, right_), glm::dot(v, up_), glm::dot(v, normal_)};
   }
-  [[nodiscard]] glm::vec3 direction_of(glm::dvec2 place) const;
+  [[nodiscard]] std::optional<glm::vec3> direction_of(glm::dvec2 place) const;
+  struct Reflected {
+    glm::vec3 brdf{0.0f};
+    float density = 0.0f;  ///< of the cosine's and the lobe's directions
+  };
+  [[nodiscard]] Reflected reflected_from(glm::vec3 direction) const;
+  void add(glm::vec3 direction, glm::vec3 brdf, float density, SkySample& sample) const;
 
   const Sky* sky_;
   ViewedMaterial material_;
   glm::vec3 factor_;
-  glm::vec3 geometric_normal_;
   glm::vec3 right_, up_, normal_;  ///< of its own frame
   glm::vec3 viewer_;               ///< in it
+  glm::vec3 horizon_{0, 0, 1};     ///< normal of the surface itself, in it
   glm::vec2 alpha_;
   bool reflects_ = false;
   bool picture_ = false;

@@ -182,7 +182,7 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
     materials.push_back(random_material(space, i));
     found->materials.set(i, materials.back());
   }
-  EXPECT_TRUE(view_materials(found->materials, found->points));
+  EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
   const auto one = std::make_unique<LitBatch>();
   const LitBatch& points = found->points;
   double sum = 0.0;
@@ -191,7 +191,7 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
     const SurfacePoint point = subjects.oracle(i, true);
     ViewedPoint view{point, -subjects.directions[i], 0.0f};
     view.n_dot_v = std::max(glm::dot(point.shading_normal, view.to_viewer), grazing_cosine);
-    const ViewedMaterial seen = viewed(materials[i], view.n_dot_v);
+    const ViewedMaterial seen = viewed(materials[i], mirroring_cosine(view));
     // As Shader does; patches of surfaces that show none count only where normals turn.
     const bool shows = subjects.batch->textured[i] > 0.0f || subjects.batch->shiny[i] > 0.0f;
     if (subjects.sides[i] > 0.0f && materials[i].roughness < least_broad_roughness && shows) {
@@ -228,12 +228,12 @@ TEST(SurfaceKernel, WhatIsNotFiniteIsNoticed) {
   RandomSpace space(6);
   for (std::size_t i = 0; i < points_of_a_batch; ++i)
     found->materials.set(i, random_material(space, i));
-  EXPECT_TRUE(view_materials(found->materials, found->points));
+  EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
   // Lanes behind the last point do not count.
   found->materials.base_color.y[points_of_a_batch] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_TRUE(view_materials(found->materials, found->points));
+  EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
   found->materials.base_color.y[points_of_a_batch - 1] = std::numeric_limits<float>::infinity();
-  EXPECT_FALSE(view_materials(found->materials, found->points));
+  EXPECT_FALSE(view_materials(found->rest, found->materials, found->points));
 }
 
 void append(std::vector<std::uint32_t>& bits, const LitBatch::Floats& of, std::size_t count) {
@@ -254,7 +254,7 @@ TEST(SurfaceKernel, AllInstructionSetsGiveTheSameBits) {
     RandomSpace space(8);
     for (std::size_t i = 0; i < points_of_a_batch; ++i)
       found->materials.set(i, random_material(space, i));
-    EXPECT_TRUE(view_materials(found->materials, found->points));
+    EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
     std::vector<std::uint32_t> bits;
     const LitBatch& p = found->points;
     const SurfaceRest& r = found->rest;

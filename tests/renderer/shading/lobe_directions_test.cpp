@@ -1,6 +1,7 @@
 #include "renderer/shading/lobe_directions.h"
 
 #include "renderer/sampling/sobol_points.h"
+#include "renderer/shading/viewed_point.h"
 #include "tests/support/facets.h"
 
 #include <gtest/gtest.h>
@@ -139,6 +140,43 @@ TEST(LobeDirections, GoThroughThinWallsAsTheyAreMirrored) {
     EXPECT_LT(glm::distance(*through, mirrored->unit * glm::vec3(1, 1, -1)), 1e-6f);
   }
   EXPECT_GT(above, 56);
+}
+
+// A map may turn the normal from the viewer; what the lobe mirrors is above the surface all the
+// same.
+TEST(MirroringNormal, MirrorsAboveTheSurface) {
+  SurfacePoint point;
+  point.geometric_normal = {0, 1, 0};
+  int bent = 0;
+  for (double tilt = -0.6; tilt <= 0.6; tilt += 0.1) {
+    point.shading_normal =
+        glm::vec3(static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt)), 0.0f);
+    for (double angle = 0.0; angle < 1.55; angle += 0.1) {
+      const glm::vec3 viewer(static_cast<float>(std::sin(angle)),
+                             static_cast<float>(std::cos(angle)), 0.0f);
+      const glm::vec3 normal = mirroring_normal(point, viewer);
+      const glm::vec3 mirrored = glm::reflect(-viewer, normal);
+      EXPECT_GE(mirrored.y, 0.9f * least_mirrored_rise) << tilt << ' ' << angle;
+      EXPECT_NEAR(mirroring_cosine(viewed_point(point, viewer)),
+                  std::max(glm::dot(normal, viewer), grazing_cosine), 1e-3f);
+      bent += normal != point.shading_normal;
+    }
+  }
+  EXPECT_GT(bent, 20);
+}
+
+TEST(LobeDirections, AreUnitForAViewerBelowTheNormal) {
+  ViewedMaterial material{};
+  material.roughness = 0.3f;
+  material.f0 = glm::vec3(1.0f);
+  const glm::vec3 viewer = glm::normalize(glm::vec3(1.0f, 0.0f, -0.3f));
+  const LobeDirections lobe(material, 0.0f, {0, 0, 1}, viewer);
+  for (int i = 0; i < 64; ++i) {
+    const auto found = lobe.mirrored({(i + 0.5) / 64.0, 0.3});
+    if (found) {
+      EXPECT_NEAR(glm::length(found->unit), 1.0f, 1e-5f);
+    }
+  }
 }
 
 }  // namespace

@@ -81,6 +81,28 @@ TEST(SampleSky, OfAMatteSurfaceUnderAGradientItsMeanIsTheClosedForm) {
       << "no closed form is known of what shines under a gradient";
 }
 
+// Of a normal that a map tilts, as much of the sky is seen as of one that is the surface's own.
+TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
+  const SobolPixel places(3, 5, 7);
+  for (const double tilt : {0.2, 0.6}) {
+    for (const float roughness : {0.4f, 1.0f}) {
+      Seen seen(material_of(1.0f, roughness), 1.2);
+      seen.point.geometric_normal =
+          glm::vec3(-static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt)), 0.0f);
+      const SkyLitPoint point = seen.under(nullptr);
+      for (std::uint32_t i = 0; i < 256; ++i) {
+        const auto sample = sample_sky(point, places.lobe(i, 0));
+        if (sample) {
+          EXPECT_GE(glm::dot(sample->direction, seen.point.geometric_normal), -1e-6f);
+        }
+      }
+      const glm::dvec3 found = mean_of_samples(point, 1 << 15), open(*open_sky(point));
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(found[i], open[i], 3e-3 * static_cast<double>(sky_radiance)) << tilt;
+    }
+  }
+}
+
 /// A dim sky with a sun of two texels.
 Sky sunny() {
   constexpr int height = 64;
