@@ -1,5 +1,6 @@
 #include "renderer/rays/embree_scene.h"
 
+#include "renderer/rays/coplanar.h"
 #include "renderer/rays/face_geometry.h"
 #include "renderer/task_order.h"
 
@@ -77,9 +78,7 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
   scene_ = rtcNewScene(device_);
   // Measured (tests/bench/rays_bench.cpp): being able to carry a filter of the context's costs
   // queries without one nothing.
-  rtcSetSceneFlags(scene_, sides_.any_single_sided
-                               ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
-                               : RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   // Measured (tests/bench/moving.cpp, 10,000 triangles): 0.55 ms instead of 3.
   const RTCBuildQuality quality = use == HierarchyUse::moment && quickly_built()
                                       ? RTC_BUILD_QUALITY_LOW
@@ -91,6 +90,7 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
     rtcCommitScene(scene_);
   }
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
+  coplanar_ = find_coplanar(world, scene_, groups_.data(), scale_);
   return {};
 }
 
@@ -221,7 +221,8 @@ int EmbreeScene::native_width() const {
 }
 
 std::size_t EmbreeScene::memory_bytes() const {
-  std::size_t bytes = vertices_.capacity() * sizeof(float) + sides_.single_sided.capacity();
+  std::size_t bytes =
+      vertices_.capacity() * sizeof(float) + sides_.single_sided.capacity() + coplanar_.capacity();
   for (const Group& group : groups_) bytes += group.triangles.capacity() * sizeof(std::uint32_t);
   return bytes + static_cast<std::size_t>(std::max<std::int64_t>(0, device_bytes_));
 }

@@ -35,6 +35,8 @@ class EmbreeScene {
   /// By Embree's geometry id.
   [[nodiscard]] const Group* groups() const { return groups_.data(); }
   [[nodiscard]] const Sides& sides() const { return sides_; }
+  /// By triangle, 1 where find_coplanar marks it; empty: nowhere.
+  [[nodiscard]] std::span<const std::uint8_t> coplanar() const { return coplanar_; }
   /// Embree's lengths over the world's, a power of two, so that no digit is lost: 1 but for tiny
   /// and huge worlds. Embree takes triangles whose sides are below 1e-9 for edge-on and tells a
   /// corner of theirs as the place of every hit; products of three lengths have to fit a float.
@@ -68,6 +70,7 @@ class EmbreeScene {
   // kinds of lines and points.
   std::array<Group, 15> groups_;
   Sides sides_;
+  std::vector<std::uint8_t> coplanar_;
   bool see_through_ = false;
   bool volumes_ = false;
   float scale_ = 1.0f;

@@ -107,6 +107,8 @@ struct Context {
   bool of_shadows = false;
   Lanes* lanes = nullptr;  ///< collects what lets light through; closest hits do without
   std::span<const std::uint8_t> outlined = {};  ///< see RayScene::blockers
+  std::vector<Hit>* met = nullptr;              ///< collecting_filter's
+  bool culls = false;                           ///< it drops the backs of single-sided surfaces
 
   Context(RTCIntersectContextFlags flags, const Group* groups_by_id, const Sides* sides_of_parts,
           std::int32_t part_to_ignore, float scale_of_scene)

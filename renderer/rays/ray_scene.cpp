@@ -1,5 +1,6 @@
 #include "renderer/rays/ray_scene.h"
 
+#include "renderer/rays/coplanar.h"
 #include "renderer/rays/embree_scene.h"
 #include "renderer/rays/packets.h"
 
@@ -56,6 +57,12 @@ struct RayScene::Impl {
     });
   }
   void pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const;
+  [[nodiscard]] bool is_coplanar(const Hit& hit) const {
+    const std::span coplanar = embree.coplanar();
+    return hit.triangle < coplanar.size() && coplanar[hit.triangle] != 0;
+  }
+  void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
+  void choose_in_place(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const;
 
   /// How long a ray is.
   [[nodiscard]] static float way_of(std::span<const Ray> rays, std::size_t i) {
@@ -111,6 +118,37 @@ void RayScene::Impl::pass_backs(std::span<const Ray> rays, std::span<Hit> hits) 
   if (count > 0) trace();
 }
 
+void RayScene::Impl::in_place(const Ray& ray, const Hit& hit, Culling faces,
+                              std::vector<Hit>& met) const {
+  const World& world = *embree.sides().world;
+  const float reach = tracing::reach_of_hit(world, ray, hit);
+  Ray near = ray;
+  near.t_near = std::max(ray.t_near, hit.t - reach);
+  near.t_far = std::min(ray.t_far, hit.t + reach);
+  Context collecting = nearest(1);
+  collecting.base.filter = tracing::collecting_filter;
+  collecting.met = &met;
+  collecting.culls = faces == Culling::as_material_says;
+  intersect(collecting, std::span(&near, 1), [](std::size_t, std::size_t, const Hit&) {});
+  std::erase_if(
+      met, [&](const Hit& other) { return other.triangle == hit.triangle || !is_coplanar(other); });
+  met.push_back(hit);
+  std::sort(met.begin(), met.end(),
+            [&](const Hit& a, const Hit& b) { return tracing::in_front(world, a, b); });
+}
+
+/// Of surfaces in one place, the one in front.
+void RayScene::Impl::choose_in_place(std::span<const Ray> rays, std::span<Hit> hits,
+                                     Culling faces) const {
+  std::vector<Hit> met;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!is_coplanar(hits[i])) continue;
+    met.clear();
+    in_place(rays[i], hits[i], faces, met);
+    hits[i] = met.front();
+  }
+}
+
 void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const {
   if (!impl_) {
     std::fill(hits.begin(), hits.end(), Hit{});
@@ -122,6 +160,17 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Culling f
   if (faces == Culling::as_material_says && impl_->embree.sides().any_single_sided) {
     impl_->pass_backs(rays, hits);
   }
+  if (!impl_->embree.coplanar().empty()) impl_->choose_in_place(rays, hits, faces);
+}
+
+bool RayScene::is_coplanar(const Hit& hit) const {
+  return impl_ && impl_->is_coplanar(hit);
+}
+
+void RayScene::in_place(const Ray& ray, const Hit& hit, Culling faces,
+                        std::vector<Hit>& met) const {
+  met.clear();
+  if (impl_) impl_->in_place(ray, hit, faces, met);
 }
 
 Hit RayScene::closest(const Ray& ray, Culling faces) const {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace asos {
 
@@ -97,9 +98,16 @@ class RayScene {
                                               PassageAt passage = nullptr,
                                               HierarchyUse use = HierarchyUse::lasting);
 
-  /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
+  /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets. Where
+  /// triangles of different parts lie in one plane, it is the one in front: blended and cut-out
+  /// ones before opaque ones, and of the same kind the later primitive of the file.
   void closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces = Culling::none) const;
   [[nodiscard]] Hit closest(const Ray& ray, Culling faces = Culling::none) const;
+
+  /// Whether a hit's triangle lies in one plane with one of another part, and overlaps it.
+  [[nodiscard]] bool is_coplanar(const Hit& hit) const;
+  /// All that a ray meets in the place of such a hit, from front to back, and the hit itself.
+  void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
 
   /// The share of light that passes straight along each ray, 0 (blocked) to 1 by colour; `shares`
   /// is as long as `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
