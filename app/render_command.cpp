@@ -223,6 +223,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   report.needs = needs_of(ready, wanted.settings);
   report.threads = rendered->threads;
   report.statistics = rendered->statistics;
+  warn_of_cut_stacks(report);
   report.render_seconds = rendered->seconds;
   report.stopped_at = rendered->stopped_at;
   report.memory_mb = peak_memory_mb();

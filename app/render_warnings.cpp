@@ -21,6 +21,15 @@ void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoi
   }
 }
 
+void warn_of_cut_stacks(RenderReport& report) {
+  if (report.statistics.cut_stacks == 0) return;
+  report.warnings.insert(report.warnings.begin(),
+                         fmt::format("{} rays passed 1,024 surfaces that are seen through; what "
+                                     "lies behind those is left out",
+                                     report.statistics.cut_stacks));
+  ++report.warning_count;
+}
+
 void say_warnings(const RenderReport& report, std::ostream& err) {
   constexpr std::size_t most_lines = 10;
   const std::size_t said = std::min(report.warnings.size(), most_lines);

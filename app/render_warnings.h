@@ -11,6 +11,9 @@ namespace asos {
 /// tell more once they are found.
 void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoice& sky);
 
+/// Adds a warning of rays that passed too many surfaces, once the picture is rendered.
+void warn_of_cut_stacks(RenderReport& report);
+
 /// Says it, in a bounded number of lines.
 void say_warnings(const RenderReport& report, std::ostream& err);
 

@@ -37,6 +37,7 @@ RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
   saturated_pixels += other.saturated_pixels;
   unresolved_area += other.unresolved_area;
   rejected_samples += other.rejected_samples;
+  cut_stacks += other.cut_stacks;
   for (std::size_t i = 0; i < pixels_by_cause.size(); ++i) {
     pixels_by_cause[i] += other.pixels_by_cause[i];
   }

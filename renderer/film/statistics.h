@@ -35,6 +35,7 @@ struct RenderStatistics {
   std::uint64_t saturated_pixels = 0;  ///< pixels sampled at the finest level at once (section 5)
   double unresolved_area = 0.0;        ///< in pixels: area of the leaves that stayed marginal
   std::uint64_t rejected_samples = 0;  ///< samples that were not finite, dropped
+  std::uint64_t cut_stacks = 0;        ///< rays through so many surfaces that the rest was dropped
 
   /// ASOS: pixels by their cause; those with none are not counted.
   std::array<std::uint64_t, split_cause_count> pixels_by_cause{};

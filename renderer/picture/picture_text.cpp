@@ -27,7 +27,8 @@ Json counts_json(const RenderStatistics& counts) {
           {"saturated_pixels", counts.saturated_pixels},
           {"missed_splits", counts.missed_splits},
           {"unresolved_area", counts.unresolved_area},
-          {"rejected_samples", counts.rejected_samples}};
+          {"rejected_samples", counts.rejected_samples},
+          {"cut_stacks", counts.cut_stacks}};
 }
 
 ImageText picture_text(const PictureDescription& description) {

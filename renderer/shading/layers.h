@@ -28,6 +28,33 @@ struct SeenLayer {
 
 /// The share of a layer behind others below which no display shows it, even at +8 stops.
 inline constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
+/// The same behind a stack of `deep_stack` surfaces and more, whose every surface takes time: a
+/// quarter of an 8-bit step.
+inline constexpr float invisible_in_stack = 1.0f / 1024.0f;
+inline constexpr int deep_stack = 64;
+
+/// Whether that share is invisible behind so many surfaces.
+[[nodiscard]] constexpr bool invisible(float share, int layers) {
+  return share < (layers < deep_stack ? invisible_share : invisible_in_stack);
+}
+
+/// Counts the surfaces along a ray that show something, up to `most`, after which the rest is
+/// dropped. Clear ones are passed without being counted, but for so many that only an endless stack
+/// has them.
+class LayerCount {
+ public:
+  static constexpr int most = 1024;
+
+  [[nodiscard]] int layers() const { return layers_; }
+  [[nodiscard]] bool full() const { return layers_ >= most || passed_ >= most_passed; }
+  void add_layer() { ++layers_; }
+  void pass_clear() { ++passed_; }
+
+ private:
+  static constexpr int most_passed = 1 << 16;
+  int layers_ = 0;
+  int passed_ = 0;
+};
 
 /// Where the ray goes on behind a surface it has met: beyond the error of the hit's distance.
 [[nodiscard]] inline float behind(const Ray& ray, const SurfacePoint& point, float t) {

@@ -217,7 +217,8 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
   const auto light =
       seen.reflected() && !seen.hides_lights ? nearest_light_without_geometry(ray) : std::nullopt;
 
-  for (int layer = 0; layer < max_layers; ++layer) {
+  LayerCount count;
+  for (int layer = 0; !count.full(); ++layer) {
     if (light && !(hit.valid() && hit.t < light->t)) return {sum + share * light->radiance};
     if (!hit.valid()) return {sum, share};
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
@@ -232,6 +233,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     // A face of an analytic shape may be met twice, in front and at its back.
     if (boundary && boundary->hidden()) {
       passage = boundary->passed(passage);
+      count.add_layer();
     } else if (hit.triangle != last || world_.is_face(hit.triangle)) {
       // Add the layer by its opacity.
       SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
@@ -242,6 +244,11 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         material.stretch = lobe_stretch(world_, hit, material.anisotropy, material.roughness,
                                         point.shading_normal, to_viewer);
       float left = 1.0f;
+      if (blended && !(material.opacity > 0.0f)) {
+        count.pass_clear();
+      } else {
+        count.add_layer();
+      }
       if (material.opacity > 0.0f) {
         Layer here{share * material.opacity, layer, hit, passage};
         if (boundary) {
@@ -275,8 +282,10 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         passage = boundary->refracted(passage);
         passage.straight = passage.in_medium();
       }
-      if (std::max({share.x, share.y, share.z}) < invisible_share) return {sum};
+      if (invisible(largest(share), count.layers())) return {sum};
       last = hit.triangle;
+    } else {
+      count.add_layer();
     }
 
     // Go on behind it.
@@ -284,6 +293,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     hit = rays_.closest(ray, settings_.faces);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }
+  ++counts.cut_stacks;
   return {sum};
 }
 

@@ -67,15 +67,13 @@ class Shader {
   Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
          const Lighting& lighting, ShadingSettings settings = {});
 
-  /// Surfaces that are composited along one ray before what lies behind them is dropped.
-  static constexpr int max_layers = 64;
-
   /// Linear radiance arriving along a ray. Blended surfaces are composited in depth order. Lights
   /// that cast shadows, and reflections, go by way of `transport`. Counts the rays that go on
   /// behind a blended surface. Results that are not finite are returned as they are; the caller
   /// drops and counts them. Where the backdrop shows coverage: what share of the ray surfaces hide,
   /// by colour; a volume's boundary and frosted glass hide all where they are followed, for what is
-  /// seen in them is the environment.
+  /// seen in them is the environment. Behind LayerCount::most surfaces the rest is
+  /// dropped, and counted where it may be seen.
   [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
                                    RenderStatistics& counts) const;
   /// Along an eye ray.

@@ -33,18 +33,27 @@ std::vector<SeenLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& c
   Ray ray = seen.ray;
   Hit hit = seen.hit;
   float through = 1.0f;
-  while (hit.valid() && found.size() < std::size_t{max_layers}) {
+  for (LayerCount count; hit.valid() && !count.full();) {
     const Material& material = world_.material_of(hit.triangle);
-    SeenLayer& layer = found.emplace_back(SeenLayer{hit});
+    SeenLayer layer{hit};
     const bool bends = bounds_volume(material) || is_frosted(material);
-    if (surface_kind(material) != SurfaceKind::blended || bends) break;
+    if (surface_kind(material) != SurfaceKind::blended || bends) {
+      found.push_back(layer);
+      break;
+    }
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
     const SurfaceMaterial own =
         surface_material(world_, needs_, hit, point.footprint, settings_.mips);
     layer.opacity = own.opacity * (1.0f - own.transmission);
     layer.varies = material.alpha_mode == AlphaMode::blend && material.base_color_texture.used();
     through *= 1.0f - layer.opacity;
-    if (!(through > invisible_share)) break;
+    if (own.opacity > 0.0f) {
+      found.push_back(layer);
+      count.add_layer();
+    } else {
+      count.pass_clear();
+    }
+    if (invisible(through, count.layers())) break;
     ray.t_near = behind(ray, point, hit.t);
     hit = rays_.closest(ray, settings_.faces);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);

@@ -108,6 +108,10 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
     controls.row("Rejected", fmt::format("{} samples", statistics.rejected_samples),
                  "Samples dropped for not being finite numbers.");
   }
+  if (statistics.cut_stacks > 0) {
+    controls.row("Cut stacks", fmt::format("{} rays", statistics.cut_stacks),
+                 "Rays that passed 1,024 surfaces and went no farther.");
+  }
 }
 
 }  // namespace asos

@@ -179,15 +179,42 @@ TEST(Shader, BlendedLayersAreCompositedInDepthOrder) {
   EXPECT_EQ(lit.counts.eye_rays, 2u);  // those that went on
 }
 
-TEST(Shader, AStackOfLayersEnds) {
+/// White layers of this opacity, one behind the other.
+Lit stack_of(int layers, float alpha) {
   World world;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < layers; ++i) {
     add_quad(world, {-1, -0.01f * static_cast<float>(i), 1}, {2, 0, 0}, {0, 0, -2},
-             unlit({1, 1, 1}, 0.001f));
+             unlit({1, 1, 1}, alpha));
   }
-  Lit lit{std::move(world)};
-  const glm::vec3 c = lit.look(straight_down(0.3f, 0.2f));
-  EXPECT_NEAR(c.r, 1.0 - std::pow(0.999, Shader::max_layers), 1e-5);
+  return Lit{std::move(world)};
+}
+
+TEST(Shader, AStackOfLayersIsSeenThroughToItsEnd) {
+  Lit lit = stack_of(200, 0.001f);
+  const double left = std::pow(0.999, 200.0);
+  EXPECT_NEAR(lit.look(straight_down(0.3f, 0.2f)).r,
+              1.0 - left + left * static_cast<double>(sky_radiance), 1e-5);
+  EXPECT_EQ(lit.counts.cut_stacks, 0u);
+}
+
+TEST(Shader, AStackOfLayersEndsWhereNothingOfTheRestIsSeen) {
+  Lit lit = stack_of(500, 0.05f);
+  const float seen = lit.look(straight_down(0.3f, 0.2f)).r;
+  EXPECT_GT(seen, 1.0f - 1.0f / 1024.0f);
+  EXPECT_LT(lit.counts.eye_rays, 140u);
+  EXPECT_EQ(lit.counts.cut_stacks, 0u);
+}
+
+TEST(Shader, AStackThatIsCutIsCounted) {
+  Lit lit = stack_of(1100, 0.001f);
+  EXPECT_NEAR(lit.look(straight_down(0.3f, 0.2f)).r, 1.0 - std::pow(0.999, 1024.0), 1e-4);
+  EXPECT_EQ(lit.counts.cut_stacks, 1u);
+}
+
+TEST(Shader, ClearLayersAreNotCounted) {
+  Lit lit = stack_of(1100, 0.0f);
+  EXPECT_FLOAT_EQ(lit.look(straight_down(0.3f, 0.2f)).r, sky_radiance);
+  EXPECT_EQ(lit.counts.cut_stacks, 0u);
 }
 
 TEST(Shader, ThinGlassTintsWhatLiesBehind) {
