@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/ray.h"
+#include "renderer/rays/ray_scene.h"
 #include "renderer/shading/surface.h"
 
 #include <glm/glm.hpp>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 // Surfaces that light goes straight through, one behind the other.
 
@@ -68,5 +70,27 @@ class LayerCount {
   const float error = glm::length(moved) / (std::max(across, 1.0f / 64.0f) * length);
   return std::max(std::nextafter(t, std::numeric_limits<float>::infinity()), t + error);
 }
+
+/// The surfaces along a ray, one behind the other. Those in one place follow each other from front
+/// to back, and none is met twice.
+class SurfaceWalk {
+ public:
+  /// Begins at a hit of `ray`, the front one of its place.
+  SurfaceWalk(const RayScene& rays, const Ray& ray, const Hit& first, Culling faces)
+      : rays_(&rays), faces_(faces), ray_(ray), hit_(first) {}
+
+  [[nodiscard]] const Ray& ray() const { return ray_; }
+  [[nodiscard]] const Hit& hit() const { return hit_; }
+  /// Goes on behind the hit, which is at `point`.
+  void go_on(const SurfacePoint& point);
+
+ private:
+  const RayScene* rays_;
+  Culling faces_;
+  Ray ray_;
+  Hit hit_;
+  std::vector<Hit> place_;  ///< what lies in the hit's place; empty: the hit alone
+  std::size_t next_ = 0;    ///< of these
+};
 
 }  // namespace asos

@@ -208,17 +208,19 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   glm::vec3 sum{0.0f};
   glm::vec3 share{1.0f};  // of what lies behind the layers so far
-  Ray ray = seen.ray;
-  Hit hit = seen.hit;
+  SurfaceWalk walk(rays_, seen.ray, seen.hit, settings_.faces);
   std::uint32_t last = Hit::none;
   VolumePath passage = seen.passage;
-  float passed = ray.t_near;  // so far the share is attenuated
+  float passed = seen.ray.t_near;  // so far the share is attenuated
   const glm::vec3 to_viewer = -seen.ray.direction;
-  const auto light =
-      seen.reflected() && !seen.hides_lights ? nearest_light_without_geometry(ray) : std::nullopt;
+  const auto light = seen.reflected() && !seen.hides_lights
+                         ? nearest_light_without_geometry(seen.ray)
+                         : std::nullopt;
 
   LayerCount count;
   for (int layer = 0; !count.full(); ++layer) {
+    const Hit hit = walk.hit();
+    const Ray& ray = walk.ray();
     if (light && !(hit.valid() && hit.t < light->t)) return {sum + share * light->radiance};
     if (!hit.valid()) return {sum, share};
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
@@ -289,8 +291,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     }
 
     // Go on behind it.
-    ray.t_near = behind(ray, point, hit.t);
-    hit = rays_.closest(ray, settings_.faces);
+    walk.go_on(point);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }
   ++counts.cut_stacks;

@@ -25,15 +25,36 @@ float unevenness_of(std::span<const SeenLayer> layers) {
   return unevenness;
 }
 
+void SurfaceWalk::go_on(const SurfacePoint& point) {
+  if (place_.empty() && rays_->is_coplanar(hit_)) {
+    rays_->in_place(ray_, hit_, faces_, place_);
+    const auto own = [this](const Hit& hit) { return hit.triangle == hit_.triangle; };
+    next_ =
+        static_cast<std::size_t>(std::find_if(place_.begin(), place_.end(), own) - place_.begin()) +
+        1;
+  }
+  if (next_ < place_.size()) {
+    hit_ = place_[next_++];
+    return;
+  }
+  ray_.t_near = behind(ray_, point, hit_.t);
+  for (const Hit& passed : place_)
+    ray_.t_near =
+        std::max(ray_.t_near, std::nextafter(passed.t, std::numeric_limits<float>::infinity()));
+  place_.clear();
+  next_ = 0;
+  hit_ = rays_->closest(ray_, faces_);
+}
+
 std::vector<SeenLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& counts) const {
   std::vector<SeenLayer> found;
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
                             seen.side, seen.shape};
   const glm::vec3 to_viewer = -seen.ray.direction;
-  Ray ray = seen.ray;
-  Hit hit = seen.hit;
+  SurfaceWalk walk(rays_, seen.ray, seen.hit, settings_.faces);
   float through = 1.0f;
-  for (LayerCount count; hit.valid() && !count.full();) {
+  for (LayerCount count; walk.hit().valid() && !count.full();) {
+    const Hit hit = walk.hit();
     const Material& material = world_.material_of(hit.triangle);
     SeenLayer layer{hit};
     const bool bends = bounds_volume(material) || is_frosted(material);
@@ -54,8 +75,7 @@ std::vector<SeenLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& c
       count.pass_clear();
     }
     if (invisible(through, count.layers())) break;
-    ray.t_near = behind(ray, point, hit.t);
-    hit = rays_.closest(ray, settings_.faces);
+    walk.go_on(point);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }
   return found;

@@ -1,0 +1,162 @@
+#include "renderer/shading/sky.h"
+#include "tests/support/render_picture.h"
+#include "tests/support/shape_world.h"
+#include "tests/support/tiny_scene.h"
+#include "tests/support/tiny_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <vector>
+
+// Where a smooth mesh turns away from a light, it is lit as the smooth surface is that it stands
+// for: its triangles neither shade each other nor end the light at their planes.
+
+namespace asos::test::shadow_terminator_test {
+namespace {
+
+constexpr int side = 48;
+
+struct Lamp {
+  const char* name;
+  Light light;
+
+  friend std::ostream& operator<<(std::ostream& out, const Lamp& lamp) { return out << lamp.name; }
+};
+
+/// Lights from the right and above that make a white surface nearly white.
+std::vector<Lamp> lamps() {
+  const glm::dvec3 from = glm::normalize(glm::dvec3(1.0, 0.7, 0.3));
+  Light sun;
+  sun.type = Light::Type::directional;
+  sun.direction = -from;
+  sun.intensity = 3.0f;
+  Light wide_sun = sun;
+  wide_sun.angular_diameter_rad = 0.1;
+  Light point;
+  point.position = 6.0 * from;
+  point.intensity = 75.0f;
+  Light ball = point;
+  ball.radius = 0.5;
+  Light rectangle;
+  rectangle.type = Light::Type::rectangle;
+  rectangle.position = 6.0 * from;
+  rectangle.direction = -from;
+  rectangle.half_u = 0.5 * glm::normalize(glm::cross(from, glm::dvec3(0, 1, 0)));
+  rectangle.half_v = 0.5 * glm::normalize(glm::cross(rectangle.half_u, from));
+  rectangle.intensity = 75.0f;
+  Light line;
+  line.type = Light::Type::linear;
+  line.position = 6.0 * from;
+  line.half_u = {0, 0, 0.5};
+  line.intensity = 75.0f;
+  return {{"distant", sun}, {"sun", wide_sun},        {"point", point},
+          {"ball", ball},   {"rectangle", rectangle}, {"line", line}};
+}
+
+/// A sphere, of triangles or the true one.
+std::shared_ptr<const RenderScene> sphere_under(const Light& light, bool true_one) {
+  World world;
+  if (true_one) {
+    add_shape(world, sphere(1.0), glm::dmat4(1.0), matte(glm::vec3(1.0f)));
+  } else {
+    add_sphere(world, {0, 0, 0}, 1.0f, 12, matte(glm::vec3(1.0f)));
+  }
+  return make_render_scene(std::move(world), {light});
+}
+
+RenderSettings settings_of(Method method) {
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  settings.method = method;
+  settings.sampling.spp = 256;
+  settings.asos.eps = 1.0 / 1024.0;
+  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
+  return settings;
+}
+
+/// Whether all of a pixel and those around it show the mesh.
+bool inside(const RenderScene& scene, const View& view, int x, int y) {
+  for (int j = -1; j <= 2; ++j)
+    for (int i = -1; i <= 2; ++i)
+      if (!scene.rays().closest(view.ray(x + i, y + j)).valid()) return false;
+  return true;
+}
+
+/// The largest difference between the mesh's picture and the true sphere's by the same method.
+double worst(const Light& light, Method method) {
+  const Camera camera = look_at({0.5, 1.0, 4.0}, {0, 0, 0}, 0.55);
+  const auto mesh = sphere_under(light, false);
+  const Film found = render_picture(*mesh, camera, settings_of(method)).film;
+  const Film truth = render_picture(*sphere_under(light, true), camera, settings_of(method)).film;
+  const View view(camera, side, side);
+  double most = 0.0;
+  int pixels = 0;
+  for (int y = 1; y < side - 1; ++y) {
+    for (int x = 1; x < side - 1; ++x) {
+      if (!inside(*mesh, view, x, y)) continue;
+      ++pixels;
+      const std::size_t i = found.index(x, y);
+      most =
+          std::max(most, static_cast<double>(std::abs(found.radiance[i].x - truth.radiance[i].x)));
+    }
+  }
+  EXPECT_GT(pixels, side * side / 3);
+  return most;
+}
+
+class EveryLight : public testing::TestWithParam<Lamp> {};
+
+TEST_P(EveryLight, MeshIsLitAsTheTrueSphere) {
+  for (const Method method : {Method::asos, Method::sobol, Method::uniform, Method::asos_published})
+    EXPECT_LT(worst(GetParam().light, method), 0.02) << GetParam().name << static_cast<int>(method);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShadowTerminator, EveryLight, testing::ValuesIn(lamps()));
+
+/// From inside a sphere is hollow, and its triangles do shade each other.
+TEST(ShadowTerminator, AHollowMeshIsSeenByLightsAsItsTriangles) {
+  World world;
+  add_sphere(world, {0, 0, 0}, 1.0f, 8, matte(glm::vec3(1.0f)));
+  const SceneNeeds needs = find_needs(world);
+  const RayScene rays = RayScene::build(world, alpha_at).value();
+  int seen = 0;
+  for (int i = 0; i < 200; ++i) {
+    Ray ray;
+    const double a = i;
+    ray.direction = glm::vec3(
+        glm::normalize(glm::dvec3(std::sin(a), std::cos(1.7 * a), std::sin(2.3 * a + 1.0))));
+    const Hit hit = rays.closest(ray);
+    if (!hit.valid()) continue;
+    ++seen;
+    const SurfacePoint inner = surface_point(world, needs, hit, -ray.direction);
+    EXPECT_EQ(inner.lift, glm::vec3(0.0f));
+    EXPECT_EQ(inner.horizon(), inner.geometric_normal);
+    const SurfacePoint outer = surface_point(world, needs, hit, ray.direction);
+    if (outer.lift != glm::vec3(0.0f)) {
+      EXPECT_NEAR(glm::length(outer.lit_position()), 1.0f, 0.035f);
+    }
+  }
+  EXPECT_GT(seen, 150);
+}
+
+/// Normals that are averaged over the edges of a box make no sphere of it.
+TEST(ShadowTerminator, ABoxWithAveragedNormalsStaysABox) {
+  World world;
+  std::vector<TinyVertex> vertices;
+  for (int k = 0; k < 8; ++k) {
+    const glm::vec3 p(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    vertices.push_back({p, glm::normalize(p), {0, 0}});
+  }
+  add_part(world, vertices, {{4, 5, 7}, {4, 7, 6}}, matte(glm::vec3(1.0f)));
+  const Hit hit{0, 1.0f, 0.3f, 0.3f};
+  const SurfacePoint point = surface_point(world, find_needs(world), hit, {0, 0, 1});
+  EXPECT_EQ(point.lit_position(), point.position);
+  EXPECT_EQ(point.horizon(), glm::vec3(0, 0, 1));
+}
+
+}  // namespace
+}  // namespace asos::test::shadow_terminator_test
