@@ -135,7 +135,7 @@ class EmissionTable {
   std::vector<EmissionSums> sums_;
 };
 
-/// The cut of a block that leaves the least variance, and what it saves.
+/// The cut of a block that leaves the least variance.
 struct Cut {
   Block first, second;
   double saved = 0.0;
@@ -155,7 +155,7 @@ Cut best_cut(const EmissionTable& table, const Block& block) {
   return best;
 }
 
-/// Cuts the blocks of which a cut saves most, one after the other.
+/// Repeatedly cuts the block whose best cut saves most variance.
 std::vector<Block> blocks_of(const EmissionTable& table, std::size_t most) {
   std::vector<Block> blocks{Block{}};
   std::vector<Cut> cuts{best_cut(table, blocks[0])};

@@ -250,7 +250,7 @@ float reach_of_hit(const World& world, const Ray& ray, const Hit& hit) {
   const double length = glm::length(normal), speed = glm::length(glm::dvec3(ray.direction));
   const auto size = static_cast<double>(size_of(world, hit.triangle));
   const glm::dvec3 rounding = rounding_of(corners, corners, world.origin, size);
-  // Of planes seen edge-on at most 64 times as far as they lie apart.
+  // Limits the reach to 64 times the distance of planes that are seen edge-on.
   constexpr double least_cosine = 1.0 / 64.0;
   const double across = std::abs(glm::dot(normal, glm::dvec3(ray.direction)));
   const double apart = length > 0.0 ? glm::dot(glm::abs(normal), rounding) / length : 0.0;

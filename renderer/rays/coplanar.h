@@ -24,8 +24,8 @@ namespace asos::tracing {
 /// ray.
 [[nodiscard]] float reach_of_hit(const World& world, const Ray& ray, const Hit& hit);
 
-/// Whether the first of two hits in the same place is in front: what is blended or cut out before
-/// what is opaque, and of the same kind the later primitive of the file.
+/// Returns whether the first of two hits in the same place is in front. Blended and cut-out
+/// surfaces are in front of opaque ones; within a kind the later primitive of the file is.
 [[nodiscard]] bool in_front(const World& world, const Hit& a, const Hit& b);
 
 /// The filter of a context that collects all hits into Context::met, and keeps none.

@@ -100,7 +100,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   ReflectedSample next = start;
   next.weight *= (reflection.lobe ? reflection.share : reflection.reflected) * colours / goes_on;
   next.width = seen.width + width;
-  // Without a pyramid around what it shows the sample keeps its extent.
+  // Without a mirrored pyramid the sample keeps its extent.
   next.spacing = picture ? spacing_of(*picture, start.side) : spacing;
   glm::dvec3 direction = mirrored_direction(surface, pyray.axis);
   if (reflection.lobe) {

@@ -119,7 +119,7 @@ std::optional<glm::vec3> SkySampler::direction_of(glm::dvec2 place) const {
         (place.x - static_cast<double>(share_[0] + share_[1])) / static_cast<double>(share_[2]);
     const SkyDirection bright = sky_->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
     found = local(glm::vec3(bright.direction));
-    // What lies below the surface does not shine on it.
+    // The sky below the surface does not shine on it.
     if (!(glm::dot(found, horizon_) > 0.0f)) return std::nullopt;
   }
   return found.z > 0.0f ? std::optional(found) : std::nullopt;

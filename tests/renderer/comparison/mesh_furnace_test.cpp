@@ -124,7 +124,7 @@ class ReturnedByLobes final : public LightTransport {
   }
 };
 
-/// What a pixel is to show; negative: it shows the mesh's outline.
+/// Returns a pixel's expected value; negative where it shows the mesh's outline.
 double returned(const RenderScene& scene, const View& view, const Shader& shader, int x, int y) {
   constexpr int parts = 4;
   double sum = 0.0;
@@ -144,7 +144,7 @@ double returned(const RenderScene& scene, const View& view, const Shader& shader
   return sum;
 }
 
-/// By how much a pixel differs from what its lobes return, at most, as a share of it.
+/// Returns the largest relative difference of a pixel from its expected value.
 double worst(const Furnace& f, Method method) {
   const auto scene = scene_of(f);
   const RenderSettings settings = settings_of(method);

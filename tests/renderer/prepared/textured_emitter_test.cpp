@@ -35,7 +35,7 @@ World emitter(const Image& image, Filter filter, bool mask) {
   return world;
 }
 
-/// What a point gets of the rectangle, by the middles of many small squares.
+/// Integrates the irradiance of a point numerically, by the centres of many small squares.
 glm::dvec3 integral(const World& world, const Receiver& at, bool mask) {
   const Material& m = world.materials[0];
   constexpr int steps = 400;

@@ -81,7 +81,7 @@ TEST(SampleSky, OfAMatteSurfaceUnderAGradientItsMeanIsTheClosedForm) {
       << "no closed form is known of what shines under a gradient";
 }
 
-// Of a normal that a map tilts, as much of the sky is seen as of one that is the surface's own.
+// A normal tilted by a map receives as much of an even sky as the surface's own normal.
 TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
   const SobolPixel places(3, 5, 7);
   for (const double tilt : {0.2, 0.6}) {
