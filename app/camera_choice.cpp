@@ -109,8 +109,8 @@ std::string planes_remark(const RenderScene& scene, const Camera& camera,
       nearer ? fmt::format("nearer than {:.4g} (znear)", *camera.near_depth) : "";
   const std::string far_text =
       farther ? fmt::format("farther than {:.4g} (zfar)", *camera.far_depth) : "";
-  return fmt::format("{} asks to cut off what is {}{}{}, which is shown all the same",
-                     called(camera), near_text, nearer && farther ? " or " : "", far_text);
+  return fmt::format("{} cuts off surfaces {}{}{}; the picture still shows them", called(camera),
+                     near_text, nearer && farther ? " or " : "", far_text);
 }
 
 }  // namespace asos

@@ -269,9 +269,8 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
   add_camera_choice(app, arguments.camera);
   add_choice(
       app, "--fit", "HOW",
-      "How a camera of the file is shown in a picture of another aspect ratio: fit (all that "
-      "it sees, and more), fill (nothing else: its sides, or what is above and below, are "
-      "cut off) or crop (by its height: a wider camera loses its sides)",
+      "A camera of the file in a picture of another aspect ratio: fit (all of its view, and "
+      "more), fill (nothing outside its view) or crop (its height; a wider camera loses its sides)",
       camera_fit_names, arguments.camera.fit);
   add_parsed_option(app, "--exposure", "EV",
                     "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness",

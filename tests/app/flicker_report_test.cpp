@@ -88,7 +88,7 @@ TEST(FlickerReport, OfABuiltinSceneIsWhole) {
   const auto lines = lines_of_file(folder.path() / "pole" / "flicker.csv");
   ASSERT_GE(lines.size(), 5u);
   EXPECT_TRUE(lines[0].starts_with("scene,animation,method,setting,first_frame,frames,"));
-  EXPECT_TRUE(lines[1].starts_with("builtin:walking-pole,walk,asos,MAX 1 EPS 1/256,3,3,24,"))
+  EXPECT_TRUE(lines[1].starts_with("builtin:walking-pole,walk,asos,MAX 4 EPS 1/8,3,3,24,"))
       << lines[1];
 
   const json study = json::parse(content_of(folder.path() / "pole" / "flicker.json")).at(0);

@@ -116,6 +116,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"missed_splits", {Type::number_unsigned}},
       {"unresolved_area", {Type::number_float}},
       {"rejected_samples", {Type::number_unsigned}},
+      {"cut_stacks", {Type::number_unsigned}},
       {"left_out", {Type::array}},
   };
   EXPECT_EQ(s.size(), expected.size());

@@ -178,7 +178,7 @@ TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
   const AsosRun list = with({"--list-jobs"});
   ASSERT_EQ(list.exit_code, 0);
   const std::size_t jobs = lines_of(list.out).size();
-  ASSERT_EQ(jobs, 1u + 15u + 18u);
+  ASSERT_EQ(jobs, 1u + 14u + 18u);
   for (std::size_t k = jobs; k-- > 0;) {
     const AsosRun one =
         with({"-o", (k % 2 ? odd : even).path().string(), "--job", std::to_string(k)});
@@ -211,7 +211,7 @@ TEST(ReportCommand, ALookTravelsWithItsJobs) {
   }()));
   EXPECT_TRUE(contains(listed.out,
                        "1\tbuiltin:boxes camera 0 fov 40 sky 0.5,0.6,1:0.9,0.9,0.9 bounces 2 DFR "
-                       "0.05,1,32 asos MAX 1 EPS 0 TR 2 repetition 1\n"))
+                       "0.05,1,32 asos MAX 4 EPS 1/8 TR 2 repetition 1\n"))
       << listed.out;
   for (const char* job : {"0", "1", "2"}) {
     const AsosRun run = with_job(look, job);
@@ -232,7 +232,7 @@ TEST(ReportCommand, AMissingJobIsNamed) {
   ASSERT_EQ(run_asos(tiny_study(path, {"--job", "0"})).exit_code, 0);
   const AsosRun merge = run_asos({"report", "--merge", path, "-o", path});
   EXPECT_EQ(merge.exit_code, 1);
-  EXPECT_TRUE(contains(merge.err, "job 1 (builtin:boxes asos MAX 1 EPS 0 repetition 1)"));
+  EXPECT_TRUE(contains(merge.err, "job 1 (builtin:boxes asos MAX 4 EPS 1/8 repetition 1)"));
   EXPECT_FALSE(fs::exists(folder.path() / "report.html"));
 }
 
@@ -245,8 +245,8 @@ TEST(ReportCommand, WhatTakesTooLongIsGivenUpAndNamed) {
   const auto report = json::parse(content_of(folder.path() / "report.json"));
   const auto& scene = report["scenes"][0];
   EXPECT_TRUE(scene["points"].empty());
-  ASSERT_EQ(scene["given_up"].size(), 15u);  // twice MAX 1 to 5, and five of sobol
-  EXPECT_EQ(scene["given_up"][0], "asos MAX 1 EPS 0");
+  ASSERT_EQ(scene["given_up"].size(), 14u);  // EPS 1/8 to 1/2048, and five of sobol
+  EXPECT_EQ(scene["given_up"][0], "asos MAX 4 EPS 1/8");
   EXPECT_EQ(report["settings"]["longest_seconds"], 1e-9);
   const std::string page = content_of(folder.path() / "report.html");
   EXPECT_TRUE(contains(page, "given up after")) << page.substr(0, 2000);
@@ -272,7 +272,7 @@ TEST(ReportCommand, ListsItsJobsAndRunsNone) {
   const AsosRun outcome = run_asos(tiny_study(folder.file("new"), {"--list-jobs"}));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(outcome.out.starts_with("0\tbuiltin:boxes regions\n")) << outcome.out;
-  EXPECT_EQ(lines_of(outcome.out).size(), 1u + 3u * 15u + 18u);
+  EXPECT_EQ(lines_of(outcome.out).size(), 1u + 3u * 14u + 18u);
   EXPECT_FALSE(fs::exists(folder.file("new")));
 }
 

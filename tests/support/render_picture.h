@@ -11,7 +11,7 @@ struct Picture {
   RenderStatistics statistics;
 };
 
-/// A picture, block by block: of a crop, those that it meets.
+/// A picture, block by block. Of a crop, those that it meets; beside the crop it is black.
 inline Picture render_picture(const RenderScene& scene, const Camera& camera,
                               const RenderSettings& settings) {
   const int width = settings.width;
@@ -31,6 +31,11 @@ inline Picture render_picture(const RenderScene& scene, const Camera& camera,
       picture.statistics += block.statistics;
     }
   }
+  const PixelRect seen = settings.visible();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (intersection(seen, {x, y, 1, 1}).empty())
+        picture.film.radiance[picture.film.index(x, y)] = glm::vec3(0.0f);
   return picture;
 }
 

@@ -392,7 +392,7 @@ TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
   rig.move_to(rig.control("EPS").centre());
   const std::vector<glm::u8vec3> before = rig.pixels();
   ASSERT_TRUE(rig.content().seconds_to_redraw().has_value()) << "a frame is due for the tooltip";
-  ASSERT_TRUE(rig.sleeps(1.0)) << "it is drawn as it is due, and no more";
+  ASSERT_TRUE(rig.sleeps()) << "it is drawn as it is due, and no more";
   EXPECT_NE(rig.pixels(), before);
 }
 

@@ -78,7 +78,7 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
   const std::vector<Job> jobs = make_jobs(subject.plan).value();
   const Reference truth = reference(jobs, state.passes);
   EXPECT_EQ(state.study.noise, truth.noise());
-  ASSERT_EQ(state.study.points.size(), 10u + 1u + 5u);
+  ASSERT_EQ(state.study.points.size(), 9u + 1u + 5u);
   EXPECT_EQ(state.points, 2u * state.study.points.size());
   EXPECT_EQ(state.points_run, state.points);
   std::size_t next = 0;
@@ -223,7 +223,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   const ViewStudy::State found = state();
   EXPECT_EQ(found.phase, ViewStudy::Phase::finished);
-  ASSERT_EQ(found.study.points.size(), 10u + 1u);
+  ASSERT_EQ(found.study.points.size(), 9u + 1u);
   const RenderSettings& settings = found.study.points[0].rung.settings;
   EXPECT_EQ(settings.width, rig.previewer().render().settings().width / 4);
   EXPECT_EQ(settings.height, rig.previewer().render().settings().height / 4);

@@ -178,8 +178,15 @@ TEST(WeakLights, AreTheManyDimOnes) {
   EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few are asked one by one";
   few.weak_lights().take_all();
   EXPECT_TRUE(few.weak_lights().lights().empty());
+}
+
+// For who sends one ray only.
+TEST(WeakLights, AreAllOfThemOnDemand) {
+  std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
+  for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
+  EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
   many.weak_lights().take_all();
-  EXPECT_TRUE(many.weak_lights().holds(0));
+  for (std::size_t i = 0; i < lights.size(); ++i) EXPECT_TRUE(many.weak_lights().holds(i)) << i;
 }
 
 }  // namespace
