@@ -184,11 +184,12 @@ const MethodRow& row_of(Method method) {
 }
 
 bool shows_coverage(const RenderSettings& settings) {
-  return settings.background.kind == BackgroundKind::transparent && !settings.background.coverage;
+  return settings.background.kind == BackgroundKind::transparent &&
+         settings.background.content == PixelContent::light;
 }
 
 RenderSettings coverage_of(RenderSettings settings) {
-  settings.background.coverage = true;
+  settings.background.content = PixelContent::coverage;
   settings.sky = nullptr;
   settings.shadow = {};
   settings.shadow.cast = false;

@@ -80,6 +80,25 @@ struct MethodRow {
 [[nodiscard]] RenderSettings coverage_of(RenderSettings settings);
 /// Adds the coverage of a block's pixels that was rendered by these settings.
 void set_coverage(const BlockResult& covered, BlockResult& result);
+/// The settings of two passes that find what unlit surfaces show of pixels (FinishedTile::unlit):
+/// the same boundaries and samples, without light.
+struct UnlitPasses {
+  explicit UnlitPasses(const RenderSettings& settings);
+
+  RenderSettings share;
+  RenderSettings colour;
+};
+/// Whether a surface that a picture may show has an unlit material.
+[[nodiscard]] bool has_unlit(const World& world);
+/// Adds the share of a block's pixels that the first pass found. No colour is needed where it is 0
+/// or 1 for all of them.
+void add_unlit_share(const BlockResult& share, BlockResult& result);
+[[nodiscard]] bool needs_unlit_colour(const FinishedTile& tile);
+/// Adds the colour that the second pass found.
+void add_unlit_colour(const BlockResult& colour, BlockResult& result);
+/// Renders these passes, and adds both, to what `render_block` rendered. Nothing is added where the
+/// block shows no unlit surface.
+void add_unlit(const BlockJob& job, BlockResult& result);
 /// Fills in causes and rays that a method left out.
 void fill_in(BlockResult& result);
 

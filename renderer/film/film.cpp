@@ -101,6 +101,7 @@ void copy_pixels(const FinishedTile& from, FinishedTile& to) {
   if (!to.seconds.empty()) copy_costs(from.seconds, from.rect, to.seconds, to.rect);
   if (!to.coverage.empty()) copy_told(from.coverage, from.rect, to.coverage, to.rect, 1.0f);
   if (!to.outlook.empty()) copy_told(from.outlook, from.rect, to.outlook, to.rect, {});
+  if (!to.unlit.empty()) copy_told(from.unlit, from.rect, to.unlit, to.rect, glm::vec4(0.0f));
 }
 
 Film::Film(int w, int h)
@@ -129,6 +130,8 @@ void Film::put(const FinishedTile& tile) {
   if (!coverage.empty()) copy_told(tile.coverage, tile.rect, coverage, whole, 1.0f);
   if (!tile.outlook.empty() && outlook.empty()) outlook.resize(radiance.size());
   if (!outlook.empty()) copy_told(tile.outlook, tile.rect, outlook, whole, {});
+  if (!tile.unlit.empty() && unlit.empty()) unlit.assign(radiance.size(), glm::vec4(0.0f));
+  if (!unlit.empty()) copy_told(tile.unlit, tile.rect, unlit, whole, glm::vec4(0.0f));
 }
 
 glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev) {

@@ -28,11 +28,16 @@ struct FinishedTile {
   std::vector<float> coverage;
   /// Of ASOS: how deep each pixel would be split by another EPS and MAX. Empty: not known.
   std::vector<SplitOutlook> outlook;
+  /// What unlit surfaces that the eye sees add to each pixel, in xyz, which `radiance` contains;
+  /// and the share of the pixel that they cover, 0 to 1, in w. They are shown as they are: see
+  /// `tone_mapped`. Empty: no surface is unlit.
+  std::vector<glm::vec4> unlit;
   bool coarse = false;  ///< better pixels follow
 };
 
 /// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
-/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1.
+/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1, and what is unlit, as
+/// 0.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
 /// A whole picture: linear radiance, the split map by level and by cause, and what each pixel cost,
@@ -47,6 +52,7 @@ struct Film {
   std::vector<float> seconds;
   std::vector<float> coverage;        ///< as a tile's; empty until a tile tells any
   std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile tells any
+  std::vector<glm::vec4> unlit;       ///< the same
 
   Film() = default;
   Film(int w, int h);

@@ -20,7 +20,7 @@ PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
       sky_(viewer.shader.settings().sky),
       usable_(SampledLights::takes_all(viewer.shader.lights(), viewer.shader.settings().shadows) &&
               !world_.normals.empty() && !viewer.sees_bare_lights() &&
-              !viewer.passage.in_medium() && !viewer.shader.settings().backdrop.shows_coverage()),
+              !viewer.passage.in_medium() && viewer.shader.settings().backdrop.shows_light()),
       reflections_(viewer.bounces < viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       same_sky_(!sky_ || sky_->constant()) {

@@ -13,6 +13,14 @@ enum class BackgroundKind {
   transparent  ///< nothing: pixels tell how much of them surfaces cover
 };
 
+/// What pixels hold. All but `light` are for passes of their own, without any light.
+enum class PixelContent {
+  light,
+  coverage,      ///< the share that surfaces cover: see render_block
+  unlit_share,   ///< the share that unlit surfaces cover, as the eye sees them: see add_unlit
+  unlit_colour,  ///< the colour of these times their share
+};
+
 struct Background {
   static constexpr float brightest = 1e6f;
 
@@ -20,8 +28,7 @@ struct Background {
   /// Of colours: linear radiance at the picture's upper and lower border, 0 to `brightest`.
   glm::vec3 top{0.35f};
   glm::vec3 bottom{0.35f};
-  /// Pixels tell only how much of them surfaces cover, in place of light: see render_block.
-  bool coverage = false;
+  PixelContent content = PixelContent::light;
 
   bool operator==(const Background&) const = default;
 };

@@ -27,8 +27,8 @@ class Backdrop {
   /// The same, where it is one for all rays.
   [[nodiscard]] std::optional<glm::vec3> everywhere(const Sky* sky) const;
 
-  /// See Background.
-  [[nodiscard]] bool shows_coverage() const { return chosen_.coverage; }
+  [[nodiscard]] PixelContent content() const { return chosen_.content; }
+  [[nodiscard]] bool shows_light() const { return chosen_.content == PixelContent::light; }
 
  private:
   Background chosen_;

@@ -33,6 +33,10 @@ Footprint square_footprint(const World& world, const SampleExtent& extent, const
   return square;
 }
 
+bool shows_only_unlit(PixelContent content) {
+  return content == PixelContent::unlit_share || content == PixelContent::unlit_colour;
+}
+
 /// For who wants no light.
 class NoTransport final : public LightTransport {
  public:
@@ -44,7 +48,7 @@ class NoTransport final : public LightTransport {
 Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
                const Lighting& lighting, ShadingSettings settings)
     : world_(world), needs_(needs), rays_(rays), lighting_(lighting), settings_(settings) {
-  if (!settings.backdrop.shows_coverage()) lights_ = lighting.prepared(settings.light_rule);
+  if (settings.backdrop.shows_light()) lights_ = lighting.prepared(settings.light_rule);
   sums_patches_ = settings.bend < 1.0f && settings.light_rule == LightRule::physical &&
                   std::any_of(lights_.begin(), lights_.end(),
                               [](const PreparedLight& light) { return light.extended(); });
@@ -190,9 +194,11 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
                            RenderStatistics& counts) const {
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
                             seen.side, seen.shape, seen.colours};
-  if (settings_.backdrop.shows_coverage()) {
+  if (!settings_.backdrop.shows_light()) {
     NoTransport none;
-    return glm::vec3(1.0f) - look_along(seen, extent, none, counts).behind;
+    const Layers met = look_along(seen, extent, none, counts);
+    return settings_.backdrop.content() == PixelContent::coverage ? glm::vec3(1.0f) - met.behind
+                                                                  : met.radiance;
   }
   const Layers met = look_along(seen, extent, transport, counts);
   if (met.behind == glm::vec3(0.0f)) return met.radiance;
@@ -203,10 +209,17 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   return met.radiance + met.behind * beyond;
 }
 
+glm::vec3 Shader::unlit_colour(const SurfaceMaterial& material) const {
+  const bool share = settings_.backdrop.content() == PixelContent::unlit_share;
+  return (share ? glm::vec3(1.0f) : material.base_color) * (1.0f - material.transmission);
+}
+
 Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& extent,
                                   LightTransport& transport, RenderStatistics& counts) const {
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
+  const bool only_unlit = shows_only_unlit(settings_.backdrop.content());
   glm::vec3 sum{0.0f};
+  glm::vec3 left_out{0.0f};
   glm::vec3 share{1.0f};  // of what lies behind the layers so far
   SurfaceWalk walk(rays_, seen.ray, seen.hit, settings_.faces);
   std::uint32_t last = Hit::none;
@@ -259,17 +272,18 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
           here.passage = boundary->reflected(passage);
         }
         if (material.unlit) {
-          sum += here.share * material.base_color * (1.0f - material.transmission);
+          sum += here.share * unlit_colour(material);
         } else {
-          left = add_material(seen, point, material, here, mips, transport, sum, counts);
+          left = add_material(seen, point, material, here, mips, transport,
+                              only_unlit ? left_out : sum, counts);
         }
       }
       if (!blended) return {sum};
       // Glass that bends or blurs is followed, and covers all.
       const bool frosted =
           !boundary && material.transmission > 0.0f && material.roughness > 0.0f && !material.unlit;
-      if ((boundary || frosted) && settings_.backdrop.shows_coverage() && settings_.reflections > 0)
-        return {};
+      if ((boundary || frosted) && !settings_.backdrop.shows_light() && settings_.reflections > 0)
+        return {sum};
       // It tints what shines through it by its base colour.
       if (!material.unlit) left *= 1.0f - material.metallic;
       glm::vec3 through =

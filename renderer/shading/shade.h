@@ -70,10 +70,11 @@ class Shader {
   /// Linear radiance arriving along a ray. Blended surfaces are composited in depth order. Lights
   /// that cast shadows, and reflections, go by way of `transport`. Counts the rays that go on
   /// behind a blended surface. Results that are not finite are returned as they are; the caller
-  /// drops and counts them. Where the backdrop shows coverage: what share of the ray surfaces hide,
+  /// drops and counts them. Where the backdrop holds coverage: what share of the ray surfaces hide,
   /// by colour; a volume's boundary and frosted glass hide all where they are followed, for what is
-  /// seen in them is the environment. Behind LayerCount::most surfaces the rest is
-  /// dropped, and counted where it may be seen.
+  /// seen in them is the environment. Where it holds what is unlit: the share of unlit layers or
+  /// their colour. What is seen in mirrors and in such glass is light, unlit surfaces included.
+  /// Behind LayerCount::most surfaces the rest is dropped, and counted where it may be seen.
   [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
                                    RenderStatistics& counts) const;
   /// Along an eye ray.
@@ -134,6 +135,9 @@ class Shader {
     glm::vec3 radiance{0.0f};
     glm::vec3 behind{0.0f};
   };
+  /// What an unlit layer sends along a ray, as far as it is opaque; where pixels hold the share of
+  /// unlit surfaces, 1.
+  [[nodiscard]] glm::vec3 unlit_colour(const SurfaceMaterial& material) const;
   [[nodiscard]] Layers look_along(const ViewedRay& seen, const SampleExtent& extent,
                                   LightTransport& transport, RenderStatistics& counts) const;
   /// A layer that a ray meets: its share of the ray's radiance, and how many lie before it.
