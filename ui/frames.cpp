@@ -1,5 +1,6 @@
 #include "ui/frames.h"
 
+#include "renderer/geometry/largest.h"
 #include "ui/resampled.h"
 
 #include <algorithm>
@@ -47,8 +48,12 @@ const Film& Frames::at_size(int index, glm::ivec2 size) {
 }
 
 float difference_of(glm::vec3 a, glm::vec3 b, const DisplayTransform& display) {
-  const glm::vec3 d = glm::abs(display_rgb(a, display) - display_rgb(b, display));
-  return std::max({d.x, d.y, d.z});
+  return largest(glm::abs(display_rgb(a, display) - display_rgb(b, display)));
+}
+
+float difference_of(const Film& a, const Film& b, std::size_t pixel,
+                    const DisplayTransform& display) {
+  return largest(glm::abs(display_rgb(a, pixel, display) - display_rgb(b, pixel, display)));
 }
 
 }  // namespace asos

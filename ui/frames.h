@@ -66,5 +66,8 @@ struct Frames {
 
 /// The largest difference of two colours in any channel, as they are shown: 0 to 1.
 [[nodiscard]] float difference_of(glm::vec3 a, glm::vec3 b, const DisplayTransform& display);
+/// The same of one pixel of two pictures of one size.
+[[nodiscard]] float difference_of(const Film& a, const Film& b, std::size_t pixel,
+                                  const DisplayTransform& display);
 
 }  // namespace asos

@@ -74,13 +74,19 @@ void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
   if (display.show_split_map) overlay_.upload();
 }
 
+glm::u8vec3 GlDisplay::bytes_of(const Film& film, std::size_t i) const {
+  const glm::vec3 radiance = before_checkers(film, i);
+  if (film.unlit.empty() || !(film.unlit[i].w > 0.0f)) return bytes_of(radiance);
+  return display_bytes(tone_mapped(radiance, film.unlit[i], shown_), 0.0f);
+}
+
 void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, bool overlay) {
   if (overlay) convert_overlay(film, rect);
   if (!picture) return;
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
-      picture_.at(i) = glm::u8vec4(bytes_of(before_checkers(film, i)), 255);
+      picture_.at(i) = glm::u8vec4(bytes_of(film, i), 255);
   }
   picture_.mark(rect);
 }
@@ -135,9 +141,8 @@ void GlDisplay::convert_compared(const Film& film, const Film& stored, const Pix
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
       const glm::u8vec3 colour =
           compared_.difference
-              ? heat_colour(per_scale *
-                            difference_of(stored.radiance[i], film.radiance[i], compared_.shown))
-              : bytes_of(before_checkers(stored, i));
+              ? heat_colour(per_scale * difference_of(stored, film, i, compared_.shown))
+              : bytes_of(stored, i);
       compared_layer_.at(i) = glm::u8vec4(colour, 255);
     }
   }

@@ -100,6 +100,7 @@ class GlDisplay {
   [[nodiscard]] glm::u8vec3 bytes_of(glm::vec3 radiance) const {
     return tone_.bytes(shown_.tone == ToneCurve::none ? radiance : tone_mapped(radiance, shown_));
   }
+  [[nodiscard]] glm::u8vec3 bytes_of(const Film& film, std::size_t i) const;
   void convert_compared(const Film& film, const Film& stored, const PixelRect& rect);
   Compared compared_;
   Layer compared_layer_;

@@ -12,6 +12,7 @@ Film stretched(const Film& old, int width, int height) {
   Film film(width, height);
   if (old.width <= 0 || old.height <= 0) return film;
   film.coverage.resize(old.coverage.empty() ? 0 : film.radiance.size());
+  film.unlit.resize(old.unlit.empty() ? 0 : film.radiance.size());
   for (int y = 0; y < height; ++y) {
     const int from_y = static_cast<int>(static_cast<std::int64_t>(y) * old.height / height);
     for (int x = 0; x < width; ++x) {
@@ -21,6 +22,7 @@ Film stretched(const Film& old, int width, int height) {
       film.cause[film.index(x, y)] = old.cause[old.index(from_x, from_y)];
       if (!film.coverage.empty())
         film.coverage[film.index(x, y)] = old.coverage[old.index(from_x, from_y)];
+      if (!film.unlit.empty()) film.unlit[film.index(x, y)] = old.unlit[old.index(from_x, from_y)];
     }
   }
   return film;

@@ -49,6 +49,7 @@ PixelRect resampled_area(const Film& film, glm::ivec2 size) {
 Film resampled(const Film& film, glm::ivec2 size) {
   Film result(size.x, size.y);
   if (!film.coverage.empty()) result.coverage.assign(result.radiance.size(), 1.0f);
+  if (!film.unlit.empty()) result.unlit.assign(result.radiance.size(), glm::vec4(0.0f));
   if (film.width <= 0 || film.height <= 0 || size.x <= 0 || size.y <= 0) return result;
   const double step = static_cast<double>(film.height) / size.y;
   const std::vector<Covered> columns = cover(film.width, size.x, step);
@@ -59,16 +60,19 @@ Film resampled(const Film& film, glm::ivec2 size) {
       const Covered& column = columns[static_cast<std::size_t>(x)];
       glm::vec3 sum(0.0f);
       float covered = 0.0f;
+      glm::vec4 unlit(0.0f);
       for (std::size_t k = 0; k < row.weights.size(); ++k) {
         const std::size_t line = film.index(column.first, row.first + static_cast<int>(k));
         for (std::size_t i = 0; i < column.weights.size(); ++i) {
           const float weight = row.weights[k] * column.weights[i];
           sum += weight * film.radiance[line + i];
           if (!film.coverage.empty()) covered += weight * film.coverage[line + i];
+          if (!film.unlit.empty()) unlit += weight * film.unlit[line + i];
         }
       }
       result.radiance[result.index(x, y)] = sum;
       if (!film.coverage.empty()) result.coverage[result.index(x, y)] = covered;
+      if (!film.unlit.empty()) result.unlit[result.index(x, y)] = unlit;
     }
   }
   return result;

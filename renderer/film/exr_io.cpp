@@ -111,7 +111,8 @@ class ExrWriter : public PictureWriter {
   }
 
   [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance,
-                                      std::span<const float> coverage) override {
+                                      std::span<const float> coverage,
+                                      std::span<const glm::vec4> /*unlit*/) override {
     const int rows = static_cast<int>(radiance.size() / static_cast<std::size_t>(size_.width));
     if (rows == 0) return {};
     try {

@@ -22,13 +22,16 @@ class PngWriter : public PictureWriter {
       : rows_(std::move(rows)), display_(display), alpha_(alpha) {}
 
   [[nodiscard]] Result<void> add_rows(std::span<const glm::vec3> radiance,
-                                      std::span<const float> coverage) override {
+                                      std::span<const float> coverage,
+                                      std::span<const glm::vec4> unlit) override {
     bytes_.clear();
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       const float covered = alpha_ == Alpha::none || coverage.empty() ? 1.0f : coverage[i];
-      const glm::vec3 of_part =
-          covered > 0.0f && covered < 1.0f ? radiance[i] / covered : radiance[i];
-      const glm::u8vec3 c = display_bytes(of_part, display_);
+      const float part = covered > 0.0f && covered < 1.0f ? covered : 1.0f;
+      const glm::u8vec3 c =
+          unlit.empty()
+              ? display_bytes(radiance[i] / part, display_)
+              : display_bytes(tone_mapped(radiance[i] / part, unlit[i] / part, display_), 0.0f);
       bytes_.insert(bytes_.end(), {c.x, c.y, c.z});
       if (alpha_ == Alpha::coverage) bytes_.push_back(alpha_byte(covered));
     }
@@ -68,7 +71,7 @@ Result<void> write_png(const std::string& path, const Film& film, const DisplayT
                        const ImageText& text) {
   auto writer = make_png_writer(path, {film.width, film.height}, display, text, alpha_of(film));
   if (!writer) return unexpected(writer.error());
-  return (*writer)->add_rows(film.radiance, film.coverage).and_then([&] {
+  return (*writer)->add_rows(film.radiance, film.coverage, film.unlit).and_then([&] {
     return (*writer)->finish();
   });
 }

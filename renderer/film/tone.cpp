@@ -17,6 +17,9 @@ glm::vec3 made_finite(glm::vec3 radiance) {
   return radiance;
 }
 
+// A smaller lit share than this shows in no display.
+constexpr float least_lit_share = 1e-5f;
+
 // Khronos PBR Neutral Tone Mapper, specification 1.0.
 glm::vec3 pbr_neutral(glm::vec3 colour) {
   constexpr float reflected = 0.04f;  // by a dielectric, which the curve takes off again
@@ -72,6 +75,15 @@ glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display) {
   return exposed;
 }
 
+glm::vec3 tone_mapped(glm::vec3 radiance, glm::vec4 unlit, const DisplayTransform& display) {
+  const float lit_share = 1.0f - unlit.w;
+  if (lit_share >= 1.0f) return tone_mapped(radiance, display);
+  const glm::vec3 as_it_is(unlit);
+  if (!(lit_share > least_lit_share)) return as_it_is;
+  const glm::vec3 lit = glm::max(radiance - as_it_is, 0.0f) / lit_share;
+  return lit_share * tone_mapped(lit, display) + as_it_is;
+}
+
 glm::dvec3 displayed_intensity(glm::dvec3 radiance, ToneCurve curve) {
   if (curve == ToneCurve::none) return glm::clamp(radiance, 0.0, 1.0);
   return glm::dvec3(tone_mapped(glm::vec3(radiance), {0.0f, curve}));
@@ -83,6 +95,23 @@ glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display) {
 
 glm::u8vec3 display_bytes(glm::vec3 radiance, const DisplayTransform& display) {
   return display_bytes(tone_mapped(radiance, display), 0.0f);
+}
+
+namespace {
+
+glm::vec3 tone_mapped_pixel(const Film& film, std::size_t pixel, const DisplayTransform& display) {
+  return film.unlit.empty() ? tone_mapped(film.radiance[pixel], display)
+                            : tone_mapped(film.radiance[pixel], film.unlit[pixel], display);
+}
+
+}  // namespace
+
+glm::vec3 display_rgb(const Film& film, std::size_t pixel, const DisplayTransform& display) {
+  return display_rgb(tone_mapped_pixel(film, pixel, display), 0.0f);
+}
+
+glm::u8vec3 display_bytes(const Film& film, std::size_t pixel, const DisplayTransform& display) {
+  return display_bytes(tone_mapped_pixel(film, pixel, display), 0.0f);
 }
 
 }  // namespace asos

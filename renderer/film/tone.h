@@ -3,9 +3,12 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace asos {
+
+struct Film;
 
 /// How radiance becomes what a screen can show. `none` clips at white. `neutral` is Khronos PBR
 /// Neutral (2024): base colours come out as they are told, and what is brighter is compressed
@@ -37,6 +40,12 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
 /// fit's). With `none` it is the exposed radiance as it is. What is no number shows as black.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display);
 
+/// The same for a pixel of which unlit surfaces show the part `unlit` (FinishedTile::unlit): that
+/// part is shown as it is, without exposure or curve. The mean radiance of the lit part is mapped
+/// and weighted by its share of the pixel.
+[[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, glm::vec4 unlit,
+                                    const DisplayTransform& display);
+
 /// The same without an exposure, and clipped at white whatever the curve: the intensity that EPS
 /// and contrasts are differences of.
 [[nodiscard]] glm::dvec3 displayed_intensity(glm::dvec3 radiance, ToneCurve curve);
@@ -51,5 +60,10 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
 /// As `display_rgb` and `display_bytes` (film.h), by any curve.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display);
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, const DisplayTransform& display);
+/// The same of a pixel that may show unlit surfaces.
+[[nodiscard]] glm::vec3 display_rgb(const Film& film, std::size_t pixel,
+                                    const DisplayTransform& display);
+[[nodiscard]] glm::u8vec3 display_bytes(const Film& film, std::size_t pixel,
+                                        const DisplayTransform& display);
 
 }  // namespace asos

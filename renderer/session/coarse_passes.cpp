@@ -21,7 +21,8 @@ class Middles {
  public:
   explicit Middles(const PlannedRender& render)
       : places_(1, false),
-        sums_(*render.snapshot.scene, render.view, render.snapshot.settings, places_) {}
+        sums_(*render.snapshot.scene, render.view, render.snapshot.settings, places_),
+        world_(render.snapshot.scene->world()) {}
 
   /// Cuts blocks into squares of this side, those at the right and lower edge into what is left.
   std::span<const PixelRect> cut(std::span<const WorkPlan::Block> blocks, int side) {
@@ -50,15 +51,20 @@ class Middles {
   [[nodiscard]] glm::vec3 radiance(std::size_t i) const { return glm::vec3(sums_.sum(i).mean()); }
   /// Whether the ray through its middle met a surface.
   [[nodiscard]] bool met(std::size_t i) const { return sums_.hit(i).valid(); }
+  /// Whether it met an unlit one.
+  [[nodiscard]] bool met_unlit(std::size_t i) const {
+    return met(i) && world_.material_of(sums_.hit(i).triangle).unlit;
+  }
 
  private:
   GridPlaces places_;
   SampleSums sums_;
+  const World& world_;
   std::array<PixelRect, most_squares_in_group> squares_;
 };
 
-/// One colour, all of it covered, or nothing.
-FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered) {
+/// One colour, all of it covered, or nothing; all of it unlit, or lit.
+FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered, bool unlit) {
   FinishedTile tile;
   tile.rect = rect;
   const auto pixels = static_cast<std::size_t>(rect.width * rect.height);
@@ -66,6 +72,7 @@ FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered) 
   tile.split_level.assign(pixels, 0);
   tile.cause.assign(pixels, SplitCause::none);
   if (!covered) tile.coverage.assign(pixels, 0.0f);
+  if (unlit) tile.unlit.assign(pixels, glm::vec4(radiance, 1.0f));
   return tile;
 }
 
@@ -95,8 +102,11 @@ void CoarsePasses::work_middles(const PlannedRender& render, Pass pass, TileColl
     middles.see(squares, side);
     FinishedTile tile = tiles.blank_tile(group);
     if (clear) tile.coverage.assign(tile.radiance.size(), 0.0f);
+    if (render.unlit) tile.unlit.assign(tile.radiance.size(), glm::vec4(0.0f));
     for (std::size_t i = 0; i < squares.size(); ++i)
-      copy_pixels(flat_tile(squares[i], middles.radiance(i), !clear || middles.met(i)), tile);
+      copy_pixels(flat_tile(squares[i], middles.radiance(i), !clear || middles.met(i),
+                            render.unlit && middles.met_unlit(i)),
+                  tile);
     tiles.publish_coarse(index, pass, std::move(tile));
   }
 }

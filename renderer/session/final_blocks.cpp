@@ -43,13 +43,15 @@ FinalBlocks::Started FinalBlocks::start(const PlannedRender& render, std::size_t
   const RenderSettings& settings = render.snapshot.settings;
   const BlockJob job = job_of(render, block, stop);
   const auto first_stage = row_of(settings.method).start;
-  const bool in_stages = render.snapshot.progressive && first_stage && !shows_coverage(settings);
+  const bool in_stages =
+      render.snapshot.progressive && first_stage && !shows_coverage(settings) && !render.unlit;
   const double before = thread_seconds();
   StartedBlock done;
   if (in_stages) {
     done = first_stage(job);
   } else {
     done.result = render_block(job);
+    if (render.unlit) add_unlit(job, done.result);
   }
   Started started{block, std::move(done.rest), 0.0, thread_seconds() - before};
   if (stop.stop_requested()) return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/comparison/method.h"
 #include "renderer/geometry/view.h"
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
@@ -17,12 +18,14 @@ struct PlannedRender {
         view(snapshot.camera, snapshot.settings.width, snapshot.settings.height,
              radius_around_origin(snapshot.scene->world().bounds)),
         plan(snapshot.settings),
-        group_order(plan.spread_groups()) {}
+        group_order(plan.spread_groups()),
+        unlit(has_unlit(snapshot.scene->world())) {}
 
   Snapshot snapshot;
   View view;
   WorkPlan plan;
   std::vector<std::size_t> group_order;  ///< of rounds of samples
+  bool unlit = false;                    ///< some surface may be: tiles tell which part of pixels
 };
 
 }  // namespace asos

@@ -66,6 +66,15 @@ BlockResult SampleRounds::advance(const PlannedRender& render, std::size_t group
     take(own.covered, {job.scene, job.view, covered, rect, stop});
     set_coverage(own.covered->result(), result);
   }
+  if (render.unlit) {
+    const UnlitPasses passes(settings_);
+    take(own.unlit_share, {job.scene, job.view, passes.share, rect, stop});
+    add_unlit_share(own.unlit_share->result(), result);
+    if (needs_unlit_colour(result.tile)) {
+      take(own.unlit_colour, {job.scene, job.view, passes.colour, rect, stop});
+      add_unlit_colour(own.unlit_colour->result(), result);
+    }
+  }
   fill_in(result);
   seconds = thread_seconds() - start;
   own.seconds += seconds;

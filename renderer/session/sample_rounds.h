@@ -54,6 +54,7 @@ class SampleRounds {
     std::mutex mutex;
     std::optional<PixelSamples> pixels;
     std::optional<PixelSamples> covered;  // where the background is transparent
+    std::optional<PixelSamples> unlit_share, unlit_colour;
     double seconds = 0.0;
   };
   struct Done {

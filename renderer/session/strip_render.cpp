@@ -38,8 +38,8 @@ Result<StripsEnd> render_strips(const Snapshot& snapshot, PictureWriter& writer,
     };
     const auto rendered = render.render(std::move(part), go_on, tell);
     if (!rendered) return StripsEnd::stopped;
-    if (const auto written = writer.add_rows(rendered->film.radiance, rendered->film.coverage);
-        !written)
+    const Film& film = rendered->film;
+    if (const auto written = writer.add_rows(film.radiance, film.coverage, film.unlit); !written)
       return unexpected(written.error());
     y += strip.height;
   }

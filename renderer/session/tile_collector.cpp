@@ -18,6 +18,7 @@ FinishedTile part_of(const FinishedTile& tile, const PixelRect& rect) {
   if (!tile.seconds.empty()) part.seconds.resize(pixels);
   if (!tile.coverage.empty()) part.coverage.resize(pixels);
   if (!tile.outlook.empty()) part.outlook.resize(pixels);
+  if (!tile.unlit.empty()) part.unlit.resize(pixels);
   copy_pixels(tile, part);
   return part;
 }

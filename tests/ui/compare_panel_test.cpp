@@ -45,10 +45,10 @@ class ComparePanelTest : public PanelsTest {
     EXPECT_EQ(wrong, 0);
   }
   [[nodiscard]] glm::u8vec3 now(std::size_t i) {
-    return display_bytes(rig.previewer().render().film().radiance[i], usual_display);
+    return display_bytes(rig.previewer().render().film(), i, usual_display);
   }
   [[nodiscard]] glm::u8vec3 then(std::size_t i) {
-    return display_bytes(frames().stored[0].film.radiance[i], usual_display);
+    return display_bytes(frames().stored[0].film, i, usual_display);
   }
 };
 
@@ -107,8 +107,8 @@ TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
   EXPECT_NEAR(frames().scale_stops, -2.5f, 0.2f);
   int different = 0;
   expect_area([&](int, std::size_t i) {
-    const float d = difference_of(rig.previewer().render().film().radiance[i],
-                                  frames().stored[0].film.radiance[i], usual_display);
+    const float d =
+        difference_of(rig.previewer().render().film(), frames().stored[0].film, i, usual_display);
     different += d > 0.0f;
     return heat_colour(d / scale);
   });
@@ -139,12 +139,12 @@ TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   const Film& film = rig.previewer().render().film();
   ASSERT_NE(film.height, frames().stored[0].film.height);
   const Film sized = resampled(frames().stored[0].film, {film.width, film.height});
-  expect_area([&](int, std::size_t i) { return display_bytes(sized.radiance[i], usual_display); });
+  expect_area([&](int, std::size_t i) { return display_bytes(sized, i, usual_display); });
   EXPECT_TRUE(rig.content().controls().all().contains("Resampled"));
   rig.click("Compare/Difference");
   const float scale = std::exp2(frames().scale_stops);
   expect_area([&](int, std::size_t i) {
-    return heat_colour(difference_of(film.radiance[i], sized.radiance[i], usual_display) / scale);
+    return heat_colour(difference_of(film, sized, i, usual_display) / scale);
   });
   // Of the picture as it was at first, which nothing but the way of antialiasing tells apart.
   EXPECT_GT(frames().rmse, 0.0);

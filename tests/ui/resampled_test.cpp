@@ -59,6 +59,17 @@ TEST(Resampled, IsBlackBeyondTheSides) {
   EXPECT_EQ(resampled_area(ramp(16, 8), {6, 12}), (PixelRect{0, 0, 6, 12}));
 }
 
+TEST(Resampled, AveragesTheUnlitPart) {
+  Film film = ramp(4, 2);
+  EXPECT_TRUE(resampled(film, {2, 1}).unlit.empty());
+  film.unlit.assign(8, glm::vec4(0.0f));
+  film.unlit[film.index(0, 1)] = {0.4f, 0.2f, 0.0f, 1.0f};
+  const Film small = resampled(film, {2, 1});
+  EXPECT_NEAR(small.unlit.at(0).x, 0.1f, 1e-6f);
+  EXPECT_NEAR(small.unlit.at(0).w, 0.25f, 1e-6f);
+  EXPECT_EQ(small.unlit.at(1), glm::vec4(0.0f));
+}
+
 TEST(Resampled, NothingComesOfNothing) {
   EXPECT_TRUE(resampled(Film{}, {0, 0}).radiance.empty());
   const Film black = resampled(Film{}, {3, 2});

@@ -50,7 +50,7 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
   const RgbImage png = read_png(folder.file("scene-002.png")).value();
   ASSERT_EQ(png.rgb.size(), 3 * whole.radiance.size());
   for (std::size_t i = 0; i < whole.radiance.size(); ++i) {
-    const glm::u8vec3 shown = display_bytes(whole.radiance[i], {0.5f, test::usual_display.tone});
+    const glm::u8vec3 shown = display_bytes(whole, i, {0.5f, test::usual_display.tone});
     ASSERT_EQ(shown, glm::u8vec3(png.rgb[3 * i], png.rgb[3 * i + 1], png.rgb[3 * i + 2])) << i;
   }
   const PictureDescription said = read_description(folder.file("scene-002.png")).value();

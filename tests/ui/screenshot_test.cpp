@@ -71,7 +71,7 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   ASSERT_EQ(plain->height, film.height);
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const glm::u8vec3 got(plain->rgb[3 * i], plain->rgb[3 * i + 1], plain->rgb[3 * i + 2]);
-    ASSERT_EQ(got, display_bytes(film.radiance[i], test::usual_display)) << "pixel " << i;
+    ASSERT_EQ(got, display_bytes(film, i, test::usual_display)) << "pixel " << i;
   }
 
   rig.content().state().display = {};

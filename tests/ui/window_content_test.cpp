@@ -65,9 +65,27 @@ class WindowContentTest : public testing::Test {
 
 TEST_F(WindowContentTest, ShowsTheFilmPixelForPixel) {
   open("red");
-  expect_area([](const Film& film, std::size_t i) {
-    return display_bytes(film.radiance[i], usual_display);
-  });
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
+}
+
+// (0.8, 0.1, 0.1) as it is, whatever the curve and the exposure.
+TEST_F(WindowContentTest, ShowsUnlitSurfacesAsTheyAre) {
+  open("red");
+  DisplaySettings& display = rig.content().state().display;
+  const Film& film = rig.previewer().render().film();
+  const std::size_t centre = film.index(film.width / 2, film.height / 2);
+  const auto at = static_cast<std::size_t>(film.height / 2 * rig.size().x + film.width / 2);
+  EXPECT_EQ(film.unlit.at(centre).w, 1.0f);
+  for (const NamedTone& tone : tone_names) {
+    for (const float ev : {0.0f, 1.5f}) {
+      display.tone = tone.value;
+      display.exposure_ev = ev;
+      ASSERT_TRUE(rig.settle());
+      rig.frame();
+      EXPECT_EQ(rig.pixels()[at], display_bytes(glm::vec3(0.8f, 0.1f, 0.1f), 0.0f)) << tone.name;
+    }
+  }
 }
 
 TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
@@ -78,7 +96,7 @@ TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
   rig.frame();
   EXPECT_NE(rig.pixels(), before);
   expect_area([](const Film& film, std::size_t i) {
-    return display_bytes(film.radiance[i], {-1.5f, usual_display.tone});
+    return display_bytes(film, i, {-1.5f, usual_display.tone});
   });
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
@@ -126,7 +144,8 @@ TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   expect_area([](const Film& shown, std::size_t i) {
     const auto width = static_cast<std::size_t>(shown.width);
     const float square = (i % width / 8 + i / width / 8) % 2 == 0 ? 0.4f : 0.25f;
-    return display_bytes(shown.radiance[i] + (1.0f - shown.coverage[i]) * square, usual_display);
+    const glm::vec3 before = shown.radiance[i] + (1.0f - shown.coverage[i]) * square;
+    return display_bytes(tone_mapped(before, shown.unlit[i], usual_display), 0.0f);
   });
 }
 
@@ -146,7 +165,7 @@ TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
       const std::vector<glm::u8vec3> pixels = rig.pixels();
       for (const glm::ivec2 at : {glm::ivec2(5, 5), glm::ivec2(film.width, film.height) / 2})
         EXPECT_EQ(pixels[static_cast<std::size_t>(at.y * rig.size().x + at.x)],
-                  display_bytes(film.radiance[film.index(at.x, at.y)], display.transform()))
+                  display_bytes(film, film.index(at.x, at.y), display.transform()))
             << tone.name << " " << ev;
     }
   }
@@ -210,7 +229,7 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
         ASSERT_EQ(got, glm::vec3(split_colour(film.split_level[i], max_level))) << x << ' ' << y;
       } else {
         // Blending rounds its share and its result to bytes.
-        const glm::vec3 want = 0.75f * glm::vec3(display_bytes(film.radiance[i], usual_display));
+        const glm::vec3 want = 0.75f * glm::vec3(display_bytes(film, i, usual_display));
         ASSERT_LE(glm::length(want - got), 2.0f) << x << ' ' << y;
       }
     }
@@ -236,7 +255,7 @@ TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
           view.picture_from_area({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
       const std::size_t i = film.index(static_cast<int>(at.x), static_cast<int>(at.y));
       ASSERT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
-                display_bytes(film.radiance[i], usual_display))
+                display_bytes(film, i, usual_display))
           << x << ' ' << y;
     }
   }
@@ -250,9 +269,8 @@ TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
   rig.resize({640, 400});
   ASSERT_TRUE(rig.settle());
   EXPECT_EQ(rig.previewer().render().restarts(), 1u);
-  expect_area([](const Film& film, std::size_t i) {
-    return display_bytes(film.radiance[i], usual_display);
-  });
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
 }
 
 TEST_F(WindowContentTest, TinyWindowsAreDrawn) {
@@ -266,9 +284,8 @@ TEST_F(WindowContentTest, TinyWindowsAreDrawn) {
   }
   rig.resize({700, 420});
   ASSERT_TRUE(rig.settle());
-  expect_area([](const Film& film, std::size_t i) {
-    return display_bytes(film.radiance[i], usual_display);
-  });
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
 }
 
 TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
@@ -276,9 +293,8 @@ TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
   rig.resize({900, 500});
   ASSERT_TRUE(rig.settle());
   EXPECT_EQ(rig.previewer().render().restarts(), 2u);
-  expect_area([](const Film& film, std::size_t i) {
-    return display_bytes(film.radiance[i], usual_display);
-  });
+  expect_area(
+      [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
 }
 
 TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
@@ -361,7 +377,7 @@ TEST(WindowContentReplace, AnotherSceneWhileOneLoads) {
   EXPECT_EQ(rig.previewer().scene()->geometry->source, "fast");
   const PixelRect area = rig.content().picture_rect();
   const auto middle = static_cast<std::size_t>(area.height / 2 * 640 + area.width / 2);
-  EXPECT_EQ(rig.pixels()[middle], display_bytes({0, 1, 0}, usual_display));
+  EXPECT_EQ(rig.pixels()[middle], glm::u8vec3(0, 255, 0)) << "unlit, as it is";
 }
 
 }  // namespace

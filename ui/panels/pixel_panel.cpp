@@ -40,7 +40,7 @@ void values(Controls& controls, const Film& film, const Frames& frames,
             const DisplaySettings& display, glm::ivec2 pixel) {
   const std::size_t i = film.index(pixel.x, pixel.y);
   const glm::vec3 radiance = film.radiance[i];
-  const glm::u8vec3 bytes = display_bytes(radiance, display.transform());
+  const glm::u8vec3 bytes = display_bytes(film, i, display.transform());
   controls.row("Linear", colour_words(radiance),
                "Linear red, green and blue; 1 is white at exposure 0.");
   controls.row("8-bit", fmt::format("{} {} {}", bytes.x, bytes.y, bytes.z),

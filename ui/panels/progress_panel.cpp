@@ -44,7 +44,7 @@ std::string value_words(float value) {
 std::string pixel_words(const Film& film, glm::ivec2 pixel, const DisplayTransform& display) {
   const std::size_t i = film.index(pixel.x, pixel.y);
   const glm::vec3 c = film.radiance[i];
-  const glm::u8vec3 shown = display_bytes(c, display);
+  const glm::u8vec3 shown = display_bytes(film, i, display);
   std::string text =
       fmt::format("{}, {}   {} {} {}   {:3} {:3} {:3}", pixel.x, pixel.y, value_words(c.x),
                   value_words(c.y), value_words(c.z), shown.x, shown.y, shown.z);

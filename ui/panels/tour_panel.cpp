@@ -62,7 +62,7 @@ void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
     for (int x = 0; x < columns; ++x) {
       const glm::ivec2 at = first + glm::ivec2(x, y);
       if (at.x < 0 || at.y < 0 || at.x >= film.width || at.y >= film.height) continue;
-      const glm::u8vec3 c = display_bytes(film.radiance[film.index(at.x, at.y)], display);
+      const glm::u8vec3 c = display_bytes(film, film.index(at.x, at.y), display);
       draw.AddRectFilled(lo({x, y}), lo({x + 1, y + 1}), IM_COL32(c.x, c.y, c.z, 255));
     }
   }

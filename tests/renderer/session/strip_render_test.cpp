@@ -1,5 +1,7 @@
 #include "renderer/session/strip_render.h"
 
+#include "renderer/session/film_render.h"
+#include "renderer/session/render_session.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -14,10 +16,11 @@ namespace {
 /// Keeps the rows.
 class RowsInMemory : public PictureWriter {
  public:
-  Result<void> add_rows(std::span<const glm::vec3> radiance,
-                        std::span<const float> coverage) override {
+  Result<void> add_rows(std::span<const glm::vec3> radiance, std::span<const float> coverage,
+                        std::span<const glm::vec4> unlit) override {
     if (fails) return unexpected(Error{"memory", "is full"});
     covered.insert(covered.end(), coverage.begin(), coverage.end());
+    unlit_parts.insert(unlit_parts.end(), unlit.begin(), unlit.end());
     rows.insert(rows.end(), radiance.begin(), radiance.end());
     largest = std::max(largest, radiance.size());
     return {};
@@ -26,6 +29,7 @@ class RowsInMemory : public PictureWriter {
 
   std::vector<glm::vec3> rows;
   std::vector<float> covered;
+  std::vector<glm::vec4> unlit_parts;
   std::size_t largest = 0;
   bool fails = false;
 };
@@ -58,6 +62,34 @@ TEST(StripRender, GivesThePictureOfOnePieceBitForBit) {
       EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
       EXPECT_EQ(shares.back(), 1.0);
     }
+  }
+}
+
+// In stages or rounds as in one piece.
+TEST(StripRender, TellsTheUnlitPartOfPixels) {
+  for (const Method method : {Method::asos, Method::sobol}) {
+    Snapshot snapshot = still_life_of(method);
+    World world = test::still_life().world;
+    world.materials[world.parts.front().material].unlit = true;
+    snapshot.scene = test::make_render_scene(std::move(world), test::still_life().lights);
+    snapshot.settings.sampling.spp = 16;
+    RowsInMemory writer;
+    ASSERT_TRUE(render_strips(snapshot, writer, {}));
+    const std::vector<glm::vec4> unlit = render_to_end(snapshot).film.unlit;
+    EXPECT_TRUE(writer.unlit_parts == unlit);
+    const auto share = [&](float least, float most) {
+      return std::count_if(unlit.begin(), unlit.end(),
+                           [&](glm::vec4 part) { return part.w >= least && part.w <= most; });
+    };
+    EXPECT_GT(share(1.0f, 1.0f), 100) << "it fills pixels";
+    EXPECT_GT(share(0.01f, 0.99f), 10) << "it shares pixels";
+    EXPECT_GT(share(0.0f, 0.0f), 100) << "lit surfaces fill pixels";
+    RenderSession session;  // as a window does, with coarse passes first
+    session.restart(snapshot);
+    session.wait();
+    Film shown(83, 131);
+    for (const FinishedTile& tile : session.take_finished()) shown.put(tile);
+    EXPECT_TRUE(shown.unlit == unlit);
   }
 }
 
