@@ -40,9 +40,9 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
 /// fit's). With `none` it is the exposed radiance as it is. What is no number shows as black.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display);
 
-/// The same for a pixel of which unlit surfaces show the part `unlit` (FinishedTile::unlit): that
-/// part is shown as it is, without exposure or curve. The mean radiance of the lit part is mapped
-/// and weighted by its share of the pixel.
+/// The same for a pixel with the unlit part `unlit` (FinishedTile::unlit). Exposure and curve leave
+/// that part as it is. They map the mean radiance of the lit part, weighted by its share of the
+/// pixel.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, glm::vec4 unlit,
                                     const DisplayTransform& display);
 

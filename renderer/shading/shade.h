@@ -135,8 +135,8 @@ class Shader {
     glm::vec3 radiance{0.0f};
     glm::vec3 behind{0.0f};
   };
-  /// What an unlit layer sends along a ray, as far as it is opaque; where pixels hold the share of
-  /// unlit surfaces, 1.
+  /// The colour of an unlit layer where it is opaque; 1 where pixels hold the share of unlit
+  /// surfaces.
   [[nodiscard]] glm::vec3 unlit_colour(const SurfaceMaterial& material) const;
   [[nodiscard]] Layers look_along(const ViewedRay& seen, const SampleExtent& extent,
                                   LightTransport& transport, RenderStatistics& counts) const;

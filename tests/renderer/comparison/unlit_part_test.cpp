@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-// What unlit surfaces show of pixels, which they share with lit ones.
+// The part of pixels that shows unlit surfaces, beside lit ones.
 
 namespace asos {
 namespace {
@@ -80,7 +80,7 @@ TEST(UnlitPart, SamplersCountItInTheSamplesOfThePicture) {
   }
 }
 
-// Each pass stops by what it sees, so the passes differ by what each may be off.
+// Each pass stops at its own EPS, so their sample counts differ.
 TEST(UnlitPart, AdaptiveMethodsFindItWithinTheirError) {
   RenderSettings settings = test::settings_for(Method::sobol_adaptive);
   settings.asos.eps = 1.0 / 256.0;

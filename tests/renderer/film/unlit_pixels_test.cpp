@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-// How pixels are shown of which unlit surfaces are a part.
+// Display of pixels that show unlit surfaces in part.
 
 namespace asos {
 namespace {
