@@ -97,7 +97,7 @@ void add_unlit_share(const BlockResult& share, BlockResult& result);
 /// Adds the colour that the second pass found.
 void add_unlit_colour(const BlockResult& colour, BlockResult& result);
 /// Renders these passes, and adds both, to what `render_block` rendered. Nothing is added where the
-/// block shows no unlit surface.
+/// block shows no unlit surface. Statistics stay those of the pass with light.
 void add_unlit(const BlockJob& job, BlockResult& result);
 /// Fills in causes and rays that a method left out.
 void fill_in(BlockResult& result);

@@ -34,7 +34,6 @@ bool has_unlit(const World& world) {
 
 void add_unlit_share(const BlockResult& share, BlockResult& result) {
   FinishedTile& tile = result.tile;
-  result.statistics.eye_rays += share.statistics.eye_rays;
   tile.unlit.clear();
   const auto& found = share.tile.radiance;
   const auto none = [](glm::vec3 s) { return s == glm::vec3(0.0f); };
@@ -55,7 +54,6 @@ bool needs_unlit_colour(const FinishedTile& tile) {
 
 void add_unlit_colour(const BlockResult& colour, BlockResult& result) {
   FinishedTile& tile = result.tile;
-  result.statistics.eye_rays += colour.statistics.eye_rays;
   if (colour.tile.radiance.size() != tile.unlit.size()) return;
   for (std::size_t i = 0; i < tile.unlit.size(); ++i)
     if (tile.unlit[i].w < 1.0f) tile.unlit[i] = glm::vec4(colour.tile.radiance[i], tile.unlit[i].w);
