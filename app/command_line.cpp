@@ -22,7 +22,7 @@ constexpr const char* program_footer =
     "\n"
     "Examples:\n"
     "  asos                                     open the built-in office in a window\n"
-    "  asos model.glb --max 4                   open a model with up to four splits per pixel\n"
+    "  asos model.glb --max 2                   open a model, with cells of 1/4 pixel or more\n"
     "  asos render builtin:house -o house.png   render to a file\n"
     "  asos info model.glb                      list contents and problems of a file\n"
     "\n"

@@ -51,7 +51,7 @@ std::string processor_words(double seconds) {
 }
 
 std::string pass_words(const Reached& reached) {
-  if (reached.final_share > 0.0)
+  if (reached.final_share >= 0.01)
     return fmt::format("{} % of pixels final", static_cast<int>(100.0 * reached.final_share));
   if (reached.pass != Reached::Pass::samples) return "";
   return fmt::format("{} {} per pixel", reached.samples,
