@@ -283,7 +283,7 @@ void LeafShader::finish() {
   add(lobes_.run(), false);
 }
 
-// The first stage of the deferred regions. Those that are within their goals are added.
+// Runs the first stage of the deferred regions, and adds the regions that meet their goals.
 void LeafShader::start_regions() {
   if (deferred_.empty() || eye_->stop.stop_requested()) return;
   const std::uint64_t before = eye_->counts->rays();

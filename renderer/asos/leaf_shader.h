@@ -42,7 +42,7 @@ class LeafShader {
   bool add_samples(const PyrayLeaf& leaf, std::uint32_t fewest = 1);
   /// Determines what was put off. Sums are complete after it but for open regions.
   void finish();
-  /// Those that `finish` left to be sampled on; none is left then.
+  /// Takes the regions that `finish` left open.
   [[nodiscard]] OpenRegions take_open() { return std::exchange(open_, {}); }
 
   /// The radiance of a leaf of the observed root.

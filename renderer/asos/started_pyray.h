@@ -26,7 +26,7 @@ struct StartedPyray {
   OpenRegions open;
   RenderStatistics statistics;
 
-  /// The pixels as far as they are known, open regions by their samples so far.
+  /// The current estimate of the pixels. Open regions use their samples so far.
   [[nodiscard]] BlockResult result(int max_level) const;
   /// Squared errors of display intensity that open regions are likely to have, summed over pixels,
   /// and the samples that they have.

@@ -26,7 +26,7 @@ struct FinishedTile {
   /// The share of each pixel that surfaces cover, 0 to 1: where the background is transparent, and
   /// `radiance` is theirs alone. Empty: all is covered.
   std::vector<float> coverage;
-  /// Of ASOS: how deep each pixel would be split by another EPS and MAX. Empty: not known.
+  /// Predicts the level of each pixel under another EPS and MAX. ASOS only; empty: not known.
   std::vector<SplitOutlook> outlook;
   /// What unlit surfaces that the eye sees add to each pixel, in xyz, which `radiance` contains;
   /// and the share of the pixel that they cover, 0 to 1, in w. They are shown as they are: see

@@ -54,7 +54,7 @@ class RegionSampler {
   /// goals' errors. Then `take_open` has those that are not within their goals, which `resume` goes
   /// on with. The same bits by any sampler that was made alike.
   std::span<const Estimate> start(RenderStatistics& counts, double times);
-  /// Whether a region was left open by `start`, by its number.
+  /// Whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
   /// Regions that were left open, in their order, with their samples so far.
   class Open;

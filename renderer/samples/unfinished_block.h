@@ -8,7 +8,7 @@
 
 namespace asos {
 
-/// What a method keeps of a block that it stopped in the middle of, to go on from there.
+/// A block that its method has started and can continue.
 class UnfinishedBlock {
  public:
   UnfinishedBlock() = default;

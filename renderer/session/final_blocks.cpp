@@ -86,14 +86,15 @@ bool FinalBlocks::work_trial(const PlannedRender& render, double enough, TileCol
                              RunClock& clock, const std::stop_token& stop) {
   bool finished_picture = false;
   while (clock.wait_while_paused(stop)) {
-    std::size_t index = 0;
+    std::size_t index = 0, block = 0;
     {
       const std::lock_guard lock(mutex_);
       if (handed_out_ == 0) enough_ = enough;
-      if (trial_is_over() || handed_out_ == trial_) break;
+      if (ordered_ || trial_is_over() || handed_out_ == trial_) break;
       index = handed_out_++;
+      block = order_[index];
     }
-    Started tried = start(render, order_[index], false, tiles, clock, stop, finished_picture);
+    Started tried = start(render, block, false, tiles, clock, stop, finished_picture);
     if (tried.rest) finished_picture |= finish(render, tried, tiles, clock, stop);
     if (stop.stop_requested()) return false;
     {

@@ -44,7 +44,7 @@ FinishedTile TileCollector::blank_tile(const BlockGroup& group) const {
   return tile;
 }
 
-// Of a tile that may reach beyond the crop.
+// Cuts off the part of a tile that lies outside the crop.
 FinishedTile TileCollector::visible_part(FinishedTile&& tile) const {
   const PixelRect seen = intersection(tile.rect, plan_->visible);
   return seen == tile.rect ? std::move(tile) : part_of(tile, seen);

@@ -21,7 +21,7 @@ enum class Pass : int {
   first_samples,
   final_pixels = first_samples + 32
 };
-/// Of the round after which there are so many samples a pixel.
+/// The pass of the round that ends with `samples` samples per pixel.
 [[nodiscard]] constexpr Pass pass_of_samples(int samples) {
   const int doublings = std::bit_width(static_cast<unsigned>(samples)) - 1;
   return static_cast<Pass>(static_cast<int>(Pass::first_samples) + doublings);

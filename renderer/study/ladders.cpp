@@ -32,7 +32,7 @@ Rungs levels(const std::string& method, const RenderSettings& base, double eps) 
   return rungs;
 }
 
-/// By EPS at the default MAX, as users turn it.
+/// EPS from 1/8 to 1/2048 at the default MAX.
 Rungs asos_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   const int max_level = AsosSettings{}.max_level;

@@ -75,7 +75,6 @@ TEST(StartedBlock, FinishesWithTheBitsOfADirectRender) {
   }
 }
 
-// What it takes has to be known: few more rays than those of the first stage would not be worth it.
 TEST(StartedBlock, TheFirstStageIsCloseAndTakesAPartOfTheRays) {
   const Staged staged("dense");
   double off = 0.0;

@@ -19,7 +19,7 @@ TEST(PixelSamples, DoubleUntilThereAreEnough) {
   EXPECT_EQ(PixelSamples::after_round(8, 9), 9);
 }
 
-// Rounds of it one by one, by objects of their own, are what a block takes at once.
+// Single rounds give the same pixels as a block that takes all samples at once.
 TEST(PixelSamples, RoundsEndAsABlockDoes) {
   const auto scene = *prepare(*builtin_scene("boxes"));
   RenderSettings settings;

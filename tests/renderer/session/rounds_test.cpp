@@ -244,7 +244,14 @@ TEST(FinalBlocks, ATrialTellsTheTimeOfAll) {
     clock.begin_forecast();
     (void)blocks.work_trial(render, enough, tiles, clock, {});
     EXPECT_TRUE(blocks.wait_for_trial({}));
-    return std::pair(blocks.expected_seconds(), tiles.take_finished().size());
+    const std::vector<FinishedTile> tried = tiles.take_finished();
+    double seconds = 0.0;
+    for (const FinishedTile& tile : tried)
+      for (const float of_pixel : tile.seconds) seconds += static_cast<double>(of_pixel);
+    const auto count = static_cast<double>(tried.size());
+    const double all = seconds / count * static_cast<double>(render.plan.blocks.size());
+    EXPECT_NEAR(blocks.expected_seconds(), all, 1e-3 * all);
+    return std::pair(blocks.expected_seconds(), tried.size());
   };
   const auto [all_told, all_tried] = expected(1e9);
   const auto [first_told, first_tried] = expected(1e-9);
