@@ -3,7 +3,7 @@
 #include "renderer/asos/eye_caster.h"
 #include "renderer/asos/started_pyray.h"
 #include "renderer/prepared/plane_section.h"
-#include "renderer/pyray/detection.h"
+#include "renderer/published/published_modes.h"
 #include "renderer/pyray/tracer.h"
 
 #include <algorithm>
@@ -18,17 +18,17 @@ namespace {
 
 // How many pixels of frame a block needs around it: what the filters of its outermost pixels, and
 // their cones, reach beyond it; cones more the farther from the picture's middle they are.
-int border_of(const View& view, PixelRect block, const RenderSettings& settings) {
+int border_of(const View& view, PixelRect block, const RenderSettings& settings,
+              const SubdivisionVariant* variant) {
   const int fat = settings.asos.fat;
   FatPyray pyray{view.frame(block.x, block.y, fat, fat), fat};
   pyray.width = settings.filter_width;
   double beyond = 0.5 * (settings.filter_width - 1.0);  // in pixels
-  if (settings.asos.detect == Detection::cone) {
-    const Detector detector(pyray.frame, settings.asos.detect);
+  if (const auto detection = variant ? variant->detection(pyray.frame) : nullptr) {
     const double side = 1.0 / fat;
     for (const int x : {0, fat - 1}) {
       for (const int y : {0, fat - 1}) {
-        const auto reach = static_cast<double>(detector.reach(pyray.square_of(x, y, 1)).side);
+        const auto reach = static_cast<double>(detection->reach(pyray.square_of(x, y, 1)).side);
         beyond = std::max(beyond, 0.5 * (reach / side - 1.0));
       }
     }
@@ -92,7 +92,8 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   started.block = job.block;
 
   // Frame the block, with what filters and cones reach beyond it.
-  const int border = border_of(job.view, job.block, settings);
+  const PublishedModes published(settings);
+  const int border = border_of(job.view, job.block, settings, published.variant().pixels);
   const int side = settings.asos.fat + 2 * border;
   started.framed = {job.block.x - border, job.block.y - border, side, side};
   FatPyray fat = fat_pyray(job.view, job.block, started.framed, settings);
@@ -104,6 +105,7 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   const CameraEye camera(job, allowance);
   EyeContext eye{&job.scene, &settings, camera.viewer, &fat.frame, started.framed};
   eye.allowance = allowance;
+  eye.variant = published.variant();
   eye.seed = settings.seed;
   eye.work = &work.eye;
   eye.stop = job.stop;
@@ -117,9 +119,9 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
 
   // Trace: find boundaries, split, shade the leaves.
   EyeCaster caster(eye, static_cast<std::size_t>(fat.side * fat.side));
-  const std::span<const Trace> traces =
-      work.tracer.trace(job.scene.features(), fat, SubdivisionRules::of(settings), caster,
-                        eye.observed_root, watch ? &watch->observer.pixel : nullptr);
+  const std::span<const Trace> traces = work.tracer.trace(
+      job.scene.features(), fat, SubdivisionRules::of(settings, published.variant().pixels), caster,
+      eye.observed_root, watch ? &watch->observer.pixel : nullptr);
 
   // Middles beyond the picture's border were traced with the others and do not count.
   started.statistics.eye_rays -=

@@ -39,11 +39,10 @@ bool some_cast_shadows(const EyeContext& eye) {
 }
 
 ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchView& view,
-                         ShadowGroups& groups, const AreaShadows* published) {
-  const RenderSettings& settings = *eye.settings;
+                         ShadowGroups& groups) {
   ShadowContext shadows;
   shadows.scene = &scene;
-  shadows.rules = {published, eye.allowance, settings.asos.leaf == LeafKind::exact,
+  shadows.rules = {eye.variant.area_shadows, eye.allowance, eye.variant.shadow_pyrays,
                    eye.scene->needs.varying_opacity && eye.scene->features().opacity_unbounded()};
   shadows.lights = eye.viewer.shader.lights().size();
   shadows.frame = eye.frame;
@@ -62,10 +61,7 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       samples_(eye_),
       shadow_scene_{eye.scene->world(), eye.scene->features(), eye.scene->rays()},
       groups_(shadow_scene_),
-      published_(eye.settings->shadow.quality, eye.settings->shadow.divisions),
-      shadows_(shadows_of(
-          eye_, shadow_scene_, samples_, groups_,
-          eye.settings->shadow.quality == ShadowQuality::refined ? nullptr : &published_)),
+      shadows_(shadows_of(eye_, shadow_scene_, samples_, groups_)),
       weak_lights_(eye_, samples_),
       chooser_(eye_, samples_, weak_lights_, shadows_),
       sums_(roots),

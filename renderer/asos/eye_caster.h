@@ -7,7 +7,6 @@
 #include "renderer/asos/leaf_shader.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/weak_lights.h"
-#include "renderer/published/published_shadows.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/prices.h"
 
@@ -76,7 +75,6 @@ class EyeCaster final : public Caster {
   EyeSamples samples_;
   ShadowScene shadow_scene_;
   ShadowGroups groups_;
-  PublishedShadows published_;
   ShadowContext shadows_;
   WeakLights weak_lights_;
   LeafChooser chooser_;

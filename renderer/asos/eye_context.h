@@ -6,6 +6,7 @@
 #include "renderer/pyray/allowance.h"
 #include "renderer/pyray/observer.h"
 #include "renderer/reflections/mirrored_mask.h"
+#include "renderer/shadows/engine_variant.h"
 
 #include <cmath>
 #include <cstdint>
@@ -22,9 +23,10 @@ struct EyeContext {
   const RenderScene* scene = nullptr;
   const RenderSettings* settings = nullptr;
   Viewer viewer;
-  const Frame* frame = nullptr;        ///< (u, v) runs from 0 to 1 across the block
-  PixelRect block;                     ///< square
-  Allowance allowance{};               ///< of a root
+  const Frame* frame = nullptr;  ///< (u, v) runs from 0 to 1 across the block
+  PixelRect block;               ///< square
+  Allowance allowance{};         ///< of a root
+  EngineVariant variant{};
   int seed = 0;                        ///< of sampled parts
   const MirroredMask* mask = nullptr;  ///< how much the parts of the square count; null: their area
   EyeWorkspace* work = nullptr;

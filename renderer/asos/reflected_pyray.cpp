@@ -177,7 +177,7 @@ bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafConte
   pyray.bounds.beyond_first = 2.0 * sight.surface.clearance;
   pyray.outline = outline;
   pyray.seed = leaf.seed;
-  SubdivisionRules rules = SubdivisionRules::of(*eye.settings);
+  SubdivisionRules rules = SubdivisionRules::of(*eye.settings, eye.variant.pixels);
   rules.allowance = eye.allowance;
   TracedPyray own;
   const bool observed = eye.observed.observer != nullptr;
@@ -223,6 +223,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
   mirrored_eye.allowance = reflected_allowance(
       eye, reflection, leaf, brightest_in(sight->pyray.picture, reflection, eye.viewer.shader));
+  mirrored_eye.variant = eye.variant;
   mirrored_eye.seed = static_cast<int>(leaf.seed >> 33);
   mirrored_eye.mask = &mask;
   mirrored_eye.work = eye.work;

@@ -22,7 +22,7 @@ std::vector<std::uint8_t> pixels_with_boundaries(const RenderScene& scene, const
   };
   // Many boundaries in one pixel need not be resolved.
   BoundarySearch search;
-  search.start(scene.features(), fat.frame, Detection::square, fat.square_of(0, 0, 1).side, {});
+  search.start(scene.features(), fat.frame, nullptr, fat.square_of(0, 0, 1).side, {});
   FatSearch bounds;
   bounds.run(search, fat, cover);
   std::vector<std::uint8_t> bounded(centres.size(), 0);

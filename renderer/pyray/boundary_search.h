@@ -1,12 +1,13 @@
 #pragma once
 
 #include "renderer/pyray/boundary_kinds.h"
-#include "renderer/pyray/detection.h"
 #include "renderer/pyray/hit_list.h"
+#include "renderer/pyray/subdivision_variant.h"
 #include "renderer/settings/settings.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,10 +21,10 @@ class BoundarySearch {
   using List = HitLists::List;
 
   /// As HitLists::reset.
-  void start(const FeatureSet& features, const Frame& frame, Detection detection, float finest_side,
-             const SearchBounds& bounds) {
+  void start(const FeatureSet& features, const Frame& frame, const SubdivisionVariant* variant,
+             float finest_side, const SearchBounds& bounds) {
     lists_.reset(features, frame, finest_side, bounds);
-    detector_.emplace(frame, detection);
+    detection_ = variant ? variant->detection(frame) : nullptr;
   }
 
   /// How far the detection reaches around a cell, and what a cover hides there.
@@ -32,7 +33,7 @@ class BoundarySearch {
     HidingPlane hiding;
   };
   [[nodiscard]] Sight sight(const Square& cell, const Cover& cover) const {
-    const Square reach = detector_->reach(cell);
+    const Square reach = detection_ ? detection_->reach(cell) : cell;
     return {reach, HidingPlane::of(cover, lists_.frame(), reach.side)};
   }
 
@@ -40,8 +41,9 @@ class BoundarySearch {
   void refine(const Square& cell, const Sight& sight, std::span<const std::uint32_t> parent,
               List& list, bool seen) {
     lists_.refine(sight.reach, sight.hiding, parent, list, seen);
+    if (!detection_) return;
     std::erase_if(list, [&](std::uint32_t i) {
-      return lists_.entry(i).is_segment() && !detector_->near(lists_.segment(i), cell);
+      return lists_.entry(i).is_segment() && !detection_->near(lists_.segment(i), cell);
     });
   }
 
@@ -82,7 +84,7 @@ class BoundarySearch {
 
  private:
   HitLists lists_;
-  std::optional<Detector> detector_;
+  std::unique_ptr<const DetectionTest> detection_;  // null: a cell reaches no farther than itself
 };
 
 }  // namespace asos

@@ -43,7 +43,7 @@ void CellResolver::resolve(CellLevel& level, SubdivisionState& state) {
 void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
   const Cell& cell = level_->cells[cell_index];
   const std::span list = level_->list(cell);
-  const bool exact = state_->rules.exact_leaves;
+  const bool exact = state_->rules.cuts_cells();
   const glm::vec2 middle = middle_of(cell.square);
   const bool has_middle = cell.middle != no_sample;
   std::size_t boundaries = 0;

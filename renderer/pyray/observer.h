@@ -2,7 +2,7 @@
 
 #include "renderer/features/feature_edge.h"
 #include "renderer/pyray/caster.h"
-#include "renderer/pyray/stopping.h"
+#include "renderer/pyray/level_tally.h"
 
 #include <glm/glm.hpp>
 

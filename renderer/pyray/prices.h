@@ -5,15 +5,14 @@ namespace asos {
 /// Measured costs of the ways to determine a leaf, each with the benchmark that sets it. Samples or
 /// rays replace an estimator that costs more (Allowance::samples_suffice, choose).
 ///
-/// | price | quartiles, or its effect | benchmark |
-/// |---|---|---|
-/// | light_window | 4 to 20 rays, mean 8 to 46 over nine scenes | prices |
-/// | patch | 25 to 70 rays, mean 50 to 150 | prices |
-/// | search | 2 to 8 rays, by the time of primitives and house | every-scene |
-/// | penumbra_test | 0.2 to 1.8 rays; at 5 office takes a fifth longer at equal error | every-scene
-/// | | exact_leaf | MAX 1 takes as long as 16 Sobol samples | every-scene | | leaf | at 8 the same
-/// errors and times | every-scene | | soft_shadow | at 0 leaves before three panels take twice as
-/// long | every-scene | | part | at 20 trees and roofs have a tenth more error | every-scene |
+/// - light_window: quartiles 4 and 20 rays, mean 8 to 46 over nine scenes (bench prices)
+/// - patch: quartiles 25 and 70 rays, mean 50 to 150 (bench prices)
+/// - search: 2 to 8 rays, from the time of primitives and house (bench every-scene)
+/// - penumbra_test: 0.2 to 1.8 rays; at 5, office takes a fifth longer (bench every-scene)
+/// - exact_leaf: MAX 1 takes as long as 16 Sobol samples (bench every-scene)
+/// - leaf: at 8, the same errors and times (bench every-scene)
+/// - soft_shadow: at 0, leaves before three panels take twice as long (bench every-scene)
+/// - part: at 20, trees and roofs have a tenth more error (bench every-scene)
 struct Prices {
   // In shadow rays of a small packet.
   static constexpr double light_window = 20.0;   ///< a light cut along its occluders

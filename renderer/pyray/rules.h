@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/pyray/allowance.h"
-#include "renderer/settings/choices.h"
+#include "renderer/pyray/subdivision_variant.h"
 
 #include <cstddef>
 #include <limits>
@@ -24,10 +24,8 @@ struct CutLimits {
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).
 struct SubdivisionRules {
   Allowance allowance;
-  StoppingRule rule = StoppingRule::unresolved;
-  Detection detection = Detection::square;
-  bool exact_leaves = true;  ///< cut cells along their boundaries; false: point leaves
-  bool jitter = false;       ///< jitter the samples of cells that stay marginal at MAX
+  const SubdivisionVariant* variant = nullptr;  ///< null: the engine's own way
+  bool jitter = false;  ///< jitter the samples of cells that stay marginal at MAX
   CutLimits limits;
   /// Boundaries are drawn at least as finely as for a MAX of this, so that they can be cut along.
   int finest_detail = 0;
@@ -35,15 +33,20 @@ struct SubdivisionRules {
   std::size_t most_entries = std::numeric_limits<std::size_t>::max();
 
   /// As the settings ask for pixels to be subdivided.
-  [[nodiscard]] static SubdivisionRules of(const RenderSettings& settings) {
+  [[nodiscard]] static SubdivisionRules of(const RenderSettings& settings,
+                                           const SubdivisionVariant* variant) {
     SubdivisionRules rules;
     rules.allowance = Allowance::of(settings);
-    rules.rule = settings.asos.rule;
-    rules.detection = settings.asos.detect;
-    rules.exact_leaves = settings.asos.leaf == LeafKind::exact;
+    rules.variant = variant;
     rules.jitter = settings.asos.jitter;
     return rules;
   }
+  /// Whether a root ends with the marginal cells that a level left.
+  [[nodiscard]] bool ends(const LevelTally& tally) const {
+    return variant ? variant->ends(tally, allowance.eps) : tally.unresolved_area() <= allowance.eps;
+  }
+  /// Whether cells are cut along their boundaries.
+  [[nodiscard]] bool cuts_cells() const { return !variant || variant->cuts_cells(); }
   /// Boundaries smaller than this are never resolved for their size, in a root of side 1.
   [[nodiscard]] float finest_side() const {
     return std::ldexp(1.0f, -std::max(allowance.max_level, finest_detail));

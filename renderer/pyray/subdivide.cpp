@@ -63,7 +63,7 @@ void Subdivider::stop_roots(CellLevel& level) {
     const std::span cells = std::span(level.cells).subspan(i, end - i);
     i = end;
     tally(level, cells);
-    const bool holds = tally_.holds(state_.rules.rule, state_.rules.allowance.eps);
+    const bool holds = state_.rules.ends(tally_);
     const bool at_limit = level.number >= state_.rules.allowance.max_level;
     SubdivisionOutcome& o = state_.outcome(cells.front());
     o.at_limit |= at_limit && tally_.marginal > 0 && !holds;
@@ -77,12 +77,12 @@ void Subdivider::stop_roots(CellLevel& level) {
   finish_marginal(level);
 }
 
-// Counts the marginal cells of one root. The objects that they are marginal to matter to the
-// published rule and to observers only.
+// Counts the marginal cells of one root. The objects that they are marginal to matter to variants
+// and to observers only.
 void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
   tally_.start(level.number);
   // Without them count the cells alone.
-  if (state_.rules.rule == StoppingRule::unresolved && !state_.root(cells.front()).traced) {
+  if (!state_.rules.variant && !state_.root(cells.front()).traced) {
     tally_.marginal = static_cast<std::uint32_t>(std::count_if(
         cells.begin(), cells.end(), [](const Cell& cell) { return !cell.is_uneven(); }));
     return;

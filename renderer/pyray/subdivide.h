@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/pyray/cell_resolver.h"
-#include "renderer/pyray/stopping.h"
+#include "renderer/pyray/level_tally.h"
 #include "renderer/pyray/subdivision_state.h"
 
 #include <cstdint>

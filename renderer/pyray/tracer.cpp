@@ -82,7 +82,7 @@ std::span<const Trace> Tracer::trace(const FeatureSet& features, const FatPyray&
 std::optional<std::span<const Segment>> Tracer::boundaries(const FeatureSet& features,
                                                            const Pyray& pyray, float finest_side,
                                                            std::size_t most) {
-  search_.start(features, pyray.frame, Detection::square, finest_side, pyray.bounds);
+  search_.start(features, pyray.frame, nullptr, finest_side, pyray.bounds);
   HitLists& lists = search_.lists();
   scratch_.clear();
   segments_.clear();
@@ -94,7 +94,7 @@ std::optional<std::span<const Segment>> Tracer::boundaries(const FeatureSet& fea
 
 void Tracer::start(const FeatureSet& features, const Frame& frame, const SearchBounds& bounds,
                    const SubdivisionRules& rules, float root_side) {
-  search_.start(features, frame, rules.detection, root_side * rules.finest_side(), bounds);
+  search_.start(features, frame, rules.variant, root_side * rules.finest_side(), bounds);
 }
 
 // Every pyray needs its middle's sample: coherent rays, traced together. Sample number i is that of

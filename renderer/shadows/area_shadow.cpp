@@ -38,7 +38,7 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
 Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
                        RenderStatistics& counts) {
   const Receiver middle = receiver_above(query.lit.point, query.lit.light);
-  const AreaShadows* published = block.rules.published;
+  const AreaShadows* published = block.rules.area_shadows;
   if (query.lit.layer > 0) {
     // Nothing is known of how even the surface behind another one is lit.
     return !published && has_patch(block, query.lit)
@@ -57,7 +57,7 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   // The pyray goes through the light's square, between the surface and the light.
   SubdivisionRules rules = shadow_rules(block.rules, query);
   rules.most_entries = most_entries;
-  const bool refined = !block.rules.published;
+  const bool refined = !block.rules.area_shadows;
   if (refined || !block.rules.see_through)
     rules.allowance.max_level = std::min(rules.allowance.max_level, window_levels);
   Pyray pyray{window->frame()};

@@ -37,7 +37,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   // A part that is known well enough by a few rays takes them: at once, if they cost less than to
   // ask whether anything bounds its shadow.
   const Allowance& allowance = block.rules.allowance;
-  const bool refined = !block.rules.published;
+  const bool refined = !block.rules.area_shadows;
   const auto rays_suffice = [&](double price) {
     return refined && allowance.samples_suffice(query.leaf.weight, query.intensity(), price);
   };

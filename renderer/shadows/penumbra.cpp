@@ -266,7 +266,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
                        RenderStatistics& counts) {
   // Nothing lies between, or it does not matter.
   const float tolerance = penumbra_tolerance(block.rules.allowance);
-  if (block.rules.published) return {};
+  if (block.rules.area_shadows) return {};
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return {};
   Box box;

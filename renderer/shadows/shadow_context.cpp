@@ -45,7 +45,7 @@ glm::dvec2 unit_pair_of(std::uint64_t bits) {
 SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query) {
   SubdivisionRules shadow;
   shadow.allowance = rules.allowance.nested(query.leaf.level(), query.intensity(), 1);
-  shadow.exact_leaves = rules.exact_leaves;
+  shadow.variant = rules.variant;
   shadow.jitter = true;
   shadow.finest_detail = finest_detail;
   shadow.limits.most_groups = most_groups;

@@ -24,10 +24,10 @@ class AreaShadows;
 
 /// The rules that shadows of a viewer's leaves go by.
 struct ShadowRules {
-  /// How the papers find shadows of lights of some size; null: as exactly as the allowance asks.
-  const AreaShadows* published = nullptr;
+  /// Replaces shadows of lights of some size; null: as exact as the allowance asks.
+  const AreaShadows* area_shadows = nullptr;
   Allowance allowance;  ///< of the viewer's pyrays; those of shadows get what its levels leave
-  bool exact_leaves = true;
+  const SubdivisionVariant* variant = nullptr;  ///< of shadow pyrays; null: the engine's own way
   /// Some surfaces of the scene let more light through here than there, or have holes, without
   /// boundaries that tell where (FeatureSet::opacity_unbounded).
   bool see_through = true;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "renderer/published/published_subdivision.h"
 #include "renderer/pyray/tracer.h"
 #include "tests/support/polygon.h"
 #include "tests/support/polygon_scene.h"
 
 #include <cmath>
+#include <map>
 #include <span>
+#include <tuple>
 #include <vector>
 
 // One pyray subdivided over a scene of polygons.
@@ -49,22 +52,27 @@ inline Answer subdivide(const World& world, const SubdivisionRules& rules,
   return subdivide(world, FeatureSet(world), rules, pyray, traced);
 }
 
+/// A variant that lives as long as the program.
+inline const SubdivisionVariant* variant_of(Detection detection, StoppingRule rule, LeafKind leaf) {
+  static std::map<std::tuple<Detection, StoppingRule, LeafKind>, PublishedSubdivision> made;
+  return &made.try_emplace({detection, rule, leaf}, detection, rule, leaf).first->second;
+}
+
 inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = true,
-                                 StoppingRule rule = StoppingRule::unresolved) {
+                                 StoppingRule rule = StoppingRule::unresolved,
+                                 Detection detection = Detection::square) {
   SubdivisionRules rules;
   rules.allowance.max_level = max_level;
   rules.allowance.eps = eps;
-  rules.exact_leaves = exact;
-  rules.rule = rule;
+  if (!exact || rule != StoppingRule::unresolved || detection != Detection::square)
+    rules.variant = variant_of(detection, rule, exact ? LeafKind::exact : LeafKind::point);
   return rules;
 }
 
 /// Point leaves and the published rule, with the detection that is asked for.
 inline SubdivisionRules published_rules(int max_level, double eps,
                                         Detection detection = Detection::cone) {
-  SubdivisionRules rules = rules_of(max_level, eps, false, StoppingRule::published);
-  rules.detection = detection;
-  return rules;
+  return rules_of(max_level, eps, false, StoppingRule::published, detection);
 }
 
 /// Adds a convex polygon given in the unit frame's (u, v), at a depth; returns its part.

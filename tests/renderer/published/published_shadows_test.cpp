@@ -142,7 +142,7 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
                    std::uint64_t seed = 1) {
   ShadowRules settings;
   const PublishedShadows published(quality, divisions);
-  settings.published = &published;
+  settings.area_shadows = &published;
   settings.allowance.max_level = 4;
   settings.see_through = false;
   ShadowFixture fixture(scene.world, panel(), settings);

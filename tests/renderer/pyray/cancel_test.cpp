@@ -56,9 +56,7 @@ TEST_P(Cancel, AtAnyMomentAsksAboutNoSampleThatWasNotTaken) {
   add_polygon(scene, {{0.2, 0.2}, {0.7, 0.3}, {0.4, 0.8}}, 1.0);
   const FeatureSet features(scene.world);
   const Frame frame = unit_frame();
-  SubdivisionRules rules = rules_of(3);
-  rules.rule = GetParam();
-  rules.exact_leaves = false;  // so that cells are split
+  const SubdivisionRules rules = rules_of(3, 0.0, false, GetParam());  // so that cells are split
   int patience = 0;
   for (bool finished = false; !finished; ++patience) {
     ASSERT_LT(patience, 10'000);

@@ -1,5 +1,6 @@
+#include "renderer/pyray/level_tally.h"
+
 #include "renderer/geometry/ray.h"
-#include "renderer/pyray/stopping.h"
 
 #include <gtest/gtest.h>
 
@@ -56,25 +57,6 @@ TEST(LevelTally, OfClustersAllCellsCanChange) {
   tally.add_cell(Objects{ObjectTally::clusters}, Hit::none, false);
   EXPECT_EQ(tally.objects[0].larger(), 2u);
   EXPECT_EQ(tally.largest_change(), 0.5);
-}
-
-TEST(LevelTally, TheRulesHoldUpToEpsItself) {
-  LevelTally tally;
-  tally.start(2);
-  for (int i = 0; i < 2; ++i) tally.add_cell(Objects{1}, 1, false);
-  tally.add_cell(Objects{1}, Hit::none, false);
-  EXPECT_TRUE(tally.holds(StoppingRule::unresolved, 3.0 / 16.0));
-  EXPECT_FALSE(tally.holds(StoppingRule::unresolved, 2.9 / 16.0));
-  EXPECT_TRUE(tally.holds(StoppingRule::published, 2.0 / 16.0));
-  EXPECT_FALSE(tally.holds(StoppingRule::published, 1.9 / 16.0));
-}
-
-TEST(LevelTally, TheBoundForOneEdgeIsTheLeastLevel) {
-  EXPECT_EQ(one_edge_level_bound(1.0), 0);
-  EXPECT_EQ(one_edge_level_bound(0.5), 0);
-  EXPECT_EQ(one_edge_level_bound(0.3), 1);
-  EXPECT_EQ(one_edge_level_bound(1.0 / 16.0), 3);  // the papers' example
-  EXPECT_EQ(one_edge_level_bound(1.0 / 1024.0), 9);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-#include "renderer/pyray/stopping.h"
-
+#include "renderer/published/published_subdivision.h"
 #include "tests/support/polygon_cases.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/subdivide_polygons.h"
@@ -82,6 +81,39 @@ Answer check_table(const Polygon& polygon, const std::vector<Row>& published, bo
     EXPECT_EQ(row, published.at(static_cast<std::size_t>(row.level) - 1));
   }
   return answer;
+}
+
+const PublishedSubdivision by_area(Detection::square, StoppingRule::unresolved, LeafKind::point);
+const PublishedSubdivision by_object(Detection::square, StoppingRule::published, LeafKind::point);
+
+TEST(PublishedSubdivision, RulesHoldUpToEpsItself) {
+  LevelTally tally;
+  tally.start(2);
+  const std::vector<std::uint32_t> one{1};
+  for (int i = 0; i < 2; ++i) tally.add_cell(one, 1, false);
+  tally.add_cell(one, Hit::none, false);
+  EXPECT_TRUE(by_area.ends(tally, 3.0 / 16.0));
+  EXPECT_FALSE(by_area.ends(tally, 2.9 / 16.0));
+  EXPECT_TRUE(by_object.ends(tally, 2.0 / 16.0));
+  EXPECT_FALSE(by_object.ends(tally, 1.9 / 16.0));
+}
+
+TEST(PublishedSubdivision, DiffersFromTheEngineInEachPart) {
+  const auto differs = [](Detection d, StoppingRule r, LeafKind l) {
+    return PublishedSubdivision(d, r, l).differs();
+  };
+  EXPECT_FALSE(differs(Detection::square, StoppingRule::unresolved, LeafKind::exact));
+  EXPECT_TRUE(differs(Detection::cone, StoppingRule::unresolved, LeafKind::exact));
+  EXPECT_TRUE(differs(Detection::square, StoppingRule::published, LeafKind::exact));
+  EXPECT_TRUE(differs(Detection::square, StoppingRule::unresolved, LeafKind::point));
+}
+
+TEST(PublishedSubdivision, OneEdgeBoundIsTheLeastLevel) {
+  EXPECT_EQ(one_edge_level_bound(1.0), 0);
+  EXPECT_EQ(one_edge_level_bound(0.5), 0);
+  EXPECT_EQ(one_edge_level_bound(0.3), 1);
+  EXPECT_EQ(one_edge_level_bound(1.0 / 16.0), 3);  // the papers' example
+  EXPECT_EQ(one_edge_level_bound(1.0 / 1024.0), 9);
 }
 
 // GI'93 table 1 with a quadrilateral of our own: the papers' drawing has no coordinates.

@@ -1,4 +1,4 @@
-#include "renderer/pyray/stopping.h"
+#include "renderer/pyray/level_tally.h"
 
 namespace asos {
 
@@ -28,14 +28,6 @@ double LevelTally::largest_change() const {
   double largest = 0.0;
   for (const ObjectTally& tally : objects) largest = std::max(largest, tally.change(level));
   return largest;
-}
-
-bool LevelTally::holds(StoppingRule rule, double eps) const {
-  return (rule == StoppingRule::published ? largest_change() : unresolved_area()) <= eps;
-}
-
-int one_edge_level_bound(double eps) {
-  return std::max(0, static_cast<int>(std::ceil(std::log2(1.0 / eps) - 1.0)));
 }
 
 }  // namespace asos

@@ -1,4 +1,4 @@
-#include "renderer/pyray/detection.h"
+#include "renderer/published/cone_detection.h"
 
 #include "renderer/comparison/method.h"
 #include "tests/support/tiny_scene.h"
@@ -97,11 +97,11 @@ double half_angle(const Frame& frame, const Square& cell) {
 
 constexpr unsigned cases = 1000;
 
-TEST(Detection, TheConeNeverMissesWhatTheSquareFinds) {
+TEST(ConeDetection, NeverMissesWhatMeetsTheSquare) {
   int found = 0, only_cone = 0;
   for (unsigned seed = 0; seed < cases; ++seed) {
     Draw draw(seed);
-    const Detector cone(draw.any_frame(seed), Detection::cone);
+    const ConeDetection cone(draw.any_frame(seed));
     const Square cell = draw.cell();
     for (int i = 0; i < 100; ++i) {
       const Segment s = draw.segment(cell);
@@ -118,23 +118,12 @@ TEST(Detection, TheConeNeverMissesWhatTheSquareFinds) {
   EXPECT_GT(only_cone, 1000);  // it is a wider test
 }
 
-TEST(Detection, TheSquareIsItsOwnReach) {
-  Draw draw(1);
-  const Detector square(draw.any_frame(0));
-  const Square cell = draw.cell();
-  const Square reach = square.reach(cell);
-  EXPECT_EQ(reach.u, cell.u);
-  EXPECT_EQ(reach.v, cell.v);
-  EXPECT_EQ(reach.side, cell.side);
-  EXPECT_TRUE(square.near(draw.segment(cell), cell));
-}
-
-TEST(Detection, NearIsWithinTheConesHalfAngle) {
+TEST(ConeDetection, CountsSegmentsWithinTheHalfAngle) {
   int decided = 0;
   for (unsigned seed = 0; seed < cases; ++seed) {
     Draw draw(seed);
     const Frame frame = draw.any_frame(seed);
-    const Detector cone(frame, Detection::cone);
+    const ConeDetection cone(frame);
     const Square cell = draw.cell();
     const double half = half_angle(frame, cell);
     const Segment s = draw.segment(cell);
@@ -159,11 +148,11 @@ TEST(Detection, NearIsWithinTheConesHalfAngle) {
   EXPECT_GT(decided, 990);
 }
 
-TEST(Detection, ReachHoldsAllThatIsNearAndHardlyMore) {
+TEST(ConeDetection, ReachIsTightAroundTheCone) {
   for (unsigned seed = 0; seed < cases; ++seed) {
     Draw draw(seed);
     const Frame frame = draw.any_frame(seed);
-    const Detector cone(frame, Detection::cone);
+    const ConeDetection cone(frame);
     const Square cell = draw.cell();
     const Square reach = cone.reach(cell);
     const double half = half_angle(frame, cell);
@@ -188,7 +177,7 @@ TEST(Detection, ReachHoldsAllThatIsNearAndHardlyMore) {
 
 // CGF'98 section 6.1 hands hit lists down. Prisms' cylinders are nested; of pyramids the cones are,
 // but for the square of their half angle: the picture's plane foreshortens the parent's outer half.
-TEST(Detection, ChildrensConesLieWithinTheirParents) {
+TEST(ConeDetection, ChildrensConesLieWithinTheirParents) {
   for (unsigned seed = 0; seed < cases; ++seed) {
     Draw draw(seed);
     const Frame frame = draw.any_frame(seed);
@@ -241,7 +230,7 @@ World one_triangle() {
   return world;
 }
 
-TEST(Detection, PicturesKeepEpsWhateverTheDetection) {
+TEST(ConeDetection, PicturesKeepEps) {
   const auto scene = make_render_scene(one_triangle());
   RenderSettings exact = settings_of(Detection::square, LeafKind::exact, 0.0);
   exact.method = Method::beam;
@@ -260,7 +249,7 @@ TEST(Detection, PicturesKeepEpsWhateverTheDetection) {
   }
 }
 
-TEST(Detection, ExactLeavesShowTheSamePictureByTheCone) {
+TEST(ConeDetection, ExactLeavesShowTheSamePicture) {
   World world = one_triangle();
   add_quad(world, {-0.9f, -1.6f, 1}, {1.1f, 0.3f, 0}, {-0.2f, 2.9f, 0}, unlit({0.8f, 0.2f, 0.1f}));
   const auto scene = make_render_scene(std::move(world));

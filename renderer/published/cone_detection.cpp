@@ -1,19 +1,18 @@
-#include "renderer/pyray/detection.h"
+#include "renderer/published/cone_detection.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace asos {
 
-Detector::Detector(const Frame& frame, Detection kind)
-    : kind_(kind),
-      parallel_(frame.parallel()),
+ConeDetection::ConeDetection(const Frame& frame)
+    : parallel_(frame.parallel()),
       a_(frame.base_u()),
       b_(frame.base_v()),
       c_(frame.base_corner()),
       direction_(frame.direction()) {}
 
-Detector::Cone Detector::around(const Square& cell) const {
+ConeDetection::Cone ConeDetection::around(const Square& cell) const {
   const glm::dvec3 to_centre =
       static_cast<double>(cell.centre_u()) * a_ + static_cast<double>(cell.centre_v()) * b_;
   Cone cone;
@@ -37,8 +36,7 @@ Detector::Cone Detector::around(const Square& cell) const {
 
 // The cone cuts the frame's plane in an ellipse A x^2 + 2 B x y + C y^2 + 2 D x + 2 E y + F <= 0
 // about the cell's centre; its bounding rectangle in closed form.
-Square Detector::reach(const Square& cell) const {
-  if (kind_ == Detection::square) return cell;
+Square ConeDetection::reach(const Square& cell) const {
   const Cone cone = around(cell);
   const glm::dvec3 am = glm::cross(a_, cone.axis), bm = glm::cross(b_, cone.axis);
   const double s = cone.sine2;
@@ -61,8 +59,7 @@ Square Detector::reach(const Square& cell) const {
 }
 
 // The least of |e x axis|^2 - sine2 |d + e|^2 along the segment: a quadratic.
-bool Detector::near(const Segment& s, const Square& cell) const {
-  if (kind_ == Detection::square) return true;
+bool ConeDetection::near(const Segment& s, const Square& cell) const {
   const Cone cone = around(cell);
   const auto offset = [&](float u, float v) {
     return (static_cast<double>(u) - static_cast<double>(cell.centre_u())) * a_ +

@@ -1,23 +1,20 @@
 #pragma once
 
 #include "renderer/geometry/frame.h"
-#include "renderer/pyray/square.h"
-#include "renderer/settings/choices.h"
+#include "renderer/pyray/subdivision_variant.h"
 
 #include <glm/glm.hpp>
 
 namespace asos {
 
-/// The detection test of one root frame's cells.
-class Detector {
+/// Detects the boundaries that meet the circular cone around a cell, a cylinder in a parallel frame
+/// (CGF'98 section 3).
+class ConeDetection final : public DetectionTest {
  public:
-  explicit Detector(const Frame& frame, Detection kind = Detection::square);
+  explicit ConeDetection(const Frame& frame);
 
-  /// The smallest square, to rounding, that holds everything that can count as near `cell`.
-  [[nodiscard]] Square reach(const Square& cell) const;
-
-  /// Whether a boundary that meets `reach(cell)` counts.
-  [[nodiscard]] bool near(const Segment& s, const Square& cell) const;
+  [[nodiscard]] Square reach(const Square& cell) const override;
+  [[nodiscard]] bool near(const Segment& s, const Square& cell) const override;
 
  private:
   // The right circular cone (pyramid) or cylinder (prism) around a cell: the directions d + e with
@@ -30,7 +27,6 @@ class Detector {
   };
   [[nodiscard]] Cone around(const Square& cell) const;
 
-  Detection kind_;
   bool parallel_;
   glm::dvec3 a_, b_, c_;
   glm::dvec3 direction_;

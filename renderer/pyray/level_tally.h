@@ -1,7 +1,5 @@
 #pragma once
 
-#include "renderer/settings/choices.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -48,11 +46,6 @@ struct LevelTally {
   [[nodiscard]] double unresolved_area() const { return std::ldexp(marginal, -2 * level); }
   /// The largest change of any object.
   [[nodiscard]] double largest_change() const;
-  [[nodiscard]] bool holds(StoppingRule rule, double eps) const;
 };
-
-/// The level from which on the rule always holds for an object that shows just one edge: the least
-/// K >= log2(1 / EPS) - 1 (CGF'98 section 6.2). EPS in (0, 1].
-[[nodiscard]] int one_edge_level_bound(double eps);
 
 }  // namespace asos
