@@ -6,10 +6,13 @@
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/unfinished_block.h"
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <limits>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace asos {
 
@@ -99,6 +102,9 @@ void add_unlit_colour(const BlockResult& colour, BlockResult& result);
 /// Renders these passes, and adds both, to what `render_block` rendered. Nothing is added where the
 /// block shows no unlit surface. Statistics stay those of the pass with light.
 void add_unlit(const BlockJob& job, BlockResult& result);
+/// Adds again what `add_unlit` found of a block, to better pixels of it: the colour of a pixel that
+/// shows nothing else is the pixel's own.
+void renew_unlit(std::vector<glm::vec4> unlit, BlockResult& result);
 /// Fills in causes and rays that a method left out.
 void fill_in(BlockResult& result);
 

@@ -67,4 +67,10 @@ void add_unlit(const BlockJob& job, BlockResult& result) {
     add_unlit_colour(row.render({job.scene, job.view, passes.colour, job.block, job.stop}), result);
 }
 
+void renew_unlit(std::vector<glm::vec4> unlit, BlockResult& result) {
+  for (std::size_t i = 0; i < unlit.size(); ++i)
+    if (unlit[i].w == 1.0f) unlit[i] = glm::vec4(result.tile.radiance[i], 1.0f);
+  result.tile.unlit = std::move(unlit);
+}
+
 }  // namespace asos

@@ -43,17 +43,16 @@ FinalBlocks::Started FinalBlocks::start(const PlannedRender& render, std::size_t
   const RenderSettings& settings = render.snapshot.settings;
   const BlockJob job = job_of(render, block, stop);
   const auto first_stage = row_of(settings.method).start;
-  const bool in_stages =
-      render.snapshot.progressive && first_stage && !shows_coverage(settings) && !render.unlit;
+  const bool in_stages = render.snapshot.progressive && first_stage && !shows_coverage(settings);
   const double before = thread_seconds();
   StartedBlock done;
   if (in_stages) {
     done = first_stage(job);
   } else {
     done.result = render_block(job);
-    if (render.unlit) add_unlit(job, done.result);
   }
-  Started started{block, std::move(done.rest), 0.0, thread_seconds() - before};
+  if (render.unlit) add_unlit(job, done.result);
+  Started started{block, std::move(done.rest), {}, 0.0, thread_seconds() - before};
   if (stop.stop_requested()) return {};
   clock.count_block(pass_, block, started.seconds);
   fill_in(done.result);
@@ -64,6 +63,7 @@ FinalBlocks::Started FinalBlocks::start(const PlannedRender& render, std::size_t
     return started;
   }
   started.gain = started.rest->gain();
+  started.unlit = done.result.tile.unlit;
   if (keep) tiles.publish_started(block, std::move(done.result.tile));
   return started;
 }
@@ -73,6 +73,7 @@ bool FinalBlocks::finish(const PlannedRender& render, Started& started, TileColl
   const double before = thread_seconds();
   BlockResult result = started.rest->finish(job_of(render, started.block, stop));
   started.rest.reset();
+  renew_unlit(std::move(started.unlit), result);
   if (stop.stop_requested()) return false;
   const double seconds = thread_seconds() - before;
   clock.count_block(pass_ + 1, started.block, seconds);
@@ -155,7 +156,7 @@ bool FinalBlocks::work(const PlannedRender& render, TileCollector& tiles, RunClo
     if (stop.stop_requested()) return false;
     const std::lock_guard lock(mutex_);
     if (started.rest) {
-      bytes_ += started.rest->bytes();
+      bytes_ += started.rest->bytes() + started.unlit.size() * sizeof(started.unlit[0]);
       started_.push_back(std::move(started));
     }
     --left_to_start_;

@@ -8,6 +8,7 @@
 #include "tests/support/expect_same.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -259,6 +260,38 @@ TEST(FinalBlocks, ATrialTellsTheTimeOfAll) {
   EXPECT_LT(first_tried, all_tried);
   EXPECT_GT(first_told, 0.0);
   EXPECT_GT(all_told, 0.0);
+}
+
+// Unlit surfaces are shown as they are from the first stage on.
+TEST(FinalBlocks, OfAnUnlitSurfaceComeInTwoStages) {
+  World world = still_life().world;
+  world.materials[world.parts.front().material].unlit = true;
+  Snapshot snapshot;
+  snapshot.scene = make_render_scene(std::move(world), still_life().lights);
+  snapshot.camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
+  snapshot.settings.asos.max_level = 2;
+  snapshot.settings.width = 64;
+  snapshot.settings.height = 64;
+  const PlannedRender render(snapshot);
+  ASSERT_TRUE(render.unlit);
+  TileCollector tiles(render.plan, {});
+  FinalBlocks blocks(render, 0);
+  RunClock clock(render.plan.blocks.size(), {1.0});
+  clock.begin_forecast();
+  EXPECT_TRUE(blocks.work(render, tiles, clock, {}));
+  std::size_t started = 0, partly_unlit = 0;
+  Film film(64, 64);
+  for (const FinishedTile& tile : tiles.take_finished()) {
+    film.put(tile);
+    if (!tile.coarse) continue;
+    ++started;
+    partly_unlit += tile.unlit.empty() ? 0 : 1;
+  }
+  EXPECT_GT(started, 0u);
+  EXPECT_GT(partly_unlit, 0u);
+  const Film direct = render_to_end(snapshot).film;
+  EXPECT_EQ(film.radiance, direct.radiance);
+  EXPECT_TRUE(film.unlit == direct.unlit);
 }
 
 }  // namespace
