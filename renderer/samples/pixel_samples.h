@@ -30,6 +30,11 @@ class PixelSamples {
   /// there are after it.
   [[nodiscard]] static int after_round(int taken, int most);
 
+  /// Memory that it holds.
+  [[nodiscard]] std::size_t bytes() const {
+    return sums_.capacity() * sizeof(sums_[0]) + moved_.capacity() * sizeof(moved_[0]);
+  }
+
   /// The means so far, and the work of all rounds.
   [[nodiscard]] BlockResult result() const;
   /// How far each pixel's mean moved in the latest round: its squared distance, of linear radiance

@@ -100,7 +100,12 @@ void RenderRun::sample_first(const std::stop_token& stop) {
     ++round;
     samples_.put_what_moves_first(round);
   }
-  if (!stop.stop_requested() && round > 0) blocks_.set_gains(samples_.moved(render_.plan));
+  if (stop.stop_requested()) return;
+  // All threads have left the rounds, and only the first one reads their samples.
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(sampled_, true)) return;
+  blocks_.set_gains(samples_.moved(render_.plan));
+  samples_.release();
 }
 
 // Whether a round of samples comes before blocks. The first thread that knows decides for all.

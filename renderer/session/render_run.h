@@ -56,6 +56,7 @@ class RenderRun {
   FinalBlocks blocks_;
   RunClock clock_;
   std::mutex mutex_;
+  bool sampled_ = false;     // blocks have their gains
   std::vector<bool> taken_;  // whether each round of samples is, as far as that is decided
 };
 

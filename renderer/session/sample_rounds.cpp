@@ -44,10 +44,12 @@ SampleRounds::SampleRounds(const PlannedRender& render)
 
 // All rounds of a group up to this one. A thread that is late finds that others have taken its
 // round.
-BlockResult SampleRounds::advance(const PlannedRender& render, std::size_t group, int samples,
-                                  double& seconds, const std::stop_token& stop) {
+std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, std::size_t group,
+                                                 int samples, double& seconds,
+                                                 const std::stop_token& stop) {
   Group& own = groups_[group];
   const std::lock_guard lock(own.mutex);
+  if (own.done) return std::nullopt;
   const double start = thread_seconds();
   const PixelRect& rect = render.plan.groups[group].rect;
   const BlockJob job{*render.snapshot.scene, render.view, settings_, rect, stop};
@@ -82,7 +84,35 @@ BlockResult SampleRounds::advance(const PlannedRender& render, std::size_t group
   result.tile.seconds.assign(
       pixels,
       static_cast<float>(own.seconds / static_cast<double>(std::max<std::size_t>(pixels, 1))));
+  if (own_ && samples == rounds_.back()) drop_samples(own);
   return result;
+}
+
+// Under the group's mutex.
+void SampleRounds::drop_samples(Group& group) {
+  group.done = true;
+  group.pixels.reset();
+  group.covered.reset();
+  group.unlit_share.reset();
+  group.unlit_colour.reset();
+}
+
+void SampleRounds::release() {
+  for (Group& group : groups_) {
+    const std::lock_guard lock(group.mutex);
+    drop_samples(group);
+  }
+}
+
+std::size_t SampleRounds::bytes() const {
+  std::size_t sum = 0;
+  for (const Group& group : groups_) {
+    const std::lock_guard lock(group.mutex);
+    for (const auto* pixels :
+         {&group.pixels, &group.covered, &group.unlit_share, &group.unlit_colour})
+      if (*pixels) sum += (*pixels)->bytes();
+  }
+  return sum;
 }
 
 bool SampleRounds::work(const PlannedRender& render, std::size_t round, std::size_t pass,
@@ -96,15 +126,15 @@ bool SampleRounds::work(const PlannedRender& render, std::size_t round, std::siz
     const std::size_t at = order_[index];
     const BlockGroup& group = plan.groups[at];
     double seconds = 0.0;
-    BlockResult result = advance(render, at, rounds_[round], seconds, stop);
+    std::optional<BlockResult> result = advance(render, at, rounds_[round], seconds, stop);
     if (stop.stop_requested()) break;
     for (std::size_t k = 0; k < group.block_count; ++k)
       clock.count_block(pass, group.first_block + k,
                         seconds / static_cast<double>(group.block_count));
-    if (last) {
-      finished_picture |= tiles.finish_block(group.first_block, std::move(result));
-    } else {
-      tiles.publish_coarse(at, pass_of_samples(rounds_[round]), std::move(result.tile));
+    if (result && last) {
+      finished_picture |= tiles.finish_block(group.first_block, *std::move(result));
+    } else if (result) {
+      tiles.publish_coarse(at, pass_of_samples(rounds_[round]), std::move(result->tile));
     }
     {
       const std::lock_guard lock(mutex_);

@@ -45,13 +45,19 @@ class SampleRounds {
 
   /// The processor's seconds of all rounds up to this one, once all of it is there.
   [[nodiscard]] double seconds_up_to(std::size_t round) const;
+  /// Frees the sums of all groups. Once no thread works on a round or asks for `moved`.
+  void release();
+  /// Memory of the sums that are kept.
+  [[nodiscard]] std::size_t bytes() const;
+
   /// How far the pixels of each block of the plan moved in their latest round: the sum of
   /// PixelSamples::moved. What moved much is far from its end.
   [[nodiscard]] std::vector<double> moved(const WorkPlan& plan) const;
 
  private:
   struct Group {
-    std::mutex mutex;
+    mutable std::mutex mutex;
+    bool done = false;  // nobody asks for its samples any more
     std::optional<PixelSamples> pixels;
     std::optional<PixelSamples> covered;  // where the background is transparent
     std::optional<PixelSamples> unlit_share, unlit_colour;
@@ -61,8 +67,11 @@ class SampleRounds {
     std::size_t groups = 0;
     double seconds = 0.0;
   };
-  [[nodiscard]] BlockResult advance(const PlannedRender& render, std::size_t group, int samples,
-                                    double& seconds, const std::stop_token& stop);
+  /// Nothing where the group is done: another thread has taken a later round.
+  [[nodiscard]] std::optional<BlockResult> advance(const PlannedRender& render, std::size_t group,
+                                                   int samples, double& seconds,
+                                                   const std::stop_token& stop);
+  static void drop_samples(Group& group);
 
   RenderSettings settings_;
   bool own_;

@@ -166,6 +166,29 @@ TEST(SampleRounds, DoubleUntilThePictureHasItsSamples) {
   EXPECT_EQ(first.rounds().back(), 1024);
 }
 
+// A method that ends with its samples needs none of a group once this is final, nor do blocks.
+TEST(SampleRounds, FreeTheirSumsOnceNobodyNeedsThem) {
+  Snapshot snapshot = fence(1, Method::sobol);
+  snapshot.settings.sampling.spp = 4;
+  for (const bool own : {true, false}) {
+    if (!own) snapshot.settings.method = Method::asos;
+    const PlannedRender render(snapshot);
+    TileCollector tiles(render.plan, {});
+    SampleRounds samples(render);
+    RunClock clock(render.plan.blocks.size(), std::vector<double>(samples.rounds().size(), 1.0));
+    clock.begin_forecast();
+    for (const std::size_t round : {0, 1})
+      (void)samples.work(render, round, round, tiles, clock, {});
+    constexpr std::size_t of_a_pixel = sizeof(SampleSums::Sum) + sizeof(float);
+    EXPECT_EQ(samples.bytes(), of_a_pixel * width * height);
+    EXPECT_EQ(samples.work(render, 2, 2, tiles, clock, {}), own);
+    EXPECT_EQ(samples.bytes(), own ? 0 : of_a_pixel * width * height);
+    samples.release();
+    EXPECT_EQ(samples.bytes(), 0u);
+    EXPECT_EQ(film_of(tiles.take_finished()).radiance.size(), std::size_t{width} * height);
+  }
+}
+
 // Edges move from round to round, and what is flat does not.
 TEST(SampleRounds, TellWhichBlocksMove) {
   const PlannedRender render(fence(1));
