@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace asos {
 namespace {
@@ -44,6 +45,14 @@ std::optional<CurveValue> seconds_at_error(std::span<const CurvePoint> curve, do
 
 std::optional<CurveValue> error_at_seconds(std::span<const CurvePoint> curve, double seconds) {
   return read_off(curve, seconds, seconds_of, error_of);
+}
+
+std::optional<double> error_shown_at(std::span<const CurvePoint> curve, double seconds) {
+  const auto later = std::upper_bound(
+      curve.begin(), curve.end(), seconds,
+      [](double moment, const CurvePoint& point) { return moment < point.seconds; });
+  if (later == curve.begin()) return std::nullopt;
+  return std::prev(later)->error;
 }
 
 std::vector<CurvePoint> pareto_front(std::vector<CurvePoint> points) {

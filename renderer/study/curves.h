@@ -29,6 +29,11 @@ struct CurveValue {
 [[nodiscard]] std::optional<CurveValue> error_at_seconds(std::span<const CurvePoint> curve,
                                                          double seconds);
 
+/// The error that a render shows at a moment: that of its latest picture. `curve` is in the order
+/// of its times. Nothing before the first picture.
+[[nodiscard]] std::optional<double> error_shown_at(std::span<const CurvePoint> curve,
+                                                   double seconds);
+
 /// The points of a curve that no other one beats or equals in both time and error, from the
 /// quickest on. Along it errors fall as times grow.
 [[nodiscard]] std::vector<CurvePoint> pareto_front(std::vector<CurvePoint> points);

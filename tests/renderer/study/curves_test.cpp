@@ -51,6 +51,15 @@ TEST(Curves, KnowsNothingFromOnePointOrAFlatStep) {
   EXPECT_FALSE(seconds_at_error(flat, 0.05));
 }
 
+TEST(ErrorShownAt, IsThatOfTheLatestPicture) {
+  const std::vector<CurvePoint> curve{{1.0, 0.5}, {2.0, 0.25}, {4.0, 0.3}};
+  EXPECT_EQ(error_shown_at(curve, 0.9), std::nullopt);
+  EXPECT_EQ(error_shown_at(curve, 1.0), 0.5);
+  EXPECT_EQ(error_shown_at(curve, 3.9), 0.25);
+  EXPECT_EQ(error_shown_at(curve, 100.0), 0.3) << "though an earlier one was better";
+  EXPECT_EQ(error_shown_at({}, 1.0), std::nullopt);
+}
+
 TEST(ParetoFront, KeepsWhatNothingBeats) {
   const auto front = pareto_front({{4, 0.2}, {1, 0.5}, {3, 0.1}, {2, 0.6}, {9, 0.05}, {3, 0.3}});
   std::vector<std::pair<double, double>> kept;

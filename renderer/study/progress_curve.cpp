@@ -1,0 +1,73 @@
+#include "renderer/study/progress_curve.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <thread>
+#include <utility>
+
+namespace asos {
+namespace {
+
+// Between two looks at a render, in seconds.
+constexpr double shortest_wait = 1e-4;
+constexpr double longest_wait = 1e-2;
+
+double clock_seconds(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The CPU time of all threads but the calling one.
+double others_seconds() {
+  return clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+}
+
+Film radiance_of(const Film& film) {
+  Film copy;
+  copy.width = film.width;
+  copy.height = film.height;
+  copy.radiance = film.radiance;
+  return copy;
+}
+
+void wait_until(double next, double now) {
+  const double seconds = std::clamp(0.1 * (next - now), shortest_wait, longest_wait);
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+WatchedRender watch_render(const Snapshot& snapshot, double factor,
+                           const std::function<bool()>& stop) {
+  WatchedRender watched;
+  RenderSession session;
+  const double start = others_seconds();
+  double next = 0.0;
+  session.restart(snapshot);
+  Film film(session.visible().width, session.visible().height);
+  while (!watched.finished && !(stop && stop())) {
+    // Asked before the tiles are taken: then these include the last ones of a finished picture.
+    const Progress progress = session.progress();
+    const double now = others_seconds() - start;
+    if (progress.failed) break;
+    if (!progress.finished && now < next) {
+      wait_until(next, now);
+      continue;
+    }
+    const Reached reached = session.reached();
+    for (const FinishedTile& tile : session.take_finished()) film.put(tile);
+    watched.finished = progress.finished;
+    if (progress.finished || reached.pass != Reached::Pass::nothing) {
+      watched.pictures.push_back({now, radiance_of(film), reached, progress});
+      next = factor * now;
+    } else {
+      wait_until(now, now);
+    }
+  }
+  session.cancel();
+  return watched;
+}
+
+}  // namespace asos

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "renderer/session/render_session.h"
+
+#include <functional>
+#include <vector>
+
+namespace asos {
+
+/// The picture of a render at a moment.
+struct SeenPicture {
+  double seconds = 0.0;  ///< CPU time of the workers so far
+  Film film;             ///< radiance alone
+  Reached reached;
+  Progress progress;
+};
+
+/// The pictures of a render, in the order of their times.
+struct WatchedRender {
+  std::vector<SeenPicture> pictures;
+  bool finished = false;  ///< the last picture is the final one
+};
+
+/// The factor between the times of the pictures that a study keeps.
+inline constexpr double study_factor = 1.5;
+
+/// Renders a snapshot and keeps pictures on the way: the first that covers the whole picture,
+/// further ones each time the CPU time has grown by `factor`, and the final one. Without the passes
+/// of a progressive render it keeps the final one only. Once `stop` returns true the render ends;
+/// the pictures so far stay. Times are those of all threads of the process but the calling one:
+/// nothing else in the process should work at the same time. Except for the choice of moments, the
+/// result does not depend on the machine.
+[[nodiscard]] WatchedRender watch_render(const Snapshot& snapshot, double factor,
+                                         const std::function<bool()>& stop = {});
+
+}  // namespace asos
