@@ -7,14 +7,25 @@
 // Times are seconds of one worker's processor from the first ray on; boundaries are known before,
 // and so is the scene's hierarchy. Errors are RMSE of linear radiance clipped to 0..1 against
 // halves of --reference Sobol samples (HalvedReference), of the whole picture as it would be shown
-// at that moment. A line a scene: the error over that of Sobol sampling at each moment, the time to
-// the end over that of a render without rounds, and by how much an error ever rose as time went on.
-// Then medians and worst. --curves has each picture's time, error and what it shows as well.
+// at that moment. A line for each scene, then medians and the worst. Its columns:
+//
+//   1 4 16 64    the error over that of Sobol sampling at each moment
+//   over direct  the time to the end over that of a render without rounds
+//   rise         the largest ratio of a later error to an earlier one
+//   p99/16       the moment from which on the 99th percentile of the displayed error is below 1/64,
+//                over the time of Sobol sampling by 16 samples
+//   left         Progress::seconds_left: the share of pictures for which it is wrong by more than a
+//                factor 1.5, from 10 % of the work on up to 50 ms before the end. Wall time: this
+//                and the next column need an idle machine.
+//   factor       the largest such factor
+//
+// --curves has each picture's time, error and what it shows as well.
 // --strips writes a picture for each scene: what the method and Sobol sampling show, side by side,
 // at 1/4, 1/2, 1, 2, 4 and 8 times the moment of 16 samples.
 
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
+#include "renderer/study/progress_curve.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/halved_reference.h"
@@ -24,11 +35,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <ctime>
+#include <limits>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -48,73 +58,27 @@ struct Settings {
 
 constexpr std::array moments{1, 4, 16, 64};  // samples a pixel
 
-double clock_seconds(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+/// The pictures of a render, 3 % of the time apart.
+std::vector<SeenPicture> watched(const Snapshot& snapshot) {
+  return watch_render(snapshot, 1.03).pictures;
 }
 
-/// The processor time of all threads but the calling one.
-double others_seconds() {
-  return clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - clock_seconds(CLOCK_THREAD_CPUTIME_ID);
-}
-
-/// A picture at a moment of its render.
-struct Seen {
-  double seconds = 0.0;
-  Film film;
-  Reached reached;
-};
-
-/// The pictures of a render by one worker, from the first tile on, 3 % of the time apart.
-std::vector<Seen> watched(const Snapshot& snapshot) {
-  constexpr double step = 1.03;
-  Film film(snapshot.settings.width, snapshot.settings.height);
-  std::vector<Seen> seen;
-  RenderSession session;
-  const double start = others_seconds();
-  double next = 0.0;
-  session.restart(snapshot);
-  for (bool going = true; going;) {
-    std::this_thread::sleep_for(std::chrono::microseconds(100));
-    const bool finished = session.progress().finished;
-    const double now = others_seconds() - start;
-    if (!finished && now < next) continue;
-    const std::vector<FinishedTile> tiles = session.take_finished();
-    for (const FinishedTile& tile : tiles) film.put(tile);
-    if (!tiles.empty() || finished) {
-      seen.push_back({now, film, session.reached()});
-      next = step * now;
-    }
-    going = !finished;
-  }
-  return seen;
-}
-
-struct Point {
-  double seconds = 0.0;
-  double error = 0.0;
-};
-
-/// The error that was shown at a moment: of the latest picture that was there.
-double error_at(const std::vector<Point>& curve, double seconds) {
-  double error = curve.front().error;
-  for (const Point& point : curve)
-    if (point.seconds <= seconds) error = point.error;
-  return error;
+/// The error that was shown at a moment.
+double error_at(const std::vector<CurvePoint>& curve, double seconds) {
+  return error_shown_at(curve, seconds).value_or(curve.front().error);
 }
 
 /// The picture that was shown at a moment.
-const Film& film_at(const std::vector<Seen>& seen, double seconds) {
+const Film& film_at(const std::vector<SeenPicture>& seen, double seconds) {
   const Film* film = &seen.front().film;
-  for (const Seen& one : seen)
+  for (const SeenPicture& one : seen)
     if (one.seconds <= seconds) film = &one.film;
   return *film;
 }
 
 /// Two renders side by side, a row for each moment.
-Result<void> write_strip(const std::string& path, const std::vector<Seen>& own,
-                         const std::vector<Seen>& sobol, double sixteen_samples) {
+Result<void> write_strip(const std::string& path, const std::vector<SeenPicture>& own,
+                         const std::vector<SeenPicture>& sobol, double sixteen_samples) {
   constexpr std::array times{0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
   const int width = own.front().film.width, height = own.front().film.height;
   RgbImage strip;
@@ -140,11 +104,51 @@ Result<void> write_strip(const std::string& path, const std::vector<Seen>& own,
   return write_png(path, strip);
 }
 
+/// How true the time left was that a render told.
+struct TimeLeft {
+  double share_wrong = std::numeric_limits<double>::quiet_NaN();  ///< by more than a factor 1.5
+  double largest_factor = std::numeric_limits<double>::quiet_NaN();
+};
+
+TimeLeft judge_time_left(const std::vector<SeenPicture>& seen) {
+  constexpr double first_share = 0.1;
+  constexpr double least_left = 0.05;  // seconds
+  constexpr double most_wrong = 1.5;
+  const double end = seen.back().progress.seconds;
+  TimeLeft judged;
+  int count = 0, wrong = 0;
+  for (const SeenPicture& one : seen) {
+    const double left = end - one.progress.seconds;
+    if (one.progress.fraction < first_share || one.progress.seconds_left < 0.0 || left < least_left)
+      continue;
+    const double factor =
+        std::max(one.progress.seconds_left / left, left / one.progress.seconds_left);
+    judged.largest_factor = std::fmax(judged.largest_factor, factor);
+    wrong += factor > most_wrong ? 1 : 0;
+    ++count;
+  }
+  if (count > 0) judged.share_wrong = static_cast<double>(wrong) / count;
+  return judged;
+}
+
+/// The moment from which on the displayed error is below 1/64 in 99 of 100 pixels.
+double good_from(const std::vector<SeenPicture>& seen, const HalvedReference& reference) {
+  constexpr double good = 1.0 / 64.0;
+  double from = std::numeric_limits<double>::infinity();
+  for (auto one = seen.rbegin(); one != seen.rend(); ++one) {
+    if (reference.display_p99(one->film) >= good) break;
+    from = one->seconds;
+  }
+  return from;
+}
+
 struct Row {
   std::string name;
   std::vector<double> over_sobol;  ///< error, at each of `moments`
   double over_direct = 0.0;        ///< time to the end
   double rise = 0.0;               ///< the largest of a later error over an earlier one
+  double good_over_sobol = 0.0;    ///< `good_from`, over the time of Sobol sampling by 16 samples
+  TimeLeft time_left;
 };
 
 Result<Row> measure(const Settings& settings, const NamedScene& named) {
@@ -160,26 +164,26 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   if (!reference) return unexpected(reference.error());
   const auto last_of = [&](Snapshot of) {
     of.progressive = false;
-    const std::vector<Seen> seen = watched(of);
-    return Point{seen.back().seconds, reference->error_of(seen.back().film).rmse};
+    const std::vector<SeenPicture> seen = watched(of);
+    return CurvePoint{seen.back().seconds, reference->error_of(seen.back().film).rmse};
   };
 
   for (const MethodRow& row : method_table())
     if (settings.method == row.name) snapshot.settings.method = row.value;
-  const Point direct = last_of(snapshot);
+  const CurvePoint direct = last_of(snapshot);
   snapshot.progressive = true;
-  std::vector<Point> curve;
-  const std::vector<Seen> own = watched(snapshot);
-  for (const Seen& seen : own) {
+  std::vector<CurvePoint> curve;
+  const std::vector<SeenPicture> own = watched(snapshot);
+  for (const SeenPicture& seen : own) {
     curve.push_back({seen.seconds, reference->error_of(seen.film).rmse});
     if (settings.curves)
       fmt::print("{:>10.4f} s  {:.2e}  {:>4} samples, {:.2f} final\n", curve.back().seconds,
                  curve.back().error, seen.reached.samples, seen.reached.final_share);
   }
 
-  Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0};
+  Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0, 0.0, judge_time_left(own)};
   double least = curve.front().error;
-  for (const Point& point : curve) {
+  for (const CurvePoint& point : curve) {
     // Below that the reference's own noise is what changes.
     constexpr double told = 1e-3;
     if (least > told) row.rise = std::max(row.rise, point.error / least);
@@ -188,9 +192,10 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   snapshot.settings.method = Method::sobol;
   for (const int samples : moments) {
     snapshot.settings.sampling.spp = samples;
-    const Point sobol = last_of(snapshot);
+    const CurvePoint sobol = last_of(snapshot);
     if (settings.curves)
       fmt::print("{:>10.4f} s  {:.2e}  sobol {}\n", sobol.seconds, sobol.error, samples);
+    if (samples == 16) row.good_over_sobol = good_from(own, *reference) / sobol.seconds;
     if (samples == 16 && !settings.strips.empty()) {
       Snapshot rounds = snapshot;
       rounds.settings.sampling.spp = 256;
@@ -208,6 +213,7 @@ void print_summary(const std::vector<Row>& rows, const std::string& what, const 
   std::vector<std::pair<double, std::string>> values;
   std::vector<double> all;
   for (const Row& row : rows) {
+    if (std::isnan(value(row))) continue;
     values.emplace_back(value(row), row.name);
     all.push_back(value(row));
   }
@@ -242,7 +248,7 @@ int run(int argc, char** argv) {
   fmt::print("{}x{}, error of {} over that of sobol at the moment of\n{:<28}", settings.size.width,
              settings.size.height, settings.method, "");
   for (const int samples : moments) fmt::print("{:>8}", samples);
-  fmt::print("{:>12}{:>8}\n", "over direct", "rise");
+  fmt::print("{:>12}{:>8}{:>8}{:>8}{:>8}\n", "over direct", "rise", "p99/16", "left", "factor");
   std::vector<Row> rows;
   int code = 0;
   for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
@@ -253,7 +259,8 @@ int run(int argc, char** argv) {
     }
     fmt::print("{:<28}", row->name);
     for (const double ratio : row->over_sobol) fmt::print("{:>8.2f}", ratio);
-    fmt::print("{:>12.2f}{:>8.2f}\n", row->over_direct, row->rise);
+    fmt::print("{:>12.2f}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n", row->over_direct, row->rise,
+               row->good_over_sobol, row->time_left.share_wrong, row->time_left.largest_factor);
     std::fflush(stdout);
     rows.push_back(*row);
   }
@@ -262,6 +269,12 @@ int run(int argc, char** argv) {
                   [&](const Row& row) { return row.over_sobol[i]; });
   print_summary(rows, "time over direct", [](const Row& row) { return row.over_direct; });
   print_summary(rows, "largest rise", [](const Row& row) { return row.rise; });
+  print_summary(rows, "99th percentile of display error below 1/64: time over sobol 16",
+                [](const Row& row) { return row.good_over_sobol; });
+  print_summary(rows, "time left wrong by more than 1.5: share of pictures",
+                [](const Row& row) { return row.time_left.share_wrong; });
+  print_summary(rows, "time left: largest factor",
+                [](const Row& row) { return row.time_left.largest_factor; });
   return code;
 }
 

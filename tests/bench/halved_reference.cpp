@@ -80,6 +80,21 @@ KnownError HalvedReference::error_of(const Film& film) const {
   return {std::sqrt(std::max(sum / pixels, least)), sum / pixels > least};
 }
 
+double HalvedReference::display_p99(const Film& film) const {
+  std::vector<double> errors;
+  errors.reserve(film.radiance.size());
+  for (std::size_t pixel = 0; pixel < film.radiance.size(); ++pixel) {
+    const glm::vec3 mean = 0.5f * (halves_[0].radiance[pixel] + halves_[1].radiance[pixel]);
+    const glm::vec3 off = display_rgb(film.radiance[pixel], 0.0f) - display_rgb(mean, 0.0f);
+    errors.push_back(std::sqrt(static_cast<double>(glm::dot(off, off)) / 3.0));
+  }
+  if (errors.empty()) return 0.0;
+  const std::size_t rank = (99 * errors.size() + 99) / 100;
+  const auto at = errors.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+  std::nth_element(errors.begin(), at, errors.end());
+  return *at;
+}
+
 Bias HalvedReference::bias_of(const Film& film) const {
   const auto mean_of = [](glm::dvec3 v) { return (v.x + v.y + v.z) / 3.0; };
   Bias bias;

@@ -41,6 +41,9 @@ class HalvedReference {
 
   /// What is not known is the least that would have been.
   [[nodiscard]] KnownError error_of(const Film& film) const;
+  /// The 99th percentile over pixels, by nearest rank, of the error of what is displayed (sRGB, 0
+  /// to 1) against the mean of both halves: the root mean square over the channels.
+  [[nodiscard]] double display_p99(const Film& film) const;
   [[nodiscard]] Bias bias_of(const Film& film) const;
 
  private:
