@@ -65,6 +65,9 @@ freed.</li>
 up as points, in two independent halves; each pass doubles the samples. Its noise is the standard
 error of the mean, half of the halves' RMSE against each other. An error below twice the noise, the
 floor, would be more than 12 % noise: such points are marked and enter no comparison and no slope.</li>
+<li><strong>While rendering</strong>: one more render of each method, which refines the whole picture
+step by step as the window does: ASOS at the default EPS and MAX, others at their last setting. Its
+picture is kept each time its processor time has grown by half.</li>
 <li><strong>Order</strong>: all settings of all methods once, the methods taking turns, then all of
 them again, so that what else the machine does meets all alike.</li>
 <li><strong>Best settings</strong>: those that no other setting of the same method beats in both time
@@ -88,7 +91,8 @@ std::string html_measurement(const StudyReport& report) {
   text += "<h3>Machine and build</h3>\n<ul>\n";
   for (const Machine& machine : report.machines) text += machine_text(machine);
   return text +
-         "</ul>\n<p class=\"note\">The numbers are in points.csv and report.json, the plots "
+         "</ul>\n<p class=\"note\">The numbers are in points.csv, progress.csv and report.json, "
+         "the plots "
          "with their gnuplot scripts in plots/, the pictures in pictures/, all in this "
          "folder.</p>\n";
 }

@@ -49,9 +49,8 @@ std::string plots_text(const SceneFigures& figures, Embedder& embed) {
     text += fmt::format(
         "<figure class=\"plot\"><img alt=\"{0} over processor seconds\" "
         "src=\"{1}\"><figcaption>{0} "
-        "over processor time; lower left is better. Bars reach from the quickest to the slowest "
-        "repetition.</figcaption></figure>\n",
-        escaped(plot.title), embed.uri(plot.path + ".svg"));
+        "over processor time; lower left is better. {2}</figcaption></figure>\n",
+        escaped(plot.title), embed.uri(plot.path + ".svg"), escaped(plot.note));
   return text;
 }
 
@@ -178,6 +177,32 @@ std::string comparisons_text(const SceneStudy& study) {
              [](const EqualTime& row) { return row.ratio; });
 }
 
+/// ASOS's picture at the moments at which `sobol` ends.
+std::string while_rendering_table(const SceneStudy& study) {
+  if (study.at_moments.empty()) return "";
+  std::string rows;
+  for (const AtMoment& row : study.at_moments) {
+    const std::string ratio = row.under_floor ? "<td class=\"under\">under the floor</td>"
+                              : row.ratio <= 1.0 - even_band
+                                  ? fmt::format("<td class=\"win\">{:.2f}</td>", row.ratio)
+                              : row.ratio < 1.0 + even_band
+                                  ? fmt::format("<td>{:.2f} even</td>", row.ratio)
+                                  : fmt::format("<td class=\"loss\">{:.2f} worse</td>", row.ratio);
+    rows +=
+        fmt::format("<tr><td class=\"t\">sobol {}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>\n",
+                    escaped(row.setting), seconds_text(row.seconds), error_text(row.sobol_rmse),
+                    error_text(row.asos_rmse), ratio);
+  }
+  return fmt::format(
+      "<h3>While rendering</h3>\n<p class=\"note\">The error of ASOS's picture, while it renders "
+      "at "
+      "the default EPS and MAX, at the moment at which a render by sobol has finished; and its "
+      "ratio to sobol's error. Below 1: ASOS is better.</p>\n<table>\n<thead><tr><th "
+      "class=\"t\">When finished</th><th>at</th><th>RMSE of sobol</th><th>RMSE of ASOS</th>"
+      "<th>Ratio</th></tr></thead>\n<tbody>\n{}</tbody></table>\n",
+      rows);
+}
+
 std::string slopes_table(const SceneStudy& study) {
   if (study.slopes.empty()) return "";
   std::string rows;
@@ -228,7 +253,7 @@ std::string html_scene(const SceneReport& scene, const SceneFigures& figures, st
                        Embedder& embed) {
   return fmt::format("<h2 id=\"scene{}\">{}</h2>\n", number, escaped(scene.study.scene)) +
          facts_text(scene) + plots_text(figures, embed) + comparisons_text(scene.study) +
-         slopes_table(scene.study) + regions_table(scene) +
+         while_rendering_table(scene.study) + slopes_table(scene.study) + regions_table(scene) +
          html_pictures(scene, figures.pictures, number, embed) + points_table(scene.study);
 }
 

@@ -113,6 +113,7 @@ JobRecord record_of(const json& j, const Job& job) {
                     scene.at("lights").get<std::size_t>(),
                     scene.at("left_out").get<std::vector<std::string>>()};
   }
+  if (job.kind == JobKind::progress) record.moments = j.at("moments").get<std::vector<double>>();
   return record;
 }
 
@@ -212,6 +213,10 @@ std::string job_file(const std::string& folder, std::size_t id, const std::strin
   return (fs::path(folder) / fmt::format("{}{}", id, ending)).string();
 }
 
+std::string moment_ending(std::size_t number) {
+  return fmt::format("-{}.exr", number + 1);
+}
+
 Result<void> write_record(const StudyPlan& plan, const JobRecord& record) {
   json j{{"id", record.job.id},
          {"title", record.job.title()},
@@ -231,6 +236,7 @@ Result<void> write_record(const StudyPlan& plan, const JobRecord& record) {
                   {"memory_mb", record.scene.memory_mb},
                   {"lights", record.scene.lights},
                   {"left_out", record.scene.left_out}};
+  if (record.job.kind == JobKind::progress) j["moments"] = record.moments;
   const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
   return write_file_atomically(job_file(record.folder, record.job.id, ".json"),
                                {text.begin(), text.end()});

@@ -27,27 +27,32 @@ struct SceneFacts {
 struct JobRecord {
   Job job;
   Machine machine;
-  std::string when;      ///< UTC, as 2026-01-31T12:00:00Z
-  bool finished = true;  ///< false: cut short, a pass of the reference by its budget, a point by
-                         ///< the longest time for one; or not even begun, as dearer than such
+  std::string when;  ///< UTC, as 2026-01-31T12:00:00Z
+  bool finished =
+      true;  ///< false: cut short, a pass of the reference by its budget, another render
+             ///< by the longest time for one; or a point not even begun, as dearer
   Cost cost;
   std::uint64_t rays = 0;
   std::uint64_t pyrays = 0;
   std::uint64_t rejected_samples = 0;
   std::string picture_hash;
-  SceneFacts scene;    ///< of a job for regions
-  std::string folder;  ///< where its files are
+  SceneFacts scene;             ///< of a job for regions
+  std::vector<double> moments;  ///< of a render that is watched: CPU seconds of each picture
+  std::string folder;           ///< where its files are
 };
 
 [[nodiscard]] nlohmann::ordered_json plan_json(const StudyPlan& plan);
 [[nodiscard]] nlohmann::ordered_json machine_json(const Machine& machine);
 
 /// The folder for the jobs of a report in `report_folder`, and a job's files in it: K.json; K.exr,
-/// linear radiance as floats, of the first repetition and of the reference; K.png, the regions,
-/// with region, split level and cause in place of red, green and blue.
+/// linear radiance as floats, of the first repetition and of the reference; K-1.exr, K-2.exr and so
+/// on, the pictures of a render that is watched; K.png, the regions, with region, split level and
+/// cause in place of red, green and blue.
 [[nodiscard]] std::string jobs_folder(const std::string& report_folder);
 [[nodiscard]] std::string job_file(const std::string& folder, std::size_t id,
                                    const std::string& ending);
+/// The ending of a picture of a render that is watched, by its number from 0.
+[[nodiscard]] std::string moment_ending(std::size_t number);
 
 [[nodiscard]] Result<void> write_record(const StudyPlan& plan, const JobRecord& record);
 

@@ -7,6 +7,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/sampling/random.h"
+#include "renderer/study/progress_curve.h"
 #include "renderer/study/timed_render.h"
 
 #include <fmt/chrono.h>
@@ -93,6 +94,7 @@ Result<void> JobRunner::write_picture(const JobRecord& record, const Film& film)
       // The other repetitions are told by their hash.
       if (job.repetition > 1) return {};
       break;
+    case JobKind::progress:
     case JobKind::reference:
       break;
   }
@@ -116,12 +118,47 @@ Result<JobRecord> JobRunner::give_up(const Job& job) const {
   return record;
 }
 
+Result<void> JobRunner::render(JobRecord& record, const std::function<bool()>& stop) const {
+  const Job& job = record.job;
+  const auto rendered = timed_render(snapshot_for(job, scene_, camera_), stop);
+  record.finished = rendered.has_value();
+  if (!rendered) return {};
+  record.cost = {rendered->wall_seconds, rendered->cpu_seconds, rendered->memory_mb};
+  record.rays = rays_of(rendered->statistics);
+  record.pyrays = pyrays_of(rendered->statistics);
+  record.rejected_samples = rendered->statistics.rejected_samples;
+  record.picture_hash = hash_of(rendered->film);
+  record.scene = {scene_->world().triangles.size(), scene_->geometry->memory_mb(),
+                  scene_->lights().size(), needs_of(*scene_, job.rung.settings).left_out()};
+  return write_picture(record, rendered->film);
+}
+
+Result<void> JobRunner::watch(JobRecord& record, const std::function<bool()>& stop) const {
+  const Job& job = record.job;
+  Snapshot snapshot = snapshot_for(job, scene_, camera_);
+  snapshot.progressive = true;
+  const WatchedRender watched = watch_render(snapshot, study_factor, stop);
+  record.finished = watched.finished;
+  for (const SeenPicture& picture : watched.pictures) {
+    const std::string path = job_file(folder_, job.id, moment_ending(record.moments.size()));
+    if (auto written = write_exr(path, picture.film, {{"asos.job", job.title()}}); !written)
+      return written;
+    record.moments.push_back(picture.seconds);
+  }
+  if (watched.pictures.empty()) return {};
+  const SeenPicture& last = watched.pictures.back();
+  record.cost.wall_seconds = last.progress.seconds;
+  record.cost.cpu_seconds = last.seconds;
+  record.picture_hash = hash_of(last.film);
+  return {};
+}
+
 Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
   if (const auto opened = open(job.subject); !opened) return tl::unexpected(opened.error());
   if (const auto fits = check_method(*scene_, job.rung.settings); !fits)
     return tl::unexpected(fits.error());
   const bool may_be_cut =
-      job.kind == JobKind::point || (job.kind == JobKind::reference && job.pass > 0);
+      may_be_given_up(job.kind) || (job.kind == JobKind::reference && job.pass > 0);
   const auto start = std::chrono::steady_clock::now();
   const auto out_of_time = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
@@ -130,21 +167,10 @@ Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
   const auto interrupted = [this] { return stop_ && stop_(); };
 
   JobRecord record = record_of(job);
-  const auto rendered = timed_render(snapshot_for(job, scene_, camera_),
-                                     [&] { return interrupted() || out_of_time(); });
+  const auto stop = [&] { return interrupted() || out_of_time(); };
+  const auto rendered = job.kind == JobKind::progress ? watch(record, stop) : render(record, stop);
   if (interrupted()) return tl::unexpected(Error{"report", "interrupted"});
-  record.finished = rendered.has_value();
-  if (rendered) {
-    record.cost = {rendered->wall_seconds, rendered->cpu_seconds, rendered->memory_mb};
-    record.rays = rays_of(rendered->statistics);
-    record.pyrays = pyrays_of(rendered->statistics);
-    record.rejected_samples = rendered->statistics.rejected_samples;
-    record.picture_hash = hash_of(rendered->film);
-    record.scene = {scene_->world().triangles.size(), scene_->geometry->memory_mb(),
-                    scene_->lights().size(), needs_of(*scene_, job.rung.settings).left_out()};
-    if (const auto written = write_picture(record, rendered->film); !written)
-      return tl::unexpected(written.error());
-  }
+  if (!rendered) return tl::unexpected(rendered.error());
   if (const auto written = write_record(plan_, record); !written)
     return tl::unexpected(written.error());
   return record;

@@ -17,9 +17,9 @@ class JobRunner {
   /// `stop` is asked often; once it says so, `run` ends with an error.
   JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop);
 
-  /// Renders and writes. A point, and a pass of the reference after the first, is given up after
-  /// `seconds`, and its record says so. Errors: a scene that cannot be opened or that the method
-  /// cannot render, a file that cannot be written, a stop.
+  /// Renders and writes. A point, a render that is watched, and a pass of the reference after the
+  /// first is given up after `seconds`, and its record says so. Errors: a scene that cannot be
+  /// opened or that the method cannot render, a file that cannot be written, a stop.
   [[nodiscard]] Result<JobRecord> run(const Job& job, double seconds);
 
   /// Writes down that a point was not even begun.
@@ -28,6 +28,9 @@ class JobRunner {
  private:
   [[nodiscard]] JobRecord record_of(const Job& job) const;
   [[nodiscard]] Result<void> open(const StudyScene& subject);
+  /// Renders, fills in the record and writes the pictures. `stop` ends the render.
+  [[nodiscard]] Result<void> render(JobRecord& record, const std::function<bool()>& stop) const;
+  [[nodiscard]] Result<void> watch(JobRecord& record, const std::function<bool()>& stop) const;
   [[nodiscard]] Result<void> write_picture(const JobRecord& record, const Film& film) const;
 
   StudyPlan plan_;

@@ -23,6 +23,12 @@ constexpr std::array quantities{
     Quantity{"perceptual", "Mean CIEDE2000 of the displayed picture", &Measures::perceptual, false},
 };
 
+constexpr const char* finished_note = "Bars reach from the quickest to the slowest repetition.";
+constexpr const char* progress_title = "RMSE while rendering";
+constexpr const char* progress_note =
+    "A mark is the picture at that moment of one render, from the first whole picture to the "
+    "finished one.";
+
 PlotPoint plot_point(const StudyPoint& p, const Quantity& quantity) {
   const auto [lo, hi] = std::minmax_element(
       p.costs.begin(), p.costs.end(),
@@ -48,19 +54,39 @@ CurvePlot plot_of(const SceneStudy& study, const Quantity& quantity) {
   return plot;
 }
 
+CurvePlot progress_plot_of(const SceneStudy& study) {
+  CurvePlot plot{study.scene + ", while rendering", quantities.front().title, {}, study.floor};
+  for (const RenderCurve& render : study.while_rendering) {
+    const bool strong = render.method == "asos";
+    PlotCurve& curve =
+        plot.curves.emplace_back(PlotCurve{render.method + " " + render.setting, {}, strong});
+    for (const CurvePoint& p : render.points)
+      curve.points.push_back({p.seconds, p.error, p.seconds, p.seconds, p.error < study.floor});
+  }
+  return plot;
+}
+
 }  // namespace
 
 Result<std::vector<Plot>> draw_plots(const SceneReport& scene, const std::string& folder,
                                      const std::string& name) {
   std::vector<Plot> plots;
-  for (const Quantity& quantity : quantities) {
-    const CurvePlot plot = plot_of(scene.study, quantity);
-    if (plot.empty()) continue;
-    const std::string path =
-        (std::filesystem::path(folder) / fmt::format("{}-{}", name, quantity.ending)).string();
-    if (const auto drawn = draw_plot(plot, path); !drawn) return tl::unexpected(drawn.error());
-    plots.push_back({quantity.title, path});
-  }
+  const auto draw = [&](const CurvePlot& plot, const char* ending, Plot drawn) -> Result<void> {
+    if (plot.empty()) return {};
+    drawn.path = (std::filesystem::path(folder) / fmt::format("{}-{}", name, ending)).string();
+    if (auto done = draw_plot(plot, drawn.path); !done) return done;
+    plots.push_back(std::move(drawn));
+    return {};
+  };
+  for (const Quantity& quantity : quantities)
+    if (const auto drawn = draw(plot_of(scene.study, quantity), quantity.ending,
+                                {quantity.title, finished_note, ""});
+        !drawn)
+      return tl::unexpected(drawn.error());
+  if (const auto drawn =
+          draw(progress_plot_of(scene.study), "progress", {progress_title, progress_note, ""});
+      !drawn)
+    return tl::unexpected(drawn.error());
   return plots;
 }
 

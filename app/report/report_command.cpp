@@ -29,7 +29,7 @@ namespace {
 
 constexpr const char* report_footer =
     "Renders every scene by every method at several settings. DIR gets report.html, points.csv,\n"
-    "report.json, plots/, pictures/ and jobs/.\n"
+    "progress.csv, report.json, plots/, pictures/ and jobs/.\n"
     "\n"
     "Jobs can run apart on equal machines and be merged:\n"
     "  asos report SCENE -o DIR --list-jobs        lists the jobs\n"

@@ -44,6 +44,32 @@ json point_json(const StudyPoint& p) {
   return j;
 }
 
+json while_rendering_json(const SceneStudy& study) {
+  json curves = json::array();
+  for (const RenderCurve& curve : study.while_rendering) {
+    json points = json::array();
+    for (const CurvePoint& p : curve.points)
+      points.push_back({{"seconds", p.seconds}, {"rmse", p.error}});
+    curves.push_back({{"method", curve.method},
+                      {"setting", curve.setting},
+                      {"finished", curve.finished},
+                      {"points", std::move(points)}});
+  }
+  return curves;
+}
+
+json at_moments_json(const SceneStudy& study) {
+  json rows = json::array();
+  for (const AtMoment& row : study.at_moments)
+    rows.push_back({{"sobol_setting", row.setting},
+                    {"seconds", row.seconds},
+                    {"sobol_rmse", row.sobol_rmse},
+                    {"asos_rmse", row.asos_rmse},
+                    {"error_ratio", row.ratio},
+                    {"under_floor", row.under_floor}});
+  return rows;
+}
+
 json scene_json(const SceneReport& scene) {
   json j{{"scene", scene.study.scene},
          {"triangles", scene.facts.triangles},
@@ -58,6 +84,8 @@ json scene_json(const SceneReport& scene) {
            {"quiet_enough", scene.quiet}}},
          {"points", json::array()}};
   for (const StudyPoint& p : scene.study.points) j["points"].push_back(point_json(p));
+  j["while_rendering"] = while_rendering_json(scene.study);
+  j["asos_while_rendering"] = at_moments_json(scene.study);
   if (const auto& bias = scene.study.bias)
     j["asos_bias"] = {
         {"at_most", bias->at_most}, {"levels_off", bias->levels_off}, {"setting", bias->setting}};
@@ -188,6 +216,17 @@ std::string points_csv(const StudyReport& report) {
             m.perceptual, p.rays, p.pyrays, p.costs[r].memory_mb);
     }
   }
+  return text;
+}
+
+std::string progress_csv(const StudyReport& report) {
+  std::string text = "scene,method,setting,picture,seconds,rmse\n";
+  for (const SceneReport& scene : report.scenes)
+    for (const RenderCurve& curve : scene.study.while_rendering)
+      for (std::size_t k = 0; k < curve.points.size(); ++k)
+        text += fmt::format("{},{},{},{},{:.6f},{:.6e}\n", csv_field(scene.study.scene),
+                            csv_field(curve.method), csv_field(curve.setting), k + 1,
+                            curve.points[k].seconds, curve.points[k].error);
   return text;
 }
 

@@ -18,6 +18,10 @@ namespace asos {
 /// seconds of all threads together; errors are those of the measures of renderer/study/measures.h.
 [[nodiscard]] std::string points_csv(const StudyReport& report);
 
+/// progress.csv: a header, then a line for each picture of each render that was watched, in the
+/// order of their times. `seconds` are CPU seconds of all workers since the render began.
+[[nodiscard]] std::string progress_csv(const StudyReport& report);
+
 /// report.json: what was compared, on what, with what settings; the points; equal_error, equal_time
 /// and slopes over all scenes.
 [[nodiscard]] nlohmann::ordered_json report_json(const StudyReport& report);

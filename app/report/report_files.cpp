@@ -22,11 +22,18 @@ std::string path_in(const std::string& folder, const char* name) {
   return (fs::path(folder) / name).string();
 }
 
+bool is_number(const std::string& text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 bool is_job_file(const fs::path& path) {
   const std::string stem = path.stem().string();
   const std::string ending = path.extension().string();
-  return (ending == ".json" || ending == ".exr" || ending == ".png") && !stem.empty() &&
-         std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (is_number(stem)) return ending == ".json" || ending == ".exr" || ending == ".png";
+  const std::size_t dash = stem.find('-');
+  return dash != std::string::npos && ending == ".exr" && is_number(stem.substr(0, dash)) &&
+         is_number(stem.substr(dash + 1));
 }
 
 }  // namespace
@@ -84,6 +91,7 @@ Result<void> write_report(const StudyReport& report, const std::string& folder) 
   if (!page) return tl::unexpected(page.error());
   const std::string json = json_text(report_json(report));
   return write_text(folder, "points.csv", points_csv(report))
+      .and_then([&] { return write_text(folder, "progress.csv", progress_csv(report)); })
       .and_then([&] { return write_text(folder, "report.json", json); })
       .and_then([&] { return write_text(folder, "report.html", *page); });
 }

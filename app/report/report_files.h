@@ -20,7 +20,7 @@ namespace asos {
 /// Removes the files that an earlier report left in its folder of jobs; nothing else.
 [[nodiscard]] Result<void> clear_jobs(const std::string& folder);
 
-/// Writes points.csv, report.json, plots/, pictures/ and report.html into a folder.
+/// Writes points.csv, progress.csv, report.json, plots/, pictures/ and report.html into a folder.
 [[nodiscard]] Result<void> write_report(const StudyReport& report, const std::string& folder);
 
 }  // namespace asos

@@ -17,13 +17,13 @@ const JobRecord* record_of(const JobRecords& jobs, const Job& job) {
   return at != jobs.records.end() && at->job.id == job.id ? &*at : nullptr;
 }
 
-Result<Film> film_of(const JobRecord& record) {
-  auto image = read_exr(job_file(record.folder, record.job.id, ".exr"));
+Result<Film> film_of(const JobRecord& record, const std::string& ending = ".exr") {
+  const std::string path = job_file(record.folder, record.job.id, ending);
+  auto image = read_exr(path);
   if (!image) return tl::unexpected(image.error());
   const RenderSettings& settings = record.job.rung.settings;
   if (image->film.width != settings.width || image->film.height != settings.height)
-    return tl::unexpected(Error{job_file(record.folder, record.job.id, ".exr"),
-                                "is not of the size that its study has"});
+    return tl::unexpected(Error{path, "is not of the size that its study has"});
   return std::move(image->film);
 }
 
@@ -33,7 +33,7 @@ Result<void> check_complete(const JobRecords& jobs) {
   for (const Job& job : jobs.jobs) {
     if (job.kind == JobKind::reference && job.pass > 0) continue;
     const JobRecord* record = record_of(jobs, job);
-    if (record && (record->finished || job.kind == JobKind::point)) continue;
+    if (record && (record->finished || may_be_given_up(job.kind))) continue;
     if (missing++ == 0) first = &job;
   }
   if (missing == 0) return {};
@@ -131,6 +131,22 @@ Result<void> add_regions(const JobRecords& jobs, SceneReport& scene) {
   return {};
 }
 
+/// The errors of the renders that were watched.
+Result<void> add_while_rendering(const JobRecords& jobs, SceneReport& scene) {
+  for (const JobRecord& record : jobs.records) {
+    if (record.job.kind != JobKind::progress || record.job.scene != scene.study.scene) continue;
+    const Rung& rung = record.job.rung;
+    RenderCurve curve{rung.method, rung.setting, record.finished, {}};
+    for (const double seconds : record.moments) {
+      const Result<Film> film = film_of(record, moment_ending(curve.points.size()));
+      if (!film) return tl::unexpected(film.error());
+      curve.points.push_back({seconds, root_mean_square(*film, scene.reference, true)});
+    }
+    if (!curve.points.empty()) scene.study.while_rendering.push_back(std::move(curve));
+  }
+  return {};
+}
+
 Result<SceneReport> assemble_scene(const JobRecords& jobs, const std::string& name) {
   SceneReport scene;
   scene.study.scene = name;
@@ -164,6 +180,8 @@ Result<SceneReport> assemble_scene(const JobRecords& jobs, const std::string& na
     scene.study.points.push_back(std::move(point));
     scene.pictures.push_back(job_file(first->folder, first->job.id, ".exr"));
   }
+  if (const auto added = add_while_rendering(jobs, scene); !added)
+    return tl::unexpected(added.error());
   analyse(scene.study);
   return scene;
 }

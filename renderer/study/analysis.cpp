@@ -148,6 +148,24 @@ void compare(SceneStudy& study, const std::string& name) {
   }
 }
 
+/// At the ends of `sobol` by 1, 4, 16 and 64 samples.
+std::vector<AtMoment> moments_of(const SceneStudy& study) {
+  std::vector<AtMoment> moments;
+  const auto asos = std::find_if(study.while_rendering.begin(), study.while_rendering.end(),
+                                 [](const RenderCurve& c) { return c.method == subject; });
+  if (asos == study.while_rendering.end()) return moments;
+  for (const StudyPoint& p : study.points) {
+    const bool chosen = p.rung.method == "sobol" && p.rung.settings.sampling.spp <= 64;
+    if (!chosen || !(p.seconds() > 0.0) || !(p.measures.rmse > 0.0)) continue;
+    const auto shown = error_shown_at(asos->points, p.seconds());
+    if (!shown) continue;
+    const double sobol = p.measures.rmse;
+    moments.push_back({p.rung.setting, p.seconds(), sobol, *shown, *shown / sobol,
+                       p.under_floor || *shown < study.floor});
+  }
+  return moments;
+}
+
 double value_of(const EqualError& row) {
   return row.speedup;
 }
@@ -252,6 +270,7 @@ void analyse(SceneStudy& study) {
   study.slopes.clear();
   mark_best(study);
   study.bias = bias_of(study);
+  study.at_moments = moments_of(study);
   for (const std::string& method :
        names_in(study, [](const StudyPoint& p) { return p.rung.method; }))
     if (method != subject) compare(study, method);

@@ -84,6 +84,24 @@ struct OwnBias {
   std::string setting;      ///< the best one
 };
 
+/// The errors of a method's picture while it renders: RMSE over CPU time, without repetitions.
+struct RenderCurve {
+  std::string method;
+  std::string setting;
+  bool finished = false;  ///< else its end was not waited for
+  std::vector<CurvePoint> points;
+};
+
+/// The picture of ASOS while it renders, at the moment at which a setting of `sobol` has finished.
+struct AtMoment {
+  std::string setting;   ///< of `sobol`
+  double seconds = 0.0;  ///< its time
+  double sobol_rmse = 0.0;
+  double asos_rmse = 0.0;    ///< of the latest picture
+  double ratio = 0.0;        ///< of ASOS's error over that of `sobol`; below 1: ASOS is better
+  bool under_floor = false;  ///< one of the errors is hardly known
+};
+
 /// The results for one scene.
 struct SceneStudy {
   std::string scene;
@@ -93,6 +111,8 @@ struct SceneStudy {
   std::vector<EqualError> equal_error;
   std::vector<EqualTime> equal_time;
   std::vector<Slope> slopes;
+  std::vector<RenderCurve> while_rendering;
+  std::vector<AtMoment> at_moments;
   std::optional<OwnBias> bias;  ///< nothing where all that is better known lies under the floor
 };
 
@@ -113,8 +133,8 @@ struct Incomparable {
 };
 [[nodiscard]] Incomparable incomparable(const SceneStudy& study);
 
-/// Marks points under the floor and the best ones, and compares: fills all but scene, points and
-/// noise.
+/// Marks points under the floor and the best ones, and compares: fills all but scene, points, noise
+/// and while_rendering.
 void analyse(SceneStudy& study);
 
 /// Differences below this share count as even.

@@ -11,8 +11,8 @@ namespace asos {
 /// what comes after them on their curves, need not be tried.
 class GivenUp {
  public:
+  // Other jobs than points are neither added nor held.
   void add(const Job& job);
-  /// Points only.
   [[nodiscard]] bool holds(const Job& job) const;
 
  private:

@@ -141,6 +141,22 @@ Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSetti
   return unexpected(Error{fmt::format("\"{}\"", method), "not one of " + known});
 }
 
+Result<Rung> watched_rung(const std::string& method, const RenderSettings& base) {
+  constexpr int most_samples = 256;
+  const auto ladder = ladder_of(method, base);
+  if (!ladder) return unexpected(ladder.error());
+  const AsosSettings usual;
+  const auto watched = [&](const Rung& rung) {
+    const RenderSettings& settings = rung.settings;
+    if (settings.method == Method::asos)
+      return settings.asos.eps == usual.eps && settings.asos.max_level == usual.max_level;
+    return row_of(settings.method).samples == SampleCount::none ||
+           settings.sampling.spp <= most_samples;
+  };
+  const auto found = std::find_if(ladder->rbegin(), ladder->rend(), watched);
+  return found != ladder->rend() ? *found : ladder->back();
+}
+
 Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level, double eps) {
   Rung rung = make_rung(method, base);
   rung.setting = fmt::format("MAX {} EPS {}", max_level, eps_text(eps));

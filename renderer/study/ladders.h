@@ -25,6 +25,10 @@ struct Rung {
 [[nodiscard]] Result<std::vector<Rung>> ladder_of(const std::string& method,
                                                   const RenderSettings& base);
 
+/// The step of a method's ladder whose render a study watches: ASOS at the program's default EPS
+/// and MAX, else the last step of at most 256 samples, or the last one where none are counted.
+[[nodiscard]] Result<Rung> watched_rung(const std::string& method, const RenderSettings& base);
+
 /// A step that is in no ladder, for a published comparison.
 [[nodiscard]] Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level,
                              double eps);

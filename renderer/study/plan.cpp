@@ -80,12 +80,16 @@ bool contains(const std::vector<StudyScene>& scenes, const StudyScene& scene) {
   return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
 }
 
+std::vector<std::string> methods_of(const StudyPlan& plan) {
+  return plan.methods.empty() ? default_methods() : plan.methods;
+}
+
 Result<Ladders> ladders_of(const StudyPlan& plan, const StudyScene& scene) {
   RenderSettings base = base_settings(plan, scene.look);
   Ladders ladders;
   if (contains(own_scenes(plan), scene)) {
     base.texture.resolution = plan.texture_resolution;
-    for (const std::string& method : plan.methods.empty() ? default_methods() : plan.methods) {
+    for (const std::string& method : methods_of(plan)) {
       auto ladder = ladder_of(method, base);
       if (!ladder) return unexpected(ladder.error());
       ladders.push_back(*std::move(ladder));
@@ -134,6 +138,21 @@ void add_points(std::vector<Job>& jobs, const Ladders& ladders, const StudyScene
       jobs.push_back(std::move(job));
     }
   }
+}
+
+Result<void> add_progress(std::vector<Job>& jobs, const StudyPlan& plan, const StudyScene& scene) {
+  if (!contains(own_scenes(plan), scene)) return {};
+  RenderSettings base = base_settings(plan, scene.look);
+  base.texture.resolution = plan.texture_resolution;
+  for (const std::string& method : methods_of(plan)) {
+    auto rung = watched_rung(method, base);
+    if (!rung) return unexpected(rung.error());
+    Job job = job_of(JobKind::progress, scene);
+    job.rung = *std::move(rung);
+    job.repetition = 1;
+    jobs.push_back(std::move(job));
+  }
+  return {};
 }
 
 Result<void> check(const StudyPlan& plan) {
@@ -191,6 +210,8 @@ std::string Job::title() const {
   switch (kind) {
     case JobKind::regions:
       return fmt::format("{} regions", scene);
+    case JobKind::progress:
+      return fmt::format("{} {} {} while rendering", scene, rung.method, rung.setting);
     case JobKind::reference:
       return fmt::format("{} reference pass {} half {} ({} spp)", scene, pass + 1,
                          half == 0 ? "a" : "b", rung.settings.sampling.spp);
@@ -221,6 +242,8 @@ Result<std::vector<Job>> make_jobs(const StudyPlan& plan) {
     jobs.push_back(regions_job(plan, scene));
     for (int repetition = 1; repetition <= plan.repetitions; ++repetition)
       add_points(jobs, *ladders, scene, repetition);
+    if (const auto added = add_progress(jobs, plan, scene); !added)
+      return unexpected(added.error());
     for (int pass = 0; pass < reference_passes; ++pass)
       for (const int half : {0, 1}) jobs.push_back(reference_job(plan, scene, pass, half));
   }

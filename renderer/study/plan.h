@@ -88,6 +88,7 @@ struct StudyPlan {
 enum class JobKind {
   regions,    ///< the map of regions of a scene
   point,      ///< one setting of a method, once
+  progress,   ///< the pictures of one setting of a method while it renders
   reference,  ///< one half of one pass of the reference
 };
 
@@ -111,13 +112,20 @@ struct Job {
 inline constexpr int reference_passes = 9;
 [[nodiscard]] int reference_samples(int pass);
 
+/// Returns true for jobs that may end early. A point is left out then; a render that is watched
+/// keeps its pictures so far. The other jobs have to finish.
+[[nodiscard]] inline bool may_be_given_up(JobKind kind) {
+  return kind == JobKind::point || kind == JobKind::progress;
+}
+
 /// All scenes of a plan: its own, and those of the published cases.
 [[nodiscard]] std::vector<StudyScene> scenes_of(const StudyPlan& plan);
 
-/// The jobs in their order: scene by scene the regions, the points and the reference. A repetition
-/// of all points comes before the next, and within it the methods take turns, so that what else the
-/// machine does meets all of them. Errors: no scene, an unknown method, a size that is out of
-/// range.
+/// The jobs in their order: scene by scene the regions, the points, the renders that are watched
+/// and the reference. A repetition of all points comes before the next, and within it the methods
+/// take turns, so that what else the machine does meets all of them. Renders are watched of the
+/// plan's own scenes: one of each method. Errors: no scene, an unknown method, a size that is out
+/// of range.
 [[nodiscard]] Result<std::vector<Job>> make_jobs(const StudyPlan& plan);
 
 }  // namespace asos

@@ -75,6 +75,36 @@ TEST_F(FinishedReport, TheCsvHasItsColumnsAndALineForEachRun) {
   EXPECT_TRUE(lines[1].starts_with("builtin:boxes,asos,MAX 4 EPS 1/8,1,")) << lines[1];
 }
 
+TEST_F(FinishedReport, TheCsvOfProgressHasALineForEachPicture) {
+  const auto lines = lines_of(content_of(path("progress.csv")));
+  EXPECT_EQ(lines[0], "scene,method,setting,picture,seconds,rmse");
+  const json scene = json::parse(content_of(path("report.json"))).at("scenes").at(0);
+  const json& curves = scene.at("while_rendering");
+  ASSERT_EQ(curves.size(), 2u);
+  std::size_t pictures = 0, finished = 0;
+  for (const json& curve : curves) {
+    EXPECT_TRUE(curve.at("finished").get<bool>());
+    const json& points = curve.at("points");
+    ASSERT_GE(points.size(), 1u);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      EXPECT_GE(points[i].at("seconds"), points[i - 1].at("seconds"));
+    // The last one is the finished picture of that setting.
+    for (const json& point : scene.at("points")) {
+      if (point.at("method") != curve.at("method") || point.at("setting") != curve.at("setting"))
+        continue;
+      EXPECT_EQ(points.back().at("rmse"), point.at("rmse")) << curve.at("method");
+      ++finished;
+    }
+    pictures += points.size();
+  }
+  EXPECT_EQ(lines.size(), 1u + pictures);
+  EXPECT_EQ(finished, curves.size()) << "each has its setting among the points";
+  EXPECT_TRUE(lines[1].starts_with("builtin:boxes,asos,MAX 4 EPS 1/256,1,")) << lines[1];
+  for (const json& row : scene.at("asos_while_rendering"))
+    EXPECT_NEAR(row.at("error_ratio").get<double>(),
+                row.at("asos_rmse").get<double>() / row.at("sobol_rmse").get<double>(), 1e-9);
+}
+
 TEST_F(FinishedReport, TheJsonHasItsFields) {
   const json report = json::parse(content_of(path("report.json")));
   for (const char* key : {"machine", "build", "commit"})
@@ -106,8 +136,8 @@ TEST_F(FinishedReport, ThePageNeedsNothingElse) {
   const std::string page = content_of(path("report.html"));
   EXPECT_EQ(count_of(page, "http"), 0u) << "a link, or something fetched";
   EXPECT_EQ(count_of(page, "url("), 0u);
-  // Two plots; reference, two pictures with their errors, and three maps.
-  EXPECT_EQ(asos::test::embedded_images(page), 2u + 1u + 4u + 3u);
+  // Three plots; reference, two pictures with their errors, and three maps.
+  EXPECT_EQ(asos::test::embedded_images(page), 3u + 1u + 4u + 3u);
   EXPECT_EQ(count_of(page, "data-label="), 1u + 4u + 3u);
   EXPECT_TRUE(contains(page, "data-pictures=\"pictures1\""));
   EXPECT_TRUE(contains(page, "id=\"pictures1\""));
@@ -144,6 +174,7 @@ TEST_F(FinishedReport, EveryLossIsListedInWords) {
 TEST_F(FinishedReport, ThePlotsAndPicturesAreFiles) {
   for (const char* name :
        {"plots/1-boxes-rmse.svg", "plots/1-boxes-rmse.png", "plots/1-boxes-perceptual.svg",
+        "plots/1-boxes-progress.svg", "plots/1-boxes-progress.png",
         "pictures/1-boxes-reference.png", "pictures/1-boxes-asos.png",
         "pictures/1-boxes-sobol-errors.png", "pictures/1-boxes-split-causes.png"})
     EXPECT_GT(fs::file_size(path(name)), 100u) << name;
@@ -152,10 +183,14 @@ TEST_F(FinishedReport, ThePlotsAndPicturesAreFiles) {
 /// Scenes as report.json has them, without what depends on how long anything took.
 json results_without_times(const fs::path& folder) {
   json scenes = json::parse(content_of(folder / "report.json")).at("scenes");
-  for (json& scene : scenes)
+  for (json& scene : scenes) {
     for (json& point : scene.at("points"))
       for (const char* key : {"seconds", "spread", "wall_seconds", "memory_mb", "best"})
         point.erase(key);
+    scene.erase("asos_while_rendering");
+    for (json& curve : scene.at("while_rendering"))
+      curve.at("points") = curve.at("points").back().at("rmse");
+  }
   return scenes;
 }
 
@@ -178,7 +213,7 @@ TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
   const AsosRun list = with({"--list-jobs"});
   ASSERT_EQ(list.exit_code, 0);
   const std::size_t jobs = lines_of(list.out).size();
-  ASSERT_EQ(jobs, 1u + 14u + 18u);
+  ASSERT_EQ(jobs, 1u + 14u + 2u + 18u);
   for (std::size_t k = jobs; k-- > 0;) {
     const AsosRun one =
         with({"-o", (k % 2 ? odd : even).path().string(), "--job", std::to_string(k)});
@@ -245,12 +280,26 @@ TEST(ReportCommand, WhatTakesTooLongIsGivenUpAndNamed) {
   const auto report = json::parse(content_of(folder.path() / "report.json"));
   const auto& scene = report["scenes"][0];
   EXPECT_TRUE(scene["points"].empty());
+  EXPECT_TRUE(scene["while_rendering"].empty()) << "no picture was waited for";
   ASSERT_EQ(scene["given_up"].size(), 14u);  // EPS 1/8 to 1/2048, and five of sobol
   EXPECT_EQ(scene["given_up"][0], "asos MAX 4 EPS 1/8");
   EXPECT_EQ(report["settings"]["longest_seconds"], 1e-9);
   const std::string page = content_of(folder.path() / "report.html");
   EXPECT_TRUE(contains(page, "given up after")) << page.substr(0, 2000);
   EXPECT_TRUE(contains(page, "sobol 256 spp"));
+}
+
+TEST(ReportCommand, ANewReportRemovesThePicturesOfTheOneBefore) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path().string();
+  fs::create_directories(folder.path() / "jobs");
+  const std::string old = folder.write("jobs/99-7.exr", "old");
+  const std::string other = folder.write("jobs/notes-7.exr", "kept");
+  const std::string dashed = folder.write("jobs/9-7-1.exr", "kept");
+  ASSERT_EQ(run_asos(tiny_study(path, {"--repetitions", "1"})).exit_code, 0);
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(other));
+  EXPECT_TRUE(fs::exists(dashed));
 }
 
 TEST(ReportCommand, JobsOfAnotherStudyAreRefused) {
@@ -272,7 +321,7 @@ TEST(ReportCommand, ListsItsJobsAndRunsNone) {
   const AsosRun outcome = run_asos(tiny_study(folder.file("new"), {"--list-jobs"}));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(outcome.out.starts_with("0\tbuiltin:boxes regions\n")) << outcome.out;
-  EXPECT_EQ(lines_of(outcome.out).size(), 1u + 3u * 14u + 18u);
+  EXPECT_EQ(lines_of(outcome.out).size(), 1u + 3u * 14u + 2u + 18u);
   EXPECT_FALSE(fs::exists(folder.file("new")));
 }
 

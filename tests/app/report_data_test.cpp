@@ -132,6 +132,29 @@ TEST(PointsCsv, QuotesWhatNeedsIt) {
       contains(points_csv(report), "\n\"a, \"\"b\"\".glb\",asos,MAX 2 EPS 1/8,1,2.000000,"));
 }
 
+TEST(ProgressCsv, HasALineForEachPicture) {
+  StudyReport report = paper_report();
+  report.scenes[0].study.while_rendering = {
+      {"asos", "MAX 4 EPS 1/256", true, {{0.5, 0.25}, {1.0, 0.125}}}};
+  EXPECT_EQ(progress_csv(report),
+            "scene,method,setting,picture,seconds,rmse\n"
+            "builtin:office,asos,MAX 4 EPS 1/256,1,0.500000,2.500000e-01\n"
+            "builtin:office,asos,MAX 4 EPS 1/256,2,1.000000,1.250000e-01\n");
+}
+
+TEST(HtmlScene, SaysHowAsosDoesWhileItRenders) {
+  SceneReport scene = paper_report().scenes[0];
+  scene.regions.region.resize(1);
+  scene.study.at_moments = {{"1 spp", 0.5, 0.1, 0.05, 0.5, false},
+                            {"4 spp", 2.0, 0.05, 0.1, 2.0, false},
+                            {"64 spp", 8.0, 0.01, 0.001, 0.1, true}};
+  Embedder embed;
+  const std::string text = html_scene(scene, {}, 1, embed);
+  EXPECT_TRUE(contains(text, "<td class=\"win\">0.50</td>"));
+  EXPECT_TRUE(contains(text, "<td class=\"loss\">2.00 worse</td>"));
+  EXPECT_TRUE(contains(text, "<td class=\"under\">under the floor</td>"));
+}
+
 TEST(HtmlSummary, NamesTheWinnerAndTheLoser) {
   StudyReport report = paper_report();
   SceneStudy& study = report.scenes[0].study;

@@ -112,6 +112,28 @@ TEST(Analyse, FindsAsosOwnBias) {
 }
 
 // No sampling goes below one sample: a rival that is better at its quickest costs that and no less.
+TEST(Analyse, ComparesAsosWhileItRendersWithSobolAtItsEnds) {
+  SceneStudy study = power_laws();
+  EXPECT_TRUE(study.at_moments.empty()) << "no render was watched";
+  for (StudyPoint& p : study.points)
+    p.rung.settings.sampling.spp = p.rung.setting == "400 spp" ? 400 : 1;
+  study.while_rendering = {{"sobol", "400 spp", true, {{0.5, 0.001}}},
+                           {"asos", "MAX 2", true, {{2.0, 0.1}, {10.0, 0.04}, {50.0, 0.003}}}};
+  analyse(study);
+  // After 1 s there is no picture, after 4 s that of 2 s, after 64 s that of 50 s.
+  ASSERT_EQ(study.at_moments.size(), 2u) << "not of more than 64 samples";
+  EXPECT_EQ(study.at_moments[0].setting, "4 spp");
+  EXPECT_EQ(study.at_moments[0].seconds, 4.0);
+  EXPECT_NEAR(study.at_moments[0].ratio, 0.1 / 0.05, 1e-12);
+  EXPECT_NEAR(study.at_moments[1].ratio, 0.003 / 0.0125, 1e-12);
+  EXPECT_FALSE(study.at_moments[1].under_floor);
+  study.noise = 0.002;  // and the floor 0.004
+  analyse(study);
+  ASSERT_EQ(study.at_moments.size(), 2u);
+  EXPECT_FALSE(study.at_moments[0].under_floor);
+  EXPECT_TRUE(study.at_moments[1].under_floor);
+}
+
 TEST(Analyse, ALossIsALoss) {
   SceneStudy study;
   study.points = {point("asos", "MAX 1", 2, 0.2), point("sobol", "1 spp", 1, 0.1),

@@ -46,5 +46,15 @@ TEST(GivenUp, ReferencesAreNoPoints) {
   EXPECT_FALSE(given_up.holds(reference));
 }
 
+TEST(GivenUp, ARenderThatIsWatchedHidesNoPoint) {
+  GivenUp given_up;
+  Job watched = point("MAX 3", "EPS 0", 1);
+  watched.kind = JobKind::progress;
+  given_up.add(watched);
+  EXPECT_FALSE(given_up.holds(point("MAX 3", "EPS 0", 1)));
+  given_up.add(point("MAX 3", "EPS 0", 1));
+  EXPECT_FALSE(given_up.holds(watched));
+}
+
 }  // namespace
 }  // namespace asos

@@ -54,6 +54,39 @@ TEST(Plan, RepetitionsFollowEachOtherAndMethodsTakeTurns) {
   EXPECT_EQ(last, 3);
 }
 
+TEST(Plan, WatchesOneRenderOfEachMethodAfterTheSettings) {
+  StudyPlan plan = small_plan();
+  plan.methods = {"asos", "sobol", "mitchell", "whitted"};
+  plan.texture_resolution = 2;
+  plan.paper = true;
+  const auto jobs = make_jobs(plan);
+  ASSERT_TRUE(jobs);
+  std::vector<std::string> watched;
+  bool reference = false;
+  for (const Job& job : *jobs) {
+    if (job.scene != "builtin:boxes") {
+      EXPECT_TRUE(job.kind != JobKind::progress || job.scene == "builtin:fence")
+          << "a published case: " << job.title();
+      continue;
+    }
+    reference = reference || job.kind == JobKind::reference;
+    if (job.kind == JobKind::point) {
+      EXPECT_TRUE(watched.empty()) << job.title();
+    }
+    if (job.kind != JobKind::progress) continue;
+    EXPECT_FALSE(reference) << job.title();
+    watched.push_back(job.title());
+    if (job.rung.method != "asos") continue;
+    EXPECT_EQ(job.rung.settings.asos, AsosSettings{});
+    EXPECT_EQ(job.rung.settings.texture.resolution, 2);
+  }
+  EXPECT_EQ(watched, (std::vector<std::string>{
+                         "builtin:boxes asos MAX 4 EPS 1/256 TR 2 while rendering",
+                         "builtin:boxes sobol 256 spp while rendering",
+                         "builtin:boxes mitchell 256 spp while rendering",
+                         "builtin:boxes whitted contrast 0.0125 depth 5 spheres while rendering"}));
+}
+
 TEST(Plan, EverySettingIsOneThatTheRendererTakes) {
   StudyPlan plan = small_plan();
   plan.methods = ladder_methods();
