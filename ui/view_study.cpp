@@ -3,6 +3,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/study/given_up.h"
 #include "renderer/study/measures.h"
+#include "renderer/study/progress_curve.h"
 #include "renderer/study/reference.h"
 #include "renderer/study/timed_render.h"
 
@@ -11,6 +12,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -26,13 +28,13 @@ class ViewStudy::Work {
       : subject_(std::move(subject)), jobs_(std::move(jobs)) {
     state_.phase = Phase::running;
     state_.points = static_cast<std::size_t>(std::count_if(
-        jobs_.begin(), jobs_.end(), [](const Job& job) { return job.kind == JobKind::point; }));
+        jobs_.begin(), jobs_.end(), [](const Job& job) { return may_be_given_up(job.kind); }));
     study_.scene = subject_.plan.scenes.front();
   }
 
   /// On the thread.
   void run(const std::stop_token& stop) {
-    const bool measured = run_pass(0, stop) && run_points(stop);
+    const bool measured = run_pass(0, stop) && run_points(stop) && watch_renders(stop);
     for (int pass = 1; measured && !quiet_ && pass < reference_passes; ++pass)
       if (!run_pass(pass, stop)) break;
     const std::lock_guard lock(mutex_);
@@ -69,18 +71,27 @@ class ViewStudy::Work {
     return disturbances_.load();
   }
 
-  /// Again and again until nothing disturbed. Nothing on a stop, or after `seconds` of one try.
-  std::optional<TimedRender> render(const Job& job, double seconds, const std::stop_token& stop) {
+  /// Calls `tries` with a stop function again and again until nothing disturbed it. Its function
+  /// ends a try on a stop, on a disturbance and after `seconds`. A default value on a stop.
+  template <typename Try>
+  auto undisturbed(const Job& job, double seconds, const std::stop_token& stop, Try tries) {
+    using Outcome = decltype(tries(std::function<bool()>()));
     while (const auto before = wait_for_calm(job, stop)) {
       const auto start = std::chrono::steady_clock::now();
-      auto rendered =
-          timed_render({subject_.scene, subject_.camera, job.rung.settings, false}, [&] {
-            const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-            return stop.stop_requested() || disturbances_ != *before || passed.count() > seconds;
-          });
-      if (disturbances_ == *before) return rendered;
+      Outcome outcome = tries([&] {
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+        return stop.stop_requested() || disturbances_ != *before || passed.count() > seconds;
+      });
+      if (disturbances_ == *before) return outcome;
     }
-    return std::nullopt;
+    return Outcome{};
+  }
+
+  /// Nothing on a stop, or after `seconds` of one try.
+  std::optional<TimedRender> render(const Job& job, double seconds, const std::stop_token& stop) {
+    return undisturbed(job, seconds, stop, [&](const std::function<bool()>& ends) {
+      return timed_render({subject_.scene, subject_.camera, job.rung.settings, false}, ends);
+    });
   }
 
   /// False on a stop, or where the budget has ended.
@@ -101,6 +112,8 @@ class ViewStudy::Work {
     study_.noise = reference_.noise();
     for (std::size_t i = 0; i < films_.size(); ++i)
       study_.points[i].measures.rmse = root_mean_square(films_[i], reference_film_, true);
+    for (std::size_t i = 0; i < watched_.size(); ++i)
+      study_.while_rendering[i].points = curve_of(watched_[i]);
     publish(0);
     return true;
   }
@@ -120,6 +133,32 @@ class ViewStudy::Work {
       publish(1);
     }
     return true;
+  }
+
+  bool watch_renders(const std::stop_token& stop) {
+    for (const Job& job : jobs_) {
+      if (job.kind != JobKind::progress) continue;
+      WatchedRender watched = undisturbed(
+          job, subject_.plan.longest_seconds, stop, [&](const std::function<bool()>& ends) {
+            return watch_render({subject_.scene, subject_.camera, job.rung.settings, true},
+                                study_factor, ends);
+          });
+      if (stop.stop_requested()) return false;
+      if (!watched.pictures.empty()) {
+        study_.while_rendering.push_back(
+            {job.rung.method, job.rung.setting, watched.finished, curve_of(watched)});
+        watched_.push_back(std::move(watched));
+      }
+      publish(1);
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<CurvePoint> curve_of(const WatchedRender& watched) const {
+    std::vector<CurvePoint> curve;
+    for (const SeenPicture& picture : watched.pictures)
+      curve.push_back({picture.seconds, root_mean_square(picture.film, reference_film_, true)});
+    return curve;
   }
 
   void add(const Rung& rung, TimedRender rendered) {
@@ -163,7 +202,8 @@ class ViewStudy::Work {
   Film reference_film_;
   double reference_seconds_ = 0.0;
   bool quiet_ = false;
-  std::vector<Film> films_;  // of the study's points, their first repetitions
+  std::vector<Film> films_;             // of the study's points, their first repetitions
+  std::vector<WatchedRender> watched_;  // of the study's curves while rendering
   SceneStudy study_;
 
   mutable std::mutex mutex_;

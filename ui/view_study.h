@@ -16,9 +16,10 @@ namespace asos {
 /// A study (renderer/study) of one view of an open scene, on a thread of its own: the jobs that
 /// `asos report` runs, with their films kept in memory. The first pass of the reference comes
 /// first, so that errors can be told from the start; then the points, repetition by repetition;
-/// then further passes, until the reference is quiet enough or the plan's budget for it has ended.
-/// All members are for one controlling thread; none but the destructor waits for a render, and that
-/// one only until the render has given up, some hundredths of a second.
+/// then one render of each method that is watched; then further passes, until the reference is
+/// quiet enough or the plan's budget for it has ended. All members are for one controlling thread;
+/// none but the destructor waits for a render, and that one only until the render has given up,
+/// some hundredths of a second.
 class ViewStudy {
  public:
   /// The view to study. The plan names one scene, which is `scene`.
@@ -33,7 +34,7 @@ class ViewStudy {
     Phase phase = Phase::none;
     std::string doing;           ///< the job's title, while running
     bool resting = false;        ///< until other work leaves the processors
-    std::size_t points_run = 0;  ///< each repetition counts
+    std::size_t points_run = 0;  ///< each repetition counts, and each render that is watched
     std::size_t points = 0;
     int passes = 0;      ///< of the reference
     bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less

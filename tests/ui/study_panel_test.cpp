@@ -79,7 +79,8 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
   const Reference truth = reference(jobs, state.passes);
   EXPECT_EQ(state.study.noise, truth.noise());
   ASSERT_EQ(state.study.points.size(), 9u + 1u + 5u);
-  EXPECT_EQ(state.points, 2u * state.study.points.size());
+  EXPECT_EQ(state.points, 2u * state.study.points.size() + 3u)
+      << "and one is watched of each method";
   EXPECT_EQ(state.points_run, state.points);
   std::size_t next = 0;
   for (const Job& job : jobs) {
@@ -89,6 +90,17 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
     EXPECT_EQ(point.measures.rmse, measure(render(job), truth.film()).rmse) << job.title();
     EXPECT_EQ(point.costs.size(), 2u);
     EXPECT_TRUE(point.same_picture);
+  }
+  ASSERT_EQ(state.study.while_rendering.size(), 3u);
+  for (const RenderCurve& curve : state.study.while_rendering) {
+    EXPECT_TRUE(curve.finished);
+    ASSERT_FALSE(curve.points.empty());
+    const auto finished = std::find_if(
+        state.study.points.begin(), state.study.points.end(), [&](const StudyPoint& point) {
+          return point.rung.method == curve.method && point.rung.setting == curve.setting;
+        });
+    ASSERT_NE(finished, state.study.points.end());
+    EXPECT_EQ(curve.points.back().error, finished->measures.rmse) << curve.method;
   }
   SceneStudy again = state.study;
   analyse(again);
@@ -186,6 +198,22 @@ TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
     EXPECT_TRUE(method == "average" || method_colour(method) != theme::plot_text) << method;
 }
 
+TEST(StudyPlot, ShowsPicturesWhileTheyRender) {
+  SceneStudy study;
+  study.while_rendering = {{"asos", "MAX 4 EPS 1/256", true, {{0.01, 0.1}, {0.02, 0.0004}}},
+                           {"sobol", "256 spp", true, {{0.01, 0.2}, {0.02, 0.0}}}};
+  study.floor = 0.0005;
+  EXPECT_TRUE(plot_of(study).lines.empty());
+  const StudyPlot plot = plot_of(study, StudyCurves::while_rendering);
+  ASSERT_EQ(plot.lines.size(), 2u);
+  EXPECT_EQ(plot.lines[0].curve, "asos MAX 4 EPS 1/256");
+  EXPECT_EQ(plot.lines[0].method, "asos");
+  ASSERT_EQ(plot.lines[0].marks.size(), 2u);
+  EXPECT_FALSE(plot.lines[0].marks[0].under_floor);
+  EXPECT_TRUE(plot.lines[0].marks[1].under_floor);
+  EXPECT_EQ(plot.lines[1].marks.size(), 1u);
+}
+
 class StudyPanelTest : public PanelsTest {
  protected:
   StudyPanelTest() {
@@ -206,6 +234,19 @@ class StudyPanelTest : public PanelsTest {
     rig.frame();
   }
   [[nodiscard]] ViewStudy::State state() { return rig.content().study().state(); }
+  /// So many have the method's colour.
+  [[nodiscard]] int pixels_in_plot(const char* method) {
+    rig.frame();
+    const Controls::Placed plot = rig.control("Study plot");
+    const std::uint32_t rgb = method_colour(method);
+    const glm::u8vec3 colour(rgb >> 16, rgb >> 8 & 255u, rgb & 255u);
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    int coloured = 0;
+    for (int y = static_cast<int>(plot.lo.y); y < static_cast<int>(plot.hi.y); ++y)
+      for (int x = static_cast<int>(plot.lo.x); x < static_cast<int>(plot.hi.x); ++x)
+        coloured += pixels[static_cast<std::size_t>(y * rig.size().x + x)] == colour;
+    return coloured;
+  }
   [[nodiscard]] bool shown(const std::string& name) {
     rig.frame();
     return rig.content().controls().all().contains(name);
@@ -230,15 +271,14 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   // ASOS may be exact at all of its settings here, below the floor: nothing is compared then.
   EXPECT_EQ(shown("Slower/average"), !found.study.equal_error.empty());
 
-  const Controls::Placed plot = rig.control("Study plot");
-  const std::uint32_t rgb = method_colour("asos");
-  const glm::u8vec3 colour(rgb >> 16, rgb >> 8 & 255u, rgb & 255u);
-  const std::vector<glm::u8vec3> pixels = rig.pixels();
-  int coloured = 0;
-  for (int y = static_cast<int>(plot.lo.y); y < static_cast<int>(plot.hi.y); ++y)
-    for (int x = static_cast<int>(plot.lo.x); x < static_cast<int>(plot.hi.x); ++x)
-      coloured += pixels[static_cast<std::size_t>(y * rig.size().x + x)] == colour;
-  EXPECT_GT(coloured, 50) << "marks and lines of asos, one error at all settings";
+  EXPECT_GT(pixels_in_plot("asos"), 50) << "marks and lines of asos, one error at all settings";
+  const int finished = pixels_in_plot("average");
+  ASSERT_EQ(found.study.while_rendering.size(), 2u);
+  rig.click("Curves/While rendering");
+  EXPECT_EQ(rig.content().state().study.curves, StudyCurves::while_rendering);
+  EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve where there was one point";
+  rig.click("Curves/Finished");
+  EXPECT_EQ(pixels_in_plot("average"), finished);
 }
 
 TEST_F(StudyPanelTest, SaysWhereNothingCanBeCompared) {

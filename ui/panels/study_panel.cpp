@@ -1,6 +1,5 @@
 #include "ui/panels/study_panel.h"
 
-#include "ui/panels/study_plot.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
 
@@ -20,6 +19,13 @@ constexpr std::array reductions{
     Controls::Option{"Full", "The window's resolution."},
     Controls::Option{"1/2", "Half the width and height, a quarter of the time."},
     Controls::Option{"1/4", "A quarter of the width and height."},
+};
+
+constexpr std::array curve_options{
+    Controls::Option{"Finished", "Finished pictures, one point per setting."},
+    Controls::Option{"While rendering",
+                     "Pictures of one render per method, from the first to the finished one. "
+                     "Measured after all settings."},
 };
 
 void rival_boxes(Controls& controls, StudyChoice& choice) {
@@ -109,6 +115,12 @@ void progress(Controls& controls, const ViewStudy::State& state) {
   controls.placed("Study progress", nullptr);
 }
 
+void curves_choice(Controls& controls, StudyChoice& choice) {
+  int chosen = choice.curves == StudyCurves::finished ? 0 : 1;
+  if (controls.options("Curves", curve_options, chosen, {false, 0}))
+    choice.curves = chosen == 0 ? StudyCurves::finished : StudyCurves::while_rendering;
+}
+
 std::string median_text(const Verdict& verdict) {
   if (verdict.measured() == 0 && verdict.extrapolated > 0)
     return fmt::format("~{:.2f}", verdict.beyond_median);
@@ -189,8 +201,9 @@ void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
   const ViewStudy::State state = study.state();
   if (state.phase == ViewStudy::Phase::none) return;
   progress(controls, state);
-  const StudyPlot plot = plot_of(state.study);
-  if (plot.lines.empty()) return;
+  if (state.study.points.empty()) return;
+  curves_choice(controls, choice);
+  const StudyPlot plot = plot_of(state.study, choice.curves);
   ImGui::BeginGroup();
   draw_plot(plot);
   ImGui::EndGroup();

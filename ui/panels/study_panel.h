@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/controls.h"
+#include "ui/panels/study_plot.h"
 #include "ui/previewer.h"
 #include "ui/view_study.h"
 
@@ -16,6 +17,7 @@ struct StudyChoice {
   int repetitions = 3;
   int reduction = 2;  ///< the picture's width and height are divided by it: 1, 2 or 4
   std::string error;  ///< why the last study could not start
+  StudyCurves curves = StudyCurves::finished;  ///< in the plot
 };
 
 /// The plan for a view of `scene_name` that is shown with these settings, of which size, sky,

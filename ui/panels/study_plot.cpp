@@ -172,21 +172,29 @@ LogAxis axis_over(const std::vector<double>& values) {
   return {first, std::max(1, last - first)};
 }
 
-StudyPlot plot_of(const SceneStudy& study) {
+StudyPlot plot_of(const SceneStudy& study, StudyCurves curves) {
   StudyPlot plot;
   plot.floor = study.floor;
   std::vector<double> seconds;
   std::vector<double> errors{study.floor};
-  for (const StudyPoint& point : study.points) {
-    const StudyPlot::Mark mark{point.seconds(), point.measures.rmse, point.under_floor};
-    if (!(mark.seconds > 0.0 && mark.rmse > 0.0) || !std::isfinite(mark.rmse)) continue;
+  const auto add = [&](const std::string& curve, const std::string& method, StudyPlot::Mark mark) {
+    if (!(mark.seconds > 0.0 && mark.rmse > 0.0) || !std::isfinite(mark.rmse)) return;
     auto line = std::find_if(plot.lines.begin(), plot.lines.end(),
-                             [&](const auto& l) { return l.curve == point.rung.curve; });
-    if (line == plot.lines.end())
-      line = plot.lines.insert(line, {point.rung.curve, point.rung.method, {}});
+                             [&](const auto& l) { return l.curve == curve; });
+    if (line == plot.lines.end()) line = plot.lines.insert(line, {curve, method, {}});
     line->marks.push_back(mark);
     seconds.push_back(mark.seconds);
     errors.push_back(mark.rmse);
+  };
+  if (curves == StudyCurves::finished) {
+    for (const StudyPoint& point : study.points)
+      add(point.rung.curve, point.rung.method,
+          {point.seconds(), point.measures.rmse, point.under_floor});
+  } else {
+    for (const RenderCurve& render : study.while_rendering)
+      for (const CurvePoint& point : render.points)
+        add(render.method + " " + render.setting, render.method,
+            {point.seconds, point.error, point.error < study.floor});
   }
   plot.seconds = axis_over(seconds);
   plot.rmse = axis_over(errors);

@@ -39,8 +39,11 @@ struct StudyPlot {
   LogAxis seconds;
   LogAxis rmse;
 };
-/// Points without time or error are left out: a logarithm has no place for them.
-[[nodiscard]] StudyPlot plot_of(const SceneStudy& study);
+/// The finished pictures of all settings, or the pictures of one setting per method while it
+/// renders. Points without time or error are left out: a logarithm has no place for them.
+enum class StudyCurves { finished, while_rendering };
+[[nodiscard]] StudyPlot plot_of(const SceneStudy& study,
+                                StudyCurves curves = StudyCurves::finished);
 
 /// sRGB, 0xRRGGBB; the same for the same method.
 [[nodiscard]] std::uint32_t method_colour(const std::string& method);
