@@ -19,7 +19,8 @@
 //                and the next column need an idle machine.
 //   factor       the largest such factor
 //
-// --curves has each picture's time, error and what it shows as well.
+// --curves has each picture's time, error, what it shows, the share of the
+// work and the time left, as told and as it was, as well.
 // --strips writes a picture for each scene: what the method and Sobol sampling show, side by side,
 // at 1/4, 1/2, 1, 2, 4 and 8 times the moment of 16 samples.
 
@@ -177,8 +178,11 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   for (const SeenPicture& seen : own) {
     curve.push_back({seen.seconds, reference->error_of(seen.film).rmse});
     if (settings.curves)
-      fmt::print("{:>10.4f} s  {:.2e}  {:>4} samples, {:.2f} final\n", curve.back().seconds,
-                 curve.back().error, seen.reached.samples, seen.reached.final_share);
+      fmt::print(
+          "{:>10.4f} s  {:.2e}  {:>4} samples, {:.2f} final, {:>3.0f} %, {:.2f} s left of {:.2f}\n",
+          curve.back().seconds, curve.back().error, seen.reached.samples, seen.reached.final_share,
+          100.0 * seen.progress.fraction, seen.progress.seconds_left,
+          own.back().progress.seconds - seen.progress.seconds);
   }
 
   Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0, 0.0, judge_time_left(own)};
@@ -240,7 +244,10 @@ int run(int argc, char** argv) {
   std::vector<std::string> methods;
   for (const MethodRow& row : method_table()) methods.emplace_back(row.name);
   options.choice("--method", settings.method, methods);
-  options.text("--strips", settings.strips, "folder of filmstrips");
+  options.parsed("--strips", "folder of filmstrips", [&](const std::string& text) -> Result<void> {
+    settings.strips = text;
+    return {};
+  });
   options.flag("--curves", settings.curves, "each picture, too");
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
