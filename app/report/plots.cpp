@@ -54,6 +54,15 @@ CurvePlot plot_of(const SceneStudy& study, const Quantity& quantity) {
   return plot;
 }
 
+/// Explains the marks and names the renders that ended early.
+std::string progress_note_of(const SceneStudy& study) {
+  std::string note = progress_note;
+  for (const RenderCurve& render : study.while_rendering)
+    if (!render.finished)
+      note += fmt::format(" {} {} ended early: it took too long.", render.method, render.setting);
+  return note;
+}
+
 CurvePlot progress_plot_of(const SceneStudy& study) {
   CurvePlot plot{study.scene + ", while rendering", quantities.front().title, {}, study.floor};
   for (const RenderCurve& render : study.while_rendering) {
@@ -83,8 +92,8 @@ Result<std::vector<Plot>> draw_plots(const SceneReport& scene, const std::string
                                 {quantity.title, finished_note, ""});
         !drawn)
       return tl::unexpected(drawn.error());
-  if (const auto drawn =
-          draw(progress_plot_of(scene.study), "progress", {progress_title, progress_note, ""});
+  if (const auto drawn = draw(progress_plot_of(scene.study), "progress",
+                              {progress_title, progress_note_of(scene.study), ""});
       !drawn)
     return tl::unexpected(drawn.error());
   return plots;

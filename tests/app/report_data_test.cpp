@@ -56,6 +56,18 @@ TEST(Plots, ShowAsosOwnBias) {
   EXPECT_FALSE(contains(test::content_of(folder.path() / "office-rmse.gp"), "bias"));
 }
 
+TEST(Plots, NameTheRendersThatEndedEarly) {
+  const test::TemporaryFolder folder;
+  SceneReport scene = paper_report().scenes.front();
+  const auto note_of = [&](bool finished) {
+    scene.study.while_rendering = {{"sobol", "256 spp", finished, {{0.5, 0.25}, {1.0, 0.125}}}};
+    const auto plots = draw_plots(scene, folder.path().string(), "office");
+    return plots && plots->size() == 2 ? plots->back().note : "not drawn";
+  };
+  EXPECT_TRUE(contains(note_of(false), "sobol 256 spp ended early"));
+  EXPECT_FALSE(contains(note_of(true), "sobol"));
+}
+
 TEST(PaperRows, StandBesideThePublishedRatios) {
   const auto rows = paper_rows(paper_report());
   ASSERT_GE(rows.size(), 2u);
