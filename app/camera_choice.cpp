@@ -60,6 +60,7 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
           Error{"--fov", "the chosen camera is orthographic and has no field of view"});
     camera.fov_y_rad = *choice.fov_y_deg * glm::pi<double>() / 180.0;
   }
+  if (!choice.planes) camera = camera.without_planes();
   if (choice.turn) {
     glm::dvec3 middle = 0.5 * (glm::dvec3(world.bounds.lo) + glm::dvec3(world.bounds.hi));
     if (world.bounds.empty()) middle = glm::dvec3(0.0);
@@ -91,7 +92,7 @@ std::string planes_remark(const RenderScene& scene, const Camera& camera,
                           const RenderSettings& settings) {
   if (!camera.near_depth && !camera.far_depth) return {};
   constexpr int columns = 64, rows = 36;
-  const View view(camera, settings.width, settings.height,
+  const View view(camera.without_planes(), settings.width, settings.height,
                   radius_around_origin(scene.world().bounds));
   const glm::dvec3 eye(camera.world_from_camera[3]), forward(-camera.world_from_camera[2]);
   bool nearer = false, farther = false;
@@ -109,7 +110,7 @@ std::string planes_remark(const RenderScene& scene, const Camera& camera,
       nearer ? fmt::format("nearer than {:.4g} (znear)", *camera.near_depth) : "";
   const std::string far_text =
       farther ? fmt::format("farther than {:.4g} (zfar)", *camera.far_depth) : "";
-  return fmt::format("{} cuts off surfaces {}{}{}; the picture still shows them", called(camera),
+  return fmt::format("{} cuts off surfaces {}{}{} (--clip off shows them)", called(camera),
                      near_text, nearer && farther ? " or " : "", far_text);
 }
 

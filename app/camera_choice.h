@@ -26,6 +26,7 @@ struct CameraChoice {
   std::optional<Camera> given{};     ///< where neither is set; relative to World::origin
   std::optional<double> fov_y_deg;   ///< in place of a perspective camera's own
   CameraFit fit = CameraFit::fit;    ///< of a camera of the file, with its own vertical angle
+  bool planes = true;                ///< its near and far planes cut the scene
   std::optional<CameraTurn> turn{};  ///< about what it looks at, or else the scene's middle
 };
 
@@ -39,8 +40,8 @@ struct CameraChoice {
 [[nodiscard]] std::string fit_remark(const World& world, const CameraChoice& choice,
                                      double aspect_ratio);
 
-/// Says that the picture shows what the file asks its camera to cut off (Camera::near_depth and
-/// far_depth), as far as a grid of rays meets it; empty: it shows nothing of that.
+/// Says that the picture lacks what the camera cuts off (Camera::near_depth and far_depth), as far
+/// as a grid of rays meets it; empty: it meets nothing of that.
 [[nodiscard]] std::string planes_remark(const RenderScene& scene, const Camera& camera,
                                         const RenderSettings& settings);
 

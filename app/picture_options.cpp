@@ -15,6 +15,7 @@
 namespace asos {
 namespace {
 
+constexpr std::array clip_names{Named<bool>{"on", true}, Named<bool>{"off", false}};
 constexpr std::array camera_fit_names{
     Named<CameraFit>{"fit", CameraFit::fit},
     Named<CameraFit>{"fill", CameraFit::fill},
@@ -272,6 +273,9 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
       "A camera of the file in a picture of another aspect ratio: fit (all of its view, and "
       "more), fill (nothing outside its view) or crop (its height; a wider camera loses its sides)",
       camera_fit_names, arguments.camera.fit);
+  add_choice(app, "--clip", "on|off",
+             "A camera of the file cuts off what is nearer than its znear or farther than its zfar",
+             clip_names, arguments.camera.planes);
   add_parsed_option(app, "--exposure", "EV",
                     "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness",
                     number(-32, 32),

@@ -1,8 +1,8 @@
 #include "renderer/asos/asos.h"
 
 #include "renderer/asos/eye_caster.h"
+#include "renderer/asos/plane_cuts.h"
 #include "renderer/asos/started_pyray.h"
-#include "renderer/prepared/plane_section.h"
 #include "renderer/published/published_modes.h"
 #include "renderer/pyray/tracer.h"
 
@@ -47,24 +47,6 @@ FatPyray fat_pyray(const View& view, PixelRect block, PixelRect framed,
   return fat;
 }
 
-// Where the image plane, in which rays start, cuts surfaces.
-std::vector<BorderEdge> cut_by_image_plane(const BlockJob& job, const Frame& frame) {
-  std::vector<BorderEdge> outline;
-  const std::optional<HalfSpace> ahead = job.view.ahead();
-  if (!ahead) return outline;
-  const Geometry& geometry = *job.scene.geometry;
-  for (const SectionLine& line : *geometry.sections.of(geometry.world, *ahead)) {
-    const FramePoint p = frame.project(frame.homogeneous(line.from));
-    const FramePoint q = frame.project(frame.homogeneous(line.to));
-    const glm::dvec2 from(p.u, p.v), to(q.u, q.v);
-    if (glm::any(glm::lessThan(glm::max(from, to), glm::dvec2(0.0))) ||
-        glm::any(glm::greaterThan(glm::min(from, to), glm::dvec2(1.0))))
-      continue;
-    outline.push_back({glm::vec2(from), glm::vec2(to)});
-  }
-  return outline;
-}
-
 /// Memory of fat pyrays that is worth keeping from one to the next. Holds no result.
 struct BlockWorkspace {
   Tracer tracer;
@@ -97,8 +79,9 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   const int side = settings.asos.fat + 2 * border;
   started.framed = {job.block.x - border, job.block.y - border, side, side};
   FatPyray fat = fat_pyray(job.view, job.block, started.framed, settings);
-  const std::vector<BorderEdge> outline = cut_by_image_plane(job, fat.frame);
-  fat.outline = outline;
+  const PlaneCuts cuts(*job.scene.geometry, job.view, fat.frame);
+  fat.outline = cuts.lines;
+  fat.bounds.within = cuts.between;
 
   // Look along it as the camera does.
   const Allowance allowance = Allowance::of(settings);

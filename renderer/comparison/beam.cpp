@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,9 +53,15 @@ class BlockTracer {
         light_samples_(grid_side(job.settings.sampling.spp) * grid_side(job.settings.sampling.spp)),
         lights_(job.scene.rays(), places_) {
     const World& world = job.scene.world();
+    std::optional<double> near, far;
+    if (job.view.ahead()) near = nearness_of(job.view.near_depth());
+    if (job.view.before()) far = nearness_of(job.view.far_depth());
     for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
       if (job.settings.cull && !shows_both_sides(world.material_of(t)) && shows_back(t)) continue;
-      if (const auto facet = make_facet(frame_, t, corners_of(world, t))) facets_.push_back(*facet);
+      auto facet = make_facet(frame_, t, corners_of(world, t));
+      if (!facet) continue;
+      cut_facet(*facet, near, far);
+      facets_.push_back(*facet);
     }
   }
 
@@ -70,6 +77,10 @@ class BlockTracer {
   }
 
  private:
+  [[nodiscard]] double nearness_of(double depth) const {
+    return frame_.parallel() ? -depth : 1.0 / depth;
+  }
+
   [[nodiscard]] bool shows_back(std::uint32_t triangle) const {
     const World& world = job_.scene.world();
     const glm::dvec3 towards =

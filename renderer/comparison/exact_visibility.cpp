@@ -180,8 +180,14 @@ std::optional<Facet> make_facet(const Frame& frame, std::uint32_t triangle,
     facet.nearness = normal / distance;
     facet.inside[3] = {0.0, 0.0, 1.0};
   }
+  facet.inside[4] = {0.0, 0.0, 1.0};
   if (!finite(facet.nearness)) return std::nullopt;
   return facet;
+}
+
+void cut_facet(Facet& facet, std::optional<double> near, std::optional<double> far) {
+  if (near) facet.inside[3] = scaled(glm::dvec3(0, 0, *near) - facet.nearness);
+  if (far) facet.inside[4] = scaled(facet.nearness - glm::dvec3(0, 0, *far));
 }
 
 std::span<const VisiblePart> ExactVisibility::find(std::span<const Facet> facets,
@@ -261,9 +267,9 @@ void ExactVisibility::resolve(const FrameRectangle& cell, const std::vector<Frag
 
 // Takes the part of a facet within the half-plane `where` (null: all of it) from the pieces.
 void ExactVisibility::subtract(const Facet& nearer, const HalfPlane* where) {
-  std::array<HalfPlane, 5> lines;
+  std::array<HalfPlane, 6> lines;
   std::copy(nearer.inside.begin(), nearer.inside.end(), lines.begin());
-  lines[4] = where ? *where : HalfPlane{0.0, 0.0, 1.0};
+  lines.back() = where ? *where : HalfPlane{0.0, 0.0, 1.0};
   rest_.clear();
   for (ConvexPolygon& piece : pieces_) {
     const bool apart = std::any_of(lines.begin(), lines.end(), [&](const HalfPlane& h) {

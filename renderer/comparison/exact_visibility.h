@@ -30,7 +30,7 @@ struct HalfPlane {
 /// the apex, and the nearness q (see FramePoint), which is linear across it.
 struct Facet {
   std::uint32_t triangle = 0;
-  std::array<HalfPlane, 4> inside;
+  std::array<HalfPlane, 5> inside;
   glm::dvec3 nearness{0.0};  ///< q = dot(nearness, (u, v, 1))
 
   [[nodiscard]] double q(glm::dvec2 p) const {
@@ -42,6 +42,9 @@ struct Facet {
 /// area, that does not meet the frame's unit square, or whose corners are not finite.
 [[nodiscard]] std::optional<Facet> make_facet(const Frame& frame, std::uint32_t triangle,
                                               const std::array<glm::dvec3, 3>& corners);
+
+/// Leaves of a facet what is at most as near as `near` and at least as near as `far`, where given.
+void cut_facet(Facet& facet, std::optional<double> near, std::optional<double> far);
 
 /// Convex; corner by corner.
 using ConvexPolygon = std::vector<glm::dvec2>;

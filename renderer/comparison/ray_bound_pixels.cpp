@@ -1,5 +1,6 @@
 #include "renderer/comparison/ray_bound_pixels.h"
 
+#include "renderer/asos/plane_cuts.h"
 #include "renderer/pyray/fat_search.h"
 #include "renderer/world/surface_kind.h"
 
@@ -22,7 +23,11 @@ std::vector<std::uint8_t> pixels_with_boundaries(const RenderScene& scene, const
   };
   // Many boundaries in one pixel need not be resolved.
   BoundarySearch search;
-  search.start(scene.features(), fat.frame, nullptr, fat.square_of(0, 0, 1).side, {});
+  const PlaneCuts cuts(*scene.geometry, view, fat.frame);
+  SearchBounds between;
+  between.within = cuts.between;
+  search.start(scene.features(), fat.frame, nullptr, fat.square_of(0, 0, 1).side, between);
+  for (const BorderEdge& edge : cuts.lines) search.lists().add_boundary(edge.from, edge.to);
   FatSearch bounds;
   bounds.run(search, fat, cover);
   std::vector<std::uint8_t> bounded(centres.size(), 0);

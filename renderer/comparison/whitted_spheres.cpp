@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace asos {
 namespace {
@@ -52,8 +51,7 @@ EnlargedSpheres::EnlargedSpheres(std::span<const ObjectSphere> spheres, const Vi
 bool EnlargedSpheres::missed(const Ray& ray, const Hit& hit, const World& world, int level) const {
   const glm::dvec3 eye(ray.origin), direction(ray.direction);
   const double part_of_pixel = std::ldexp(1.0, -level);
-  const double hit_distance =
-      hit.valid() ? static_cast<double>(hit.t) : std::numeric_limits<double>::infinity();
+  const double hit_distance = static_cast<double>(hit.valid() ? hit.t : ray.t_far);
   return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
     const double radius = near.sphere.radius + part_of_pixel * near.half_diagonal;
     const glm::dvec3 to_centre = near.sphere.centre - eye;
@@ -61,7 +59,8 @@ bool EnlargedSpheres::missed(const Ray& ray, const Hit& hit, const World& world,
     const double inside2 = radius * radius - length2(to_centre - along * direction);
     if (!(inside2 >= 0.0)) return false;
     const double half_chord = std::sqrt(inside2);
-    if (along + half_chord < 0.0 || along - half_chord > hit_distance) return false;
+    if (along + half_chord < static_cast<double>(ray.t_near) || along - half_chord > hit_distance)
+      return false;
     return !hit.valid() || world.triangle_part[hit.triangle] != near.sphere.part;
   });
 }

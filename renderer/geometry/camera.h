@@ -18,8 +18,16 @@ struct Camera {
   double fov_y_rad = 0.8726646259971648;  ///< perspective: full vertical angle, in (0, pi)
   double height = 1.0;                    ///< orthographic: full height in world units
   std::optional<double> aspect_ratio;     ///< width over height, where the file asks for one
-  /// Depths that the file asks to cut the picture off at (glTF's znear and zfar). Nothing is.
+  /// The picture shows nothing nearer or farther: depths ahead of the eye, along the view's axis
+  /// (glTF's znear and zfar). Shadows and reflections show it all the same.
   std::optional<double> near_depth, far_depth;
+
+  /// The same camera, which shows all that it sees.
+  [[nodiscard]] Camera without_planes() const {
+    Camera camera = *this;
+    camera.near_depth = camera.far_depth = std::nullopt;
+    return camera;
+  }
 };
 
 }  // namespace asos

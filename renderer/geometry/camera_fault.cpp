@@ -24,6 +24,9 @@ std::string camera_fault(const Camera& camera) {
   if (!(camera.height > 0.0)) return "\"height\" is not above 0";
   if (!(camera.height <= largest_coordinate))
     return fmt::format("\"height\" is more than {:g}", largest_coordinate);
+  if (camera.near_depth && !(*camera.near_depth >= 0.0)) return "\"near_depth\" is below 0";
+  if (camera.far_depth && !(*camera.far_depth > camera.near_depth.value_or(0.0)))
+    return "\"far_depth\" is not beyond \"near_depth\"";
   return "";
 }
 

@@ -25,6 +25,21 @@ View::View(const Camera& camera, int width, int height, double scene_radius)
   constexpr double far = 1024.0;
   const double distance = perspective_ ? glm::length(eye_) : -glm::dot(eye_, forward_);
   if (distance > far * scene_radius) start_ = distance - 2.0 * scene_radius;
+  set_planes(camera, scene_radius);
+}
+
+// Planes that nothing of the scene lies beyond are left out: rays to everything are cheaper.
+void View::set_planes(const Camera& camera, double scene_radius) {
+  const double middle = -glm::dot(eye_, forward_);
+  if (camera.near_depth && *camera.near_depth > std::max(0.0, middle - scene_radius))
+    near_ = *camera.near_depth;
+  if (camera.far_depth && *camera.far_depth < middle + scene_radius) far_ = *camera.far_depth;
+}
+
+void View::cut(Ray& ray, glm::dvec3 direction) const {
+  const double way = 1.0 / (perspective_ ? glm::dot(forward_, direction) : 1.0);
+  ray.t_near = static_cast<float>(std::max(0.0, near_ * way - start_));
+  ray.t_far = static_cast<float>(far_ * way - start_);
 }
 
 View::View(const PyrayPicture& picture)
@@ -51,15 +66,16 @@ View::View(const PyrayPicture& picture)
 
 Ray View::ray(double x, double y) const {
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
+  const glm::dvec3 direction = perspective_ ? glm::normalize(target) : forward_;
   Ray ray;
   if (perspective_) {
-    const glm::dvec3 direction = glm::normalize(target);
     ray.origin = glm::vec3(eye_ + start_ * direction);
     ray.direction = glm::vec3(direction);
   } else {
     ray.origin = glm::vec3(eye_ + target - forward_ + start_ * forward_);
     ray.direction = glm::vec3(forward_);
   }
+  if (cuts()) cut(ray, direction);
   if (!beyond_) return ray;
   const double height = beyond_->height(glm::dvec3(ray.origin));
   const double slope = glm::dot(beyond_->normal, glm::dvec3(ray.direction));
@@ -95,6 +111,7 @@ void View::rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const {
       ray.t_near = 0.0f;
       ray.direction = glm::vec3(direction);
       ray.t_far = std::numeric_limits<float>::infinity();
+      if (cuts()) cut(ray, direction);
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -38,6 +39,8 @@ struct PyrayPicture {
 ///
 /// All that is to be seen lies within `scene_radius` of the origin. From a camera a thousand times
 /// as far away rays start just before that: floats of the camera's size would lose the scene.
+///
+/// Rays run from the camera's near_depth to its far_depth, where the scene may lie beyond those.
 class View {
  public:
   View(const Camera& camera, int width, int height,
@@ -50,11 +53,21 @@ class View {
   /// How far from the eye, or from the image plane, rays start: 0 but for far cameras and mirrors.
   [[nodiscard]] double start() const { return start_; }
 
-  /// Of an orthographic view whose rays start in its image plane: what lies ahead of that.
+  /// The half-space ahead of the near plane, or of an orthographic view's image plane; none where
+  /// rays start elsewhere.
   [[nodiscard]] std::optional<HalfSpace> ahead() const {
-    if (perspective_ || beyond_ || start_ > 0.0) return std::nullopt;
-    return HalfSpace::through(eye_, forward_);
+    if (beyond_ || (near_ == 0.0 && (perspective_ || start_ > 0.0))) return std::nullopt;
+    return HalfSpace::through(eye_ + near_ * forward_, forward_);
   }
+  /// The half-space in front of the far plane; none where there is no such plane.
+  [[nodiscard]] std::optional<HalfSpace> before() const {
+    if (std::isinf(far_)) return std::nullopt;
+    return HalfSpace::through(eye_ + far_ * forward_, -forward_);
+  }
+
+  /// The depths of the near and the far plane; 0 and infinite where there is none.
+  [[nodiscard]] double near_depth() const { return near_; }
+  [[nodiscard]] double far_depth() const { return far_; }
 
   /// The eye ray through a point of the picture, in pixels; unit direction.
   [[nodiscard]] Ray ray(double x, double y) const;
@@ -67,6 +80,11 @@ class View {
   [[nodiscard]] Frame frame(double x, double y, double width, double height) const;
 
  private:
+  void set_planes(const Camera& camera, double scene_radius);
+  /// Cuts a ray off at the near and the far plane.
+  void cut(Ray& ray, glm::dvec3 direction) const;
+  [[nodiscard]] bool cuts() const { return near_ > 0.0 || !std::isinf(far_); }
+
   bool perspective_;
   glm::dvec3 eye_;          // perspective: the apex; orthographic: a point of the image plane
   glm::dvec3 corner_;       // from eye_ to the picture's top left corner, one unit ahead
@@ -76,6 +94,8 @@ class View {
   int width_;
   int height_;
   double start_ = 0.0;
+  double near_ = 0.0;
+  double far_ = std::numeric_limits<double>::infinity();
   std::optional<HalfSpace> beyond_;
 };
 

@@ -26,6 +26,8 @@ constexpr std::array camera_type_names{
     Named<Camera::Type>{"perspective", Camera::Type::perspective},
     Named<Camera::Type>{"orthographic", Camera::Type::orthographic},
 };
+constexpr const char* near_key = "near_depth";
+constexpr const char* far_key = "far_depth";
 constexpr std::array axis_names{"right", "up", "back", "eye"};
 
 std::string absolute_source(const std::string& source) {
@@ -43,6 +45,9 @@ OrderedJson camera_json(const Camera& camera) {
     fields(axis_names[static_cast<std::size_t>(i)], glm::dvec3(camera.world_from_camera[i]));
   fields("fov_y_rad", camera.fov_y_rad);
   fields("height", camera.height);
+  // Told only where there are any, as many cameras have none.
+  if (camera.near_depth) fields(near_key, *camera.near_depth);
+  if (camera.far_depth) fields(far_key, *camera.far_depth);
   return fields.take();
 }
 
@@ -57,6 +62,8 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   }
   fields("fov_y_rad", camera.fov_y_rad);
   fields("height", camera.height);
+  if (fields.has(near_key)) fields(near_key, camera.near_depth.emplace());
+  if (fields.has(far_key)) fields(far_key, camera.far_depth.emplace());
   if (std::string fault = fields.fault(); !fault.empty()) return fault;
   const std::string fault = camera_fault(camera);
   return fault.empty() ? fault : "camera: " + fault;

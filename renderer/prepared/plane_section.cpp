@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -49,11 +50,12 @@ PlaneSection plane_section(const World& world, const HalfSpace& plane) {
 std::shared_ptr<const PlaneSection> PlaneSections::of(const World& world,
                                                       const HalfSpace& plane) const {
   const std::lock_guard lock(mutex_);
-  if (!kept_ || plane.normal != plane_.normal || plane.offset != plane_.offset) {
-    kept_ = std::make_shared<const PlaneSection>(plane_section(world, plane));
-    plane_ = plane;
-  }
-  return kept_;
+  for (const Kept& kept : kept_)
+    if (kept.section && kept.plane.normal == plane.normal && kept.plane.offset == plane.offset)
+      return kept.section;
+  kept_[1] = std::move(kept_[0]);
+  kept_[0] = {plane, std::make_shared<const PlaneSection>(plane_section(world, plane))};
+  return kept_[0].section;
 }
 
 }  // namespace asos

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -17,21 +18,24 @@ struct SectionLine {
 };
 using PlaneSection = std::vector<SectionLine>;
 
-/// The lines along which a plane cuts the triangles of a world's surfaces: what an orthographic
-/// camera's plane leaves of them ends there, for its rays start in that plane. None of triangles
+/// The lines along which a plane cuts the triangles of a world's surfaces: what a camera's plane
+/// leaves of them ends there, for its rays start or end in that plane. None of triangles
 /// that are wholly ahead of it, though they touch it, nor of analytic shapes.
 [[nodiscard]] PlaneSection plane_section(const World& world, const HalfSpace& plane);
 
-/// Keeps the section that was asked for last, for all blocks of a picture. Thread-safe.
+/// Keeps the two sections that were asked for last, for all blocks of a picture. Thread-safe.
 class PlaneSections {
  public:
   [[nodiscard]] std::shared_ptr<const PlaneSection> of(const World& world,
                                                        const HalfSpace& plane) const;
 
  private:
+  struct Kept {
+    HalfSpace plane;
+    std::shared_ptr<const PlaneSection> section;
+  };
   mutable std::mutex mutex_;
-  mutable HalfSpace plane_;
-  mutable std::shared_ptr<const PlaneSection> kept_;
+  mutable std::array<Kept, 2> kept_;  // the newer one first
 };
 
 }  // namespace asos

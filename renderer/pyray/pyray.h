@@ -18,7 +18,7 @@ struct Pyray {
   Square square{0.0f, 0.0f, 1.0f};  ///< the part of the frame's square that is asked about
   SearchBounds bounds{};            ///< where boundaries of the scene count
   /// Boundaries that are no edges of the scene, in the frame: the outline of a light or of the leaf
-  /// that sent the pyray, a horizon, where an image plane cuts surfaces. Nothing hides them.
+  /// that sent the pyray, a horizon, where a camera's planes cut surfaces. Nothing hides them.
   std::span<const BorderEdge> outline{};
   std::uint64_t seed = 0;  ///< of jittered samples
 };
@@ -33,6 +33,7 @@ struct FatPyray {
   int border = 0;                         ///< steps of the frame around them
   double width = 1.0;                     ///< of a pyray's square, in steps
   glm::ivec2 origin{0};                   ///< place of the first in the picture, for seeds
+  SearchBounds bounds{};                  ///< see Pyray::bounds
   std::span<const BorderEdge> outline{};  ///< see Pyray::outline
 
   /// From the left, then from the top.

@@ -69,7 +69,7 @@ std::span<const Trace> Tracer::trace(const FeatureSet& features, const FatPyray&
   const auto count = static_cast<std::size_t>(fat.side * fat.side);
   traces_.assign(count, {});
   look_through_middles(fat, caster);
-  start(features, fat.frame, {}, rules, fat.square_of(0, 0, 1).side);
+  start(features, fat.frame, fat.bounds, rules, fat.square_of(0, 0, 1).side);
   for (const BorderEdge& edge : fat.outline) search_.lists().add_boundary(edge.from, edge.to);
   fat_search_.run(search_, fat, [&](int x, int y) { return caster.cover(fat.index(x, y)); });
   find_missed_splits(fat, caster);

@@ -199,7 +199,7 @@ FramedView frame_world(const World& world, const Camera& camera, double aspect_r
                                     (corner & 4) ? 0.5 : -0.5));
   }
 
-  FramedView framed{camera, 1.0};
+  FramedView framed{camera.without_planes(), 1.0};
   const bool perspective = camera.type == Camera::Type::perspective;
   constexpr double least_gap = 1e-3;  // radii; for a line that is seen end on
   const glm::dvec3 eye =

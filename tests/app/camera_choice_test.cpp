@@ -117,7 +117,8 @@ TEST(CameraChoice, TheReportedWideCameraShowsItsThreeSquares) {
   EXPECT_EQ(squares("160x90", "crop"), 1);
 }
 
-TEST(CameraChoice, PlanesThatCutNothingOffAreSaid) {
+// A red wall before the near plane, a blue one behind it.
+TEST(CameraChoice, PlanesThatCutAreSaidAndCanBeLeftOut) {
   const auto shared = test::shared_dir();
   if (!shared || !std::filesystem::is_directory(*shared / "reported"))
     GTEST_SKIP() << "no files: set ASOS_SHARED to a folder with reported";
@@ -125,12 +126,19 @@ TEST(CameraChoice, PlanesThatCutNothingOffAreSaid) {
   const std::string scene = *shared / "reported/camera-znear-ignored_orthographic.glb";
   const auto said = [&](const std::vector<std::string>& more) {
     using test::operator+;
-    return test::run_asos(std::vector<std::string>{"render", scene, "-o", folder.file("a.png"),
+    return test::run_asos(std::vector<std::string>{"render", scene, "-o", folder.file("a.exr"),
                                                    "--size", "32x18", "--max", "0"} +
                           more)
         .err;
   };
-  EXPECT_TRUE(test::contains(said({}), "nearer than 4 (znear); the picture still shows them"));
+  const auto centre = [&] {
+    const Film film = read_exr(folder.file("a.exr")).value().film;
+    return film.radiance[film.index(film.width / 2, film.height / 2)];
+  };
+  EXPECT_TRUE(test::contains(said({}), "nearer than 4 (znear) (--clip off shows them)"));
+  EXPECT_EQ(centre(), glm::vec3(0, 0, 1));
+  EXPECT_EQ(said({"--clip", "off"}).find("znear"), std::string::npos);
+  EXPECT_EQ(centre(), glm::vec3(1, 0, 0));
   EXPECT_EQ(said({"--look-at", "0,0,9,0,0,0"}).find("znear"), std::string::npos);
 }
 

@@ -109,6 +109,8 @@ PictureDescription odd_description() {
                                 {std::sin(a), 0, std::cos(a), 0},
                                 {0.1, 0.2, 1.0 / 3.0, 1}};
   d.camera.fov_y_rad = 0.61;
+  d.camera.near_depth = 0.3;
+  d.camera.far_depth = 1e3;
   d.settings = odd_settings();
   d.sky.file = "/skies/one.hdr";
   d.sky.turn_deg = 45.1;
@@ -137,6 +139,8 @@ TEST(PictureDescription, ComesBackBitForBit) {
   EXPECT_EQ(read->needs, d.needs);
   EXPECT_EQ(read->display, d.display);
   EXPECT_EQ(read->camera.world_from_camera, d.camera.world_from_camera);
+  EXPECT_EQ(read->camera.near_depth, d.camera.near_depth);
+  EXPECT_EQ(read->camera.far_depth, d.camera.far_depth);
   ASSERT_TRUE(read->lights.has_value());
   ASSERT_EQ(read->lights->size(), 2u);
   EXPECT_EQ((*read->lights)[0].outlines, (*d.lights)[0].outlines);
@@ -209,6 +213,8 @@ TEST(PictureDescription, WhatIsMalformedIsRefusedByFileAndReason) {
            Damage{"/camera/eye", {0, 1}, "\"eye\" is no list of 3 numbers"},
            Damage{"/camera/right", {0, 0, 0}, "orthonormal"},
            Damage{"/camera/fov_y_rad", 4, "between 0 and pi"},
+           Damage{"/camera/near_depth", -1, "below 0"},
+           Damage{"/camera/far_depth", 0.2, "not beyond"},
            Damage{"/lights", 3, "lights are no list"},
            Damage{"/lights/1/range", "far", "light 2: \"range\""},
            Damage{"/lights/0/outlines/0/1", {1, 2}, "outlines"},

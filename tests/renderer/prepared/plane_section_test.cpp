@@ -50,6 +50,8 @@ TEST(PlaneSection, ThatIsKeptIsThatOfThePlaneAskedFor) {
   ASSERT_EQ(second->size(), 2u);
   EXPECT_NEAR(second->front().from.x, 0.5, 1e-12);
   EXPECT_NEAR(first->front().from.x, 0.25, 1e-12) << "still there for who has it";
+  EXPECT_EQ(sections.of(world, {{0, 0, 1}, 0.25}), first) << "a near and a far plane are both kept";
+  EXPECT_EQ(sections.of(world, {{0, 0, 1}, 0.5}), second);
 }
 
 }  // namespace
