@@ -57,6 +57,7 @@ void OrbitCamera::turn_to(double azimuth_rad, double elevation_rad) {
 void OrbitCamera::set_projection(Camera::Type type) {
   if (type == lens_.type) return;
   const double height_to_distance = 2.0 * std::tan(0.5 * lens_.fov_y_rad);
+  const double before = distance_;
   if (type == Camera::Type::orthographic) {
     lens_.height = height_to_distance * distance_;
     distance_ = std::max(distance_, glm::length(pivot_) + 2.0 * scene_radius_);
@@ -64,6 +65,16 @@ void OrbitCamera::set_projection(Camera::Type type) {
     distance_ = lens_.height / height_to_distance;
   }
   lens_.type = type;
+  if (lens_.near_depth) *lens_.near_depth += distance_ - before;
+  if (lens_.far_depth) *lens_.far_depth += distance_ - before;
+  if (lens_.near_depth && *lens_.near_depth < 0.0) lens_.near_depth.reset();
+  if (lens_.far_depth && *lens_.far_depth <= 0.0) lens_.far_depth.reset();
+  ++revision_;
+}
+
+void OrbitCamera::set_planes(bool on) {
+  if (on == planes_) return;
+  planes_ = on;
   ++revision_;
 }
 
@@ -122,7 +133,7 @@ void OrbitCamera::restore(const OrbitCamera& other) {
 }
 
 Camera OrbitCamera::camera() const {
-  Camera camera = lens_;
+  Camera camera = planes_ ? lens_ : lens_.without_planes();
   const Basis b = basis();
   camera.world_from_camera =
       glm::dmat4(glm::dvec4(b.right, 0.0), glm::dvec4(b.up, 0.0), glm::dvec4(b.back, 0.0),

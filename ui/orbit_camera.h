@@ -28,8 +28,13 @@ class OrbitCamera {
   /// Looks at the pivot from this side, level.
   void turn_to(double azimuth_rad, double elevation_rad);
   /// Shows what lies at the pivot's depth as large as before. An orthographic camera stands far
-  /// enough away that it cuts nothing of the scene off.
+  /// enough away that it cuts nothing of the scene off. Near and far planes stay where they are.
   void set_projection(Camera::Type type);
+  /// Whether the camera that was taken over has a near or a far plane; they move with it.
+  [[nodiscard]] bool has_planes() const { return lens_.near_depth || lens_.far_depth; }
+  /// Whether these cut the scene; off stays off for cameras that are taken over later.
+  void set_planes(bool on);
+  [[nodiscard]] bool planes() const { return planes_; }
   /// Full vertical field of view of a perspective, between 0 and pi; others are ignored.
   void set_fov_y(double fov_y_rad);
   /// Keeps the direction and puts the pivot into the picture's middle.
@@ -42,6 +47,8 @@ class OrbitCamera {
   void restore(const OrbitCamera& other);
 
   [[nodiscard]] Camera camera() const;
+  /// The camera that was taken over, but for its place.
+  [[nodiscard]] const Camera& lens() const { return lens_; }
   [[nodiscard]] glm::dvec3 pivot() const { return pivot_; }
   [[nodiscard]] double distance() const { return distance_; }
   [[nodiscard]] glm::dvec3 eye() const { return pivot_ + distance_ * basis().back; }
@@ -55,6 +62,7 @@ class OrbitCamera {
   [[nodiscard]] Basis basis() const;
 
   Camera lens_;  // everything but the placement
+  bool planes_ = true;
   glm::dvec3 pivot_{0.0};
   double distance_ = 1.0;
   double azimuth_rad_ = 0.0;

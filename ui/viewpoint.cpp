@@ -86,6 +86,12 @@ void Viewpoint::take_over(const Camera& of_file, int index) {
   chosen_revision_ = camera_.revision();
 }
 
+void Viewpoint::set_planes(bool on) {
+  const bool left = left_chosen();
+  camera_.set_planes(on);
+  if (!left) chosen_revision_ = camera_.revision();
+}
+
 void Viewpoint::look_from(Side side) {
   if (!scene_) return;
   const bool framed = framing() != 0;

@@ -33,6 +33,8 @@ class Viewpoint {
   /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
   /// scene.
   void take_over(const Camera& of_file, int index = -1);
+  /// Whether the camera's near and far planes cut the scene: the camera stays the chosen one.
+  void set_planes(bool on);
   /// Looks at the same point from one side of the scene, as far away as before; what filled the
   /// picture fills it again.
   enum class Side { front, back, right, left, top, bottom };

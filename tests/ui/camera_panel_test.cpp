@@ -75,5 +75,45 @@ TEST_F(CameraPanelTest, TheLensIsChangedAndUndone) {
   EXPECT_NEAR(lens().fov_y_rad, fov, 1e-12);
 }
 
+// A section view: the plane goes with the camera, until the whole scene is shown.
+TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
+  Viewpoint& viewpoint = rig.previewer().viewpoint();
+  EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
+  const auto near = [&] { return viewpoint.camera().camera().near_depth; };
+  Camera camera = viewpoint.camera().camera();
+  camera.near_depth = 1.5;
+  viewpoint.take_over(camera, 0);
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(near(), 1.5);
+  rig.click("Clip at planes");
+  EXPECT_TRUE(restarted());
+  EXPECT_EQ(near(), std::nullopt);
+  EXPECT_FALSE(viewpoint.left_chosen()) << "it is still the file's camera";
+  rig.click("Clip at planes");
+  EXPECT_EQ(near(), 1.5);
+  rig.key(Key::three);
+  EXPECT_EQ(near(), 1.5);
+  rig.click("Frame all");
+  EXPECT_EQ(near(), std::nullopt);
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
+}
+
+// The planes stay where they are in the scene.
+TEST_F(CameraPanelTest, ProjectionKeepsThePlanesPlaces) {
+  Viewpoint& viewpoint = rig.previewer().viewpoint();
+  Camera camera = viewpoint.camera().camera();
+  camera.near_depth = 0.5 * viewpoint.camera().distance();
+  viewpoint.take_over(camera, 0);
+  const auto place = [&] {
+    return viewpoint.camera().distance() - *viewpoint.camera().camera().near_depth;
+  };
+  const double before = place();
+  const double distance = viewpoint.camera().distance();
+  rig.key(Key::five);
+  EXPECT_GT(viewpoint.camera().distance(), 1.1 * distance);
+  EXPECT_NEAR(place(), before, 1e-12);
+}
+
 }  // namespace
 }  // namespace asos

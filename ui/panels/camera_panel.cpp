@@ -66,6 +66,22 @@ void lens_controls(Controls& controls, OrbitCamera& camera) {
     camera.set_fov_y(glm::radians(static_cast<double>(fov_deg)));
 }
 
+std::string planes_text(const Camera& camera) {
+  const auto at = [](const char* name, const std::optional<double>& depth) {
+    return depth ? fmt::format(" {} {:.4g}", name, *depth) : std::string();
+  };
+  return "Hides surfaces nearer or farther than the camera's planes:" +
+         at("near", camera.near_depth) + at("far", camera.far_depth) + ".";
+}
+
+void planes_control(Controls& controls, Viewpoint& viewpoint) {
+  const OrbitCamera& camera = viewpoint.camera();
+  if (!camera.has_planes()) return;
+  bool on = camera.planes();
+  if (controls.checkbox("Clip at planes", planes_text(camera.lens()).c_str(), on, true))
+    viewpoint.set_planes(on);
+}
+
 void turntable_controls(Controls& controls, Turntable& turntable) {
   bool turning = turntable.turning();
   if (controls.checkbox("Turntable", "Circle the orbit centre until you move the camera (T).",
@@ -95,6 +111,7 @@ void camera_panel(Controls& controls, Previewer& previewer) {
   }
   side_buttons(controls, viewpoint);
   lens_controls(controls, viewpoint.camera());
+  planes_control(controls, viewpoint);
   turntable_controls(controls, previewer.turntable());
 }
 
