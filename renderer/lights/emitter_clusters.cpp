@@ -11,7 +11,8 @@ constexpr int lloyd_rounds = 8;
 double distance2(const ClusterPoint& a, const ClusterPoint& b) {
   const glm::dvec3 d = a.position - b.position;
   const glm::dvec3 n = a.facing - b.facing;
-  return glm::dot(d, d) + glm::dot(n, n);
+  const glm::dvec3 e = a.emission - b.emission;
+  return glm::dot(d, d) + glm::dot(n, n) + glm::dot(e, e);
 }
 
 /// The first of them is the heaviest point.
@@ -47,13 +48,15 @@ std::vector<std::vector<std::uint32_t>> nearest_groups(std::span<const ClusterPo
 
 ClusterPoint middle_of(std::span<const ClusterPoint> points,
                        const std::vector<std::uint32_t>& group) {
-  ClusterPoint sum{glm::dvec3(0.0), glm::dvec3(0.0), 0.0};
+  ClusterPoint sum{glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0)};
   for (const std::uint32_t i : group) {
     sum.position += points[i].weight * points[i].position;
     sum.facing += points[i].weight * points[i].facing;
+    sum.emission += points[i].weight * points[i].emission;
     sum.weight += points[i].weight;
   }
-  return {sum.position / sum.weight, sum.facing / sum.weight, sum.weight};
+  return {sum.position / sum.weight, sum.facing / sum.weight, sum.weight,
+          sum.emission / sum.weight};
 }
 
 }  // namespace

@@ -9,16 +9,17 @@
 
 namespace asos {
 
-/// A point that is grouped by place and by the direction that it faces.
+/// A point to be grouped by place, direction and emission.
 struct ClusterPoint {
   glm::dvec3 position{0.0};  ///< in units of the size of the whole
   glm::dvec3 facing{0.0};    ///< unit; 0: none
   double weight = 1.0;
+  glm::dvec3 emission{0.0};  ///< in units of the brightest mean of the whole
 };
 
 /// Groups of the points' indices, none empty: at most `most` of them, and no more than it takes
 /// to bring every point within `tolerance` of its group's first one. Seeds farthest from each other
-/// (Gonzalez 1985), then Lloyd's k-means in the six dimensions. Depends on nothing but the points'
+/// (Gonzalez 1985), then Lloyd's k-means in the nine dimensions. Depends on nothing but the points'
 /// order.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster(std::span<const ClusterPoint> points,
                                                               std::size_t most, double tolerance);

@@ -11,8 +11,11 @@
 namespace asos {
 namespace {
 
-// A bilinear texel is about two wide, so that steps of two miss none.
+// A bilinear texel is about two wide, so that steps of two miss none. Edges of few texels take more
+// steps: a border between two of them may lie anywhere.
 constexpr double texels_a_step = 2.0;
+constexpr double steps_a_texel = 4.0;
+constexpr double steps_of_few_texels = 16.0;
 constexpr int most_steps = 64;
 constexpr double most_samples_a_part = 4e6;
 // An sRGB byte of 13 beside a white one: what lossy compression may make of black.
@@ -50,8 +53,9 @@ int steps_of(const World& world, std::uint32_t triangle) {
     texels = std::max(texels, texels_along(world, m.base_color_texture, t));
     if (!world.colors.empty()) least = 4.0;
   }
-  return static_cast<int>(
-      std::clamp(std::ceil(texels / texels_a_step), least, static_cast<double>(most_steps)));
+  const double steps =
+      std::max(texels / texels_a_step, std::min(steps_a_texel * texels, steps_of_few_texels));
+  return static_cast<int>(std::clamp(std::ceil(steps), least, static_cast<double>(most_steps)));
 }
 
 /// The material's emission, in its brightest channel, where its emissive texture is white; 0

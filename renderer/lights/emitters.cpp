@@ -32,6 +32,9 @@ constexpr double facing_share = 0.5;
 // worth all the lights that one may have.
 constexpr double large_piece = 0.1;
 
+// Triangles are even whose emission varies by less than this share of its mean square.
+constexpr double uneven_share = 0.05;
+
 struct EmissiveSurface {
   const World& world;
   EmissionAt emission;
@@ -102,6 +105,7 @@ std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece
     const EmitterTriangle& t = surface.triangles[i];
     points.push_back(
         {size > 0.0 ? (t.middle() - whole.centre) / size : glm::dvec3(0.0), t.normal, t.area});
+    if (surface.painted) points.back().emission = t.radiance / largest(whole.radiance());
   }
   std::vector<Light> lights;
   for (const std::vector<std::uint32_t>& group : cluster(points, most, curved_tolerance)) {
@@ -113,16 +117,28 @@ std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece
   return lights;
 }
 
+/// Returns whether triangles of a painted piece differ in emission.
+bool uneven(const EmissiveSurface& surface, const ConnectedPiece& piece) {
+  if (!surface.painted) return false;
+  double square = 0.0;
+  for (const std::uint32_t i : piece.triangles) {
+    const EmitterTriangle& t = surface.triangles[i];
+    square += t.area * glm::dot(t.radiance, t.radiance);
+  }
+  const glm::dvec3 mean = piece.moments.radiance();
+  return square - piece.moments.area * glm::dot(mean, mean) > uneven_share * square;
+}
+
 std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiece& piece) {
-  if (piece.regions.size() > regions_of_box) {
+  if (piece.regions.size() > regions_of_box && !uneven(surface, piece)) {
     if (auto ball = ball_light(piece.moments)) return {std::move(*ball)};
     if (auto tube = tube_light(surface.triangles, piece.triangles, piece.moments))
       return {std::move(*tube)};
   }
   const bool both_sides = two_sided(surface, piece);
   const bool few = piece.regions.size() <= max_lights_of_curved_piece;
-  const std::size_t most_of_region = surface.most_of_piece / piece.regions.size();
   std::vector<Light> lights;
+  std::vector<FlatEmitter> painted;
   Piece curved;
   for (const Piece& region : piece.regions) {
     double area = 0.0;
@@ -130,17 +146,25 @@ std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiec
     std::optional<Light> flat;
     if (few || area >= large_share * piece.moments.area)
       flat = polygon_light(surface.triangles, region, both_sides);
-    if (flat && surface.painted && flat->type == Light::Type::rectangle && most_of_region > 1) {
-      for (Light& light : split_by_texture(surface.world, surface.emission, *flat,
-                                           surface.triangles, region, most_of_region))
-        lights.push_back(std::move(light));
-    } else if (flat) {
-      lights.push_back(std::move(*flat));
-    } else {
+    if (!flat) {
       curved.insert(curved.end(), region.begin(), region.end());
+      continue;
+    }
+    FlatEmitter emitter{*std::move(flat), region};
+    if (surface.painted && can_be_split(emitter)) {
+      painted.push_back(std::move(emitter));
+    } else {
+      lights.push_back(std::move(emitter.light));
     }
   }
-  const std::size_t left = max_lights_of_curved_piece - lights.size();
+  // Half of the lights are kept for curved regions.
+  const std::size_t others = lights.size() + (curved.empty() ? 0 : surface.most_of_piece / 2);
+  const std::size_t most = surface.most_of_piece > others ? surface.most_of_piece - others : 0;
+  for (Light& light :
+       split_by_texture(surface.world, surface.emission, surface.triangles, painted, most))
+    lights.push_back(std::move(light));
+  const std::size_t left =
+      max_lights_of_curved_piece - std::min(lights.size(), max_lights_of_curved_piece - 1);
   for (Light& light : rectangles(surface, curved, left, both_sides))
     lights.push_back(std::move(light));
   return lights;

@@ -27,13 +27,14 @@ inline constexpr std::size_t max_lights_of_curved_piece = 16;
 /// but those that show a light of the scene already (Part::shows_light). `own_part` is the part.
 /// The power pi * L * area of the front sides is that of the triangles. Piece by piece, joined by
 /// edges with positions in common:
-///  - flat regions become polygons with their exact outlines, or rectangles; a rectangle that a
-///    texture or a mask paints becomes up to `max_lights_of_curved_piece` rectangles;
+///  - flat regions become polygons with their exact outlines, rectangles or disks; those that a
+///    texture or a mask paints, without holes, become up to `max_lights_of_curved_piece` lights;
 ///  - a round blob becomes a ball of the same area, I = L A / 4 candela;
 ///  - a long straight tube becomes a linear light, I = L A / pi candela: a line that shines with
 ///    the sine of the angle to it gives off pi^2 I in all;
-///  - what is curved otherwise becomes rectangles, one for a stretch of similar normals, with the
-///    mean normal and the same area: the fewer the smaller the piece is in the scene.
+///  - what is curved otherwise, or curved and painted, becomes rectangles, one for a stretch of
+///    similar normals and emission, with the mean normal and the same area: the fewer the smaller
+///    the piece is in the scene.
 /// Where a part has more lights than `max_lights_of_part`, its dimmer pieces become one light each,
 /// and those near to each other one together. Emission is averaged over each piece; texels that
 /// leave less than 1/250 of the material's emission, and triangles with less than 1/1000, are what

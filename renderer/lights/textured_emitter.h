@@ -10,14 +10,22 @@
 
 namespace asos {
 
-/// A rectangle that a texture, or an alpha mask, paints, as up to `most` rectangles that shine each
-/// with the mean of what it covers: cut where that leaves the least variance, by summed tables of
-/// the emission. `rectangle` stands for `region`. What is black gives no light. The rectangle
-/// itself where it shines evenly.
+/// A flat light and the triangles that it stands for.
+struct FlatEmitter {
+  Light light;
+  Piece region;
+};
+
+/// Whether `split_by_texture` can cut it: a rectangle, a disk or a polygon without holes.
+[[nodiscard]] bool can_be_split(const FlatEmitter& emitter);
+
+/// Flat lights that a texture, or an alpha mask, paints, as up to `most` lights that shine each
+/// with the mean of what it covers: cut by rectangles where that leaves the least variance, by
+/// summed tables of the emission. What is black gives no light. A light that shines evenly stays as
+/// it is.
 [[nodiscard]] std::vector<Light> split_by_texture(const World& world, EmissionAt emission,
-                                                  const Light& rectangle,
                                                   std::span<const EmitterTriangle> triangles,
-                                                  std::span<const std::uint32_t> region,
+                                                  std::span<const FlatEmitter> emitters,
                                                   std::size_t most);
 
 }  // namespace asos
