@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/shading/gradient.h"
+#include "renderer/shading/side_light.h"
 #include "renderer/shading/sky_choice.h"
 
 #include <glm/glm.hpp>
@@ -17,16 +18,19 @@ struct EnvironmentRow {
   Environment value;
   const char* hint;
   Gradient::Colours colours;
+  SideLight::Amounts sides{};  ///< added to the colours
 };
 
 inline constexpr std::array environments{
     EnvironmentRow{"studio",
                    Environment::studio,
-                   "A bright room over a darker floor; the rig's lights, as its soft boxes, stay.",
+                   "A room over a darker floor, darkest behind the scene.",
                    {{0.85f, 0.85f, 0.85f},
-                    {0.28f, 0.28f, 0.28f},
-                    {0.21f, 0.21f, 0.21f},
-                    {0.12f, 0.12f, 0.12f}}},
+                    {0.315f, 0.315f, 0.315f},
+                    {0.245f, 0.245f, 0.245f},
+                    {0.155f, 0.155f, 0.155f}},
+                   // The usual view is towards the least radiance, so that mirrors show more.
+                   {0.05, 15.0, -0.04, 5.0}},
     EnvironmentRow{
         "daylight",
         Environment::daylight,

@@ -47,6 +47,13 @@ double angle_of_cosine(double cosine) {
 
 }  // namespace
 
+DiskMoments DiskMoments::of(float width) {
+  // Points of a disk of radius r, one unit ahead, are on average 2 / (1 + sqrt(1 + r^2)) along the
+  // direction once they are unit directions, and their squares ln(1 + r^2) / r^2 of it.
+  const float square = width * width * std::numbers::inv_pi_v<float>;
+  return {2.0f / (1.0f + std::sqrt(1.0f + square)), log_share(square)};
+}
+
 Gradient::Gradient(const Colours& colours)
     : colours_(colours),
       below_(colours.below),
@@ -77,15 +84,10 @@ glm::dvec3 Gradient::mean(double height, double half_range) const {
 }
 
 glm::dvec3 Gradient::around(double height, double width) const {
-  // Points of a disk of radius r, one unit ahead, are on average 2 / (1 + sqrt(1 + r^2)) along the
-  // direction once they are unit directions, and their squares ln(1 + r^2) / r^2 of it, the rest of
-  // which is shared by the two directions across.
+  // The rest of the squares is shared by the two directions across.
   // In single precision, for each sample of a surface asks.
   const auto y = static_cast<float>(height);
-  const auto w = static_cast<float>(width);
-  const float square = w * w * std::numbers::inv_pi_v<float>;
-  const float along = 2.0f / (1.0f + std::sqrt(1.0f + square));
-  const float squared = log_share(square);
+  const auto [along, squared] = DiskMoments::of(static_cast<float>(width));
   const float variance =
       (squared - along * along) * y * y + 0.5f * (1.0f - squared) * (1.0f - y * y);
   const float middle = along * y, half_range = std::sqrt(3.0f * std::max(0.0f, variance));

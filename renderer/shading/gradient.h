@@ -4,6 +4,15 @@
 
 namespace asos {
 
+/// Means over the unit directions of a disk around one, of the area of a square of a width, one
+/// unit ahead: of their component along it, and of its square.
+struct DiskMoments {
+  float along = 1.0f;
+  float squared = 1.0f;
+
+  [[nodiscard]] static DiskMoments of(float width);
+};
+
 /// Radiance by the height of a direction, the sine of its elevation (+Y is up): linear from the
 /// horizon to the zenith, and from there to the nadir. Where what is above the horizon differs from
 /// what is below, one goes over into the other over heights from -`ramp` to `ramp`. Immutable.

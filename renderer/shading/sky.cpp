@@ -80,7 +80,8 @@ Sky::Sky(glm::vec3 zenith, glm::vec3 horizon) : gradient_({zenith, horizon, hori
   choice_.colours = {zenith, horizon};
 }
 
-Sky::Sky(Environment environment) : gradient_(row_of(environment).colours) {
+Sky::Sky(Environment environment)
+    : gradient_(row_of(environment).colours), sides_(row_of(environment).sides) {
   choice_.environment = environment;
 }
 
@@ -123,8 +124,10 @@ glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) co
   const double width = glm::length(across(middle, r)), height = glm::length(across(middle, s));
   // A small patch on one side of a gradient's horizon, as nearly all pixels are.
   if (!map_ && std::max(width, height) <= widest_part &&
-      gradient_.linear_near(middle.y, width + height))
-    return gradient_.mean(middle.y, 0.0);
+      gradient_.linear_near(middle.y, width + height)) {
+    const glm::dvec3 mean = gradient_.mean(middle.y, 0.0);
+    return sides_.none() ? mean : mean + sides_.mean(middle, r, s);
+  }
   const Parts n = parts_of(width, height);
   return mean_of_parts({middle, r, s}, n.right, n.down);
 }
@@ -133,7 +136,10 @@ glm::vec3 Sky::around(glm::vec3 direction, float width) const {
   if (constant()) return gradient_.zenith();
   const glm::dvec3 middle(direction);
   const double w = static_cast<double>(width);
-  if (!map_) return gradient_.around(middle.y, w);
+  if (!map_) {
+    const glm::dvec3 mean = gradient_.around(middle.y, w);
+    return sides_.none() ? mean : mean + sides_.around(middle, w);
+  }
   constexpr int parts = 3;
   const glm::dvec3 right = any_perpendicular(middle);
   return mean_of_parts({middle, w * right, w * glm::cross(middle, right)}, parts, parts);
@@ -161,7 +167,8 @@ glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 dow
   if (map_)
     return brightness_ * glm::dvec3(map_->mean(in_map(direction),
                                                std::hypot(glm::length(r), glm::length(s)) / sqrt2));
-  return gradient_.mean(direction.y, 0.5 * std::sqrt(r.y * r.y + s.y * s.y));
+  const glm::dvec3 mean = gradient_.mean(direction.y, 0.5 * std::sqrt(r.y * r.y + s.y * s.y));
+  return sides_.none() ? mean : mean + sides_.mean(direction, r, s);
 }
 
 SkyDirection Sky::bright_direction(glm::dvec2 place) const {
@@ -180,7 +187,9 @@ glm::vec3 Sky::ambient(glm::vec3 normal) const {
     return sky_visibility * static_cast<float>(brightness_) *
            map_->irradiance_over_pi(in_map(normal));
   if (constant()) return sky_visibility * gradient_.zenith();
-  return sky_visibility * glm::vec3(gradient_.irradiance_over_pi(normal));
+  glm::dvec3 irradiance = gradient_.irradiance_over_pi(normal);
+  if (!sides_.none()) irradiance += sides_.irradiance_over_pi(normal);
+  return sky_visibility * glm::vec3(irradiance);
 }
 
 Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice) {

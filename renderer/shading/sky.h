@@ -4,6 +4,7 @@
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/gradient.h"
+#include "renderer/shading/side_light.h"
 #include "renderer/shading/sky_choice.h"
 #include "renderer/shading/sky_map.h"
 
@@ -23,7 +24,7 @@ class Sky {
   /// From the horizon to the zenith linear in the sine of the elevation; below the horizon as at
   /// the horizon.
   Sky(glm::vec3 zenith, glm::vec3 horizon);
-  /// A gradient up and down from the horizon.
+  /// A gradient up and down from the horizon, and what varies with the azimuth.
   explicit Sky(Environment environment);
   /// An equirectangular picture that is turned about +Y, counter-clockwise as seen from above; at 0
   /// its middle is at -Z. `file` is where it comes from.
@@ -54,7 +55,7 @@ class Sky {
   [[nodiscard]] Sky brightened(double times) const;
 
   /// Whether it is the same all over.
-  [[nodiscard]] bool constant() const { return !map_ && gradient_.constant(); }
+  [[nodiscard]] bool constant() const { return !map_ && gradient_.constant() && sides_.none(); }
   [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
 
   /// As on the command line: the environment, "R,G,B:R,G,B" or the file, how it is turned and how
@@ -73,6 +74,7 @@ class Sky {
   [[nodiscard]] glm::dvec3 part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const;
 
   Gradient gradient_;
+  SideLight sides_;
   std::shared_ptr<const SkyMap> map_;
   double brightness_ = 1.0;  // of the picture
   double turn_cos_ = 1.0;

@@ -179,6 +179,14 @@ TEST(Sky, APictureIsSoManyTimesAsBrightAllOver) {
   EXPECT_EQ(colour.brightened(8.0).radiance({0, 1, 0}), glm::vec3(0.5f)) << "no picture";
 }
 
+/// The radiance that an environment adds towards an azimuth.
+double added(const SideLight::Amounts& sides, glm::dvec3 d) {
+  const double azimuth = std::atan2(d.x, d.z), level = std::hypot(d.x, d.z);
+  const auto rad = [](double deg) { return deg * std::numbers::pi / 180.0; };
+  return sides.one * level * std::cos(azimuth - rad(sides.one_deg)) +
+         sides.two * level * level * std::cos(2.0 * (azimuth - rad(sides.two_deg)));
+}
+
 // As by summing over all directions what they say of themselves: linear in the sine of the angle.
 TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
   for (const EnvironmentRow& row : environments) {
@@ -188,14 +196,16 @@ TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
     const Gradient::Colours& of = row.colours;
     EXPECT_EQ(sky.radiance({0, 1, 0}), of.zenith);
     for (int k = 0; k < 3; ++k)
-      EXPECT_FLOAT_EQ(sky.radiance({0, 0, -1})[k], 0.5f * (of.above[k] + of.below[k]));
+      EXPECT_FLOAT_EQ(
+          sky.radiance({0, 0, -1})[k],
+          0.5f * (of.above[k] + of.below[k]) + static_cast<float>(added(row.sides, {0, 0, -1})));
     EXPECT_EQ(sky.radiance({0, -1, 0}), of.nadir);
     const Radiance radiance = [&](glm::dvec3 d) {
       const double over = std::clamp(0.5 + 0.5 * d.y / Gradient::ramp, 0.0, 1.0);
       const glm::dvec3 above(of.above), below(of.below);
       const glm::dvec3 end(d.y > 0.0 ? of.zenith : of.nadir);
       const glm::dvec3 from(d.y > 0.0 ? of.above : of.below);
-      return (glm::mix(below, above, over) + std::abs(d.y) * (end - from)).g;
+      return (glm::mix(below, above, over) + std::abs(d.y) * (end - from)).g + added(row.sides, d);
     };
     for (const glm::vec3 n : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(0.6f, 0.8f, 0),
                               glm::vec3(0, -0.28f, 0.96f)})
@@ -222,6 +232,32 @@ TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
           << i;
     }
   }
+}
+
+// Whoever looks along -Z or nearly so sees a vertical mirror that faces them, by its brightness;
+// and nothing of the sky is black.
+TEST(Sky, AStudioShowsInVerticalMirrors) {
+  const Sky sky(Environment::studio);
+  const auto at = [](double azimuth_deg, double height) {
+    const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
+    const double level = std::sqrt(1.0 - height * height);
+    return glm::dvec3(level * std::sin(azimuth), height, level * std::cos(azimuth));
+  };
+  const auto radiance = [&](glm::dvec3 d) {
+    return static_cast<double>(sky.radiance(glm::vec3(d)).g);
+  };
+  for (double looks = 160.0; looks <= 215.0; looks += 5.0) {
+    for (double faces = looks - 230.0; faces <= looks - 130.0; faces += 5.0) {
+      for (const double height : {-0.3, 0.0, 0.2}) {
+        const glm::dvec3 d = at(looks, height);
+        EXPECT_GT(radiance(glm::reflect(d, at(faces, 0.0))), radiance(d) + 0.035)
+            << looks << " " << faces;
+      }
+    }
+  }
+  for (double azimuth = 0.0; azimuth < 360.0; azimuth += 5.0)
+    for (const double height : {-0.99, -0.7, -0.3, 0.0, 0.3})
+      EXPECT_GT(radiance(at(azimuth, height)), 0.1);
 }
 
 TEST(Sky, WithoutOneIsNeutral) {
