@@ -33,8 +33,8 @@ void OpenScene::ask_for(SceneSource source) {
   error_.reset();
   reload_failed_ = false;
   asked_for_ = source.path;
-  asked_hidden_ = source.hidden;
-  asked_asset_root_ = source.asset_root;
+  asked_ = source;
+  outer_root_.clear();
   reloading_ = false;
   loader_.open(std::move(source));
 }
@@ -64,6 +64,15 @@ void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) 
            std::move(hidden),
            asset_root_});
   reloading_ = true;
+}
+
+void OpenScene::widen_asset_root() {
+  if (outer_root_.empty()) return;
+  SceneSource again = asked_;
+  again.asset_root = outer_root_;
+  const bool same = scene_ && scene_->geometry->source == again.path;
+  ask_for(std::move(again));
+  reloading_ = same;
 }
 
 void OpenScene::hide(int part) {
@@ -102,6 +111,7 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   std::optional<LoadOutcome> outcome = loader_.take_outcome();
   if (!outcome) return std::nullopt;
   const bool reloaded = std::exchange(reloading_, false);
+  outer_root_ = outcome->outer_root;
   if (!outcome->scene) {
     error_ = outcome->scene.error();
     reload_failed_ = reloaded;
@@ -109,8 +119,8 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
     return std::nullopt;
   }
   files_ = std::move(outcome->files);
-  hidden_ = asked_hidden_;
-  asset_root_ = asked_asset_root_;
+  hidden_ = asked_.hidden;
+  asset_root_ = asked_.asset_root;
   const glm::dvec3 before = scene_ ? scene_->world().origin : glm::dvec3(0.0);
   scene_ = std::move(*outcome->scene);
   load_seconds_ = outcome->load_seconds;

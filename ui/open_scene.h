@@ -63,6 +63,12 @@ class OpenScene {
     return std::exchange(opened_display_, std::nullopt);
   }
 
+  /// A folder from which files are read that the source names and that were refused, once
+  /// `widen_asset_root` allows that; empty: none was.
+  [[nodiscard]] const std::string& outer_root() const { return outer_root_; }
+  /// Loads the source that was opened last again, with `outer_root` as its asset root.
+  void widen_asset_root();
+
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   void report(Error error) { error_ = std::move(error); }
   void dismiss_error() { error_.reset(); }
@@ -88,10 +94,12 @@ class OpenScene {
   std::shared_ptr<const RenderScene> scene_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;
-  std::string asset_root_, asked_asset_root_;
+  SceneSource asked_;
+  std::string asset_root_;
+  std::string outer_root_;
   bool reloading_ = false;  // the scene being loaded is the open one again
   bool reload_failed_ = false;
-  std::vector<int> hidden_, asked_hidden_;  // ascending
+  std::vector<int> hidden_;  // ascending
   double load_seconds_ = 0.0;
   std::vector<FileStamp> files_;
   std::optional<Error> error_;

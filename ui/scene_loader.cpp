@@ -65,6 +65,8 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
   for (const std::string& file : source_files(source, source.asset_root))
     outcome.files.push_back(FileStamp::of(file));
   Result<Scene> scene = load(source);
+  if (!scene || !scene->notes.warnings.empty())
+    outcome.outer_root = outer_asset_root(source, source.asset_root);
   if (scene) leave_out(*scene, source.hidden);
   outcome.load_seconds = seconds_since(start);
   if (!scene) {

@@ -40,6 +40,7 @@ struct LoadOutcome {
   /// its lights.
   std::optional<PictureDescription> picture;
   std::vector<FileStamp> files;  ///< that the scene is read from, as they were before
+  std::string outer_root{};      ///< see outer_asset_root
 };
 
 /// Loads and prepares scenes, and those of saved pictures (.png, .exr), on a thread of its own. A

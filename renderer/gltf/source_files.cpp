@@ -13,10 +13,21 @@ namespace asos {
 
 namespace {
 
-/// The files that a glTF document names besides itself, as paths relative to it.
-std::vector<std::filesystem::path> named_files(const nlohmann::json& document,
-                                               gltf::ModelFiles known_files) {
-  std::vector<std::filesystem::path> files;
+/// The JSON of a glTF file; discarded where it cannot be read.
+nlohmann::json document_of(const std::string& source) {
+  const nlohmann::json none(nlohmann::json::value_t::discarded);
+  const auto bytes = read_file(source, gltf::scene_file_rules());
+  if (!bytes) return none;
+  gltf::Warnings ignored;
+  const auto container = gltf::open_container(*bytes, ignored);
+  if (!container) return none;
+  return nlohmann::json::parse(container->json.begin(), container->json.end(), nullptr, false);
+}
+
+/// The files that a glTF document names besides itself.
+std::vector<gltf::UriFile> named_files(const nlohmann::json& document,
+                                       gltf::ModelFiles known_files) {
+  std::vector<gltf::UriFile> files;
   for (const char* list : {"buffers", "images"}) {
     const auto found = document.find(list);
     if (found == document.end() || !found->is_array()) continue;
@@ -25,10 +36,19 @@ std::vector<std::filesystem::path> named_files(const nlohmann::json& document,
       const std::string uri = entry["uri"].get<std::string>();
       // Faults: data URIs, other schemes, and what import refuses.
       auto file = known_files.find(uri);
-      if (file) files.push_back(std::move(file->relative));
+      if (file) files.push_back(*std::move(file));
     }
   }
   return files;
+}
+
+/// The lowest folder that holds two others.
+std::filesystem::path common_folder(const std::filesystem::path& a,
+                                    const std::filesystem::path& b) {
+  std::filesystem::path common;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end() && *i == *j; ++i, ++j)
+    common /= *i;
+  return common;
 }
 
 }  // namespace
@@ -36,21 +56,15 @@ std::vector<std::filesystem::path> named_files(const nlohmann::json& document,
 std::vector<std::string> source_files(const std::string& source, const std::string& asset_root) {
   if (source.starts_with("builtin:")) return {};
   std::vector<std::string> files{source};
-  const auto bytes = read_file(source, gltf::scene_file_rules());
-  if (!bytes) return files;
-  gltf::Warnings ignored;
-  const auto container = gltf::open_container(*bytes, ignored);
-  if (!container) return files;
-  const auto document =
-      nlohmann::json::parse(container->json.begin(), container->json.end(), nullptr, false);
+  const nlohmann::json document = document_of(source);
   if (!document.is_object()) return files;
   const std::filesystem::path folder = std::filesystem::path(source).parent_path();
   auto folders = gltf::asset_folders(folder, asset_root);
   if (!folders) return files;
   gltf::ModelFiles model_files(std::move(*folders));
   std::unordered_set<std::string> known{source};
-  for (const std::filesystem::path& file : named_files(document, std::move(model_files))) {
-    std::string path = (folder / file).lexically_normal().string();
+  for (const gltf::UriFile& file : named_files(document, std::move(model_files))) {
+    std::string path = (folder / file.relative).lexically_normal().string();
     if (known.insert(path).second) files.push_back(std::move(path));
   }
   return files;
@@ -64,6 +78,26 @@ bool may_be_source_file(const std::string& path, const std::string& source,
   std::error_code error;
   return folders->contain(
       std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error));
+}
+
+std::string outer_asset_root(const std::string& source, const std::string& asset_root) {
+  if (source.starts_with("builtin:")) return {};
+  const nlohmann::json document = document_of(source);
+  if (!document.is_object()) return {};
+  const auto allowed = gltf::asset_folders(std::filesystem::path(source).parent_path(), asset_root);
+  if (!allowed) return {};
+  const gltf::AssetFolders own{allowed->model, allowed->model};
+  gltf::ModelFiles everywhere({allowed->model, allowed->model.root_path()});
+  std::filesystem::path root;
+  bool refused = false;
+  for (const gltf::UriFile& file : named_files(document, std::move(everywhere))) {
+    std::error_code error;
+    if (own.contain(file.path) || !std::filesystem::is_regular_file(file.path, error)) continue;
+    refused |= !allowed->contain(file.path);
+    const std::filesystem::path folder = file.path.parent_path();
+    root = root.empty() ? folder : common_folder(root, folder);
+  }
+  return refused && root != root.root_path() ? root.string() : std::string();
 }
 
 }  // namespace asos

@@ -15,4 +15,11 @@ namespace asos {
 [[nodiscard]] bool may_be_source_file(const std::string& path, const std::string& source,
                                       const std::string& asset_root = {});
 
+/// The lowest folder that holds the existing files that a glTF file names outside of its own
+/// folder, where some of them lie outside of its asset root, too: an asset root from which all can
+/// be read. Empty: there is no such file, or only the file system's root holds them all. Any
+/// thread.
+[[nodiscard]] std::string outer_asset_root(const std::string& source,
+                                           const std::string& asset_root = {});
+
 }  // namespace asos

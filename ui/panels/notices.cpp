@@ -56,6 +56,10 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
     ImGui::SetClipboardText(error.message().c_str());
   }
   ImGui::SameLine();
+  if (!scene.outer_root().empty()) {
+    asset_root_button(controls, scene, 0.0f);
+    ImGui::SameLine();
+  }
   if (controls.button("Close", "Close (Esc).")) scene.dismiss_error();
   end_notice();
 }

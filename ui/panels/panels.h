@@ -52,7 +52,10 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
                       const RenderSettings& settings, const RenderScene& scene,
                       double finished_share);
 /// Remarks that a person should know before trusting the picture; nothing where there are none.
-void warnings_panel(Controls& controls, const SceneNotes& notes);
+void warnings_panel(Controls& controls, const SceneNotes& notes, OpenScene& scene);
+/// A button that lets the scene read files outside of its asset root; nothing where none was
+/// refused. `width` as of Controls::button.
+void asset_root_button(Controls& controls, OpenScene& scene, float width);
 
 /// The line under the picture: what is going on and for how long still, or `message`.
 struct StatusLine {

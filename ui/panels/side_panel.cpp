@@ -61,7 +61,7 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
     // What another choice would show is chosen above, or in the file's animation.
     SceneNotes notes = notes_of(*scene);
     notes.not_shown.clear();
-    warnings_panel(controls, notes);
+    warnings_panel(controls, notes, previewer.scene());
   }
   antialiasing_panel(controls, previewer, jobs.forecast);
   refinement_panel(controls, previewer);

@@ -1,7 +1,9 @@
+#include "renderer/files/printable.h"
 #include "renderer/scene/remarks.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -16,7 +18,14 @@ constexpr float most_rows = 6.0f;  // before the list scrolls
 
 }  // namespace
 
-void warnings_panel(Controls& controls, const SceneNotes& notes) {
+void asset_root_button(Controls& controls, OpenScene& scene, float width) {
+  if (scene.outer_root().empty()) return;
+  const std::string text =
+      fmt::format("Read files from {} too and reload.", printable(scene.outer_root()));
+  if (controls.button("Allow folder", text.c_str(), width)) scene.widen_asset_root();
+}
+
+void warnings_panel(Controls& controls, const SceneNotes& notes, OpenScene& scene) {
   const std::vector<std::string> lines = remarks(notes);
   if (lines.empty() || !controls.section("Warnings")) return;
   std::string text;
@@ -40,6 +49,7 @@ void warnings_panel(Controls& controls, const SceneNotes& notes) {
   if (controls.button("Copy warnings", "Copy the warnings to the clipboard.", -1.0f)) {
     ImGui::SetClipboardText(text.c_str());
   }
+  asset_root_button(controls, scene, -1.0f);
 }
 
 }  // namespace asos

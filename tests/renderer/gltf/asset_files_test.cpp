@@ -194,6 +194,25 @@ TEST_F(AssetFiles, SceneIsReadFromAboveItsFolder) {
   EXPECT_TRUE(may_be_source_file(folder_.file("a/square.bin"), path, at("a").string()));
 }
 
+TEST_F(AssetFiles, OuterRootHoldsTheRefusedFiles) {
+  const auto outer = [&](const std::vector<std::string>& uris, const std::string& root = {}) {
+    GltfBuilder b = GltfBuilder::square();
+    for (const std::string& uri : uris) b.json["images"].push_back({{"uri", uri}});
+    return outer_asset_root(folder_.write("a/b/c/d/e/s.gltf", b.gltf()), root);
+  };
+  EXPECT_EQ(outer({"x.bin", "../x.bin", "../../../x.bin"}), "") << "none is refused";
+  EXPECT_EQ(outer({"../../../../x.bin"}), at("a").string());
+  EXPECT_EQ(outer({"../../../../x.bin", "../x.bin"}), at("a").string());
+  EXPECT_EQ(outer({"../../../../x.bin", "../../../../../x.bin"}), at("").parent_path().string());
+  EXPECT_EQ(outer({"../../../../gone.bin"}), "") << "there is no such file";
+  EXPECT_EQ(outer({"../../../../x.bin"}, at("a").string()), "") << "it is allowed";
+  EXPECT_EQ(outer({"../x.bin"}, at("a/b/c/d/e").string()), at("a/b/c/d").string());
+  // Only the file system's root holds both.
+  EXPECT_EQ(outer({"../../../../x.bin", "../../../../../../../../../../../proc/self/status"}), "");
+  EXPECT_EQ(outer_asset_root("builtin:boxes"), "");
+  EXPECT_EQ(outer_asset_root(at("gone.gltf").string()), "");
+}
+
 TEST(ReportedUris, ShowTheRedSquare) {
   const auto shared = test::shared_dir();
   if (!shared || !fs::is_directory(*shared / "reported/uri"))
