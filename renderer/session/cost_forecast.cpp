@@ -1,6 +1,7 @@
 #include "renderer/session/cost_forecast.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace asos {
 
@@ -23,15 +24,61 @@ void CostForecast::leave_out(std::size_t pass) {
   passes_[pass].left_out = true;
 }
 
-CostForecast::Shared CostForecast::shared(const PassCosts& pass, const PassCosts& before) const {
-  Shared sums;
+void CostForecast::set_likeness(std::span<const double> values) {
+  alike_.resize(blocks_);
+  std::iota(alike_.begin(), alike_.end(), 0u);
+  std::stable_sort(alike_.begin(), alike_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
+}
+
+// A block that ended in the pass before costs nothing here. So the blocks that are done before and
+// not here are forecast by those that did cost something; the others by both kinds.
+double CostForecast::left_of(const PassCosts& pass, const Guide& guide) const {
+  Shared going;              // blocks that cost something here
+  double done_before = 0.0;  // all blocks that the pass before has done
+  double waiting = 0.0;      // those of them that this pass has not
   for (std::size_t block = 0; block < blocks_; ++block) {
-    const float here = pass.by_block[block], there = before.by_block[block];
-    if (here < 0.0f || there < 0.0f) continue;
-    sums.here += static_cast<double>(here);
-    sums.there += static_cast<double>(there);
+    const auto here = static_cast<double>(pass.by_block[block]);
+    const auto there = static_cast<double>(guide.before.by_block[block]);
+    if (there < 0.0) continue;
+    done_before += there;
+    if (here < 0.0) waiting += there;
+    if (here > 0.0) going.here += here, going.there += there;
   }
-  return sums;
+  const double ratio = going.ratio(guide.known, guide.growth);
+  const double share = done_before > 0.0 ? (going.there + waiting) / done_before : 1.0;
+  return ratio * (waiting + share * std::max(0.0, guide.all_before - done_before));
+}
+
+double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide) const {
+  // Blocks next to one, on both sides together.
+  constexpr std::size_t nearest = 8;
+  // Sum up the done ones in the order of their likeness, without those that cost nothing here: they
+  // ended in the pass before, as no block did that is left.
+  std::vector<Shared> sums{{}};
+  for (const std::uint32_t block : alike_) {
+    if (!(pass.by_block[block] > 0.0f)) continue;
+    Shared sum = sums.back();
+    sum.here += static_cast<double>(pass.by_block[block]);
+    sum.there += static_cast<double>(guide.before.by_block[block]);
+    sums.push_back(sum);
+  }
+  const std::size_t done = sums.size() - 1, taken = std::min(done, nearest);
+  const double known = guide.known * static_cast<double>(nearest - taken) / nearest;
+  // Forecast the others.
+  double left = 0.0;
+  std::size_t below = 0;  // done ones before the block
+  for (const std::uint32_t block : alike_) {
+    if (pass.by_block[block] >= 0.0f) {
+      below += pass.by_block[block] > 0.0f;
+      continue;
+    }
+    const std::size_t first = std::min(below - std::min(below, taken / 2), done - taken);
+    const Shared near{sums[first + taken].here - sums[first].here,
+                      sums[first + taken].there - sums[first].there};
+    left += near.ratio(known, guide.growth) * static_cast<double>(guide.before.by_block[block]);
+  }
+  return left;
 }
 
 std::optional<double> CostForecast::seconds_left() const {
@@ -44,22 +91,23 @@ std::optional<double> CostForecast::seconds_left() const {
   for (const PassCosts& pass : passes_) {
     growth *= pass.growth;
     if (pass.left_out) continue;
-    double all = pass.sum;
+    double rest = 0.0;
     if (pass.count < blocks_) {
       if (before) {
-        const Shared both = shared(pass, *before);
-        const double known = blocks_of_growth * all_before / static_cast<double>(blocks_);
-        const double there = both.there + known;
-        const double ratio = there > 0.0 ? (both.here + growth * known) / there : 0.0;
-        all = pass.sum + ratio * std::max(0.0, all_before - both.there);
+        const Guide guide{*before, all_before, growth,
+                          blocks_of_growth * all_before / static_cast<double>(blocks_)};
+        // Likeness tells about the first pass that goes by it, once the one before is complete.
+        const bool by_likeness = !alike_.empty() && before->count == blocks_;
+        rest = by_likeness ? left_by_likeness(pass, guide) : left_of(pass, guide);
       } else {
         if (pass.count == 0) return std::nullopt;
-        all *= static_cast<double>(blocks_) / static_cast<double>(pass.count);
+        rest =
+            pass.sum * static_cast<double>(blocks_ - pass.count) / static_cast<double>(pass.count);
       }
     }
-    left += std::max(0.0, all - pass.sum);
+    left += rest;
     before = &pass;
-    all_before = all;
+    all_before = pass.sum + rest;
     growth = 1.0;
   }
   return left;

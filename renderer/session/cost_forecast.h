@@ -1,17 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace asos {
 
-/// Tells what the passes over a picture that are left will cost, from what its blocks cost so far.
-/// Blocks differ a hundredfold, but one that is dear in a pass is dear in the next. So a pass is
-/// forecast from the pass before, by the ratio of the two over the blocks that both have done, and
-/// until there are enough of these by a ratio that is known beforehand. The first pass is forecast
-/// by the mean of its blocks, which therefore have to be spread over the picture. One thread at a
-/// time.
+/// Forecasts the cost of the remaining passes over a picture from the cost of its blocks so far.
+/// Blocks differ a hundredfold, but a block that is dear in a pass is dear in the next. So a pass
+/// is forecast from the pass before, by the ratio of the two over the blocks that are done in both,
+/// and until there are enough of these by a ratio that is known beforehand. The first pass is
+/// forecast by the mean of its blocks, which therefore have to be spread over the picture. One
+/// thread at a time.
 class CostForecast {
  public:
   /// `growth`: how many times the work of the pass before each pass but the first takes.
@@ -20,6 +22,10 @@ class CostForecast {
   /// What a block cost in a pass, in seconds of one processor. What is done of a block again counts
   /// as work.
   void add(std::size_t pass, std::size_t block, double seconds);
+  /// Blocks of similar values have similar ratios: one value a block. A pass that goes by these
+  /// values takes its dearest blocks first, so that each remaining block is forecast from the done
+  /// ones that are next to it. A few blocks have to be done out of that order.
+  void set_likeness(std::span<const double> values);
   /// Passes before the last one that are not taken after all.
   void leave_out(std::size_t pass);
 
@@ -37,13 +43,27 @@ class CostForecast {
     double sum = 0.0;
     bool left_out = false;
   };
-  /// Of a pass over the blocks that it shares with another.
+  /// Costs of blocks that are done in two passes.
   struct Shared {
     double here = 0.0, there = 0.0;
+
+    [[nodiscard]] double ratio(double known, double growth) const {
+      const double all = there + known;
+      return all > 0.0 ? (here + growth * known) / all : 0.0;
+    }
   };
-  [[nodiscard]] Shared shared(const PassCosts& pass, const PassCosts& before) const;
+  /// What is left of a pass. `known`: the work of the pass before that counts as done at `growth`.
+  struct Guide {
+    const PassCosts& before;
+    double all_before = 0.0;
+    double growth = 1.0;
+    double known = 0.0;
+  };
+  [[nodiscard]] double left_of(const PassCosts& pass, const Guide& guide) const;
+  [[nodiscard]] double left_by_likeness(const PassCosts& pass, const Guide& guide) const;
 
   std::size_t blocks_;
+  std::vector<std::uint32_t> alike_;  // blocks in the order of their likeness; empty: not known
   std::vector<PassCosts> passes_;
   double done_ = 0.0;
 };

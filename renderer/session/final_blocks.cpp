@@ -12,6 +12,9 @@ namespace {
 // One block in so many is tried, and so many at most: they take little of the time.
 constexpr std::size_t blocks_a_trial = 32;
 constexpr std::size_t most_tried = 48;
+// One block in so many comes in spread order instead of by its gain, so that the cost of all that
+// are left can be forecast.
+constexpr std::size_t blocks_a_spread = 4;
 
 BlockJob job_of(const PlannedRender& render, std::size_t block, const std::stop_token& stop) {
   return {*render.snapshot.scene, render.view, render.snapshot.settings,
@@ -140,8 +143,19 @@ void FinalBlocks::set_gains(std::span<const double> gain) {
   const std::lock_guard lock(mutex_);
   if (std::exchange(ordered_, true)) return;
   next_ = handed_out_;
-  std::stable_sort(order_.begin() + static_cast<std::ptrdiff_t>(handed_out_), order_.end(),
+  const auto rest = order_.begin() + static_cast<std::ptrdiff_t>(handed_out_);
+  const std::vector<std::size_t> spread(rest, order_.end());
+  std::vector<std::size_t> by_gain = spread;
+  std::stable_sort(by_gain.begin(), by_gain.end(),
                    [&](std::size_t a, std::size_t b) { return gain[a] > gain[b]; });
+  std::vector<bool> taken(gain.size(), false);
+  auto next_by_gain = by_gain.cbegin(), next_spread = spread.cbegin();
+  for (std::size_t i = 0; i < spread.size(); ++i) {
+    auto& next = i % blocks_a_spread == blocks_a_spread - 1 ? next_spread : next_by_gain;
+    while (taken[*next]) ++next;
+    taken[*next] = true;
+    rest[static_cast<std::ptrdiff_t>(i)] = *next++;
+  }
 }
 
 bool FinalBlocks::work(const PlannedRender& render, TileCollector& tiles, RunClock& clock,

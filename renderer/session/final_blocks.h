@@ -39,8 +39,8 @@ class FinalBlocks {
   /// What all blocks take, in the processor's seconds, as the few tell.
   [[nodiscard]] double expected_seconds() const;
 
-  /// The other blocks begin with those of the largest `gain`, one a block; only the first call
-  /// counts. Without it they come in the plan's order.
+  /// The other blocks begin with those of the largest `gain`, one a block, but for a few in between
+  /// that are spread over the picture; only the first call counts. Without it all are spread.
   void set_gains(std::span<const double> gain);
   /// Renders the other blocks until none is left or `stop` is requested. True if that finished the
   /// picture.

@@ -104,7 +104,9 @@ void RenderRun::sample_first(const std::stop_token& stop) {
   // All threads have left the rounds, and only the first one reads their samples.
   const std::lock_guard lock(mutex_);
   if (std::exchange(sampled_, true)) return;
-  blocks_.set_gains(samples_.moved(render_.plan));
+  const std::vector<double> gain = samples_.moved(render_.plan);
+  blocks_.set_gains(gain);
+  clock_.set_likeness(gain);
   samples_.release();
 }
 

@@ -20,6 +20,11 @@ void RunClock::leave_out(std::size_t pass) {
   forecast_.leave_out(pass);
 }
 
+void RunClock::set_likeness(std::span<const double> values) {
+  const std::lock_guard lock(mutex_);
+  forecast_.set_likeness(values);
+}
+
 void RunClock::begin_forecast() {
   const std::lock_guard lock(mutex_);
   if (pace_.empty()) pace_.push_back({Clock::now(), 0.0});

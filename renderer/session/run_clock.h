@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <deque>
 #include <mutex>
+#include <span>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ class RunClock {
 
   /// See CostForecast.
   void leave_out(std::size_t pass);
+  void set_likeness(std::span<const double> values);
   /// The first pass that is forecast begins; only the first call counts.
   void begin_forecast();
   /// A block of a pass is finished, which took a worker's processor so long.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace asos::test {
@@ -85,6 +86,57 @@ TEST(CostForecast, TellsARenderInPassesFromATenthOn) {
     EXPECT_LT(worst.of_rest, 1.5) << recorded.scene;
     EXPECT_NEAR(*forecast.seconds_left(), 0.0, 1e-4);
   }
+}
+
+// Blocks that take most in the second pass come first in it, but for every fourth: that is spread.
+TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
+  const WorkPlan plan = plan_of_recorded();
+  for (const RecordedCosts& recorded : recorded_costs) {
+    const std::vector<double> low = seconds_of(recorded.at_max_1);
+    const std::vector<double> high = seconds_of(recorded.at_max_3);
+    const double all = sum_of(low) + sum_of(high);
+    std::vector<double> value;  // known to a third
+    for (std::size_t i = 0; i < low.size(); ++i)
+      value.push_back(high[i] / low[i] * (1.0 + 0.33 * std::sin(static_cast<double>(i))));
+    const std::vector<std::size_t> spread = plan.spread_blocks();
+    std::vector<std::size_t> dearest = spread;
+    std::stable_sort(dearest.begin(), dearest.end(),
+                     [&](std::size_t a, std::size_t b) { return value[a] > value[b]; });
+    for (const bool alike : {false, true}) {
+      CostForecast forecast(low.size(), {sum_of(high) / sum_of(low)});
+      for (const std::size_t block : spread) forecast.add(0, block, low[block]);
+      if (alike) forecast.set_likeness(value);
+      Worst worst;
+      std::vector<bool> done(low.size());
+      auto next = dearest.cbegin(), next_spread = spread.cbegin();
+      for (std::size_t i = 0; i < low.size(); ++i) {
+        auto& from = i % 4 == 3 ? next_spread : next;
+        while (done[*from]) ++from;
+        done[*from] = true;
+        forecast.add(1, *from, high[*from]);
+        worst.look(forecast, all);
+      }
+      if (alike) {
+        EXPECT_LT(worst.of_rest, 1.5) << recorded.scene;
+      } else {
+        EXPECT_GT(worst.of_rest, 1.5) << recorded.scene << ": nothing was to be mended";
+      }
+    }
+  }
+}
+
+// Blocks that end in a pass cost nothing in the next, and tell nothing of those that go on.
+TEST(CostForecast, TakesNoBlockThatEndedForOneThatGoesOn) {
+  CostForecast forecast(8, {1.0});
+  for (std::size_t i = 0; i < 4; ++i) {
+    forecast.add(0, i, 1.0);
+    forecast.add(1, i, i == 0 ? 3.0 : 0.0);
+  }
+  for (std::size_t i = 4; i < 6; ++i) forecast.add(0, i, 1.0);
+  // Known: a block at three times, and four blocks' worth at once what they took.
+  const double ratio = (3.0 + 4.0) / (1.0 + 4.0);
+  // Two blocks wait for the second pass, and two more for both; half of all go on.
+  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 2.0 + 2.0 * ratio + 2.0 * 0.5 * ratio);
 }
 
 TEST(CostForecast, KnowsNothingBeforeABlockIsDone) {
