@@ -64,7 +64,8 @@ void OpenedScene::frame_animation() {
     const Result<Scene> posed =
         at_rest.rig->pose(ClipTime{time_->animation, clip.seconds * i / moments});
     if (!posed) continue;  // a moment of which nothing can be drawn
-    Result<FlattenedScene> flat = flatten(*posed, most_triangles, at_rest.stage.origin);
+    Result<FlattenedScene> flat =
+        flatten(*posed, most_triangles, at_rest.stage.origin, never_shared);
     if (!flat || flat->world.bounds.empty()) continue;
     if (framed_)
       frame_also(*framed_, flat->world);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 // Vectors are handed to functions that are inlined only: no calling convention is concerned.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -46,21 +48,27 @@ Box box_of(const World& world, std::uint32_t triangle) {
   return box;
 }
 
-std::vector<std::uint32_t> along_morton_curve(const World& world, std::size_t n,
+std::vector<std::uint32_t> along_morton_curve(const World& world,
+                                              std::vector<std::uint32_t> triangles,
                                               const std::stop_token& stop) {
-  std::vector<Keyed> keyed(n);
-  in_parallel(n, stop, [&](std::uint32_t t) {
-    const Box box = box_of(world, t);
+  std::vector<Keyed> keyed(triangles.size());
+  in_parallel(triangles.size(), stop, [&](std::uint32_t i) {
+    const Box box = box_of(world, triangles[i]);
     const glm::dvec3 middle = 0.5 * (glm::dvec3(box.lo) + glm::dvec3(box.hi));
-    keyed[t] = {morton_code(middle, world.bounds), t};
+    keyed[i] = {morton_code(middle, world.bounds), triangles[i]};
   });
   sort_in_tasks(keyed.begin(), keyed.end(), [](const Keyed& x, const Keyed& y) {
     return x.code != y.code ? x.code < y.code : x.triangle < y.triangle;
   });
-  std::vector<std::uint32_t> triangles(n);
   std::transform(keyed.begin(), keyed.end(), triangles.begin(),
                  [](const Keyed& k) { return k.triangle; });
   return triangles;
+}
+
+std::vector<std::uint32_t> first_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
 }
 
 constexpr std::size_t nodes_for(std::size_t children) {
@@ -70,7 +78,11 @@ constexpr std::size_t nodes_for(std::size_t children) {
 }  // namespace
 
 BoxTree::BoxTree(const World& world, std::size_t triangles, const std::stop_token& stop)
-    : triangles_(along_morton_curve(world, triangles, stop)) {
+    : BoxTree(world, first_numbers(triangles), stop) {}
+
+BoxTree::BoxTree(const World& world, std::vector<std::uint32_t> triangles,
+                 const std::stop_token& stop)
+    : triangles_(along_morton_curve(world, std::move(triangles), stop)) {
   if (triangles_.empty()) return;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr OneBox nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};

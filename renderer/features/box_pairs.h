@@ -21,6 +21,9 @@ class BoxTree {
 
   /// Throws SearchStopped once `stop` is requested.
   BoxTree(const World& world, std::size_t triangles, const std::stop_token& stop = {});
+  /// Of some triangles.
+  BoxTree(const World& world, std::vector<std::uint32_t> triangles,
+          const std::stop_token& stop = {});
   explicit BoxTree(const World& world, const std::stop_token& stop = {})
       : BoxTree(world, world.triangles.size(), stop) {}
 

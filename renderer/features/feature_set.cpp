@@ -1,5 +1,7 @@
 #include "renderer/features/feature_set.h"
 
+#include "renderer/features/placed_features.h"
+#include "renderer/features/placed_intersections.h"
 #include "renderer/features/release.h"
 #include "renderer/features/shape_intersections.h"
 #include "renderer/features/welded_vertices.h"
@@ -13,10 +15,21 @@ namespace asos {
 
 // One stage after the other, for each keeps all processors busy and needs memory that the next one
 // can have.
-FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop)
-    : positions_(world.positions) {
+FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop) {
+  if (world.placements) {
+    find_placed(world, texture_at, stop);
+    return;
+  }
+  find(world, texture_at, stop);
+  hierarchy_ =
+      FeatureHierarchy::build(positions_, edges_, curves_, FeatureHierarchy::few_edges, stop);
+}
+
+// All boundaries of a world without placed meshes, but not their hierarchy.
+void FeatureSet::find(const World& world, TextureAt texture_at, const std::stop_token& stop) {
+  positions_ = world.positions.own();
   CutOuts cut_outs = find_cut_outs(world, {}, stop);
-  std::vector<std::uint32_t> welded = welded_vertices(world.positions, stop);
+  std::vector<std::uint32_t> welded = welded_vertices(positions_, stop);
   ExtractedFeatures extracted =
       extract_features(world, welded, texture_at, stop, cut_outs.hidden_sides);
   counts_ = extracted.counts;
@@ -28,8 +41,45 @@ FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop
   release(welded);
   add_shape_intersections(world);
   add(world, std::move(cut_outs));
-  hierarchy_ =
+}
+
+void FeatureSet::find_placed(const World& world, TextureAt texture_at,
+                             const std::stop_token& stop) {
+  auto placed = std::make_shared<PlacedFeatures>(world, texture_at, stop);
+  if (!world.triangles.own().empty()) find(without_placements(world), texture_at, stop);
+  for (const Placement& place : world.placements->places)
+    counts_ += placed->meshes[place.mesh].counts();
+  for (const FeatureSet& mesh : placed->meshes)
+    intersections_complete_ = intersections_complete_ && mesh.intersections_complete();
+  placed_ = placed;
+  add(find_placed_intersections(world, IntersectionBudget::of(world), stop));
+  FeatureHierarchy own =
       FeatureHierarchy::build(positions_, edges_, curves_, FeatureHierarchy::few_edges, stop);
+  hierarchy_ = placed->behind(std::move(own), edges_.size(), positions_.size());
+}
+
+const FeatureNode& FeatureSet::placed_node(std::uint32_t number, FeatureNode& room) const {
+  return room = placed_->node(number);
+}
+
+const NodeChains& FeatureSet::placed_chains(std::uint32_t number, NodeChains& room) const {
+  return room = placed_->chains(number);
+}
+
+FeatureEdge FeatureSet::placed_edge(std::uint32_t number) const {
+  return placed_->edge(number);
+}
+
+glm::dvec3 FeatureSet::placed_position(std::uint32_t number) const {
+  return placed_->position(number);
+}
+
+std::uint32_t FeatureSet::placed_sheet(std::uint32_t triangle) const {
+  return placed_->sheet(triangle);
+}
+
+float FeatureSet::placed_deviation(std::uint32_t triangle) const {
+  return placed_->deviation(triangle);
 }
 
 // Each face is a sheet of its own.
@@ -116,7 +166,7 @@ std::size_t FeatureSet::memory_bytes() const {
          sheet_of_triangle_.size() * sizeof(std::uint32_t) +
          deviation_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
          faces_.size() * sizeof(ShapeFace) + outlined_.size() +
-         positions_.size() * sizeof(glm::vec3);
+         positions_.size() * sizeof(glm::vec3) + (placed_ ? placed_->memory_bytes() : 0);
 }
 
 }  // namespace asos

@@ -8,11 +8,14 @@
 #include "renderer/world/world.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 namespace asos {
+
+struct PlacedFeatures;
 
 /// All boundaries that a world can show, ready to be searched by a pyray. Immutable once built,
 /// thread-safe.
@@ -24,8 +27,26 @@ class FeatureSet {
                       const std::stop_token& stop = {});
 
   [[nodiscard]] const FeatureCounts& counts() const { return counts_; }
-  [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
+  [[nodiscard]] bool empty() const { return hierarchy_.nodes.empty(); }
+  /// Those of placed meshes come after all others and are made where they are read: a node, or a
+  /// node's chains, in `room`.
+  [[nodiscard]] const FeatureNode& node(std::uint32_t number, FeatureNode& room) const {
+    if (number < hierarchy_.nodes.size()) return hierarchy_.nodes[number];
+    return placed_node(number, room);
+  }
   /// FeatureNode::chains counts in these.
+  [[nodiscard]] const NodeChains& chains(std::uint32_t number, NodeChains& room) const {
+    if (number < hierarchy_.chains.size()) return hierarchy_.chains[number];
+    return placed_chains(number, room);
+  }
+  [[nodiscard]] FeatureEdge edge(std::uint32_t number) const {
+    return number < edges_.size() ? edges_[number] : placed_edge(number);
+  }
+  [[nodiscard]] glm::dvec3 position(std::uint32_t number) const {
+    return number < positions_.size() ? glm::dvec3(positions_[number]) : placed_position(number);
+  }
+  // Without those of placed meshes:
+  [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
   [[nodiscard]] std::span<const NodeChains> chains() const { return hierarchy_.chains; }
   [[nodiscard]] std::span<const FeatureEdge> edges() const { return edges_; }
   [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
@@ -35,21 +56,23 @@ class FeatureSet {
   /// The smooth, connected piece of surface that a triangle belongs to. Along a path in a picture
   /// the visible sheet changes only across a boundary.
   [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const {
-    return sheet_of_triangle_[triangle];
+    return triangle < sheet_of_triangle_.size() ? sheet_of_triangle_[triangle]
+                                                : placed_sheet(triangle);
   }
 
   /// How far, in world units, the smooth surface around a triangle leaves the triangle's plane
   /// within the next triangles. A boundary that lies less far behind the plane may be the surface's
   /// own outline, where it bends away: the plane does not hide it.
   [[nodiscard]] float deviation(std::uint32_t triangle) const {
-    return deviation_of_triangle_[triangle];
+    return triangle < deviation_of_triangle_.size() ? deviation_of_triangle_[triangle]
+                                                    : placed_deviation(triangle);
   }
 
   /// The same within `reach` of a point of the surface: less for analytic shapes, which are bent
   /// everywhere alike.
   [[nodiscard]] double deviation(std::uint32_t surface, glm::dvec3 position, double reach) const {
     const std::size_t triangles = deviation_of_triangle_.size() - faces_.size();
-    if (surface < triangles) return deviation(surface);
+    if (surface < triangles || placed_) return deviation(surface);
     return face_deviation(faces_[surface - triangles], position, reach);
   }
 
@@ -61,7 +84,7 @@ class FeatureSet {
   /// without masked surfaces.
   [[nodiscard]] std::span<const std::uint8_t> outlined() const { return outlined_; }
   [[nodiscard]] bool outlined(std::uint32_t surface) const {
-    return !outlined_.empty() && outlined_[surface] != 0;
+    return surface < outlined_.size() && outlined_[surface] != 0;
   }
   /// Whether there are masked surfaces whose cut-outs are not, so that only samples tell them.
   [[nodiscard]] bool cut_outs_unbounded() const { return cut_outs_unbounded_; }
@@ -84,7 +107,16 @@ class FeatureSet {
   bool intersections_complete_ = true;
   bool cut_outs_unbounded_ = false;
   bool opacity_unbounded_ = false;
+  std::shared_ptr<const PlacedFeatures> placed_;  // null: none
 
+  void find(const World& world, TextureAt texture_at, const std::stop_token& stop);
+  void find_placed(const World& world, TextureAt texture_at, const std::stop_token& stop);
+  [[nodiscard]] const FeatureNode& placed_node(std::uint32_t number, FeatureNode& room) const;
+  [[nodiscard]] const NodeChains& placed_chains(std::uint32_t number, NodeChains& room) const;
+  [[nodiscard]] FeatureEdge placed_edge(std::uint32_t number) const;
+  [[nodiscard]] glm::dvec3 placed_position(std::uint32_t number) const;
+  [[nodiscard]] std::uint32_t placed_sheet(std::uint32_t triangle) const;
+  [[nodiscard]] float placed_deviation(std::uint32_t triangle) const;
   void add(const Intersections& found);
   void add_shapes(const World& world);
   void add_shape_intersections(const World& world);

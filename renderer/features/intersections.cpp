@@ -34,7 +34,8 @@ struct Meeting {
   int b = 0;
 };
 
-Meeting meeting(glm::uvec3 a, glm::uvec3 b) {
+template <typename Places>
+Meeting meeting(const Places& a, const Places& b) {
   Meeting m;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
@@ -65,8 +66,9 @@ bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
 
 class Collider {
  public:
-  /// Of surfaces with each other, or of lines and points with surfaces.
-  enum class Of { surfaces, strokes };
+  /// Pairs of surfaces; of a surface with a line or point; or of a placed mesh with another mesh or
+  /// another place.
+  enum class Of { surfaces, strokes, placed };
 
   Collider(const World& world, std::span<const std::uint32_t> welded, Of of,
            const IntersectionBudget& budget, const std::stop_token& stop)
@@ -77,6 +79,16 @@ class Collider {
         budget_(budget),
         stop_(stop),
         boxes_(world, count_, stop) {}
+
+  /// Compares placed meshes among some triangles.
+  Collider(const World& world, std::vector<std::uint32_t> triangles,
+           const IntersectionBudget& budget, const std::stop_token& stop)
+      : world_(world),
+        of_(Of::placed),
+        count_(triangles.size()),
+        budget_(budget),
+        stop_(stop),
+        boxes_(world, std::move(triangles), stop) {}
 
   Intersections run() {
     if (hopeless()) return {{}, false};
@@ -125,13 +137,23 @@ class Collider {
   void test(std::uint32_t s, std::uint32_t t, Local& local) const {
     if (of_ == Of::strokes && world_.strokes.has_triangle(s) == world_.strokes.has_triangle(t))
       return;
+    if (of_ == Of::placed && !of_two_meshes(s, t)) return;
     // Neighbours along an edge meet there and nowhere else, unless they lie in one plane.
-    const Meeting m = meeting(places_of(s), places_of(t));
+    const Meeting m = of_ == Of::placed ? meeting(corners_of(world_, s), corners_of(world_, t))
+                                        : meeting(places_of(s), places_of(t));
     if (m.count > 1) return;
     const Corners a = corners_of(world_, s), b = corners_of(world_, t);
     if (m.count == 1 && (beside(a, b, m.a, m.b) || beside(b, a, m.b, m.a))) return;
     const std::optional<Stretch> line = common_line(in_double(a), in_double(b), world_.origin);
     if (line) local.lines.push_back({glm::vec3(line->p), glm::vec3(line->q), s, t});
+  }
+
+  /// Returns whether the pair is found neither within one mesh nor among the world's own surfaces.
+  [[nodiscard]] bool of_two_meshes(std::uint32_t s, std::uint32_t t) const {
+    const std::uint32_t later = std::max(s, t);
+    if (!world_.is_placed(later)) return false;
+    const Placements& all = *world_.placements;
+    return std::min(s, t) < all.own_triangles + all.of_triangle(later).first_triangle;
   }
 
   [[nodiscard]] glm::uvec3 places_of(std::uint32_t triangle) const {
@@ -198,6 +220,12 @@ Intersections find_intersections(const World& world, std::span<const std::uint32
   const Intersections of_strokes = Collider(world, welded, Collider::Of::strokes, more, stop).run();
   found.lines.insert(found.lines.end(), of_strokes.lines.begin(), of_strokes.lines.end());
   return found;
+}
+
+Intersections intersections_among(const World& world, std::vector<std::uint32_t> triangles,
+                                  const IntersectionBudget& budget, const std::stop_token& stop) {
+  if (triangles.size() < 2) return {};
+  return Collider(world, std::move(triangles), budget, stop).run();
 }
 
 }  // namespace asos

@@ -52,4 +52,10 @@ struct Intersections {
                                                const IntersectionBudget& budget,
                                                const std::stop_token& stop = {});
 
+/// The same of placed meshes with each other and with other surfaces, among some triangles alone.
+[[nodiscard]] Intersections intersections_among(const World& world,
+                                                std::vector<std::uint32_t> triangles,
+                                                const IntersectionBudget& budget,
+                                                const std::stop_token& stop = {});
+
 }  // namespace asos

@@ -29,7 +29,7 @@ constexpr double negligible_share = 5e-3;
 double texels_along(const World& world, const TextureUse& use, glm::uvec3 t) {
   if (!use.used() || use.texcoord < 0 || use.texcoord > 1) return 0.0;
   const int image = world.textures[static_cast<std::size_t>(use.texture)].image;
-  const std::vector<glm::vec2>& uv = world.texcoords[use.texcoord];
+  const auto& uv = world.texcoords[use.texcoord];
   if (image < 0 || uv.empty()) return 0.0;
   const Image& texels = world.images[static_cast<std::size_t>(image)];
   const glm::vec2 size(texels.width, texels.height);

@@ -201,26 +201,46 @@ Box box_of(const World& world, std::size_t triangle) {
   return box;
 }
 
+/// Calls visit(first, end) with runs of all triangles; of placed meshes only with those of parts
+/// whose boxes are near by.
+template <typename Near, typename Visit>
+void visit_runs(const World& world, const Near& is_near, const Visit& visit) {
+  const auto in_runs = [&](std::size_t first, std::size_t end) {
+    for (; first < end; first += run_length) visit(first, std::min(end, first + run_length));
+  };
+  in_runs(0, world.triangles.own().size());
+  if (!world.placements) return;
+  for (const Placement& place : world.placements->places) {
+    const Part& part = world.parts[place.part];
+    if (is_near(part.bounds))
+      in_runs(part.first_triangle, part.first_triangle + part.triangle_count);
+  }
+}
+
 }  // namespace
 
 LightIntersections find_light_intersections(const World& world,
                                             std::span<const PreparedLight> prepared) {
   LightIntersections cuts(prepared.size());
   const std::vector<CutLight> lights(prepared.begin(), prepared.end());
-  const std::size_t count = world.triangles.size();
-  for (std::size_t first = 0; first < count && !lights.empty(); first += run_length) {
-    const std::size_t end = std::min(count, first + run_length);
-    std::array<Box, run_length> boxes;
-    Box run;
-    for (std::size_t i = first; i < end; ++i) run.grow(boxes[i - first] = box_of(world, i));
-    for (std::size_t k = 0; k < lights.size(); ++k) {
-      if (!lights[k].meets(run)) continue;
-      for (std::size_t i = first; i < end && cuts[k].size() < most_light_intersections; ++i) {
-        if (lights[k].owns(world.triangle_part[i]) || !lights[k].meets(boxes[i - first])) continue;
-        if (const auto cut = lights[k].cut_by(corners_of(world, i))) cuts[k].push_back(*cut);
+  const auto near_any = [&](const Box& box) {
+    return std::any_of(lights.begin(), lights.end(),
+                       [&](const CutLight& light) { return light.meets(box); });
+  };
+  if (!lights.empty())
+    visit_runs(world, near_any, [&](std::size_t first, std::size_t end) {
+      std::array<Box, run_length> boxes;
+      Box run;
+      for (std::size_t i = first; i < end; ++i) run.grow(boxes[i - first] = box_of(world, i));
+      for (std::size_t k = 0; k < lights.size(); ++k) {
+        if (!lights[k].meets(run)) continue;
+        for (std::size_t i = first; i < end && cuts[k].size() < most_light_intersections; ++i) {
+          if (lights[k].owns(world.triangle_part[i]) || !lights[k].meets(boxes[i - first]))
+            continue;
+          if (const auto cut = lights[k].cut_by(corners_of(world, i))) cuts[k].push_back(*cut);
+        }
       }
-    }
-  }
+    });
   for (std::size_t k = 0; k < lights.size(); ++k) {
     if (cuts[k].size() < most_light_intersections && !lights[k].cut_by_any(cuts[k]))
       cuts[k].clear();
@@ -233,18 +253,29 @@ std::vector<bool> find_entered_balls(const World& world, std::span<const Prepare
   std::vector<std::size_t> balls;
   for (std::size_t k = 0; k < lights.size(); ++k)
     if (lights[k].shape == LightShape::ball && lights[k].casts_shadows) balls.push_back(k);
-  for (std::size_t i = 0; i < world.triangles.size() && !balls.empty(); ++i) {
+  const auto reaches = [&](std::size_t k, const Box& box) {
+    const PreparedLight& light = lights[k];
+    const glm::dvec3 nearest = glm::clamp(light.position, glm::dvec3(box.lo), glm::dvec3(box.hi));
+    return glm::distance(nearest, light.position) < (1.0 - touching) * light.radius;
+  };
+  const auto near_any = [&](const Box& box) {
+    return std::any_of(balls.begin(), balls.end(), [&](std::size_t k) { return reaches(k, box); });
+  };
+  const auto look_at = [&](std::size_t i) {
     const Box box = box_of(world, i);
     for (const std::size_t k : balls) {
       const PreparedLight& light = lights[k];
       if (entered[k] || light.own_part == static_cast<std::int32_t>(world.triangle_part[i]))
         continue;
-      const double radius = (1.0 - touching) * light.radius;
-      const glm::dvec3 nearest = glm::clamp(light.position, glm::dvec3(box.lo), glm::dvec3(box.hi));
-      if (glm::distance(nearest, light.position) < radius)
-        entered[k] = distance_to_triangle(light.position, corners_of(world, i)) < radius;
+      if (!reaches(k, box)) continue;
+      entered[k] = distance_to_triangle(light.position, corners_of(world, i)) <
+                   (1.0 - touching) * light.radius;
     }
-  }
+  };
+  if (!balls.empty())
+    visit_runs(world, near_any, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) look_at(i);
+    });
   return entered;
 }
 

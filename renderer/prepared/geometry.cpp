@@ -16,10 +16,7 @@ std::size_t bytes_of(const std::vector<T>& v) {
 }
 
 std::size_t bytes_of(const World& world) {
-  std::size_t bytes =
-      bytes_of(world.positions) + bytes_of(world.normals) + bytes_of(world.tangents) +
-      bytes_of(world.texcoords[0]) + bytes_of(world.texcoords[1]) + bytes_of(world.colors) +
-      bytes_of(world.triangles) + bytes_of(world.triangle_part) + bytes_of(world.parts);
+  std::size_t bytes = geometry_bytes(world);
   for (const Image& image : world.images)
     bytes += bytes_of(image.rgba.get()) + bytes_of(image.low.get());
   return bytes;

@@ -57,8 +57,9 @@ bool is_silhouette(const Frame& frame, glm::dvec3 a, glm::dvec3 b, glm::dvec3 le
 // The first edge below an entry that is a node or a leaf.
 std::uint32_t first_edge(const FeatureSet& features, const HitEntry& e) {
   if (e.type == HitEntry::Type::leaf) return e.ref;
-  const FeatureNode* node = &features.nodes()[e.ref];
-  while (node->edge_count[0] == FeatureNode::inner) node = &features.nodes()[node->child[0]];
+  FeatureNode room;
+  const FeatureNode* node = &features.node(e.ref, room);
+  while (node->edge_count[0] == FeatureNode::inner) node = &features.node(node->child[0], room);
   return node->child[0];
 }
 
@@ -92,11 +93,10 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   segments_.clear();
   root_.clear();
   scene_entries_ = 0;
-  if (features_->nodes().empty()) return;
+  if (features_->empty()) return;
   // Begin with the cut, or with the hierarchy's root.
   if (bounds_.cut) {
-    for (const CutNode& part : *bounds_.cut)
-      open_node(features_->nodes()[part.node], part.children);
+    for (const CutNode& part : *bounds_.cut) open_node(part.node, part.children);
   } else {
     HitEntry root;
     root.u0 = root.v0 = -std::numeric_limits<float>::infinity();
@@ -190,11 +190,10 @@ bool HitLists::straight(const HitEntry& e, float tolerance) const {
 // Makes the segment between a chain's ends, once.
 bool HitLists::replace_by_chord(std::uint32_t i) {
   if (entries_[i].chord != FeatureEdge::none) return true;
-  if (bounds_.ignores(features_->edges()[first_edge(*features_, entries_[i])].a)) return false;
-  const std::span<const glm::vec3> positions = features_->positions();
+  if (bounds_.ignores(features_->edge(first_edge(*features_, entries_[i])).a)) return false;
   const auto chord = static_cast<std::uint32_t>(entries_.size());
-  add_segment(first_edge(*features_, entries_[i]), glm::dvec3(positions[entries_[i].chain[0]]),
-              glm::dvec3(positions[entries_[i].chain[1]]));
+  add_segment(first_edge(*features_, entries_[i]), features_->position(entries_[i].chain[0]),
+              features_->position(entries_[i].chain[1]));
   if (entries_.size() == chord) return false;
   entries_[i].chord = chord;
   return true;
@@ -202,15 +201,14 @@ bool HitLists::replace_by_chord(std::uint32_t i) {
 
 std::optional<FeatureKind> HitLists::kind(std::uint32_t i) const {
   if (segment(i).edge == FeatureEdge::none) return std::nullopt;
-  const FeatureEdge& edge = features_->edges()[segment(i).edge];
+  const FeatureEdge edge = features_->edge(segment(i).edge);
   const bool may_be_silhouette =
       edge.folds && edge.right != FeatureEdge::none &&
       (edge.kind == FeatureKind::crease || edge.kind == FeatureKind::seam);
   if (!may_be_silhouette) return edge.kind;
-  const std::span<const glm::vec3> positions = features_->positions();
   const bool silhouette =
-      is_silhouette(frame_, glm::dvec3(positions[edge.a]), glm::dvec3(positions[edge.b]),
-                    glm::dvec3(positions[edge.left]), glm::dvec3(positions[edge.right]));
+      is_silhouette(frame_, features_->position(edge.a), features_->position(edge.b),
+                    features_->position(edge.left), features_->position(edge.right));
   return silhouette ? FeatureKind::silhouette : edge.kind;
 }
 
@@ -240,7 +238,7 @@ void HitLists::open(std::uint32_t i) {
   if (entries_[i].opened) return;
   const auto first = static_cast<std::uint32_t>(entries_.size());
   if (entries_[i].type == HitEntry::Type::node) {
-    open_node(features_->nodes()[entries_[i].ref], ~0u);
+    open_node(entries_[i].ref, ~0u);
   } else {
     open_leaf(i);
   }
@@ -249,7 +247,10 @@ void HitLists::open(std::uint32_t i) {
   entries_[i].child_count = static_cast<std::uint16_t>(entries_.size() - first);
 }
 
-void HitLists::open_node(const FeatureNode& node, unsigned children) {
+void HitLists::open_node(std::uint32_t number, unsigned children) {
+  FeatureNode room;
+  NodeChains room_for_chains;
+  const FeatureNode& node = features_->node(number, room);
   const NodeTestResult test = test_children(node, test_frame_);
   for (unsigned kept = test.kept & children; kept != 0; kept &= kept - 1) {
     const auto c = static_cast<unsigned>(__builtin_ctz(kept));
@@ -263,7 +264,7 @@ void HitLists::open_node(const FeatureNode& node, unsigned children) {
     child.ref = node.child[c];
     child.edge_count = node.edge_count[c];
     if (node.chains != FeatureNode::no_chains) {
-      const NodeChains& chains = features_->chains()[node.chains];
+      const NodeChains& chains = features_->chains(node.chains, room_for_chains);
       child.chain[0] = chains.end[0][c];
       child.chain[1] = chains.end[1][c];
       child.chain_deviation = chains.deviation[c];
@@ -277,19 +278,18 @@ void HitLists::open_node(const FeatureNode& node, unsigned children) {
 void HitLists::open_leaf(std::uint32_t i) {
   const std::uint32_t first = entries_[i].ref;
   const std::uint32_t count = entries_[i].edge_count;
-  const std::span<const glm::vec3> positions = features_->positions();
   for (std::uint32_t e = first; e < first + count; ++e) {
-    const FeatureEdge& edge = features_->edges()[e];
+    const FeatureEdge edge = features_->edge(e);
     if (edge.is_curve()) {
       add_curve(e);
       continue;
     }
     if (bounds_.ignores(edge.a)) continue;
-    const glm::dvec3 a(positions[edge.a]);
-    const glm::dvec3 b(positions[edge.b]);
+    const glm::dvec3 a = features_->position(edge.a);
+    const glm::dvec3 b = features_->position(edge.b);
     if (edge.kind == FeatureKind::silhouette &&
-        !is_silhouette(frame_, a, b, glm::dvec3(positions[edge.left]),
-                       glm::dvec3(positions[edge.right])))
+        !is_silhouette(frame_, a, b, features_->position(edge.left),
+                       features_->position(edge.right)))
       continue;
     add_segment(e, a, b);
   }
@@ -297,7 +297,7 @@ void HitLists::open_leaf(std::uint32_t i) {
 
 // The parts in the pyray of a curve of an analytic shape, in straight pieces.
 void HitLists::add_curve(std::uint32_t edge) {
-  const FeatureCurve& curve = features_->curves()[features_->edges()[edge].curve()];
+  const FeatureCurve& curve = features_->curves()[features_->edge(edge).curve()];
   const ShapeFace* face = curve.face == FeatureCurve::none ? nullptr : &features_->face(curve.face);
   const FaceOutline outline = face ? face_outline(*face, frame_) : FaceOutline{};
   const std::span<const double> angles(outline.angle, static_cast<std::size_t>(outline.line_count));

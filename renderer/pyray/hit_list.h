@@ -85,7 +85,7 @@ class HitLists {
   /// The sheets on both sides of a segment's edge (FeatureEdge::none: none there).
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> sheets(std::uint32_t i) const {
     if (segment(i).edge == FeatureEdge::none) return {FeatureEdge::none, FeatureEdge::none};
-    const FeatureEdge& edge = features_->edges()[segment(i).edge];
+    const FeatureEdge edge = features_->edge(segment(i).edge);
     return {edge.left_sheet, edge.right_sheet};
   }
   /// The kind of a segment as seen in this frame: a crease or a seam whose two faces lie to the
@@ -94,7 +94,7 @@ class HitLists {
   /// The kind of a segment's edge as the scene has it; open where it is no edge of the scene.
   [[nodiscard]] FeatureKind feature(std::uint32_t i) const {
     return segment(i).edge == FeatureEdge::none ? FeatureKind::open
-                                                : features_->edges()[segment(i).edge].kind;
+                                                : features_->edge(segment(i).edge).kind;
   }
   [[nodiscard]] const Frame& frame() const { return frame_; }
   /// Whether nodes stayed closed because the search had cost all that its bounds allow.
@@ -107,7 +107,7 @@ class HitLists {
   void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
   [[nodiscard]] bool saturated() const;
   void open(std::uint32_t i);
-  void open_node(const FeatureNode& node, unsigned children);
+  void open_node(std::uint32_t node, unsigned children);
   void open_leaf(std::uint32_t i);
   void add_curve(std::uint32_t edge);
   void add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b);

@@ -96,9 +96,17 @@ bool meet(const Box& a, const Box& b) {
 struct Neighbours {
   static constexpr std::size_t most = 16;
   std::vector<Box> boxes;
+  std::vector<Box> placed;  ///< those of placed meshes among them
   bool full = false;
 
-  void add(const Box& box) {
+  void add(const Box& box, bool is_placed) {
+    if (is_placed) {
+      // More of them need not be told apart.
+      if (placed.size() < most)
+        placed.push_back(box);
+      else
+        placed.back().grow(box);
+    }
     if (boxes.size() < most) {
       boxes.push_back(box);
     } else {
@@ -124,17 +132,24 @@ std::vector<Neighbours> neighbours_of(const World& world) {
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return boxes[a].lo.x < boxes[b].lo.x; });
   std::vector<Neighbours> found(boxes.size());
+  const auto placed = [&](std::uint32_t part) {
+    return world.is_placed(world.parts[part].first_triangle);
+  };
   std::size_t pairs = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Box& own = boxes[order[k]];
     for (std::size_t m = k + 1; m < order.size() && boxes[order[m]].lo.x <= own.hi.x; ++m) {
       if (++pairs > pairs_of_part * order.size()) {
-        std::fill(found.begin(), found.end(), Neighbours{{Box{}}, true});
+        Neighbours all;
+        all.full = true;
+        all.boxes.push_back(Box{});
+        if (world.placements) all.placed.push_back(world.bounds);
+        std::fill(found.begin(), found.end(), all);
         return found;
       }
       if (!meet(own, boxes[order[m]])) continue;
-      found[order[k]].add(boxes[order[m]]);
-      found[order[m]].add(own);
+      found[order[k]].add(boxes[order[m]], placed(order[m]));
+      found[order[m]].add(own, placed(order[k]));
     }
   }
   return found;
@@ -146,20 +161,33 @@ class CoplanarSearch {
   CoplanarSearch(const World& world, RTCScene scene, const Group* groups, float scale)
       : world_(world), scene_(scene), groups_(groups), scale_(scale) {}
 
-  std::vector<std::uint8_t> run() {
+  Coplanar run() {
     const std::vector<Neighbours> neighbours = neighbours_of(world_);
     const auto none = [](const Neighbours& n) { return n.boxes.empty(); };
     if (std::all_of(neighbours.begin(), neighbours.end(), none)) return {};
-    found_.assign(world_.triangles.size(), 0);
+    const std::size_t own = world_.triangles.own().size();
+    found_.assign(own, 0);
     constexpr std::size_t at_a_time = 256;
-    in_task_ranges(world_.solid_triangles(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    in_task_ranges(own - world_.strokes.triangle_count, at_a_time, [&](auto begin, auto end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto triangle = static_cast<std::uint32_t>(i);
-        if (may_overlap(triangle, neighbours[world_.triangle_part[triangle]])) look(triangle);
+        const Neighbours& around = neighbours[world_.triangle_part[triangle]];
+        if (!around.placed.empty() && meets_any(triangle, around.placed))
+          mark(triangle);
+        else if (around.full || meets_any(triangle, around.boxes))
+          look(triangle);
       }
     });
-    if (std::all_of(found_.begin(), found_.end(), [](std::uint8_t f) { return f == 0; })) return {};
-    return std::move(found_);
+    Coplanar all{std::move(found_), {}};
+    if (world_.placements) {
+      for (const Placement& place : world_.placements->places)
+        all.by_place.push_back(!neighbours[place.part].boxes.empty());
+    }
+    const auto set = [](std::uint8_t flag) { return flag != 0; };
+    if (std::none_of(all.by_triangle.begin(), all.by_triangle.end(), set) &&
+        std::none_of(all.by_place.begin(), all.by_place.end(), set))
+      return {};
+    return all;
   }
 
  private:
@@ -173,12 +201,11 @@ class CoplanarSearch {
     std::size_t compared = 0;
   };
 
-  [[nodiscard]] bool may_overlap(std::uint32_t triangle, const Neighbours& neighbours) const {
-    if (neighbours.full) return true;
+  [[nodiscard]] bool meets_any(std::uint32_t triangle, const std::vector<Box>& boxes) const {
     Box box;
     const glm::uvec3 t = world_.triangles[triangle];
     for (int k = 0; k < 3; ++k) box.grow(world_.positions[t[k]]);
-    return std::any_of(neighbours.boxes.begin(), neighbours.boxes.end(),
+    return std::any_of(boxes.begin(), boxes.end(),
                        [&](const Box& other) { return meet(box, other); });
   }
 
@@ -213,6 +240,8 @@ class CoplanarSearch {
       return true;
     };
     if (++query.met > most_met) return give_up();
+    // Triangles near a placed mesh are marked without a search.
+    if (args->context->instStackSize > 0) return false;
     const std::uint32_t other = search.groups_[args->geomID].triangle(args->primID);
     if (world.is_face(other) || world.triangle_part[other] == query.part ||
         other >= world.solid_triangles() || size_of(world, other) < query.size)
@@ -239,8 +268,7 @@ class CoplanarSearch {
 
 }  // namespace
 
-std::vector<std::uint8_t> find_coplanar(const World& world, RTCScene scene, const Group* groups,
-                                        float scale) {
+Coplanar find_coplanar(const World& world, RTCScene scene, const Group* groups, float scale) {
   return CoplanarSearch(world, scene, groups, scale).run();
 }
 
@@ -265,7 +293,10 @@ bool in_front(const World& world, const Hit& a, const Hit& b) {
     return surface_kind(world.material_of(hit.triangle)) == SurfaceKind::opaque;
   };
   const bool first = opaque(a), second = opaque(b);
-  return first != second ? second : a.triangle > b.triangle;
+  if (first != second) return second;
+  // Placed triangles come last, whatever the place of their part in the file.
+  const std::uint32_t p = world.triangle_part[a.triangle], q = world.triangle_part[b.triangle];
+  return p != q ? p > q : a.triangle > b.triangle;
 }
 
 void collecting_filter(const RTCFilterFunctionNArguments* args) {
@@ -273,15 +304,9 @@ void collecting_filter(const RTCFilterFunctionNArguments* args) {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
     args->valid[i] = 0;
-    const Group& group = context.groups[RTCHitN_geomID(args->hit, args->N, i)];
-    Hit hit;
-    hit.triangle = group.triangle(RTCHitN_primID(args->hit, args->N, i));
+    Hit hit = context.geometries.hit(*args, i);
     hit.t = RTCRayN_tfar(args->ray, args->N, i) / context.scale;
-    hit.b1 = RTCHitN_u(args->hit, args->N, i);
-    hit.b2 = RTCHitN_v(args->hit, args->N, i);
-    const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
-                              RTCRayN_dir_y(args->ray, args->N, i),
-                              RTCRayN_dir_z(args->ray, args->N, i));
+    const glm::vec3 direction = context.geometries.direction(*args, i);
     if (!(context.culls && context.sides->culled(hit, direction))) context.met->push_back(hit);
   }
 }

@@ -14,11 +14,25 @@
 
 namespace asos::tracing {
 
-/// By triangle, 1 where one of another part lies in its plane and overlaps it; empty: nowhere.
-/// `scene` is committed. Triangles that meet too many others to be compared are marked, too, which
-/// costs time and changes no picture.
-[[nodiscard]] std::vector<std::uint8_t> find_coplanar(const World& world, RTCScene scene,
-                                                      const Group* groups, float scale);
+/// 1 where a triangle of another part lies in a triangle's plane and overlaps it, by the world's
+/// own triangles, and by places of shared meshes; both are empty if there are none. Triangles that
+/// meet too many others to be compared are marked, too, which costs time and changes no picture.
+/// Places whose boxes meet other parts' boxes are marked, and so are triangles in such boxes.
+struct Coplanar {
+  std::vector<std::uint8_t> by_triangle;
+  std::vector<std::uint8_t> by_place;
+
+  [[nodiscard]] bool empty() const { return by_triangle.empty() && by_place.empty(); }
+  [[nodiscard]] bool marks(const World& world, std::uint32_t triangle) const {
+    if (triangle < by_triangle.size()) return by_triangle[triangle] != 0;
+    return !by_place.empty() && world.is_placed(triangle) &&
+           by_place[world.placements->index_of_triangle(triangle)] != 0;
+  }
+};
+
+/// `scene` is committed.
+[[nodiscard]] Coplanar find_coplanar(const World& world, RTCScene scene, const Group* groups,
+                                     float scale);
 
 /// How far beside a ray's hit on a triangle those lie that it meets in the same place, along the
 /// ray.

@@ -80,11 +80,13 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
   // queries without one nothing.
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   // Measured (tests/bench/moving.cpp, 10,000 triangles): 0.55 ms instead of 3.
-  const RTCBuildQuality quality = use == HierarchyUse::moment && quickly_built()
-                                      ? RTC_BUILD_QUALITY_LOW
-                                      : RTC_BUILD_QUALITY_MEDIUM;
+  const RTCBuildQuality quality =
+      use == HierarchyUse::moment && !world.placements && quickly_built()
+          ? RTC_BUILD_QUALITY_LOW
+          : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(scene_, quality);
   for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
+  if (world.placements) add_places(world, forced, quality);
   {
     const TaskOrder::Sending sending;
     rtcCommitScene(scene_);
@@ -104,7 +106,10 @@ void EmbreeScene::sort_surfaces(const World& world, const Openness& open,
     groups_[id] = {&world, open,   static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
                    {},     scale_, id >= first_group_of_strokes};
   }
-  for (std::uint32_t i = 0; i < world.surface_count(); ++i) {
+  // Placed meshes have scenes of their own. Worlds with placed meshes have no shapes.
+  const auto count = world.placements ? static_cast<std::uint32_t>(world.triangles.own().size())
+                                      : world.surface_count();
+  for (std::uint32_t i = 0; i < count; ++i) {
     const auto kind = static_cast<std::size_t>(surface_kind(world.material_of(i)));
     const bool own = owned[world.triangle_part[i]] != 0;
     const std::size_t first = world.strokes.has_triangle(i) ? first_group_of_strokes
@@ -144,36 +149,37 @@ void EmbreeScene::choose_scale(const World& world) {
 
 // Embree reads 16 bytes for the last vertex, of which World's have 12.
 void EmbreeScene::place_vertices(const World& world) {
-  if (scale_ == 1.0f && world.positions.capacity() > world.positions.size()) {
-    corners_ = &world.positions.data()->x;
+  const std::vector<glm::vec3>& positions = world.positions.own();
+  if (scale_ == 1.0f && positions.capacity() > positions.size()) {
+    corners_ = &positions.data()->x;
     return;
   }
-  vertices_.resize(3 * world.positions.size() + 4);
-  for (std::size_t i = 0; i < world.positions.size(); ++i) {
+  vertices_.resize(3 * positions.size() + 4);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      vertices_[3 * i + static_cast<std::size_t>(k)] = world.positions[i][k] * scale_;
+      vertices_[3 * i + static_cast<std::size_t>(k)] = positions[i][k] * scale_;
     }
   }
   corners_ = vertices_.data();
 }
 
 RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world) {
-  const bool all = group.triangles.size() == world.triangles.size();
+  const std::vector<glm::uvec3>& triangles = world.triangles.own();
+  const bool all = group.triangles.size() == triangles.size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, corners_, 0,
-                             3 * sizeof(float), world.positions.size());
+                             3 * sizeof(float), world.positions.own().size());
   if (all) {
     group.triangles = std::vector<std::uint32_t>();
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               world.triangles.data(), 0, sizeof(glm::uvec3),
-                               world.triangles.size());
+                               triangles.data(), 0, sizeof(glm::uvec3), triangles.size());
   } else {
     auto* indices = static_cast<glm::uvec3*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 sizeof(glm::uvec3), group.triangles.size()));
     if (indices) {
       for (std::size_t i = 0; i < group.triangles.size(); ++i) {
-        indices[i] = world.triangles[group.triangles[i]];
+        indices[i] = triangles[group.triangles[i]];
       }
     }
   }
@@ -203,14 +209,66 @@ void EmbreeScene::add(unsigned id, const World& world, const SceneNeeds& forced,
     set_faces(geometry, group);
   }
   rtcSetGeometryBuildQuality(geometry, quality);
-  if (all_filtered(forced) || group.owned || group.shadowless ||
-      group.kind != SurfaceKind::opaque) {
-    rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);
-    rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
-  }
+  add_filters(geometry, group, forced);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene_, geometry, id);
   rtcReleaseGeometry(geometry);
+}
+
+void EmbreeScene::add_filters(RTCGeometry geometry, const Group& group,
+                              const SceneNeeds& forced) const {
+  if (!all_filtered(forced) && !group.owned && !group.shadowless &&
+      group.kind == SurfaceKind::opaque)
+    return;
+  rtcSetGeometryIntersectFilterFunction(geometry, closest_filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
+}
+
+RTCScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group, const SceneNeeds& forced,
+                                    RTCBuildQuality quality) {
+  RTCScene scene = rtcNewScene(device_);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneBuildQuality(scene, quality);
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  // The array has room for one more: see place_vertices.
+  const std::vector<glm::vec3>& positions = mesh.positions.own();
+  const std::vector<glm::uvec3>& triangles = mesh.triangles.own();
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             positions.data(), 0, sizeof(glm::vec3), positions.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
+                             0, sizeof(glm::uvec3), triangles.size());
+  rtcSetGeometryUserData(geometry, &group);
+  rtcSetGeometryBuildQuality(geometry, quality);
+  add_filters(geometry, group, forced);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, 0);
+  rtcReleaseGeometry(geometry);
+  const TaskOrder::Sending sending;
+  rtcCommitScene(scene);
+  return scene;
+}
+
+void EmbreeScene::add_places(const World& world, const SceneNeeds& forced,
+                             RTCBuildQuality quality) {
+  const Placements& placed = *world.placements;
+  for (std::size_t i = 0; i < placed.meshes.size(); ++i) {
+    mesh_groups_.emplace_back().world = &world;
+    mesh_groups_.back().scale = scale_;
+  }
+  std::vector<RTCScene> scenes;
+  for (std::size_t i = 0; i < placed.meshes.size(); ++i)
+    scenes.push_back(scene_of_mesh(*placed.meshes[i], mesh_groups_[i], forced, quality));
+  unsigned id = Geometries::group_count;
+  for (const Placement& place : placed.places) {
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, scenes[place.mesh]);
+    const glm::mat4 matrix(static_cast<double>(scale_) * placed.world_from_mesh(place));
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &matrix[0][0]);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_, geometry, id++);
+    rtcReleaseGeometry(geometry);
+  }
+  for (RTCScene scene : scenes) rtcReleaseScene(scene);  // the instances hold them
 }
 
 int EmbreeScene::native_width() const {
@@ -221,8 +279,8 @@ int EmbreeScene::native_width() const {
 }
 
 std::size_t EmbreeScene::memory_bytes() const {
-  std::size_t bytes =
-      vertices_.capacity() * sizeof(float) + sides_.single_sided.capacity() + coplanar_.capacity();
+  std::size_t bytes = vertices_.capacity() * sizeof(float) + sides_.single_sided.capacity() +
+                      coplanar_.by_triangle.capacity() + coplanar_.by_place.capacity();
   for (const Group& group : groups_) bytes += group.triangles.capacity() * sizeof(std::uint32_t);
   return bytes + static_cast<std::size_t>(std::max<std::int64_t>(0, device_bytes_));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/rays/coplanar.h"
 #include "renderer/rays/filters.h"
 #include "renderer/result.h"
 #include "renderer/world/needs.h"
@@ -32,11 +33,11 @@ class EmbreeScene {
                                    HierarchyUse use);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
-  /// By Embree's geometry id.
-  [[nodiscard]] const Group* groups() const { return groups_.data(); }
+  [[nodiscard]] Geometries geometries() const {
+    return {groups_.data(), sides_.world->placements.get()};
+  }
   [[nodiscard]] const Sides& sides() const { return sides_; }
-  /// By triangle, 1 where find_coplanar marks it; empty: nowhere.
-  [[nodiscard]] std::span<const std::uint8_t> coplanar() const { return coplanar_; }
+  [[nodiscard]] const Coplanar& coplanar() const { return coplanar_; }
   /// Embree's lengths over the world's, a power of two, so that no digit is lost: 1 but for tiny
   /// and huge worlds. Embree takes triangles whose sides are below 1e-9 for edge-on and tells a
   /// corner of theirs as the place of every hit; products of three lengths have to fit a float.
@@ -65,12 +66,18 @@ class EmbreeScene {
   /// assertions.
   [[nodiscard]] bool quickly_built() const;
   void add(unsigned id, const World& world, const SceneNeeds& forced, RTCBuildQuality quality);
+  void add_filters(RTCGeometry geometry, const Group& group, const SceneNeeds& forced) const;
+  /// Adds a scene for each shared mesh, and its instances.
+  void add_places(const World& world, const SceneNeeds& forced, RTCBuildQuality quality);
+  [[nodiscard]] RTCScene scene_of_mesh(const World& mesh, Group& group, const SceneNeeds& forced,
+                                       RTCBuildQuality quality);
 
   // Three kinds, then the three of lights' own parts; then the same for faces of shapes; then three
   // kinds of lines and points.
-  std::array<Group, 15> groups_;
+  std::array<Group, Geometries::group_count> groups_;
+  std::vector<Group> mesh_groups_;  // of shared meshes
   Sides sides_;
-  std::vector<std::uint8_t> coplanar_;
+  Coplanar coplanar_;
   bool see_through_ = false;
   bool volumes_ = false;
   float scale_ = 1.0f;

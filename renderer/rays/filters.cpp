@@ -18,18 +18,15 @@ struct Candidate {
   unsigned i;
 
   [[nodiscard]] std::uint32_t triangle() const {
-    return group.triangle(RTCHitN_primID(args.hit, args.N, i));
+    return context_of(args).geometries.hit(args, i).triangle;
   }
   [[nodiscard]] float opacity() const {
     return group.open.alpha(*group.world, triangle(), RTCHitN_u(args.hit, args.N, i),
                             RTCHitN_v(args.hit, args.N, i));
   }
-  [[nodiscard]] Hit hit() const {
-    return {triangle(), 0.0f, RTCHitN_u(args.hit, args.N, i), RTCHitN_v(args.hit, args.N, i)};
-  }
+  [[nodiscard]] Hit hit() const { return context_of(args).geometries.hit(args, i); }
   [[nodiscard]] glm::vec3 direction() const {
-    return {RTCRayN_dir_x(args.ray, args.N, i), RTCRayN_dir_y(args.ray, args.N, i),
-            RTCRayN_dir_z(args.ray, args.N, i)};
+    return context_of(args).geometries.direction(args, i);
   }
   [[nodiscard]] bool hole() const {
     return opacity() < group.world->material_of(triangle()).alpha_cutoff;
@@ -73,6 +70,18 @@ float pass(const Candidate& candidate, Lanes& lanes) {
 }
 
 }  // namespace
+
+Hit Geometries::hit(const RTCFilterFunctionNArguments& args, unsigned i) const {
+  return hit(RTCHitN_geomID(args.hit, args.N, i), RTCHitN_primID(args.hit, args.N, i),
+             RTCHitN_instID(args.hit, args.N, i, 0), 0.0f, RTCHitN_u(args.hit, args.N, i),
+             RTCHitN_v(args.hit, args.N, i));
+}
+
+glm::vec3 Geometries::direction(const RTCFilterFunctionNArguments& args, unsigned i) const {
+  const glm::vec3 of_ray(RTCRayN_dir_x(args.ray, args.N, i), RTCRayN_dir_y(args.ray, args.N, i),
+                         RTCRayN_dir_z(args.ray, args.N, i));
+  return direction(of_ray, RTCHitN_instID(args.hit, args.N, i, 0));
+}
 
 bool Sides::culled(const Hit& hit, glm::vec3 direction) const {
   return single_sided[world->triangle_part[hit.triangle]] != 0 &&
@@ -119,15 +128,8 @@ void back_filter(const RTCFilterFunctionNArguments* args) {
   const Context& context = context_of(*args);
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
-    const Group& group = context.groups[RTCHitN_geomID(args->hit, args->N, i)];
-    const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
-                              RTCRayN_dir_y(args->ray, args->N, i),
-                              RTCRayN_dir_z(args->ray, args->N, i));
-    Hit hit;
-    hit.triangle = group.triangle(RTCHitN_primID(args->hit, args->N, i));
-    hit.b1 = RTCHitN_u(args->hit, args->N, i);
-    hit.b2 = RTCHitN_v(args->hit, args->N, i);
-    if (context.sides->culled(hit, direction)) args->valid[i] = 0;
+    const Hit hit = context.geometries.hit(*args, i);
+    if (context.sides->culled(hit, context.geometries.direction(*args, i))) args->valid[i] = 0;
   }
 }
 

@@ -87,6 +87,34 @@ struct Lanes {
   }
 };
 
+/// Embree's geometries by their ids, and the instances, which have the ids behind those.
+struct Geometries {
+  static constexpr unsigned group_count = 15;
+
+  const Group* groups = nullptr;
+  const Placements* placed = nullptr;  ///< null: there are no instances
+
+  /// A hit on the world's surfaces from Embree's numbers. The corners of mirrored instances have
+  /// another order in the world.
+  [[nodiscard]] Hit hit(unsigned geometry, unsigned primitive, unsigned instance, float t, float u,
+                        float v) const {
+    if (instance == RTC_INVALID_GEOMETRY_ID) return {groups[geometry].triangle(primitive), t, u, v};
+    const Placement& place = placed->places[instance - group_count];
+    const std::uint32_t triangle = placed->own_triangles + place.first_triangle + primitive;
+    return place.mirrored ? Hit{triangle, t, v, u} : Hit{triangle, t, u, v};
+  }
+  /// The direction in the world of a ray that Embree hands to a filter: at an instance it is in the
+  /// mesh's space.
+  [[nodiscard]] glm::vec3 direction(glm::vec3 of_ray, unsigned instance) const {
+    if (instance == RTC_INVALID_GEOMETRY_ID) return of_ray;
+    const Placement& place = placed->places[instance - group_count];
+    return glm::vec3(glm::dmat3(place.world_from_mesh) * glm::dvec3(of_ray));
+  }
+  /// The hit of ray `i` that a filter has to decide about, with a distance of 0.
+  [[nodiscard]] Hit hit(const RTCFilterFunctionNArguments& args, unsigned i) const;
+  [[nodiscard]] glm::vec3 direction(const RTCFilterFunctionNArguments& args, unsigned i) const;
+};
+
 /// Which parts have a back that a ray for the viewer goes through.
 struct Sides {
   const World* world = nullptr;
@@ -100,7 +128,7 @@ struct Sides {
 /// Embree's context and what the filters need to know of the query.
 struct Context {
   RTCIntersectContext base;
-  const Group* groups;
+  Geometries geometries;
   const Sides* sides;
   std::int32_t ignored_part;
   float scale;  ///< Embree's lengths over the world's: EmbreeScene::scale
@@ -110,9 +138,9 @@ struct Context {
   std::vector<Hit>* met = nullptr;              ///< collecting_filter's
   bool culls = false;                           ///< it drops the backs of single-sided surfaces
 
-  Context(RTCIntersectContextFlags flags, const Group* groups_by_id, const Sides* sides_of_parts,
+  Context(RTCIntersectContextFlags flags, Geometries all, const Sides* sides_of_parts,
           std::int32_t part_to_ignore, float scale_of_scene)
-      : groups(groups_by_id),
+      : geometries(all),
         sides(sides_of_parts),
         ignored_part(part_to_ignore),
         scale(scale_of_scene) {

@@ -118,9 +118,10 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
         continue;
       }
       store(first + i, i,
-            Hit{context.groups[geometry].triangle(lane_of(query.hit.primID, i)),
-                lane_of(query.ray.tfar, i) / context.scale, lane_of(query.hit.u, i),
-                lane_of(query.hit.v, i)});
+            context.geometries.hit(geometry, lane_of(query.hit.primID, i),
+                                   lane_of(query.hit.instID[0], i),
+                                   lane_of(query.ray.tfar, i) / context.scale,
+                                   lane_of(query.hit.u, i), lane_of(query.hit.v, i)));
     }
   }
 }

@@ -30,7 +30,7 @@ struct RayScene::Impl {
         ignored_part);
   }
   [[nodiscard]] Context context(RTCIntersectContextFlags flags, std::int32_t ignored_part) const {
-    return Context(flags, embree.groups(), &embree.sides(), ignored_part, embree.scale());
+    return Context(flags, embree.geometries(), &embree.sides(), ignored_part, embree.scale());
   }
 
   template <typename Store>
@@ -58,8 +58,7 @@ struct RayScene::Impl {
   }
   void pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const;
   [[nodiscard]] bool is_coplanar(const Hit& hit) const {
-    const std::span coplanar = embree.coplanar();
-    return hit.triangle < coplanar.size() && coplanar[hit.triangle] != 0;
+    return hit.valid() && embree.coplanar().marks(*embree.sides().world, hit.triangle);
   }
   void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
   void choose_in_place(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const;

@@ -49,7 +49,7 @@ TangentFrame tangent_frame(const World& world, const Hit& hit, const TextureUse&
   const HitTriangle t(world, hit);
   glm::vec4 tangent{0.0f};
   if (!world.tangents.empty() && !t.face) {
-    const std::vector<glm::vec4>& all = world.tangents;
+    const auto& all = world.tangents;
     tangent = t.mix(all[t.v.x], all[t.v.y], all[t.v.z]);
     tangent.w = world.tangents[t.v.x].w;
   }

@@ -120,25 +120,34 @@ bool Shaft::meets(glm::vec3 a, glm::vec3 b) const {
   return range.t0 <= range.t1;
 }
 
+namespace {
+
+bool meets_edge(const FeatureSet& features, const Shaft& shaft, const FeatureEdge& e) {
+  if (e.is_curve()) return shaft.meets(features.curves()[e.curve()].box);
+  return shaft.meets(glm::vec3(features.position(e.a)), glm::vec3(features.position(e.b)));
+}
+
+}  // namespace
+
 void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBounds& ignored,
                   std::size_t most, ShaftSearch& found) {
   found.cut.clear();
   found.complete = true;
-  if (features.nodes().empty()) return;
-  const auto edges = features.edges();
-  const auto positions = features.positions();
+  if (features.empty()) return;
+  FeatureNode room;
   const auto leaf_meets = [&](std::uint32_t first, std::uint32_t count) {
-    return std::any_of(
-        edges.begin() + first, edges.begin() + first + count, [&](const FeatureEdge& e) {
-          if (e.is_curve()) return shaft.meets(features.curves()[e.curve()].box);
-          return !ignored.ignores(e.a) && shaft.meets(positions[e.a], positions[e.b]);
-        });
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const FeatureEdge e = features.edge(i);
+      if (!e.is_curve() && ignored.ignores(e.a)) continue;
+      if (meets_edge(features, shaft, e)) return true;
+    }
+    return false;
   };
   // Breadth first, so that what is left unopened is as small as can be. `next` runs ahead of what
   // has been opened; opened nodes keep only the runs of edges that they hold.
   FeatureCut& cut = found.cut;
   const auto meet = [&](std::uint32_t node) {
-    const unsigned children = shaft.met_children(features.nodes()[node]);
+    const unsigned children = shaft.met_children(features.node(node, room));
     if (children) cut.push_back({node, children});
   };
   meet(0);
@@ -147,7 +156,9 @@ void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBo
       found.complete = false;
       break;
     }
-    const FeatureNode& node = features.nodes()[cut[next].node];
+    // `meet` takes the room for others.
+    FeatureNode own_room;
+    const FeatureNode& node = features.node(cut[next].node, own_room);
     unsigned leaves = 0;
     for (unsigned left = cut[next].children; left != 0; left &= left - 1) {
       const auto c = static_cast<unsigned>(__builtin_ctz(left));
@@ -164,15 +175,11 @@ void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBo
 
 bool any_edge(const FeatureSet& features, const Shaft& shaft,
               const std::function<bool(const FeatureEdge&)>& asked_for) {
-  if (features.nodes().empty()) return false;
-  const auto met = [&](const FeatureEdge& e) {
-    if (!asked_for(e)) return false;
-    if (e.is_curve()) return shaft.meets(features.curves()[e.curve()].box);
-    return shaft.meets(features.positions()[e.a], features.positions()[e.b]);
-  };
+  if (features.empty()) return false;
+  FeatureNode room;
   std::vector<std::uint32_t> left{0};
   while (!left.empty()) {
-    const FeatureNode& node = features.nodes()[left.back()];
+    const FeatureNode& node = features.node(left.back(), room);
     left.pop_back();
     for (unsigned met_ones = shaft.met_children(node); met_ones != 0; met_ones &= met_ones - 1) {
       const auto c = static_cast<unsigned>(__builtin_ctz(met_ones));
@@ -180,8 +187,10 @@ bool any_edge(const FeatureSet& features, const Shaft& shaft,
         left.push_back(node.child[c]);
         continue;
       }
-      const auto edges = features.edges().subspan(node.child[c], node.edge_count[c]);
-      if (std::any_of(edges.begin(), edges.end(), met)) return true;
+      for (std::uint32_t i = node.child[c]; i < node.child[c] + node.edge_count[c]; ++i) {
+        const FeatureEdge e = features.edge(i);
+        if (asked_for(e) && meets_edge(features, shaft, e)) return true;
+      }
     }
   }
   return false;

@@ -14,7 +14,7 @@ namespace {
 
 // Beyond so many triangles the corners of objects have to do: looking at all corners of all
 // triangles would be felt.
-constexpr std::size_t most_triangles = 4'000'000;
+constexpr std::size_t most_triangles_framed = 4'000'000;
 
 /// The largest and smallest value of a function of the points seen.
 struct Extent {
@@ -130,10 +130,13 @@ void add_surfaces(const World& world, Points& reach) {
   // Lines and points come last, and the ground before them.
   const std::size_t grounds = world.materials.size() - materials_without_ground(world);
   const std::size_t triangles = triangles_without_ground(world) - world.strokes.triangle_count;
-  const bool each_triangle = triangles <= most_triangles;
+  const bool each_triangle = triangles <= most_triangles_framed;
   if (each_triangle) {
-    for (const glm::uvec3& triangle : std::span(world.triangles).first(triangles))
+    const std::size_t placed = world.triangles.size() - world.triangles.own().size();
+    for (const glm::uvec3& triangle : std::span(world.triangles.own()).first(triangles - placed))
       for (int k = 0; k < 3; ++k) reach.add(glm::dvec3(world.positions[triangle[k]]));
+    for (std::size_t v = world.positions.own().size(); v < world.positions.size(); ++v)
+      reach.add(glm::dvec3(world.positions[v]));
   }
   // Not what they are drawn as, which depends on the picture.
   for (const auto* strokes : {&world.strokes.segments, &world.strokes.points}) {
@@ -154,8 +157,10 @@ double plain_aspect(double aspect_ratio) {
 
 void frame_also(World& world, const World& other) {
   const auto first = static_cast<std::uint32_t>(world.positions.size());
-  world.positions.insert(world.positions.end(), other.positions.begin(), other.positions.end());
-  for (const glm::uvec3 triangle : other.triangles) world.triangles.push_back(triangle + first);
+  const std::vector<glm::vec3>& positions = other.positions.own();
+  world.positions.insert(world.positions.end(), positions.begin(), positions.end());
+  for (const glm::uvec3 triangle : other.triangles.own())
+    world.triangles.push_back(triangle + first);
   const auto solid = [](const World& w) { return static_cast<std::ptrdiff_t>(w.solid_parts()); };
   world.parts.insert(world.parts.begin() + solid(world), other.parts.begin(),
                      other.parts.begin() + solid(other));

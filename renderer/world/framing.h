@@ -26,7 +26,8 @@ struct FramedView {
                                   double aspect_ratio);
 
 /// Adds the surfaces of `other`, which has the same origin, to those that framing `world` looks at:
-/// the scene at several times is framed as one. `world` is good for nothing else then.
+/// the scene at several times is framed as one. `world` is good for nothing else then. Neither may
+/// have placed meshes.
 void frame_also(World& world, const World& other);
 
 }  // namespace asos

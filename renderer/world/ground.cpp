@@ -32,7 +32,7 @@ void add_vertex(World& world, glm::vec3 position) {
   world.positions.push_back(position);
   world.normals.emplace_back(0, 1, 0);
   if (!world.tangents.empty()) world.tangents.emplace_back(1, 0, 0, 1);
-  for (std::vector<glm::vec2>& texcoords : world.texcoords)
+  for (auto& texcoords : world.texcoords)
     if (!texcoords.empty()) texcoords.emplace_back(0.0f);
   if (!world.colors.empty()) world.colors.emplace_back(1.0f);
 }
@@ -68,13 +68,14 @@ void take_ground_away(World& world) {
   world.positions.resize(vertices);
   world.normals.resize(vertices);
   if (!world.tangents.empty()) world.tangents.resize(vertices);
-  for (std::vector<glm::vec2>& texcoords : world.texcoords)
+  for (auto& texcoords : world.texcoords)
     if (!texcoords.empty()) texcoords.resize(vertices);
   if (!world.colors.empty()) world.colors.resize(vertices);
   world.materials.pop_back();
   world.parts.erase(world.parts.begin() + static_cast<std::ptrdiff_t>(world.solid_parts()) - 1);
   world.bounds = bounds;
   shift_strokes(world, static_cast<std::uint32_t>(-1));
+  world.set_placements(world.placements);
 }
 
 }  // namespace
@@ -116,9 +117,9 @@ void put_on_ground(World& world, Ground ground) {
 
   Part part;
   part.name = ground_name;
-  part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
+  part.first_triangle = static_cast<std::uint32_t>(world.triangles.own().size());
   part.triangle_count = plate_corners;
-  part.first_vertex = static_cast<std::uint32_t>(world.positions.size());
+  part.first_vertex = static_cast<std::uint32_t>(world.positions.own().size());
   part.vertex_count = plate_corners + 1;
   part.material = static_cast<std::uint32_t>(world.materials.size());
   world.materials.push_back(ground_material(ground));
@@ -135,7 +136,7 @@ void put_on_ground(World& world, Ground ground) {
     part.bounds.grow(corner);
   }
   const auto index = static_cast<std::uint32_t>(world.solid_parts());
-  const auto first = static_cast<std::ptrdiff_t>(world.triangles.size());
+  const auto first = static_cast<std::ptrdiff_t>(world.triangles.own().size());
   world.triangle_part.insert(world.triangle_part.begin() + first, plate_corners, index);
   for (std::uint32_t i = 0; i < plate_corners; ++i)
     world.triangles.push_back(part.first_vertex +
@@ -143,6 +144,7 @@ void put_on_ground(World& world, Ground ground) {
   world.bounds.grow(part.bounds);
   world.parts.insert(world.parts.begin() + index, std::move(part));
   shift_strokes(world, 1);
+  world.set_placements(world.placements);
 }
 
 }  // namespace asos

@@ -170,9 +170,10 @@ void add_light(SceneNeeds& needs, const Light& light) {
 /// Whether the colours' alpha differs within a part.
 bool alpha_differs(const World& world, const Part& part) {
   if (world.colors.empty() || part.vertex_count == 0) return false;
-  const auto first = world.colors.begin() + static_cast<std::ptrdiff_t>(part.first_vertex);
-  return std::any_of(first, first + static_cast<std::ptrdiff_t>(part.vertex_count),
-                     [a = first->a](glm::vec4 c) { return c.a != a; });
+  const float a = world.colors[part.first_vertex].a;
+  for (std::uint32_t i = 1; i < part.vertex_count; ++i)
+    if (world.colors[part.first_vertex + i].a != a) return true;
+  return false;
 }
 
 std::string joined(std::initializer_list<std::pair<const char*, const char*>> labelled) {
@@ -277,11 +278,11 @@ void release_unused_images(World& world) {
 }
 
 void fill_forced_attributes(World& world, const SceneNeeds& forced) {
-  const std::size_t vertices = world.positions.size();
+  const std::size_t vertices = world.positions.own().size();
   if (forced.normal_maps && world.tangents.empty())
     world.tangents.assign(vertices, glm::vec4(0.0f));
   if (forced.vertex_colors && world.colors.empty()) world.colors.assign(vertices, glm::vec4(1.0f));
-  for (std::vector<glm::vec2>& coordinates : world.texcoords) {
+  for (auto& coordinates : world.texcoords) {
     if (forced.textures && coordinates.empty()) coordinates.assign(vertices, glm::vec2(0.0f));
   }
 }

@@ -39,10 +39,28 @@ ObjectSphere sphere_around(std::span<const glm::vec3> vertices) {
   return sphere;
 }
 
+/// Returns the spheres of shared meshes, in their own spaces.
+std::vector<ObjectSphere> spheres_of_meshes(const World& world) {
+  std::vector<ObjectSphere> spheres;
+  if (!world.placements) return spheres;
+  for (const auto& mesh : world.placements->meshes)
+    spheres.push_back(sphere_around(mesh->positions.own()));
+  return spheres;
+}
+
+/// The sphere of a shared mesh around one of its places.
+ObjectSphere placed_sphere(const Placements& all, const Placement& place, ObjectSphere sphere) {
+  sphere.centre = glm::dvec3(all.world_from_mesh(place) * glm::dvec4(sphere.centre, 1.0));
+  sphere.radius *= place.most_growth;
+  sphere.thickness *= place.most_growth;
+  return sphere;
+}
+
 }  // namespace
 
 std::vector<ObjectSphere> object_spheres(const World& world) {
   std::vector<ObjectSphere> spheres;
+  const std::vector<ObjectSphere> of_meshes = spheres_of_meshes(world);
   for (std::uint32_t i = 0; i < world.parts.size(); ++i) {
     const Part& part = world.parts[i];
     if (part.face_count > 0) {
@@ -51,9 +69,12 @@ std::vector<ObjectSphere> object_spheres(const World& world) {
       for (std::size_t c = 0; c < corners.size(); ++c)
         corners[c] = {c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z};
       spheres.push_back(sphere_around(corners));
+    } else if (part.vertex_count > 0 && world.is_placed(part.first_triangle)) {
+      const Placement& place = world.placements->of_triangle(part.first_triangle);
+      spheres.push_back(placed_sphere(*world.placements, place, of_meshes[place.mesh]));
     } else if (part.vertex_count > 0) {
-      spheres.push_back(
-          sphere_around(std::span(world.positions).subspan(part.first_vertex, part.vertex_count)));
+      spheres.push_back(sphere_around(
+          std::span(world.positions.own()).subspan(part.first_vertex, part.vertex_count)));
     } else {
       continue;
     }

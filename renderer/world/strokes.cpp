@@ -190,7 +190,7 @@ void clear_strokes(World& world) {
   world.positions.resize(strokes.first_vertex);
   world.normals.resize(strokes.first_vertex);
   if (!world.tangents.empty()) world.tangents.resize(strokes.first_vertex);
-  for (std::vector<glm::vec2>& texcoords : world.texcoords)
+  for (auto& texcoords : world.texcoords)
     if (!texcoords.empty()) texcoords.resize(strokes.first_vertex);
   if (!world.colors.empty()) world.colors.resize(strokes.first_vertex);
   world.triangles.resize(strokes.first_triangle);

@@ -8,6 +8,7 @@
 #include "renderer/world/origin.h"
 #include "renderer/world/placed_mesh.h"
 #include "renderer/world/placed_strokes.h"
+#include "renderer/world/shared_meshes.h"
 
 #include <fmt/format.h>
 
@@ -27,20 +28,10 @@ unexpected<Error> refuse(const Scene& scene, std::string reason) {
       Error{scene.source.empty() ? std::string("scene") : scene.source, std::move(reason)});
 }
 
-/// A matrix brought to a size where products of its entries neither overflow nor vanish.
-glm::dmat3 linear_part(const glm::dmat4& m) {
-  glm::dmat3 linear(m);
-  double largest = 0.0;
-  for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(linear[c][r]));
-  }
-  return largest > 0.0 ? linear * (1.0 / largest) : linear;
-}
-
 class Flattener {
  public:
-  Flattener(const Scene& scene, std::optional<glm::dvec3> origin)
-      : scene_(scene), given_origin_(origin) {}
+  Flattener(const Scene& scene, std::optional<glm::dvec3> origin, std::uint64_t fewest_copied)
+      : scene_(scene), given_origin_(origin), fewest_copied_(fewest_copied) {}
 
   Result<FlattenedScene> run(std::uint64_t max_triangles) {
     if (std::string fault = scene_fault(scene_); !fault.empty()) return refuse(scene_, fault);
@@ -58,8 +49,9 @@ class Flattener {
       return refuse(scene_, fmt::format("has {} vertices, more than 32 bits count", vertices));
     }
     if (std::string fault = find_origin(); !fault.empty()) return refuse(scene_, fault);
-    reserve(vertices, scene_.instanced_triangles());
+    reserve();
     for (const Instance& instance : scene_.instances) add(instance);
+    if (!placements_.places.empty()) world_.set_placements(finished(std::move(placements_)));
     // Numbers of faces begin where those of triangles end.
     for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
     add_rest();
@@ -93,6 +85,7 @@ class Flattener {
       if (shown[i]) placed_[i] = place(scene_.meshes[i]);
     }
     keep_ = find_attributes(scene_, shown);
+    shared_ = shared_instances(scene_, fewest_copied_);
   }
 
   /// Chooses whether a shape is drawn as faces or as triangles of its own. Lamps are found among
@@ -146,6 +139,7 @@ class Flattener {
       all.grow(box.lo);
       all.grow(box.hi);
       boxes.push_back(box);
+      if (is_shared(instance)) shared_boxes_.push_back(box);
     }
     if (given_origin_) world_.origin = *given_origin_;
     if (boxes.empty() && !given_origin_) world_.origin = origin_of_strokes(scene_);
@@ -160,7 +154,18 @@ class Flattener {
     return {};
   }
 
-  void reserve(std::size_t vertices, std::size_t triangles) {
+  [[nodiscard]] bool is_shared(const Instance& instance) const {
+    return !shared_.empty() && shared_[index_of(instance)] != 0;
+  }
+
+  void reserve() {
+    std::size_t vertices = 0, triangles = 0;
+    for (const Instance& instance : scene_.instances) {
+      const PlacedMesh& placed = mesh_of(instance);
+      if (!placed.mesh || is_shared(instance)) continue;
+      vertices += placed.vertex_count();
+      triangles += placed.triangles().size();
+    }
     world_.positions.reserve(vertices + 1);  // see World::positions
     world_.normals.reserve(vertices);
     if (keep_.tangents) world_.tangents.reserve(vertices);
@@ -179,15 +184,11 @@ class Flattener {
     const glm::dmat3 linear = linear_part(instance.world_from_mesh);
     const bool mirrored = glm::determinant(linear) < 0.0;
 
-    Part part;
-    part.name = instance.name.empty() ? placed.mesh->name : instance.name;
-    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
+    Part part = empty_part(instance);
     part.triangle_count = static_cast<std::uint32_t>(placed.triangles().size());
-    part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
     part.vertex_count = static_cast<std::uint32_t>(placed.vertex_count());
-    part.material = world_material(placed.mesh->material);
-    part.shows_light = instance.shows_light;
     part.coloured = keep_.colors && is_coloured(*placed.mesh);
+    if (is_shared(instance)) return add_place(instance, std::move(part));
 
     part.bounds = add_positions(placed, instance.world_from_mesh);
 
@@ -213,14 +214,51 @@ class Flattener {
                                                     : scene_.materials.size());
   }
 
-  void add_faces(const Instance& instance) {
+  [[nodiscard]] Part empty_part(const Instance& instance) const {
     const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
     Part part;
     part.name = instance.name.empty() ? mesh.name : instance.name;
-    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
-    part.first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.own().size());
+    part.first_vertex = static_cast<std::uint32_t>(world_.positions.own().size());
     part.material = world_material(mesh.material);
     part.shows_light = instance.shows_light;
+    return part;
+  }
+
+  /// A part of a mesh that is kept once. Its bounds are those of its vertices, rounded alike.
+  void add_place(const Instance& instance, Part part) {
+    const PlacedBox& box = shared_boxes_[placements_.places.size()];
+    part.bounds.grow(glm::vec3(box.lo - world_.origin));
+    part.bounds.grow(glm::vec3(box.hi - world_.origin));
+    world_.bounds.grow(part.bounds);
+    const auto [mesh, added] = mesh_numbers_.try_emplace(instance.mesh, placements_.meshes.size());
+    if (added) placements_.meshes.push_back(shared_mesh(scene_, instance.mesh));
+    Placement place = placement_of(instance.world_from_mesh);
+    place.mesh = static_cast<std::uint32_t>(mesh->second);
+    place.part = static_cast<std::uint32_t>(world_.parts.size());
+    placements_.places.push_back(place);
+    world_.parts.push_back(std::move(part));
+  }
+
+  [[nodiscard]] std::shared_ptr<const Placements> finished(Placements placed) const {
+    std::vector<std::uint32_t> triangles, vertices;
+    for (Placement& place : placed.places) {
+      triangles.push_back(place.first_triangle = placed.triangle_count);
+      vertices.push_back(place.first_vertex = placed.vertex_count);
+      placed.triangle_count += world_.parts[place.part].triangle_count;
+      placed.vertex_count += world_.parts[place.part].vertex_count;
+    }
+    placed.by_triangle = RangeIndex(std::move(triangles), placed.triangle_count);
+    placed.by_vertex = RangeIndex(std::move(vertices), placed.vertex_count);
+    placed.origin = world_.origin;
+    placed.has_tangents = keep_.tangents;
+    placed.has_colors = keep_.colors;
+    std::copy_n(keep_.texcoords, 2, placed.has_texcoords);
+    return std::make_shared<const Placements>(std::move(placed));
+  }
+
+  void add_faces(const Instance& instance) {
+    Part part = empty_part(instance);
     for (ShapeFace face : faces_[index_of(instance)]) {
       face.origin -= world_.origin;
       face.part = static_cast<std::uint32_t>(world_.parts.size());
@@ -247,12 +285,7 @@ class Flattener {
 
   void add_normals(const PlacedMesh& placed, const glm::dmat3& linear, bool mirrored,
                    const Part& part) {
-    // The cofactors are the inverse transpose times the determinant; they exist for singular
-    // matrices too, where a mesh is squeezed into a plane.
-    const double sign = mirrored ? -1.0 : 1.0;
-    const glm::dmat3 cofactors(sign * glm::cross(linear[1], linear[2]),
-                               sign * glm::cross(linear[2], linear[0]),
-                               sign * glm::cross(linear[0], linear[1]));
+    const glm::dmat3 cofactors = cofactors_of(linear, mirrored);
     bool all_known = true;
     for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
       const glm::vec3 n = placed.mesh->normals[placed.vertex(i)];
@@ -339,7 +372,12 @@ class Flattener {
 
   const Scene& scene_;
   const std::optional<glm::dvec3> given_origin_;
+  const std::uint64_t fewest_copied_;
   World world_;
+  std::vector<std::uint8_t> shared_;         // by instance, 1: its mesh is kept once; or empty
+  std::vector<PlacedBox> shared_boxes_;      // of these instances
+  std::map<int, std::size_t> mesh_numbers_;  // of their meshes in placements_
+  Placements placements_;
   std::vector<std::vector<ShapeFace>> faces_;       // one an instance; empty: drawn as triangles
   std::vector<std::unique_ptr<Mesh>> own_meshes_;   // of shapes drawn as triangles
   std::map<std::size_t, PlacedMesh> shape_meshes_;  // by instance
@@ -349,15 +387,9 @@ class Flattener {
 
 }  // namespace
 
-MaterialDfrs dfrs_of(const World& world) {
-  MaterialDfrs dfrs;
-  for (const Material& material : world.materials) dfrs.push_back(material.dfr);
-  return dfrs;
-}
-
 Result<FlattenedScene> flatten(const Scene& scene, std::uint64_t max_triangles,
-                               std::optional<glm::dvec3> origin) {
-  return Flattener(scene, origin).run(max_triangles);
+                               std::optional<glm::dvec3> origin, std::uint64_t fewest_copied) {
+  return Flattener(scene, origin, fewest_copied).run(max_triangles);
 }
 
 }  // namespace asos

@@ -4,11 +4,13 @@
 #include "renderer/geometry/shape_face.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
+#include "renderer/world/attribute.h"
 #include "renderer/world/strokes.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,16 +38,20 @@ struct Part {
 /// A scene's surfaces flattened into one indexed triangle soup, placed in the world and recentred
 /// in double precision (design section 10): `position + origin` is the author's coordinate.
 /// Immutable once shared. Arrays of attributes that no material needs are empty (design section 8).
+/// Large meshes with several instances are kept once (Placements); their triangles and vertices
+/// come after all others.
 struct World {
   glm::dvec3 origin{0.0};
-  std::vector<glm::vec3> positions;          ///< capacity for one more saves the rays a copy
-  std::vector<glm::vec3> normals;            ///< unit, one a vertex
-  std::vector<glm::vec4> tangents;           ///< or empty; 0 for meshes that have none of their own
-  std::vector<glm::vec2> texcoords[2];       ///< or empty
-  std::vector<glm::vec4> colors;             ///< linear RGBA, or empty
-  std::vector<glm::uvec3> triangles;         ///< into positions
-  std::vector<ShapeFace> faces;              ///< of analytic shapes
-  std::vector<std::uint32_t> triangle_part;  ///< the part of each triangle, then of each face
+  Attribute<glm::vec3> positions;          ///< capacity for one more saves the rays a copy
+  Attribute<glm::vec3> normals;            ///< unit, one a vertex
+  Attribute<glm::vec4> tangents;           ///< or empty; 0 for meshes that have none of their own
+  Attribute<glm::vec2> texcoords[2];       ///< or empty
+  Attribute<glm::vec4> colors;             ///< linear RGBA, or empty
+  Attribute<glm::uvec3> triangles;         ///< into positions
+  std::vector<ShapeFace> faces;            ///< of analytic shapes; none with placed meshes
+  Attribute<std::uint32_t> triangle_part;  ///< the part of each triangle, then of each face
+  std::shared_ptr<const Placements> placements;  ///< see set_placements; null: none
+  bool flat = false;  ///< of a shared mesh: it has no normals, and three vertices a triangle
   std::vector<Part> parts;
   /// The scene's, then glTF's default material, then those that lines and points have.
   std::vector<Material> materials;
@@ -75,6 +81,14 @@ struct World {
   /// Whether a picture can show anything of it.
   [[nodiscard]] bool shows_nothing() const { return surface_count() == 0 && strokes.empty(); }
 
+  /// Whether a triangle is one of a mesh that is kept once for several instances.
+  [[nodiscard]] bool is_placed(std::uint32_t triangle) const {
+    return placements && triangle >= triangles.own().size();
+  }
+  /// Shows meshes in many places, after all that the world has of its own, which may have grown
+  /// since they were set last. Null: none.
+  void set_placements(std::shared_ptr<const Placements> placed);
+
   /// The index of a surface's material in `materials`.
   [[nodiscard]] std::uint32_t material_index(std::uint32_t surface) const {
     return parts[triangle_part[surface]].material;
@@ -97,16 +111,27 @@ struct FlattenedScene {
   std::vector<Light> lights;
 };
 
+/// The memory of a world's geometry, without textures.
+[[nodiscard]] std::size_t geometry_bytes(const World& world);
+
+/// The same world without the parts of placed meshes, whose entries stay and are empty.
+[[nodiscard]] World without_placements(const World& world);
+
 /// What `flatten` refuses by default.
 inline constexpr std::uint64_t most_triangles = 60'000'000;
+/// A mesh is kept once where copies for its instances would have so many triangles.
+inline constexpr std::uint64_t fewest_copied_triangles = 100'000;
+inline constexpr std::uint64_t never_shared = ~std::uint64_t{0};
 
 /// Flattens `scene`. Shapes become faces, but for boxes and for what shines or has no inverse,
 /// which become triangles. Refuses a scene with more triangles than `max_triangles`, and one whose
 /// placed positions do not fit a float. Zero-area triangles are kept: rays miss them, and their
 /// edges bound nothing. `origin`: that of the world, in place of one that suits its positions best.
+/// Meshes whose copies would have `fewest_copied` triangles or more are kept once (Placements).
 [[nodiscard]] Result<FlattenedScene> flatten(const Scene& scene,
                                              std::uint64_t max_triangles = most_triangles,
-                                             std::optional<glm::dvec3> origin = std::nullopt);
+                                             std::optional<glm::dvec3> origin = std::nullopt,
+                                             std::uint64_t fewest_copied = fewest_copied_triangles);
 
 /// The camera that frames all of `world` when the file has none: from front, right and above.
 [[nodiscard]] Camera default_camera(const World& world, double aspect_ratio);

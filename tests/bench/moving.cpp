@@ -113,7 +113,7 @@ int run(int argc, char** argv) {
         RayScene::build(flat->world, nullptr, {}, {}, nullptr, HierarchyUse::moment);
     if (!traced) return EXIT_FAILURE;
     laps.add_to(rays);
-    const std::vector<std::uint32_t> welded = welded_vertices(flat->world.positions);
+    const std::vector<std::uint32_t> welded = welded_vertices(flat->world.positions.own());
     const ExtractedFeatures found = extract_features(flat->world, welded);
     laps.add_to(edges);
     const Intersections lines =

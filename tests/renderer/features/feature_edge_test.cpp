@@ -46,7 +46,8 @@ TEST(Features, WallsModelledTwiceCountOnce) {
     World second = world;
     for (glm::uvec3& t : second.triangles) std::swap(t.y, t.z);
     change(second, world);
-    add_part(world, second.positions, second.normals, second.triangles, second.parts[0].material);
+    add_part(world, second.positions.own(), second.normals.own(), second.triangles.own(),
+             second.parts[0].material);
     return FeatureSet(world);
   };
   const FeatureSet same = twice([](World&, World&) {});
@@ -231,11 +232,11 @@ TEST(Features, TheHierarchyHoldsEveryEdgeOnce) {
   const World world = cube(false);
   World many = empty_world();
   for (int i = 0; i < 50; ++i) {
-    std::vector<glm::vec3> positions = world.positions;
+    std::vector<glm::vec3> positions = world.positions.own();
     for (glm::vec3& p : positions)
       p = 0.3f * p +
           glm::vec3(static_cast<float>(i % 7), static_cast<float>(i % 5), static_cast<float>(i));
-    add_part(many, positions, world.normals, world.triangles);
+    add_part(many, positions, world.normals.own(), world.triangles.own());
   }
   const FeatureSet features(many);
   ASSERT_EQ(features.edges().size(), 600u);

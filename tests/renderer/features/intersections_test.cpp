@@ -16,7 +16,7 @@ namespace {
 constexpr IntersectionBudget plenty{100'000, 1'000'000'000};
 
 Intersections intersections_of(const World& world, const IntersectionBudget& budget) {
-  return find_intersections(world, welded_vertices(world.positions), budget);
+  return find_intersections(world, welded_vertices(world.positions.own()), budget);
 }
 
 double total_length(const Intersections& found) {

@@ -132,14 +132,15 @@ TEST(FeatureSet, IsTheSameWhateverTheThreads) {
 
 void expect_same_built_in_parallel(const World& world) {
   const std::vector<FeatureEdge> edges =
-      extract_features(world, welded_vertices(world.positions)).edges;
+      extract_features(world, welded_vertices(world.positions.own())).edges;
   std::vector<FeatureEdge> in_turn = edges;
   const FeatureHierarchy expected = FeatureHierarchy::build(
-      world.positions, in_turn, {}, std::numeric_limits<std::size_t>::max());
+      world.positions.own(), in_turn, {}, std::numeric_limits<std::size_t>::max());
   ASSERT_GT(expected.nodes.size(), 200u);
   for (const std::size_t fewest : {1, 300, 20'000}) {
     std::vector<FeatureEdge> ordered = edges;
-    const FeatureHierarchy built = FeatureHierarchy::build(world.positions, ordered, {}, fewest);
+    const FeatureHierarchy built =
+        FeatureHierarchy::build(world.positions.own(), ordered, {}, fewest);
     EXPECT_TRUE(same_bytes<FeatureNode>(built.nodes, expected.nodes)) << fewest;
     EXPECT_TRUE(same_bytes<NodeChains>(built.chains, expected.chains)) << fewest;
     EXPECT_TRUE(same_edges(ordered, in_turn)) << fewest;

@@ -1,0 +1,198 @@
+#include "renderer/features/placed_features.h"
+
+#include "renderer/features/upper_hierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace asos {
+namespace {
+
+/// The ranges of numbers of all places. Each has `count` of its mesh.
+template <typename Count>
+RangeIndex ranges_of(const Placements& all, Count count) {
+  std::vector<std::uint32_t> first;
+  std::uint32_t end = 0;
+  for (const Placement& place : all.places) {
+    first.push_back(end);
+    end += static_cast<std::uint32_t>(std::max<std::size_t>(1, count(place.mesh)));
+  }
+  return {std::move(first), end};
+}
+
+float rounded_down(double x) {
+  const auto near = static_cast<float>(x);
+  return static_cast<double>(near) <= x
+             ? near
+             : std::nextafter(near, -std::numeric_limits<float>::infinity());
+}
+
+float rounded_up(double x) {
+  return -rounded_down(-x);
+}
+
+/// Widens a cone so that it holds the images of its directions under a matrix. Lengths across the
+/// axis grow by `anisotropy` times more than lengths along it at most. Shear takes as much from the
+/// length along the axis.
+void widen(float& sine, float& cosine, double anisotropy) {
+  if (anisotropy <= 1.0 || !(cosine > 0.0f)) return;
+  const double tangent = anisotropy * static_cast<double>(sine) / static_cast<double>(cosine);
+  constexpr double most = 0.9;
+  if (!(tangent < most)) {
+    sine = 1.0f, cosine = 0.0f;
+    return;
+  }
+  const double wider = tangent / (1.0 - tangent), length = std::sqrt(1.0 + wider * wider);
+  sine = static_cast<float>(wider / length);
+  cosine = static_cast<float>(1.0 / length);
+}
+
+/// A mesh whose positions are rounded to the precision that its size has. Vertices that rounding
+/// has moved apart around the mesh's origin, such as those along the seam of a ball, are one then,
+/// as they are once a place is added to them.
+World snapped(const World& mesh) {
+  World rounded = mesh;
+  const glm::vec3 size = mesh.bounds.hi - mesh.bounds.lo;
+  const float unit = std::exp2(std::floor(std::log2(std::max({size.x, size.y, size.z}))));
+  for (glm::vec3& p : rounded.positions) p = (p + unit) - unit;
+  return rounded;
+}
+
+void move(std::uint32_t& number, std::uint32_t by) {
+  if (number != FeatureEdge::none) number += by;
+}
+
+}  // namespace
+
+PlacedFeatures::PlacedFeatures(const World& world, TextureAt texture_at,
+                               const std::stop_token& stop)
+    : places(world.placements) {
+  for (const auto& mesh : places->meshes) meshes.emplace_back(snapped(*mesh), texture_at, stop);
+  const auto ranges = [&](auto count) {
+    return ranges_of(*places, [&](std::uint32_t mesh) { return count(meshes[mesh]); });
+  };
+  by_node_ = ranges([](const FeatureSet& f) { return f.nodes().size(); });
+  by_chains_ = ranges([](const FeatureSet& f) { return f.chains().size(); });
+  by_edge_ = ranges([](const FeatureSet& f) { return f.edges().size(); });
+  by_position_ = ranges([](const FeatureSet& f) { return f.positions().size(); });
+}
+
+FeatureHierarchy PlacedFeatures::behind(FeatureHierarchy own, std::size_t edges,
+                                        std::size_t positions) {
+  std::vector<UpperItem> items;
+  for (std::size_t i = 0; i < places->places.size(); ++i) {
+    if (!meshes[places->places[i].mesh].empty())
+      items.push_back({box_of(i), static_cast<std::uint32_t>(i)});
+  }
+  FeatureHierarchy all;
+  all.nodes = upper_nodes(std::move(items), own.nodes);
+  const auto upper = static_cast<std::uint32_t>(all.nodes.size());
+  first_node_ = upper + static_cast<std::uint32_t>(own.nodes.size());
+  first_chains_ = static_cast<std::uint32_t>(own.chains.size());
+  first_edge_ = static_cast<std::uint32_t>(edges);
+  first_position_ = static_cast<std::uint32_t>(positions);
+  finish_upper_nodes(all.nodes, upper,
+                     [&](std::uint32_t i) { return first_node_ + by_node_.first(i); });
+  for (FeatureNode& node : own.nodes) {
+    for (std::uint32_t c = 0; c < node.child_count; ++c)
+      if (node.edge_count[c] == FeatureNode::inner) node.child[c] += upper;
+  }
+  all.nodes.insert(all.nodes.end(), own.nodes.begin(), own.nodes.end());
+  all.chains = std::move(own.chains);
+  return all;
+}
+
+Box PlacedFeatures::box_of(std::size_t place) const {
+  const FeatureNode root = placed(meshes[places->places[place].mesh].nodes()[0], place);
+  return box_below(root);
+}
+
+FeatureNode PlacedFeatures::node(std::uint32_t number) const {
+  const std::size_t place = by_node_.find(number - first_node_);
+  const std::uint32_t local = number - first_node_ - by_node_.first(place);
+  return placed(meshes[places->places[place].mesh].nodes()[local], place);
+}
+
+FeatureNode PlacedFeatures::placed(const FeatureNode& node, std::size_t at) const {
+  const Placement& place = places->places[at];
+  const glm::dmat4 matrix = places->world_from_mesh(place);
+  const glm::dmat3 linear(matrix);
+  const glm::dmat3 reach(glm::abs(linear[0]), glm::abs(linear[1]), glm::abs(linear[2]));
+  FeatureNode out = node;
+  for (std::uint32_t c = 0; c < node.child_count; ++c) {
+    const glm::dvec3 lo(node.lo[0][c], node.lo[1][c], node.lo[2][c]);
+    const glm::dvec3 hi(node.hi[0][c], node.hi[1][c], node.hi[2][c]);
+    const glm::dvec3 centre(matrix * glm::dvec4(0.5 * (lo + hi), 1.0));
+    constexpr double rounding = 1e-14;
+    const glm::dvec3 half = reach * (0.5 * (hi - lo) + rounding * (glm::abs(lo) + glm::abs(hi))) +
+                            rounding * glm::abs(centre);
+    const glm::dvec3 axis =
+        place.cofactors * glm::dvec3(node.axis[0][c], node.axis[1][c], node.axis[2][c]);
+    const double length = glm::length(axis);
+    for (int k = 0; k < 3; ++k) {
+      out.lo[k][c] = rounded_down(centre[k] - half[k]);
+      out.hi[k][c] = rounded_up(centre[k] + half[k]);
+      out.axis[k][c] = length > 0.0 ? static_cast<float>(axis[k] / length) : 0.0f;
+    }
+    if (!(length > 0.0)) out.cone_sine[c] = 1.0f, out.cone_cosine[c] = 0.0f;
+    widen(out.cone_sine[c], out.cone_cosine[c], place.anisotropy);
+    out.child[c] += node.edge_count[c] == FeatureNode::inner ? first_node_ + by_node_.first(at)
+                                                             : first_edge_ + by_edge_.first(at);
+  }
+  if (out.chains != FeatureNode::no_chains) out.chains += first_chains_ + by_chains_.first(at);
+  return out;
+}
+
+NodeChains PlacedFeatures::chains(std::uint32_t number) const {
+  const std::size_t at = by_chains_.find(number - first_chains_);
+  const Placement& place = places->places[at];
+  NodeChains out = meshes[place.mesh].chains()[number - first_chains_ - by_chains_.first(at)];
+  for (int c = 0; c < FeatureNode::width; ++c) {
+    for (auto& ends : out.end) move(ends[c], first_position_ + by_position_.first(at));
+    out.deviation[c] *= static_cast<float>(place.most_growth);
+  }
+  return out;
+}
+
+FeatureEdge PlacedFeatures::edge(std::uint32_t number) const {
+  const std::size_t at = by_edge_.find(number - first_edge_);
+  const Placement& place = places->places[at];
+  FeatureEdge edge = meshes[place.mesh].edges()[number - first_edge_ - by_edge_.first(at)];
+  for (std::uint32_t* vertex : {&edge.a, &edge.b, &edge.left, &edge.right})
+    move(*vertex, first_position_ + by_position_.first(at));
+  for (std::uint32_t* sheet : {&edge.left_sheet, &edge.right_sheet})
+    move(*sheet, places->own_triangles + place.first_triangle);
+  return edge;
+}
+
+glm::dvec3 PlacedFeatures::position(std::uint32_t number) const {
+  const std::size_t at = by_position_.find(number - first_position_);
+  const Placement& place = places->places[at];
+  const glm::dvec3 local(
+      meshes[place.mesh].positions()[number - first_position_ - by_position_.first(at)]);
+  return glm::dvec3(place.world_from_mesh * glm::dvec4(local, 1.0)) - places->origin;
+}
+
+std::uint32_t PlacedFeatures::sheet(std::uint32_t triangle) const {
+  const Placement& place = places->of_triangle(triangle);
+  const std::uint32_t first = places->own_triangles + place.first_triangle;
+  return first + meshes[place.mesh].sheet(triangle - first);
+}
+
+float PlacedFeatures::deviation(std::uint32_t triangle) const {
+  const Placement& place = places->of_triangle(triangle);
+  const std::uint32_t local = triangle - places->own_triangles - place.first_triangle;
+  return static_cast<float>(place.most_growth) * meshes[place.mesh].deviation(local);
+}
+
+std::size_t PlacedFeatures::memory_bytes() const {
+  std::size_t bytes = by_node_.memory_bytes() + by_chains_.memory_bytes() +
+                      by_edge_.memory_bytes() + by_position_.memory_bytes();
+  for (const FeatureSet& mesh : meshes) bytes += sizeof mesh + mesh.memory_bytes();
+  return bytes;
+}
+
+}  // namespace asos

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "renderer/features/feature_set.h"
+#include "renderer/world/placements.h"
+#include "renderer/world/range_index.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+// The boundaries of meshes that a world keeps once: found once, in the mesh's own space, and placed
+// where they are read.
+
+namespace asos {
+
+struct PlacedFeatures {
+  /// Finds those of the meshes of a world.
+  PlacedFeatures(const World& world, TextureAt texture_at, const std::stop_token& stop);
+
+  /// The hierarchy of all boundaries: nodes over the places and over `own`, then those of `own`.
+  /// Places' numbers begin behind these nodes, behind so many edges and behind so many positions.
+  [[nodiscard]] FeatureHierarchy behind(FeatureHierarchy own, std::size_t edges,
+                                        std::size_t positions);
+
+  // Numbers are those of FeatureSet. Nodes are conservative: their boxes and cones hold all edges
+  // below them.
+  [[nodiscard]] FeatureNode node(std::uint32_t number) const;
+  [[nodiscard]] NodeChains chains(std::uint32_t number) const;
+  [[nodiscard]] FeatureEdge edge(std::uint32_t number) const;
+  [[nodiscard]] glm::dvec3 position(std::uint32_t number) const;
+  /// Of a triangle of the world.
+  [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const;
+  [[nodiscard]] float deviation(std::uint32_t triangle) const;
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+  std::shared_ptr<const Placements> places;
+  std::vector<FeatureSet> meshes;  ///< one a mesh of `places`
+
+ private:
+  [[nodiscard]] FeatureNode placed(const FeatureNode& node, std::size_t place) const;
+  [[nodiscard]] Box box_of(std::size_t place) const;
+
+  // By place; each has one number at least.
+  RangeIndex by_node_, by_chains_, by_edge_, by_position_;
+  std::uint32_t first_node_ = 0, first_chains_ = 0, first_edge_ = 0, first_position_ = 0;
+};
+
+}  // namespace asos

@@ -1,0 +1,96 @@
+#include "renderer/world/shared_meshes.h"
+
+#include "renderer/world/needs.h"
+#include "renderer/world/surface_kind.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace asos {
+namespace {
+
+// A place takes as much memory as some triangles.
+constexpr std::size_t fewest_triangles = 32;
+constexpr double most_anisotropy = 32.0;
+// Rays meet a mesh in single precision and in its own space.
+constexpr float smallest_extent = 1.0f / 1024.0f;
+constexpr float largest_extent = 1e6f;
+constexpr double farthest_in_extents = 1024.0;
+
+bool has_plain_material(const Scene& scene, const Mesh& mesh) {
+  if (mesh.material < 0) return true;
+  const Material& m = scene.materials[static_cast<std::size_t>(mesh.material)];
+  const bool shines = m.emissive != glm::vec3(0.0f) && m.emissive_strength > 0.0f;
+  return surface_kind(m) == SurfaceKind::opaque && !shines;
+}
+
+/// Whether a mesh has a size, and is as near to its own origin, as single precision asks for.
+bool has_moderate_size(const Mesh& mesh) {
+  Box box;
+  for (const glm::uvec3 t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) box.grow(mesh.positions[t[k]]);
+  const glm::vec3 size = box.hi - box.lo;
+  const float extent = std::max({size.x, size.y, size.z});
+  const glm::vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+  return extent >= smallest_extent && extent <= largest_extent &&
+         static_cast<double>(std::max({far.x, far.y, far.z})) <=
+             farthest_in_extents * static_cast<double>(extent);
+}
+
+bool sharable(const Scene& scene, const Mesh& mesh) {
+  return mesh.triangles.size() >= fewest_triangles && has_plain_material(scene, mesh) &&
+         has_moderate_size(mesh);
+}
+
+bool sharable(const Instance& instance) {
+  return instance.mesh >= 0 && instance.shape < 0 && !instance.shows_light &&
+         distortion_of(glm::dmat3(instance.world_from_mesh)).anisotropy <= most_anisotropy;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> shared_instances(const Scene& scene, std::uint64_t fewest_copied) {
+  if (fewest_copied == never_shared) return {};
+  if (scene.instanced_segments() + scene.instanced_points() > 0) return {};
+  std::map<int, std::uint64_t> instances;
+  for (const Instance& instance : scene.instances) {
+    if (instance.shape >= 0) return {};
+    if (sharable(instance)) ++instances[instance.mesh];
+  }
+  std::erase_if(instances, [&](const auto& counted) {
+    const Mesh& mesh = scene.meshes[static_cast<std::size_t>(counted.first)];
+    return counted.second < 2 || counted.second * mesh.triangles.size() < fewest_copied ||
+           !sharable(scene, mesh);
+  });
+  if (instances.empty()) return {};
+  std::vector<std::uint8_t> shared;
+  for (const Instance& instance : scene.instances)
+    shared.push_back(sharable(instance) && instances.contains(instance.mesh));
+  return shared;
+}
+
+std::shared_ptr<const World> shared_mesh(const Scene& scene, int mesh) {
+  Scene alone;
+  alone.meshes.push_back(scene.meshes[static_cast<std::size_t>(mesh)]);
+  Mesh& own = alone.meshes.back();
+  if (own.material >= 0) {
+    const Material& m = scene.materials[static_cast<std::size_t>(own.material)];
+    alone.materials.push_back(m);
+    own.material = 0;
+    const auto uses = texture_uses(m);
+    if (std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); }))
+      alone.textures = scene.textures, alone.images = scene.images;
+  }
+  Instance& instance = alone.instances.emplace_back();
+  instance.name = own.name;
+  instance.mesh = 0;
+  // What was fit for the scene is fit here.
+  World world =
+      std::move(flatten(alone, most_triangles, glm::dvec3(0.0), never_shared).value().world);
+  world.flat = own.normals.empty();
+  release_unused_images(world);
+  return std::make_shared<const World>(std::move(world));
+}
+
+}  // namespace asos
