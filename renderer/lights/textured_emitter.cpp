@@ -181,7 +181,7 @@ glm::dvec3 texture_axis(const World& world, std::uint32_t triangle) {
   const Material& m = world.material_of(triangle);
   const TextureUse& use = m.emissive_texture.used() ? m.emissive_texture : m.base_color_texture;
   if (!use.used() || use.texcoord < 0 || use.texcoord > 1) return glm::dvec3(0.0);
-  const std::vector<glm::vec2>& uv = world.texcoords[use.texcoord];
+  const Attribute<glm::vec2>& uv = world.texcoords[use.texcoord];
   if (uv.empty()) return glm::dvec3(0.0);
   const glm::uvec3 t = world.triangles[triangle];
   const glm::mat2 transform(use.uv_transform);
