@@ -32,8 +32,7 @@ Result<void> write_split_map(const std::string& path, const Film& film, const Re
   RenderReport of_map = report;
   PictureDisplay& display = of_map.description.display;
   display = split_map_display(display, colours);
-  return write_split_map_png(path, film, {colours, report.description.settings.asos.max_level},
-                             picture_metadata(of_map));
+  return write_split_map_png(path, film, {colours}, picture_metadata(of_map));
 }
 
 std::array<const std::string*, 3> outputs_of(const RenderArguments& arguments) {

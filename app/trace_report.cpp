@@ -1,5 +1,6 @@
 #include "app/trace_report.h"
 
+#include "renderer/film/split_map.h"
 #include "renderer/picture/settings_json.h"
 
 #include <fmt/format.h>
@@ -218,6 +219,10 @@ std::string head_text(const Json& trace) {
                       width > 1.0 ? fmt::format(", filter {:.4g} pixels wide", width) : "");
   text += fmt::format("Colour {} (linear), unresolved area {:.4g}\n",
                       colour_text(trace["radiance"]), trace["unresolved_area"].get<double>());
+  text += "In the split map: " + text_of(trace["split"]);
+  if (const auto samples = trace["samples"].get<std::uint32_t>(); samples > 0)
+    text += fmt::format(" ({} samples)", samples);
+  text += "\n";
   if (trace["missed_split"].get<bool>())
     text += "Edge not found: its samples differ from a neighbour's, but no edge is near.\n";
   return text;
@@ -297,6 +302,10 @@ Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedP
           {"settings", settings_json(picture.settings)},
           {"radiance", colour_json(trace.radiance)},
           {"unresolved_area", trace.unresolved_area},
+          {"level", trace.level},
+          {"cause", name_of(trace.cause)},
+          {"split", split_words(trace.level, trace.cause)},
+          {"samples", trace.samples},
           {"missed_split", trace.missed},
           {"levels", std::move(levels)},
           {"cells", cells_json(trace.cells, namer)},

@@ -16,6 +16,14 @@ namespace {
 // calls, small enough that one tile does not cost the whole picture.
 constexpr int cell_side = 64;
 
+// Lines over the split map where no pixel is final yet.
+constexpr glm::u8vec4 hatching{96, 96, 96, 255};
+constexpr int hatching_pitch = 12;
+
+bool on_hatching(int x, int y) {
+  return (x + y) % hatching_pitch == 0;
+}
+
 /// What lies behind pixels that surfaces do not cover, as everywhere: a checkerboard.
 glm::vec3 before_checkers(const Film& film, std::size_t i) {
   const glm::vec3 radiance = film.radiance[i];
@@ -42,20 +50,20 @@ GlDisplay::GlDisplay(Program picture, Program overlay)
       no_attributes_(make_vertex_array()) {}
 
 void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
-                       const DisplaySettings& display, int max_level) {
+                       const DisplaySettings& display, std::uint64_t map_revision) {
   const PixelRect whole{0, 0, film.width, film.height};
   if (whole.empty()) return;
 
   // Layers whose size, exposure or split map scale has changed are renewed as a whole.
   const bool resized = film.width != width_ || film.height != height_;
   const bool exposed = display.transform() != shown_;
-  const bool rescaled = max_level != max_level_ || display.split_colours != split_colours_;
+  const bool rescaled = map_revision != map_revision_ || display.split_colours != split_colours_;
   if (exposed) {
     shown_ = display.transform();
     // Of a curve, which mixes the channels, the table does the last step only.
     tone_ = ToneTable(shown_.tone == ToneCurve::none ? shown_.exposure_ev : 0.0f);
   }
-  max_level_ = max_level;
+  map_revision_ = map_revision;
   split_colours_ = display.split_colours;
   if (resized) {
     width_ = film.width;
@@ -94,7 +102,7 @@ void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, b
 void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
   // By level or cause. What has a colour hides the picture; the others only dim it, so that colours
   // match the legend.
-  const SplitMapKey key{split_colours_, max_level_};
+  const SplitMapKey key{split_colours_};
   const std::size_t last = key.last();
   std::array<glm::u8vec4, 256> colours;
   for (std::size_t i = 0; i <= last; ++i)
@@ -102,8 +110,10 @@ void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
     for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
-      // Levels above MAX are left over from the snapshot before; they show as MAX until replaced.
       overlay_.at(i) = colours[std::min<std::size_t>(key.value(film, i), last)];
+      const int x = rect.x + static_cast<int>(i - row);
+      if (!film.unfinished.empty() && film.unfinished[i] && on_hatching(x, y))
+        overlay_.at(i) = hatching;
     }
   }
   overlay_.mark(rect);

@@ -25,10 +25,10 @@ class GlDisplay {
   [[nodiscard]] static Result<GlDisplay> make();
 
   /// Brings the textures up to date with `film`, of which `changed` is what differs from the last
-  /// call. Another size, exposure, `max_level` or choice of the split map's colours renews
+  /// call. Another size, exposure, `map_revision` or choice of the split map's colours renews
   /// everything that depends on it.
   void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
-              int max_level);
+              std::uint64_t map_revision);
   /// The same for what is compared with `film`; after `update`. A stored frame of another size is
   /// resampled.
   void update_compared(const Film& film, std::span<const PixelRect> changed, Frames& frames);
@@ -79,7 +79,7 @@ class GlDisplay {
   gl::VertexArray no_attributes_;
   int width_ = 0;
   int height_ = 0;
-  int max_level_ = -1;
+  std::uint64_t map_revision_ = 0;
   SplitMapColours split_colours_ = SplitMapColours::level;
   DisplayTransform shown_;
   ToneTable tone_;

@@ -1,5 +1,6 @@
 #include "ui/pixel_report.h"
 
+#include "renderer/film/split_map.h"
 #include "renderer/pyray/hit_list.h"
 #include "ui/previewer.h"
 #include "ui/snapshot_view.h"
@@ -135,6 +136,22 @@ const char* words_of(CellFate fate) {
   return "samples differ: split";
 }
 
+std::string edge_words(const TracedCell& cell) {
+  const auto counted = [](std::size_t count, const char* kind) {
+    return fmt::format("{} {}{}", count, kind, count == 1 ? "" : "s");
+  };
+  std::string words = counted(cell.boundaries.size(), "edge");
+  if (cell.clusters > 0) words += ", " + counted(cell.clusters, "unresolved group");
+  if (cell.hidden > 0) words += ", " + counted(cell.hidden, "hidden edge");
+  return words;
+}
+
+std::string PixelReport::split() const {
+  std::string words = split_words(trace.level, trace.cause);
+  if (trace.samples > 0) words += fmt::format(" ({} samples)", trace.samples);
+  return words;
+}
+
 std::string PixelReport::verdict() const {
   const auto any = [&](CellFate fate) {
     return std::any_of(trace.cells.begin(), trace.cells.end(),
@@ -147,11 +164,17 @@ std::string PixelReport::verdict() const {
   if (any(CellFate::stopped))
     return fmt::format("Stopped by EPS: {:.2f} % of the pixel is unresolved.", unresolved);
   if (any(CellFate::saturated)) return "Too many edges: sampled instead.";
-  if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::uniform)
-    return "Not split: no edge, one sample is enough.";
-  if (trace.cells.size() == 1 && trace.cells.front().fate == CellFate::sampled)
-    return "Not split: no edge; shading is the mean of many samples.";
-  if (any(CellFate::uneven)) return "Split for varying shading.";
+  if (trace.cause == SplitCause::none) {
+    const bool one = trace.cells.size() == 1 && trace.cells.front().fate == CellFate::uniform;
+    return one ? "Not split: no edge, one sample is enough."
+               : "Not split: no edge; its samples agree.";
+  }
+  const bool by_edges = any(CellFate::cut) || any(CellFate::split);
+  const bool by_shading = any(CellFate::uneven) || trace.samples > 0;
+  if (by_edges && by_shading) return "Split along its edges and for varying shading.";
+  if (by_shading) return "Split for varying shading.";
+  if (trace.cells.size() == 1 && !by_edges)
+    return "One cell; an edge in a shadow or mirror cuts it.";
   return "Exact: every cell is free of edges or cut along them.";
 }
 

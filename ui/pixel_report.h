@@ -41,6 +41,8 @@ struct PixelReport {
   bool all_boundaries = true;  ///< false: there are more
   static constexpr std::size_t most_boundaries = 20'000;
 
+  /// The level and cause in the split map, and the samples where they make the level.
+  [[nodiscard]] std::string split() const;
   /// Why the splitting stopped, in a sentence.
   [[nodiscard]] std::string verdict() const;
 };
@@ -49,6 +51,8 @@ struct PixelReport {
 [[nodiscard]] std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place);
 
 [[nodiscard]] const char* words_of(CellFate fate);
+/// The numbers of a cell's edges: "1 edge, 2 hidden edges".
+[[nodiscard]] std::string edge_words(const TracedCell& cell);
 
 /// Traces the picked pixel on a thread of its own, again whenever what it depends on has changed.
 /// All members are for one thread.

@@ -9,13 +9,23 @@ namespace {
 // How long changes wait for the first coarse picture of the render before them.
 constexpr double first_picture_seconds = 0.1;
 
+// Whether all is the same but EPS and MAX.
+bool differs_in_splitting_only(const PreviewRender::Subject& a, const PreviewRender::Subject& b) {
+  RenderSettings settings = a.settings;
+  settings.asos.eps = b.settings.asos.eps;
+  settings.asos.max_level = b.settings.asos.max_level;
+  return a.scene == b.scene && a.camera_revision == b.camera_revision && settings == b.settings;
+}
+
 }  // namespace
 
 PreviewRender::PreviewRender(std::function<void()> wake, Refinement& refinement)
     : refinement_(refinement), session_(std::move(wake)) {}
 
 void PreviewRender::update(const Subject& subject, double now_seconds) {
-  for (const FinishedTile& tile : session_.take_finished()) film_.put(tile);
+  for (FinishedTile& tile : session_.take_finished()) film_.put(std::move(tile));
+  if (subject.scene && differs_in_splitting_only(rendered_, subject))
+    film_.predict(subject.settings);
   if (out_of_date(subject) && !should_wait(subject, now_seconds)) restart(subject, now_seconds);
   rest_or_go_on();
 }
@@ -47,12 +57,13 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
   // The old scene may go only when no worker uses it any more, which restart sees to.
   session_.restart({subject.scene, subject.camera, subject.settings, true, true});
+  const bool keeps_map = differs_in_splitting_only(rendered_, subject);
   rendered_ = subject;
   ++restarts_;
   restarted_seconds_ = now_seconds;
   refinement_.begin();
   if (refinement_.rest() == Rest::none) session_.resume();
-  film_.begin(subject.settings.width, subject.settings.height);
+  film_.begin(subject.settings, keeps_map);
 }
 
 void PreviewRender::rest_or_go_on() {

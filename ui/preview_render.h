@@ -55,6 +55,8 @@ class PreviewRender {
   /// The parts of the film that changed since the last call.
   [[nodiscard]] std::vector<PixelRect> take_changed() { return film_.take_changed(); }
   /// See RefiningFilm.
+  [[nodiscard]] std::uint64_t map_revision() const { return film_.map_revision(); }
+  [[nodiscard]] double split_share() const { return film_.split_share(); }
   [[nodiscard]] std::optional<double> estimated_rmse() const { return film_.estimated_rmse(); }
   [[nodiscard]] Progress progress() const { return session_.progress(); }
   [[nodiscard]] Reached reached() const { return session_.reached(); }

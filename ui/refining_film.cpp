@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace asos {
 
@@ -46,24 +47,55 @@ double squared_difference(const Film& film, const FinishedTile& tile) {
 
 }  // namespace
 
-void RefiningFilm::begin(int width, int height) {
+void RefiningFilm::begin(const RenderSettings& settings, bool keeps_map) {
   pixels_taken_ = 0;
   corrected_ = 0.0;
   pixels_finished_ = 0;
-  if (film_.width == width && film_.height == height) return;
-  film_ = stretched(film_, width, height);
-  changed_ = {{0, 0, width, height}};
+  if (film_.width != settings.width || film_.height != settings.height) {
+    film_ = stretched(film_, settings.width, settings.height);
+    changed_ = {{0, 0, film_.width, film_.height}};
+    keeps_map = false;
+  }
+  if (!keeps_map) map_.clear(film_.radiance.size());
+  predict(settings);
+  map_.render_by(settings);
+  film_.unfinished.assign(film_.radiance.size(), 1);
+  ++map_revision_;
 }
 
-void RefiningFilm::put(const FinishedTile& tile) {
+void RefiningFilm::predict(const RenderSettings& asked) {
+  if (map_.predict(asked, film_)) ++map_revision_;
+}
+
+void RefiningFilm::put(FinishedTile tile) {
   const std::int64_t pixels_of_tile = static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
-  if (!tile.coarse) {
+  if (tile.coarse) {
+    map_.complete(tile, film_);
+  } else {
     corrected_ += squared_difference(film_, tile);
     pixels_finished_ += pixels_of_tile;
   }
+  std::vector<SplitOutlook> outlook = std::exchange(tile.outlook, {});  // the map keeps it
   film_.put(tile);
+  tile.outlook = std::move(outlook);
+  if (!tile.coarse) finish(tile);
   changed_.push_back(tile.rect);
   pixels_taken_ += pixels_of_tile;
+}
+
+void RefiningFilm::finish(const FinishedTile& tile) {
+  map_.note_final(tile, film_);
+  const PixelRect inside = intersection(tile.rect, {0, 0, film_.width, film_.height});
+  for (int y = inside.y; y < inside.y + inside.height; ++y)
+    std::fill_n(film_.unfinished.begin() + static_cast<std::ptrdiff_t>(film_.index(inside.x, y)),
+                inside.width, std::uint8_t{0});
+}
+
+double RefiningFilm::split_share() const {
+  std::size_t split = 0;
+  for (std::size_t i = 0; i < film_.cause.size(); ++i)
+    split += film_.split_level[i] > 0 || film_.cause[i] != SplitCause::none;
+  return static_cast<double>(split) / std::max<double>(1.0, static_cast<double>(pixels()));
 }
 
 std::optional<double> RefiningFilm::estimated_rmse() const {

@@ -24,8 +24,8 @@ bool bounded(SplitCause cause) {
 // Shadows and mirrors have pyrays of their own: what bounds an object splits the pixel itself, and
 // what is not resolved at MAX has split it all the way.
 int rank_of(const Film& film, std::size_t i) {
-  if (film.split_level[i] == 0) return 0;
   const SplitCause cause = film.cause[i];
+  if (film.split_level[i] == 0 && !bounded(cause)) return 0;
   const int sort = cause == SplitCause::depth_limit ? 2 : (bounded(cause) ? 1 : 0);
   return film.split_level[i] + 256 * sort;
 }
@@ -56,8 +56,8 @@ std::vector<glm::ivec2> candidates(const Film& film) {
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
       const std::size_t i = film.index(x, y);
-      // What one edge cuts is of level 1; a mirror splits what it shows, not the pixel.
-      if (film.split_level[i] > 1 && film.cause[i] != SplitCause::reflection)
+      // A mirror splits the reflection, not the pixel.
+      if (film.split_level[i] > 0 && film.cause[i] != SplitCause::reflection)
         found.push_back({{x, y}, contrast_around(film, {x, y}) / contrast_step});
     }
   }

@@ -118,7 +118,7 @@ void WindowContent::draw(const FrameInput& in) {
                 study_.busy());
   const std::vector<PixelRect> changed = previewer_.render().take_changed();
   display_.update(previewer_.render().film(), changed, state_.display,
-                  previewer_.edits().settings().asos.max_level);
+                  previewer_.render().map_revision());
   display_.update_compared(previewer_.render().film(), changed, state_.frames);
   keep_saving();
   present(in);
@@ -203,8 +203,9 @@ void WindowContent::lay_out(const FrameInput& in) {
   if ((state_.tour.card || panel_over) && picture.size.x < beside_another_em * em)
     legend.show_legend = false;
   if (state_.tour.card && panel_left) legend.show_legend = false;
-  if (split_legend(controls_, legend, previewer_.edits().settings().asos.max_level, picture,
-                   panel_left))
+  const MapFacts map{previewer_.edits().settings().asos.max_level,
+                     !previewer_.render().progress().finished};
+  if (split_legend(controls_, legend, map, picture, panel_left))
     explain_a_pixel();
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);

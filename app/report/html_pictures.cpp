@@ -18,10 +18,10 @@ std::string chip(glm::u8vec3 colour, const std::string& word) {
 std::string legend_of_maps(int which) {
   std::string text;
   if (which == 0) {
+    text += chip(split_colour(0), "not split") + chip(exact_colour, "exact");
     const int max_level = region_settings({}).asos.max_level;
-    for (int level = 0; level <= max_level; ++level)
-      text += chip(split_colour(level, max_level),
-                   level == 0 ? "not split" : fmt::format("level {}", level));
+    for (int level = 1; level <= max_level; ++level)
+      text += chip(split_colour(level), fmt::format("level {}", level));
   } else if (which == 1) {
     for (std::size_t i = 0; i < split_cause_count; ++i)
       text += chip(split_cause_colour(static_cast<SplitCause>(i)), split_cause_names[i]);

@@ -47,9 +47,8 @@ Result<void> write_scene_maps(const SceneReport& scene, const std::string& folde
   const auto write = [&](const std::string& path, auto colour_of) {
     return write_map(path, map.width, map.height, map.region.size(), colour_of);
   };
-  const int max_level = region_settings({}).asos.max_level;
   return write(made.levels,
-               [&](std::size_t i) { return split_colour(map.split_level[i], max_level); })
+               [&](std::size_t i) { return split_colour(map.split_level[i], map.cause[i]); })
       .and_then([&] {
         return write(made.causes, [&](std::size_t i) { return split_cause_colour(map.cause[i]); });
       })

@@ -3,6 +3,7 @@
 #include "renderer/asos/asos.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace asos {
@@ -16,7 +17,8 @@ PixelTrace trace_pixel(const RenderScene& scene, const View& view, const RenderS
   block.height = std::min(fat, view.height() - block.y);
   PixelWatch watch;
   watch.pixel = {x, y};
-  (void)render_fat_pyray({scene, view, settings, block}, &watch);
+  const BlockResult result = render_fat_pyray({scene, view, settings, block}, &watch);
+  const auto i = static_cast<std::size_t>((y - block.y) * block.width + x - block.x);
   TracedPyray& pixel = watch.observer.pixel;
   return {x,
           y,
@@ -25,6 +27,9 @@ PixelTrace trace_pixel(const RenderScene& scene, const View& view, const RenderS
           std::move(pixel.cells),
           std::move(watch.observer.nested),
           watch.unresolved_area,
+          result.tile.split_level[i],
+          result.tile.cause[i],
+          result.tile.outlook[i].samples,
           watch.missed};
 }
 

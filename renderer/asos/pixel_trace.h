@@ -1,11 +1,13 @@
 #pragma once
 
+#include "renderer/film/split_cause.h"
 #include "renderer/geometry/view.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/pyray/observer.h"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace asos {
@@ -19,9 +21,12 @@ struct PixelTrace {
   glm::vec3 radiance{0.0f};        ///< the pixel's, linear
   std::vector<LevelTally> levels;  ///< the papers' tables: K, M, in, out, L for each object
   std::vector<TracedCell> cells;
-  std::vector<TracedPyray> pyrays;  ///< those that leaves sent on; Observer::most at most
-  double unresolved_area = 0.0;     ///< share of the pixel whose leaves stayed marginal
-  bool missed = false;              ///< split by the safety net, without a boundary near
+  std::vector<TracedPyray> pyrays;      ///< those that leaves sent on; Observer::most at most
+  double unresolved_area = 0.0;         ///< share of the pixel whose leaves stayed marginal
+  int level = 0;                        ///< the pixel's own, as in the split map
+  SplitCause cause = SplitCause::none;  ///< as in the split map
+  std::uint32_t samples = 0;            ///< of parts that were sampled for what varies in them
+  bool missed = false;                  ///< split by the safety net, without a boundary near
 };
 
 /// Renders the pixel (x, y) of the picture with ASOS as the settings say, and tells how. The pixel

@@ -19,7 +19,7 @@ LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSet
 int LevelPrediction::level_of(const SplitOutlook& pixel) const {
   double level = 0.0;
   // Boundaries.
-  if (pixel.edges > 0) {
+  if (pixel.edges > 0 || pixel.unresolved > 0.0f || pixel.at_limit) {
     level = pixel.edges;
     if (pixel.unresolved > 0.0f) {
       const double halvings = std::log2(static_cast<double>(pixel.unresolved) / eps_);

@@ -29,12 +29,21 @@ int level_of(std::uint32_t samples) {
   return samples > 1 ? (std::bit_width(samples - 1) + 1) / 2 : 0;
 }
 
+// The deepest level that cells were examined at: cutting one adds none.
+int deepest_cell(const SubdivisionOutcome& outcome) {
+  int deepest = 0;
+  for (std::size_t k = 0; k < outcome.pyrays_by_level.size(); ++k)
+    if (outcome.pyrays_by_level[k] > 0) deepest = static_cast<int>(k);
+  return deepest;
+}
+
 SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
   SplitOutlook outlook;
   outlook.error = sum.error;
   outlook.unresolved = static_cast<float>(outcome.unresolved_area);
-  outlook.samples = sum.varies || sum.cut_out ? sum.samples : 0;
-  outlook.edges = static_cast<std::uint8_t>(outcome.boundaries.empty() ? 0 : outcome.deepest);
+  const bool uneven = outcome.uneven_shading || outcome.uneven_shadow;
+  outlook.samples = sum.varies || sum.cut_out || uneven ? sum.samples : 0;
+  outlook.edges = static_cast<std::uint8_t>(outcome.boundaries.empty() ? 0 : deepest_cell(outcome));
   outlook.at_limit = outcome.at_limit;
   return outlook;
 }
@@ -46,22 +55,24 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   SubdivisionOutcome outcome = trace.outcome;
   const auto& cells = outcome.pyrays_by_level;
   for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
+  int level = deepest_cell(outcome);
   // What samples tell apart is as good as split to the end.
-  if (sum.cut_out) outcome.deepest = std::max(outcome.deepest, max_level);
+  if (sum.cut_out) level = std::max(level, max_level);
   if (sum.varies && !outcome.uneven_shadow) outcome.uneven_shading = true;
   if (outcome.uneven_shading || outcome.uneven_shadow)
-    outcome.deepest = std::max(outcome.deepest, std::min(max_level, level_of(sum.samples)));
-  statistics.split_pixels += outcome.deepest > 0;
+    level = std::max(level, std::min(max_level, level_of(sum.samples)));
+  outcome.deepest = std::max(outcome.deepest, level);
   statistics.missed_splits += trace.missed;
   statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
   statistics.saturated_pixels += outcome.saturated;
   statistics.unresolved_area += outcome.unresolved_area;
   statistics.pyrays_by_level[static_cast<std::size_t>(max_level)] += sum.samples;
   result.tile.radiance.push_back(sum.mean());
-  result.tile.split_level.push_back(static_cast<std::uint8_t>(outcome.deepest));
+  result.tile.split_level.push_back(static_cast<std::uint8_t>(level));
   const SplitCause cause =
       cause_of({outcome, trace.by_samples || sum.cut_out, sum.shadow_cut, sum.mirror_cut});
   result.tile.cause.push_back(cause);
+  statistics.split_pixels += cause != SplitCause::none;
   if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
   result.tile.outlook.push_back(outlook_of(trace.outcome, sum));
   rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));

@@ -144,15 +144,14 @@ glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev) {
   return {byte_curve(exposed.x), byte_curve(exposed.y), byte_curve(exposed.z)};
 }
 
-glm::u8vec3 split_colour(int level, int max_level) {
-  if (level <= 0 || max_level <= 0) return {0, 0, 0};
+glm::u8vec3 split_colour(int level, SplitCause cause) {
+  if (level <= 0) return cause == SplitCause::none ? glm::u8vec3(0) : exact_colour;
   // Viridis without its darkest quarter, which is hard to tell from black: perceptually ordered,
   // and readable for the colour-blind.
   constexpr std::array<glm::vec3, 4> scale{glm::vec3(59, 82, 139), glm::vec3(33, 145, 140),
                                            glm::vec3(94, 201, 98), glm::vec3(253, 231, 37)};
-  const float t = max_level == 1 ? 3.0f
-                                 : 3.0f * static_cast<float>(std::min(level, max_level) - 1) /
-                                       static_cast<float>(max_level - 1);
+  const float t = 3.0f * static_cast<float>(std::min(level, split_colour_levels) - 1) /
+                  static_cast<float>(split_colour_levels - 1);
   const auto below = std::min<std::size_t>(static_cast<std::size_t>(t), 2);
   const glm::vec3 mixed = glm::mix(scale[below], scale[below + 1], t - static_cast<float>(below));
   return glm::u8vec3(mixed + 0.5f);

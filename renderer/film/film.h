@@ -15,9 +15,11 @@ namespace asos {
 /// rect.height long.
 struct FinishedTile {
   PixelRect rect;
-  std::vector<glm::vec3> radiance;        ///< linear
-  std::vector<std::uint8_t> split_level;  ///< deepest level that the pixel split to; 0: not split
-  std::vector<SplitCause> cause;          ///< why; methods other than ASOS tell none
+  std::vector<glm::vec3> radiance;  ///< linear
+  /// Deepest level n: the pixel's finest cells, or as many samples, are 1/2^n pixels wide. Cutting
+  /// a cell along an edge adds none, nor do levels of mirrored or shadow pyrays.
+  std::vector<std::uint8_t> split_level;
+  std::vector<SplitCause> cause;  ///< why it is split; methods other than ASOS tell none
   /// The cost of each pixel: the rays of all kinds that were cast for it, and the seconds of its
   /// worker's processor. A cost that pixels share, in the smallest piece that is measured, is
   /// spread over them evenly. Empty: not known, as of coarse passes.
@@ -53,6 +55,8 @@ struct Film {
   std::vector<float> coverage;        ///< as a tile's; empty until a tile tells any
   std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile tells any
   std::vector<glm::vec4> unlit;       ///< the same
+  /// 1 where no final pixel has come yet, while the window renders. Empty: all are final.
+  std::vector<std::uint8_t> unfinished;
 
   Film() = default;
   Film(int w, int h);
@@ -71,9 +75,11 @@ struct Film {
 /// as black.
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev);
 
-/// The split map's colour of a level on the absolute scale 0..max_level: sRGB bytes, brighter for
-/// deeper levels. Level 0 (not split) is black and no other level is: an overlay leaves its pixels
-/// out. A level above max_level has max_level's colour.
-[[nodiscard]] glm::u8vec3 split_colour(int level, int max_level);
-
+/// The split map's colour of a pixel: sRGB bytes, brighter for deeper levels, the same at any MAX.
+/// Level 0 is black where the pixel is not split, and `exact_colour` where it has a cause: it was
+/// cut along an edge without being divided into quarters.
+[[nodiscard]] glm::u8vec3 split_colour(int level, SplitCause cause = SplitCause::none);
+inline constexpr glm::u8vec3 exact_colour{150, 110, 160};
+/// The deepest level that has a colour of its own.
+inline constexpr int split_colour_levels = 8;
 }  // namespace asos

@@ -8,7 +8,8 @@
 
 namespace asos {
 
-/// Why a pixel was split. A pixel has one cause: cause_of (renderer/asos/split_causes.h) says
+/// Why a pixel is split: why its value is the sum of several parts, be they quarters, pieces along
+/// an edge, or samples. A pixel has one cause: cause_of (renderer/asos/split_causes.h) says
 /// which of several counts.
 enum class SplitCause : std::uint8_t {
   none,
@@ -28,6 +29,15 @@ inline constexpr std::size_t split_cause_count = 10;
 inline constexpr std::array<const char*, split_cause_count> split_cause_names{
     "none",       "outline", "crease",  "intersection", "shadow",
     "reflection", "shading", "cut_out", "saturation",   "depth_limit"};
+
+/// The names of the causes as the window and `asos trace` write them, in the order of their values.
+inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
+    "not split",  "silhouette", "crease, seam", "intersection",   "shadow",
+    "reflection", "shading",    "alpha edge",   "too many edges", "MAX reached"};
+
+[[nodiscard]] constexpr const char* title_of(SplitCause cause) {
+  return split_cause_titles[static_cast<std::size_t>(cause)];
+}
 
 [[nodiscard]] constexpr const char* name_of(SplitCause cause) {
   return split_cause_names[static_cast<std::size_t>(cause)];

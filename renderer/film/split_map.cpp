@@ -50,17 +50,27 @@ std::uint8_t SplitMapKey::value(const Film& film, std::size_t pixel) const {
     case SplitMapColours::level:
       break;
   }
-  return film.split_level[pixel];
+  const std::uint8_t level = film.split_level[pixel];
+  if (level == 0) return film.cause[pixel] == SplitCause::none ? 0 : 1;
+  return static_cast<std::uint8_t>(std::min<int>(level, split_colour_levels) + 1);
 }
 
 std::uint8_t SplitMapKey::last() const {
-  if (colours == SplitMapColours::level) return static_cast<std::uint8_t>(std::max(0, max_level));
+  if (colours == SplitMapColours::level) return split_colour_levels + 1;
   return colours == SplitMapColours::cause ? split_cause_count - 1 : 255;
+}
+
+std::string split_words(int level, SplitCause cause) {
+  if (level <= 0 && cause == SplitCause::none) return title_of(cause);
+  std::string words = level <= 0 ? "exact" : "level " + std::to_string(level);
+  if (cause != SplitCause::none) words += std::string(", ") + title_of(cause);
+  return words;
 }
 
 glm::u8vec3 SplitMapKey::colour(std::uint8_t value) const {
   if (colours == SplitMapColours::cause) return split_cause_colour(static_cast<SplitCause>(value));
-  if (colours == SplitMapColours::level) return split_colour(value, max_level);
+  if (colours == SplitMapColours::level)
+    return value == 1 ? exact_colour : split_colour(value == 0 ? 0 : value - 1);
   // The cheapest is dark, but not the black of what is not told.
   constexpr float darkest = 0.12f;
   if (value == 0) return {0, 0, 0};

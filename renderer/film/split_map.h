@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace asos {
 
@@ -28,15 +29,18 @@ inline constexpr CostScale seconds_scale{1e-7, 1e-2};  ///< seconds of one proce
 /// How a split map is coloured, in the window and in files.
 struct SplitMapKey {
   SplitMapColours colours = SplitMapColours::level;
-  int max_level = 0;  ///< of the scale of levels
 
-  /// The value shown of a pixel: its level, its cause's number, or where on the scale of 1 to 255
-  /// its cost lies. 0: nothing is known, and its colour is black.
+  /// The value shown of a pixel: 1 if it is exact and one more than its level if it is deeper; its
+  /// cause's number; or where on the scale of 1 to 255 its cost lies. 0: not split or not known,
+  /// and black.
   [[nodiscard]] std::uint8_t value(const Film& film, std::size_t pixel) const;
   /// The largest that has a colour of its own.
   [[nodiscard]] std::uint8_t last() const;
   /// The colour of such a value, sRGB bytes.
   [[nodiscard]] glm::u8vec3 colour(std::uint8_t value) const;
 };
+
+/// The level and cause of a pixel in words: "not split", "exact, silhouette", "level 3, shading".
+[[nodiscard]] std::string split_words(int level, SplitCause cause);
 
 }  // namespace asos

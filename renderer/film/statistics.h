@@ -29,7 +29,7 @@ struct RenderStatistics {
   /// By Lighting::lights; lights beyond its end, which grows as needed, were asked for nothing.
   /// Adds up to `shadow_rays` and `shadow_pyrays`.
   std::vector<LightStatistics> lights;
-  std::uint64_t split_pixels = 0;      ///< pixels that went beyond level 0 or cut a cell
+  std::uint64_t split_pixels = 0;      ///< pixels whose value is the sum of several parts
   std::uint64_t missed_splits = 0;     ///< pixels split by the safety net only (design section 3)
   std::uint64_t uneven_pixels = 0;     ///< pixels of which parts were split for their shading alone
   std::uint64_t saturated_pixels = 0;  ///< pixels sampled at the finest level at once (section 5)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace asos {
@@ -29,6 +30,13 @@ glm::vec3 colour_of(const json& c) {
 
 std::string argument_of(const glm::ivec2& pixel) {
   return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
+}
+
+glm::u8vec3 map_colour(const json& told) {
+  const std::string cause = told.at("cause");
+  const auto at = std::find(split_cause_names.begin(), split_cause_names.end(), cause);
+  return split_colour(told.at("level").get<int>(),
+                      static_cast<SplitCause>(at - split_cause_names.begin()));
 }
 
 // The contents of the file agree with each other: weights, colour, and four children a split.
@@ -64,14 +72,19 @@ TEST(TraceCommand, ThePixelIsTheRenderedOne) {
         {"--look-at", "4,3,6,0,1,0", "--fov", "30", "--max", "4", "--fat", "4", "--no-shadows"},
         {"--rule", "published", "--detect", "cone", "--leaf", "point", "--jitter"}}) {
     const auto words = std::vector<std::string>{"builtin:boxes", "--size", "101x57"} + how;
-    const AsosRun rendered = run_asos(std::vector<std::string>{"render", "-o", path} + words);
+    const std::string map_path = (folder.path() / "map.png").string();
+    const AsosRun rendered =
+        run_asos(std::vector<std::string>{"render", "-o", path, "--split-map", map_path} + words);
     ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
     const Film film = read_exr(path).value().film;
+    const RgbImage map = read_png(map_path).value();
     for (const glm::ivec2 pixel : pixels) {
       SCOPED_TRACE(argument_of(pixel) + testing::PrintToString(how));
       const json told = trace(words + std::vector<std::string>{"--pixel", argument_of(pixel)});
       EXPECT_EQ(colour_of(told.at("radiance")), film.radiance[film.index(pixel.x, pixel.y)]);
       EXPECT_EQ(told.at("pixel"), json({pixel.x, pixel.y}));
+      const std::size_t i = 3 * film.index(pixel.x, pixel.y);
+      EXPECT_EQ(map_colour(told), glm::u8vec3(map.rgb[i], map.rgb[i + 1], map.rgb[i + 2]));
       check_consistent(told);
     }
   }

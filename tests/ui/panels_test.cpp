@@ -139,17 +139,18 @@ TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
   rig.click("Split map");
   rig.frame();
   rig.frame();
-  const Controls::Placed legend = rig.control("Scale");
   const std::vector<glm::u8vec3> pixels = rig.pixels();
-  const int levels = settings().asos.max_level + 1;
-  for (int level = 0; level < levels; ++level) {
-    const float share = (static_cast<float>(level) + 0.5f) / static_cast<float>(levels);
-    const int x = static_cast<int>(glm::mix(legend.lo.x, legend.hi.x, share));
-    const int y = static_cast<int>(legend.lo.y) + 5;
-    EXPECT_EQ(pixels[static_cast<std::size_t>(y * rig.size().x + x)],
-              split_colour(level, settings().asos.max_level))
-        << "level " << level;
-  }
+  const auto colour_of = [&](const std::string& swatch) {
+    const Controls::Placed at = rig.control("Level/" + swatch);
+    EXPECT_TRUE(at.has_tooltip) << swatch;
+    const int x = static_cast<int>(at.centre().x), y = static_cast<int>(at.lo.y) + 5;
+    return pixels[static_cast<std::size_t>(y * rig.size().x + x)];
+  };
+  // The same whatever MAX is.
+  EXPECT_EQ(colour_of("not split"), split_colour(0));
+  EXPECT_EQ(colour_of("exact"), exact_colour);
+  for (int level = 1; level <= split_colour_levels; ++level)
+    EXPECT_EQ(colour_of(std::to_string(level)), split_colour(level)) << level;
 }
 
 TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {

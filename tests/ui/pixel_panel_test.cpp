@@ -1,3 +1,4 @@
+#include "renderer/film/split_map.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/pixel_report.h"
 
@@ -22,7 +23,8 @@ class PixelPanelTest : public PanelsTest {
     const int y = film.height / 2 - film.height / 28;
     for (int x = 1; x + 1 < film.width; ++x) {
       const float share = film.radiance[film.index(x, y)].x;
-      if (film.split_level[film.index(x, y)] > 0 && share > 0.3f && share < 0.7f) return {x, y};
+      const bool split = film.cause[film.index(x, y)] != SplitCause::none;
+      if (split && share > 0.3f && share < 0.7f) return {x, y};
     }
     ADD_FAILURE() << "no edge";
     return {0, 0};
@@ -70,6 +72,44 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   EXPECT_NEAR(static_cast<float>(reds) / static_cast<float>(reds + backgrounds), covered, 0.04f);
   EXPECT_TRUE(rig.content().controls().all().contains("Verdict"));
   EXPECT_FALSE(restarted()) << "looking at a pixel renders nothing again";
+}
+
+// Map, status line and view name one level and one cause.
+TEST_F(PixelPanelTest, SaysWhatTheMapShows) {
+  const glm::ivec2 pixel = cut_pixel();
+  const Film& film = rig.previewer().render().film();
+  const std::size_t i = film.index(pixel.x, pixel.y);
+  EXPECT_EQ(film.split_level[i], 0) << "one edge cuts it";
+  pick(pixel);
+  EXPECT_EQ(rig.control("Why").words, "exact, silhouette");
+  EXPECT_EQ(rig.control("Why").words, split_words(film.split_level[i], film.cause[i]));
+  EXPECT_EQ(rig.control("Verdict").words, "Exact: every cell is free of edges or cut along them.");
+}
+
+TEST(PixelReport, ItsReasonsAgreeWithTheCause) {
+  PixelReport report;
+  TracedCell cell;
+  cell.fate = CellFate::sampled;
+  report.trace.cells = {cell};
+  report.trace.level = 3;
+  report.trace.cause = SplitCause::shadow;
+  report.trace.samples = 64;
+  EXPECT_EQ(report.split(), "level 3, shadow (64 samples)") << "one undivided cell";
+  EXPECT_EQ(report.verdict(), "Split for varying shading.");
+  report.trace.cells[0].fate = CellFate::cut;
+  report.trace.cause = SplitCause::outline;
+  EXPECT_EQ(report.verdict(), "Split along its edges and for varying shading.");
+}
+
+TEST(PixelReport, CountsEdges) {
+  TracedCell cell;
+  EXPECT_EQ(edge_words(cell), "0 edges");
+  cell.boundaries.resize(1);
+  cell.hidden = 1;
+  EXPECT_EQ(edge_words(cell), "1 edge, 1 hidden edge");
+  cell.clusters = 2;
+  cell.hidden = 3;
+  EXPECT_EQ(edge_words(cell), "1 edge, 2 unresolved groups, 3 hidden edges");
 }
 
 TEST_F(PixelPanelTest, HoveringACellTellsOfIt) {

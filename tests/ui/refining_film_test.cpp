@@ -18,20 +18,39 @@ FinishedTile tile(PixelRect rect, glm::vec3 colour, bool coarse) {
   return tile;
 }
 
+RenderSettings of_size(int width, int height, double eps = 1.0 / 256.0) {
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.asos.max_level = 4;
+  settings.asos.eps = eps;
+  return settings;
+}
+
+/// The final tile of two pixels: one that is shaded unevenly, 8 times the default EPS, and another.
+FinishedTile shaded_and_clear() {
+  FinishedTile both = tile({0, 0, 2, 1}, glm::vec3(0.5f), false);
+  both.split_level = {2, 0};
+  both.cause = {SplitCause::shading, SplitCause::none};
+  both.outlook.resize(2);
+  both.outlook[0].error = 1.0f / 32.0f;
+  return both;
+}
+
 TEST(RefiningFilm, KeepsThePictureUntilTilesOfTheNextRenderArrive) {
   RefiningFilm film;
-  film.begin(2, 1);
+  film.begin(of_size(2, 1), false);
   film.put(tile({0, 0, 1, 1}, {1, 0, 0}, false));
   film.put(tile({1, 0, 1, 1}, {0, 1, 0}, false));
   ASSERT_EQ(film.take_changed().size(), 3u) << "all of it at first, and two tiles";
   EXPECT_TRUE(film.covered());
 
-  film.begin(2, 1);
+  film.begin(of_size(2, 1), false);
   EXPECT_FALSE(film.covered());
   EXPECT_TRUE(film.take_changed().empty());
   EXPECT_EQ(film.film().radiance[0], glm::vec3(1, 0, 0));
 
-  film.begin(4, 2);
+  film.begin(of_size(4, 2), false);
   const std::vector<PixelRect> changed = film.take_changed();
   ASSERT_EQ(changed.size(), 1u);
   EXPECT_EQ(changed[0].width, 4);
@@ -47,7 +66,7 @@ TEST(RefiningFilm, KeepsThePictureUntilTilesOfTheNextRenderArrive) {
 
 TEST(RefiningFilm, EstimatesTheErrorThatIsLeftFromWhatFinalPixelsCorrected) {
   RefiningFilm film;
-  film.begin(4, 1);
+  film.begin(of_size(4, 1), false);
   film.put(tile({0, 0, 4, 1}, glm::vec3(0.5f), true));
   EXPECT_TRUE(film.covered());
   EXPECT_FALSE(film.estimated_rmse().has_value());
@@ -56,6 +75,62 @@ TEST(RefiningFilm, EstimatesTheErrorThatIsLeftFromWhatFinalPixelsCorrected) {
   EXPECT_NEAR(film.estimated_rmse().value_or(-1.0), std::sqrt(0.75) * 0.25, 1e-12);
   film.put(tile({1, 0, 3, 1}, glm::vec3(9.0f), false));
   EXPECT_EQ(film.estimated_rmse(), 0.0) << "it is finished";
+}
+
+TEST(RefiningFilm, PredictsTheMapOfAnotherEps) {
+  using Levels = std::vector<std::uint8_t>;
+  RefiningFilm film;
+  film.begin(of_size(2, 1), false);
+  film.put(shaded_and_clear());
+  EXPECT_EQ(film.film().split_level, (Levels{2, 0}));
+  const std::uint64_t revision = film.map_revision();
+  film.predict(of_size(2, 1, 1.0 / 16.0));
+  EXPECT_EQ(film.film().split_level, (Levels{0, 0}));
+  EXPECT_EQ(film.film().cause[0], SplitCause::none);
+  EXPECT_GT(film.map_revision(), revision);
+  film.predict(of_size(2, 1, 1.0 / 1024.0));
+  EXPECT_EQ(film.film().split_level, (Levels{3, 0})) << "EPS a quarter: a level more";
+  EXPECT_EQ(film.film().cause[0], SplitCause::shading);
+  film.predict(of_size(2, 1));
+  EXPECT_EQ(film.film().split_level, (Levels{2, 0})) << "as it was rendered";
+}
+
+TEST(RefiningFilm, NeverShowsLessOfTheMapThanIsKnown) {
+  RefiningFilm film;
+  film.begin(of_size(2, 1), false);
+  EXPECT_EQ(film.film().unfinished, std::vector<std::uint8_t>(2, 1));
+  film.put(shaded_and_clear());
+  EXPECT_EQ(film.film().unfinished, std::vector<std::uint8_t>(2, 0));
+  film.begin(of_size(2, 1, 1.0 / 1024.0), true);
+  EXPECT_EQ(film.film().unfinished, std::vector<std::uint8_t>(2, 1));
+  film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
+  EXPECT_EQ(film.film().split_level[0], 3) << "a coarse tile tells no levels";
+  EXPECT_EQ(film.split_share(), 0.5);
+  FinishedTile last = tile({0, 0, 1, 1}, glm::vec3(0.5f), false);
+  last.split_level = {4};
+  last.cause = {SplitCause::shading};
+  last.outlook.resize(1);
+  film.put(last);
+  EXPECT_EQ(film.film().split_level[0], 4) << "the true level";
+  EXPECT_EQ(film.film().unfinished, (std::vector<std::uint8_t>{0, 1}));
+  // From another place it says nothing.
+  film.begin(of_size(2, 1, 1.0 / 1024.0), false);
+  film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
+  EXPECT_EQ(film.split_share(), 0.0);
+}
+
+// Each step of a long drag begins another render.
+TEST(RefiningFilm, ALongDragForgetsNothing) {
+  RefiningFilm film;
+  film.begin(of_size(2, 1), false);
+  film.put(shaded_and_clear());
+  for (int step = 1; step <= 500; ++step) {
+    film.begin(of_size(2, 1, 1.0 / (256.0 + step)), true);
+    film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
+  }
+  EXPECT_EQ(film.split_share(), 0.5);
+  film.begin(of_size(2, 1), true);
+  EXPECT_EQ(film.film().split_level[0], 2) << "as it was rendered";
 }
 
 }  // namespace

@@ -82,9 +82,7 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   ASSERT_TRUE(overlaid) << overlaid.error().message();
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const glm::u8vec3 got(overlaid->rgb[3 * i], overlaid->rgb[3 * i + 1], overlaid->rgb[3 * i + 2]);
-    ASSERT_EQ(got,
-              split_colour(film.split_level[i], rig.previewer().edits().settings().asos.max_level))
-        << "pixel " << i;
+    ASSERT_EQ(got, split_colour(film.split_level[i], film.cause[i])) << "pixel " << i;
   }
 
   rig.content().state().display.split_colours = SplitMapColours::cause;

@@ -98,11 +98,12 @@ TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
     EXPECT_EQ(film.cause[film.index(at.x, at.y)], cause) << x;
     EXPECT_EQ(shown(at), split_cause_colour(cause)) << x;
   }
-  // The hard shadow's edge cuts pixels that by their level are not split.
+  // The hard shadow's edge cuts pixels that are not divided into quarters.
   const glm::ivec2 shadow = pixel_of(card_left - 1.0, 0.13);
   show(SplitMapColours::level);
-  EXPECT_EQ(shown(shadow), split_colour(0, rig.previewer().edits().settings().asos.max_level));
-  EXPECT_NE(shown(pixel_of(card_right, 0.13)), glm::u8vec3(0));
+  EXPECT_EQ(shown(shadow), exact_colour);
+  EXPECT_EQ(shown(pixel_of(card_right, 0.13)), exact_colour) << "one line cuts it";
+  EXPECT_EQ(shown(pixel_of(card_left - 0.5, 0.13)), glm::u8vec3(0));
 }
 
 TEST_F(SplitMapTest, EveryPixelHasItsCausesColour) {
@@ -130,7 +131,7 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
     rig.key(Key::c);
     EXPECT_EQ(display().split_colours, cost);
     const Film& film = rig.previewer().render().film();
-    const SplitMapKey key{cost, rig.previewer().edits().settings().asos.max_level};
+    const SplitMapKey key{cost};
     EXPECT_EQ(shown(kink), key.colour(key.value(film, film.index(kink.x, kink.y))));
   }
   rig.key(Key::c);
@@ -167,7 +168,7 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
   EXPECT_FALSE(all.contains("Map legend"));
   for (const auto& [colours, title] :
        {std::pair<SplitMapColours, std::string>{SplitMapColours::level,
-                                                "Deepest level of each pixel, 0 to MAX = 2"},
+                                                "Deepest level of each pixel (MAX = 2)"},
         {SplitMapColours::cause, "Why pixels were split"},
         {SplitMapColours::rays, "Rays per pixel"},
         {SplitMapColours::time, "CPU time per pixel"}}) {
@@ -209,17 +210,70 @@ TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
     EXPECT_FALSE(controls.contains(name)) << name;
-  // What the causes' shares add up to stands above them; only some of these pixels are split.
-  ASSERT_TRUE(controls.contains("Split, by cause"));
+  // The causes' weights add up to that of the split pixels.
+  EXPECT_FALSE(controls.contains("Split, by cause"));
   const auto percent = [&](const char* name) { return std::stod(controls.at(name).words); };
   const RenderStatistics statistics = rig.previewer().render().statistics();
-  const RenderSettings& settings = rig.previewer().render().settings();
   double in_map = 0.0;
   for (std::size_t i = 1; i < split_cause_count; ++i)
     in_map += static_cast<double>(statistics.pixels_by_cause[i]);
-  EXPECT_NEAR(percent("Split, by cause"), 100.0 * in_map / (settings.width * settings.height),
-              0.006);
-  EXPECT_GE(percent("Split, by cause") + 0.02, percent("   silhouette") + percent("   shadow"));
+  EXPECT_EQ(static_cast<double>(statistics.split_pixels), in_map);
+  EXPECT_NEAR(percent("Split pixels"), 100.0 * rig.previewer().render().split_share(), 0.006);
+}
+
+// A slider's frame shows the map of its value, though no pixel of it is rendered yet.
+TEST_F(SplitMapTest, FollowsEpsAndMaxAtOnce) {
+  Previewer& previewer = rig.previewer();
+  previewer.refinement().set_paused(true);  // no final pixels come
+  show(SplitMapColours::level);
+  const Film before = previewer.render().film();
+  const RenderSettings rendered = previewer.render().settings();
+  const auto share = [&] { return previewer.render().split_share(); };
+  const double whole = share();
+  ASSERT_GT(whole, 0.0);
+  RenderSettings& settings = previewer.edits().settings();
+  for (const auto& [eps, max_level] : {std::pair(0.5, 2), {1e-3, 4}, {1e-4, 6}, {1e-4, 0}}) {
+    SCOPED_TRACE(eps);
+    settings.asos.eps = eps;
+    settings.asos.max_level = max_level;
+    rig.frame();
+    EXPECT_GE(share(), 0.5 * whole) << "what edges cut is cut at any EPS";
+    const Film& film = previewer.render().film();
+    EXPECT_LE(*std::max_element(film.split_level.begin(), film.split_level.end()), max_level);
+  }
+  settings.asos = rendered.asos;
+  rig.frame();
+  const Film& film = previewer.render().film();
+  EXPECT_EQ(film.split_level, before.split_level);
+  EXPECT_EQ(film.cause, before.cause);
+}
+
+// Hatched until the pixels are final, and never after.
+TEST_F(SplitMapTest, AnUnfinishedMapIsHatched) {
+  show(SplitMapColours::level);
+  const auto hatched = [&] {
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    const Film& film = rig.previewer().render().film();
+    std::size_t lines = 0;
+    for (int y = 0; y < film.height; ++y)
+      for (int x = 0; x < film.width; ++x)
+        lines += pixels[static_cast<std::size_t>(y * rig.size().x + x)] == glm::u8vec3(96);
+    return static_cast<double>(lines) / (film.width * film.height);
+  };
+  EXPECT_EQ(hatched(), 0.0);
+  rig.previewer().refinement().set_paused(true);
+  rig.previewer().edits().settings().asos.eps = 0.01;
+  rig.frame();
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().render().first_picture_pending(); }));
+  EXPECT_NEAR(hatched(), 1.0 / 12.0, 0.01);
+  display().show_legend = true;
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Unfinished"));
+  display().show_legend = false;
+  rig.previewer().refinement().set_paused(false);
+  ASSERT_TRUE(rig.settle());
+  rig.frame();
+  EXPECT_EQ(hatched(), 0.0);
 }
 
 }  // namespace

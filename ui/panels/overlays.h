@@ -49,13 +49,15 @@ void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 
 /// What the split map's colours mean, over the picture while the map is shown, at its lower left or
 /// right. True: a pixel of it is to be explained.
-[[nodiscard]] bool split_legend(Controls& controls, const DisplaySettings& display, int max_level,
-                                const WindowRect& area, bool at_right);
+struct MapFacts {
+  int max_level = 0;
+  bool unfinished = false;  ///< pixels are predicted, or not final yet
+};
+[[nodiscard]] bool split_legend(Controls& controls, const DisplaySettings& display,
+                                const MapFacts& map, const WindowRect& area, bool at_right);
 
 /// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);
-/// Returns the name of a cause in the legend, such as "silhouette".
-[[nodiscard]] const char* title_of(SplitCause cause);
 
 void help_overlay(UiState& state, const WindowRect& area);
 /// Asks for a path or a built-in scene and opens it.

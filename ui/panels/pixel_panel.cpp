@@ -58,9 +58,9 @@ void values(Controls& controls, const Film& film, const Frames& frames,
   }
 }
 
-/// Why the pixel is like this: its cause in the picture, and why its splitting stopped.
-void why(Controls& controls, const Film& film, const PixelReport& report, glm::ivec2 pixel) {
-  const SplitCause cause = film.cause[film.index(pixel.x, pixel.y)];
+/// The level and cause that the split map shows, and why the splitting stopped.
+void why(Controls& controls, const PixelReport& report) {
+  const SplitCause cause = report.trace.cause;
   if (cause != SplitCause::none) {
     const glm::u8vec3 c = split_cause_colour(cause);
     const float em = ImGui::GetFontSize();
@@ -70,11 +70,13 @@ void why(Controls& controls, const Film& film, const PixelReport& report, glm::i
     ImGui::GetWindowDrawList()->AddRect(lo, hi, theme::packed(theme::dim_text));
     ImGui::Dummy({0.8f * em, em});
     ImGui::SameLine();
-    ImGui::TextWrapped("%s", words_of(cause));
-    controls.placed("Why", nullptr);
+    const std::string words = report.split();
+    ImGui::TextWrapped("%s", words.c_str());
+    controls.placed_words("Why", words, words_of(cause));
   }
-  ImGui::TextWrapped("%s", report.verdict().c_str());
-  controls.placed("Verdict", nullptr);
+  const std::string verdict = report.verdict();
+  ImGui::TextWrapped("%s", verdict.c_str());
+  controls.placed_words("Verdict", verdict, nullptr);
 }
 
 void cost_rows(Controls& controls, const Film& film, const SplitFindings* findings,
@@ -170,9 +172,7 @@ void cell_tooltip(const TracedCell& cell) {
   ImGui::TextUnformatted(
       fmt::format("Cell of level {}: {:.4g} % of the pixel", cell.level, area).c_str());
   ImGui::TextUnformatted(words_of(cell.fate));
-  ImGui::TextDisabled("%s", fmt::format("{} edges, {} unresolved groups, {} hidden",
-                                        cell.boundaries.size(), cell.clusters, cell.hidden)
-                                .c_str());
+  ImGui::TextDisabled("%s", edge_words(cell).c_str());
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, cell.samples.size()); ++i) {
     const TracedSample& sample = cell.samples[i];
@@ -310,7 +310,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(close).x -
                   2.0f * ImGui::GetStyle().FramePadding.x);
   const bool closed = controls.button(close, "Close (Esc).");
-  if (report && !report->trace.cells.empty()) why(controls, film, *report, pixel);
+  if (report && !report->trace.cells.empty()) why(controls, *report);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);
   if (report && !report->trace.cells.empty()) {

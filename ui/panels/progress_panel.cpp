@@ -1,4 +1,5 @@
 #include "renderer/comparison/method.h"
+#include "renderer/film/split_map.h"
 #include "renderer/world/ground.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/time_words.h"
@@ -48,7 +49,8 @@ std::string pixel_words(const Film& film, glm::ivec2 pixel, const DisplayTransfo
   std::string text =
       fmt::format("{}, {}   {} {} {}   {:3} {:3} {:3}", pixel.x, pixel.y, value_words(c.x),
                   value_words(c.y), value_words(c.z), shown.x, shown.y, shown.z);
-  if (film.split_level[i] > 0) text += fmt::format("   level {}", film.split_level[i]);
+  if (film.split_level[i] > 0 || film.cause[i] != SplitCause::none)
+    text += "   " + split_words(film.split_level[i], film.cause[i]);
   return text;
 }
 

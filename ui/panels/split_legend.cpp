@@ -9,6 +9,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace asos {
 
@@ -16,46 +17,69 @@ namespace {
 
 constexpr float legend_width_em = 24.0f;
 
-struct CauseWords {
-  const char* name;
-  const char* tooltip;
+constexpr std::array<const char*, split_cause_count> cause_words{
+    "One sample, or one cell, was enough.",
+    "Silhouette or open edge.",
+    "Crease, or change of material or texture.",
+    "Intersection of surfaces.",
+    "Edge of a shadow. Hard shadows may cut pixels that are not split otherwise.",
+    "Edge of a reflected object.",
+    "No edge, but the shading varies within the pixel.",
+    "No edge found; split because samples differ, as at alpha edges.",
+    "Too many edges: sampled instead.",
+    "MAX reached with edges left.",
 };
-constexpr std::array<CauseWords, split_cause_count> cause_words{{
-    {"not split", "One sample, or one cell, was enough."},
-    {"silhouette", "Silhouette or open edge."},
-    {"crease, seam", "Crease, or change of material or texture."},
-    {"intersection", "Intersection of surfaces."},
-    {"shadow", "Edge of a shadow. Hard shadows may cut pixels that are not split otherwise."},
-    {"reflection", "Edge of a reflected object."},
-    {"shading", "No edge, but the shading varies within the pixel."},
-    {"alpha edge", "No edge found; split because samples differ, as at alpha edges."},
-    {"too many edges", "Too many edges: sampled instead."},
-    {"MAX reached", "MAX reached with edges left."},
-}};
 
-// The split map's colours on their absolute scale: a level keeps its colour whatever the picture
-// holds.
-void level_legend(Controls& controls, int max_level) {
+void swatch(ImVec2 lo, ImVec2 hi, glm::u8vec3 c) {
+  ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, IM_COL32(c.x, c.y, c.z, 255));
+}
+
+/// One colour of the scale of levels.
+struct LevelSwatch {
+  std::string label;
+  glm::u8vec3 colour;
+  std::string tooltip;
+  float width = 1.0f;  ///< in parts of the scale
+};
+
+std::vector<LevelSwatch> level_swatches() {
+  std::vector<LevelSwatch> swatches{
+      {"not split", split_colour(0), "Not split: one sample was enough.", 2.4f},
+      {"exact", exact_colour,
+       "Exact: level 0, but cut along an edge of a surface, shadow or reflection.", 1.7f}};
+  for (int level = 1; level <= split_colour_levels; ++level)
+    swatches.push_back({std::to_string(level), split_colour(level),
+                        fmt::format("Level {}: finest cells of 1/{} pixel, or as many samples.",
+                                    level, 1 << level)});
+  return swatches;
+}
+
+// The split map's colours on their absolute scale: a level keeps its colour at any MAX and in any
+// picture.
+void level_legend(Controls& controls) {
+  const std::vector<LevelSwatch> swatches = level_swatches();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float em = ImGui::GetFontSize();
   const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
-  const float step = width / static_cast<float>(max_level + 1);
-  for (int level = 0; level <= max_level; ++level) {
-    const glm::u8vec3 c = split_colour(level, max_level);
-    const float left = corner.x + step * static_cast<float>(level);
-    draw->AddRectFilled({left, corner.y}, {left + step, corner.y + height},
-                        IM_COL32(c.x, c.y, c.z, 255));
-    const std::string number = level == 0 ? std::string("not split") : std::to_string(level);
-    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
-    const float middle = left + 0.5f * (step - size.x);
-    draw->AddText({level == 0 ? std::max(left, middle) : middle, corner.y + height + 0.15f * em},
-                  theme::packed(theme::dim_text),
-                  level == 0 && size.x > step ? "0" : number.c_str());
+  float parts = 0.0f;
+  for (const LevelSwatch& s : swatches) parts += s.width;
+  float left = corner.x;
+  for (const LevelSwatch& s : swatches) {
+    const float right = left + s.width / parts * width;
+    swatch({left, corner.y}, {right, corner.y + height}, s.colour);
+    const float text = ImGui::CalcTextSize(s.label.c_str()).x;
+    if (text <= right - left)
+      draw->AddText({left + 0.5f * (right - left - text), corner.y + height + 0.15f * em},
+                    theme::packed(theme::dim_text), s.label.c_str());
+    ImGui::SetCursorScreenPos({left, corner.y});
+    ImGui::Dummy({right - left, height});
+    controls.placed("Level/" + s.label, s.tooltip.c_str());
+    left = right;
   }
   draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
+  ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({width, height + 1.3f * em});
-  controls.placed("Scale", "Deepest level of a pixel, 0 to MAX. Each level keeps its colour.");
 }
 
 struct CostTick {
@@ -71,7 +95,7 @@ constexpr std::array time_ticks{CostTick{1e-7, "0.1"},  CostTick{1e-6, "1 \u00b5
 
 // The logarithmic scale of rays or time.
 void cost_legend(Controls& controls, SplitMapColours colours) {
-  const SplitMapKey key{colours, 0};
+  const SplitMapKey key{colours};
   const std::span<const CostTick> ticks = colours == SplitMapColours::rays
                                               ? std::span<const CostTick>(ray_ticks)
                                               : std::span<const CostTick>(time_ticks);
@@ -117,12 +141,11 @@ void cause_legend(Controls& controls) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(i));
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em},
-                        IM_COL32(c.x, c.y, c.z, 255));
+    swatch(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em}, c);
     draw->AddText({corner.x + 2.0f * em, corner.y - 0.05f * em}, theme::packed(theme::dim_text),
-                  cause_words[i].name);
+                  split_cause_titles[i]);
     ImGui::Dummy({column - em, 1.1f * em});
-    controls.placed(std::string("Cause/") + cause_words[i].name, cause_words[i].tooltip);
+    controls.placed(std::string("Cause/") + split_cause_titles[i], cause_words[i]);
   }
 }
 
@@ -137,12 +160,28 @@ std::string headline(SplitMapColours colours, int max_level) {
     case SplitMapColours::level:
       break;
   }
-  return fmt::format("Deepest level of each pixel, 0 to MAX = {}", max_level);
+  return fmt::format("Deepest level of each pixel (MAX = {})", max_level);
+}
+
+// As GlDisplay hatches the map.
+void unfinished_row(Controls& controls) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 lo = ImGui::GetCursorScreenPos();
+  const ImVec2 hi{lo.x + 1.6f * em, lo.y + 0.9f * em};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->PushClipRect(lo, hi, true);
+  for (float x = lo.x; x < hi.x + em; x += 0.4f * em)
+    draw->AddLine({x, lo.y}, {x - 0.9f * em, hi.y}, theme::packed(theme::dim_text));
+  draw->PopClipRect();
+  draw->AddText({lo.x + 2.0f * em, lo.y - 0.05f * em}, theme::packed(theme::dim_text),
+                "predicted, or not final yet");
+  ImGui::Dummy({ImGui::GetContentRegionAvail().x, 1.1f * em});
+  controls.placed("Unfinished", "Hatched pixels are predicted, or not final yet.");
 }
 
 }  // namespace
 
-bool split_legend(Controls& controls, const DisplaySettings& display, int max_level,
+bool split_legend(Controls& controls, const DisplaySettings& display, const MapFacts& map,
                   const WindowRect& area, bool at_right) {
   const float em = ImGui::GetFontSize();
   const float width = std::min(legend_width_em * em, area.size.x - em);
@@ -159,12 +198,12 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  const std::string title = headline(display.split_colours, max_level);
+  const std::string title = headline(display.split_colours, map.max_level);
   ImGui::TextUnformatted(title.c_str());
   controls.placed_words("Legend title", title, nullptr);
   switch (display.split_colours) {
     case SplitMapColours::level:
-      level_legend(controls, max_level);
+      level_legend(controls);
       break;
     case SplitMapColours::cause:
       cause_legend(controls);
@@ -174,6 +213,7 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
       cost_legend(controls, display.split_colours);
       break;
   }
+  if (map.unfinished) unfinished_row(controls);
   const bool why =
       controls.button("Why is this pixel like this?",
                       "Inspect the most deeply split pixel. Click any pixel to inspect it.");
@@ -185,12 +225,8 @@ bool split_legend(Controls& controls, const DisplaySettings& display, int max_le
   return why;
 }
 
-const char* title_of(SplitCause cause) {
-  return cause_words[static_cast<std::size_t>(cause)].name;
-}
-
 const char* words_of(SplitCause cause) {
-  return cause_words[static_cast<std::size_t>(cause)].tooltip;
+  return cause_words[static_cast<std::size_t>(cause)];
 }
 
 }  // namespace asos

@@ -60,26 +60,18 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
   }
 }
 
-// A shadow's or a mirrored boundary has a cause, too, where it splits no pixel: of these there are
-// more than of split pixels.
 void cause_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
-  double in_map = 0.0;
-  for (std::size_t i = 1; i < split_cause_count; ++i)
-    in_map += static_cast<double>(statistics.pixels_by_cause[i]);
-  controls.row("Split, by cause", finished.share(in_map),
-               "Pixels shown in the split map by cause.");
   for (std::size_t i = 1; i < split_cause_count; ++i) {
     if (statistics.pixels_by_cause[i] == 0) continue;
-    controls.row(
-        (std::string("   ") + title_of(static_cast<SplitCause>(i))).c_str(),
-        finished.share(static_cast<double>(statistics.pixels_by_cause[i])),
-        "Percentage of pixels with this main cause. Hard shadows also count in unsplit pixels.");
+    controls.row((std::string("   ") + split_cause_titles[i]).c_str(),
+                 finished.share(static_cast<double>(statistics.pixels_by_cause[i])),
+                 "Percentage of pixels split for this cause.");
   }
 }
 
 void split_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
   controls.row("Split pixels", finished.share(static_cast<double>(statistics.split_pixels)),
-               "Percentage of pixels crossed by an edge.");
+               "Percentage of pixels that are exact or of level 1 and deeper.");
   cause_rows(controls, statistics, finished);
   controls.row("Edges not found", fmt::format("{}", statistics.missed_splits),
                "Pixels whose neighbours show another surface, without an edge between. Zero on "

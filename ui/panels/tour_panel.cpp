@@ -78,13 +78,8 @@ void eps_slider(Controls& controls, Previewer& previewer) {
       "Error allowed per pixel, 0 to 1. Undo with Ctrl+Z, reset with a double click.",
       settings.asos.eps, {0.0, 1.0, RenderSettings{}.asos.eps},
       [](double eps) { return eps > 0.0 ? fmt::format("1/{:.0f}", 1.0 / eps) : std::string("0"); });
-  const Film& film = previewer.render().film();
-  const auto split = std::count_if(film.split_level.begin(), film.split_level.end(),
-                                   [](std::uint8_t level) { return level > 0; });
-  const double pixels = std::max<double>(1.0, static_cast<double>(film.split_level.size()));
-  controls.row("Split",
-               fmt::format("{:.1f} % of pixels", 100.0 * static_cast<double>(split) / pixels),
-               "Percentage of split pixels.");
+  controls.row("Split", fmt::format("{:.1f} % of pixels", 100.0 * previewer.render().split_share()),
+               "Percentage of split pixels, predicted where none is final.");
 }
 
 void map_choice(Controls& controls, DisplaySettings& display) {

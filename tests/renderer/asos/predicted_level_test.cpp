@@ -40,6 +40,12 @@ TEST(LevelPrediction, FollowsEachCause) {
   EXPECT_EQ(same.level_of(marginal), 4);
   EXPECT_EQ(deeper.level_of(marginal), 6);
   EXPECT_EQ(flatter.level_of(marginal), 1) << "three halvings fewer";
+  SplitOutlook at_max_zero;
+  at_max_zero.unresolved = 1.0f;
+  at_max_zero.at_limit = true;
+  const RenderSettings zero = settings_of(0, 1.0 / 256.0);
+  EXPECT_EQ(LevelPrediction(zero, zero).level_of(at_max_zero), 0);
+  EXPECT_EQ(LevelPrediction(zero, now).level_of(at_max_zero), 4);
   SplitOutlook shaded;
   shaded.error = 1.0f / 32.0f;
   EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two quarterings are left";

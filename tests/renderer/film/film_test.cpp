@@ -86,7 +86,7 @@ TEST(SplitMap, CostsHaveAbsoluteLogarithmicScales) {
   film.rays = {0.0f, 1.0f, 64.0f, 4096.0f, 1e9f};
   film.seconds = {0.0f, 1e-7f, 3.1622776e-5f, 1e-2f, 60.0f};
   for (const auto colours : {SplitMapColours::rays, SplitMapColours::time}) {
-    const SplitMapKey key{colours, 3};
+    const SplitMapKey key{colours};
     EXPECT_EQ(key.value(film, 0), 0) << "not told";
     EXPECT_EQ(key.colour(0), glm::u8vec3(0));
     EXPECT_EQ(key.value(film, 1), 1);
@@ -151,18 +151,31 @@ TEST(Display, BytesAreTheRoundedCurve) {
 }
 
 TEST(SplitColour, GrowsBrighterWithTheLevelAndIsBlackForNone) {
-  for (int max_level = 1; max_level <= 8; ++max_level) {
-    EXPECT_EQ(split_colour(0, max_level), glm::u8vec3(0));
-    double last = 0.0;
-    for (int level = 1; level <= max_level; ++level) {
-      const glm::u8vec3 c = split_colour(level, max_level);
-      const double luma = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
-      EXPECT_GT(luma, last) << level << " of " << max_level;
-      last = luma;
-    }
-    EXPECT_EQ(split_colour(max_level + 3, max_level), split_colour(max_level, max_level));
+  EXPECT_EQ(split_colour(0), glm::u8vec3(0));
+  EXPECT_EQ(split_colour(0, SplitCause::outline), exact_colour);
+  double last = 0.0;
+  for (int level = 1; level <= split_colour_levels; ++level) {
+    const glm::u8vec3 c = split_colour(level, SplitCause::outline);
+    EXPECT_EQ(split_colour(level), c) << "whatever the cause";
+    EXPECT_NE(c, exact_colour);
+    const double luma = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+    EXPECT_GT(luma, last) << level;
+    last = luma;
   }
-  EXPECT_EQ(split_colour(3, 0), glm::u8vec3(0));
+  EXPECT_EQ(split_colour(split_colour_levels + 3), split_colour(split_colour_levels));
+}
+
+TEST(SplitColour, IsTheMapsColour) {
+  Film film(3, 1);
+  film.split_level = {0, 0, 4};
+  film.cause = {SplitCause::none, SplitCause::crease, SplitCause::shading};
+  const SplitMapKey key{SplitMapColours::level};
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(key.colour(key.value(film, i)), split_colour(film.split_level[i], film.cause[i]));
+  EXPECT_EQ(split_words(0, SplitCause::none), "not split");
+  EXPECT_EQ(split_words(0, SplitCause::crease), "exact, crease, seam");
+  EXPECT_EQ(split_words(4, SplitCause::shading), "level 4, shading");
+  EXPECT_EQ(split_words(2, SplitCause::none), "level 2") << "of a method that tells no causes";
 }
 
 TEST(Statistics, AddUp) {

@@ -112,11 +112,11 @@ TEST_F(ImageIo, PngShowsTheFilmAsTheDisplayDoes) {
 
 TEST_F(ImageIo, SplitMapHasTheSplitColours) {
   const Film film = film_of(8, 2);
-  ASSERT_TRUE(write_split_map_png(path("s.png"), film, {SplitMapColours::level, 3}).has_value());
+  ASSERT_TRUE(write_split_map_png(path("s.png"), film, {SplitMapColours::level}).has_value());
   const auto read = read_png(path("s.png"));
   ASSERT_TRUE(read.has_value());
   for (std::size_t i = 0; i < film.split_level.size(); ++i) {
-    EXPECT_EQ(read->rgb[3 * i + 1], split_colour(film.split_level[i], 3).g);
+    EXPECT_EQ(read->rgb[3 * i + 1], split_colour(film.split_level[i], film.cause[i]).g);
   }
 }
 
@@ -126,7 +126,7 @@ TEST_F(ImageIo, SplitMapHasTheCausesColours) {
     film.cause[i] = static_cast<SplitCause>(i);
     film.split_level[i] = 1;
   }
-  ASSERT_TRUE(write_split_map_png(path("c.png"), film, {SplitMapColours::cause, 3}).has_value());
+  ASSERT_TRUE(write_split_map_png(path("c.png"), film, {SplitMapColours::cause}).has_value());
   const auto read = read_png(path("c.png"));
   ASSERT_TRUE(read.has_value());
   for (std::size_t i = 0; i < split_cause_count; ++i) {
