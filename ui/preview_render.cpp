@@ -1,13 +1,15 @@
 #include "ui/preview_render.h"
 
+#include <iterator>
 #include <utility>
 
 namespace asos {
 
 namespace {
 
-// How long changes wait for the first coarse picture of the render before them.
-constexpr double first_picture_seconds = 0.1;
+// How long changes wait for the first coarse picture of the render before them, and its tiles for
+// each other, so that it is shown as a whole.
+constexpr double first_picture_seconds = 0.25;
 
 // Whether all is the same but EPS and MAX.
 bool differs_in_splitting_only(const PreviewRender::Subject& a, const PreviewRender::Subject& b) {
@@ -23,11 +25,23 @@ PreviewRender::PreviewRender(std::function<void()> wake, Refinement& refinement)
     : refinement_(refinement), session_(std::move(wake)) {}
 
 void PreviewRender::update(const Subject& subject, double now_seconds) {
-  for (FinishedTile& tile : session_.take_finished()) film_.put(std::move(tile));
+  take_tiles(now_seconds);
   if (subject.scene && differs_in_splitting_only(rendered_, subject))
     film_.predict(subject.settings);
   if (out_of_date(subject) && !should_wait(subject, now_seconds)) restart(subject, now_seconds);
   rest_or_go_on();
+}
+
+// Two poses in one picture look torn: until the first pass has covered it, tiles are held.
+void PreviewRender::take_tiles(double now_seconds) {
+  // In this order: what was reached has been published.
+  const bool whole = session_.reached().pass != Reached::Pass::nothing;
+  std::vector<FinishedTile> tiles = session_.take_finished();
+  held_.insert(held_.end(), std::make_move_iterator(tiles.begin()),
+               std::make_move_iterator(tiles.end()));
+  if (!whole && now_seconds - restarted_seconds_ < first_picture_seconds) return;
+  for (FinishedTile& tile : held_) film_.put(std::move(tile));
+  held_.clear();
 }
 
 bool PreviewRender::out_of_date(const Subject& subject) const {
@@ -56,6 +70,7 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
   // The old scene may go only when no worker uses it any more, which restart sees to.
+  held_.clear();
   session_.restart({subject.scene, subject.camera, subject.settings, true, true});
   const bool keeps_map = differs_in_splitting_only(rendered_, subject);
   rendered_ = subject;

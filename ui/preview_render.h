@@ -76,12 +76,14 @@ class PreviewRender {
  private:
   [[nodiscard]] bool should_wait(const Subject& subject, double now_seconds) const;
   void restart(const Subject& subject, double now_seconds);
+  void take_tiles(double now_seconds);
   void rest_or_go_on();
 
   Refinement& refinement_;
   Subject rendered_;
   double restarted_seconds_ = 0.0;
   std::uint64_t restarts_ = 0;
+  std::vector<FinishedTile> held_;  // until the first pass has covered the picture
   RefiningFilm film_;
   RenderSession session_;
 };

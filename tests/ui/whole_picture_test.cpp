@@ -1,0 +1,67 @@
+#include "tests/ui/test_scenes.h"
+#include "ui/previewer.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <numbers>
+#include <thread>
+
+// A camera that moves fast never leaves parts of two poses in one picture.
+
+namespace asos {
+namespace {
+
+/// A camera between a red wall and a green one.
+Result<Scene> two_walls(const std::string& source) {
+  Scene scene;
+  scene.source = source;
+  constexpr float far = 300.0f;
+  for (const float z : {-5.0f, 5.0f})
+    test::add_triangle(scene, {-far, -far, z}, {far, -far, z}, {0, far, z},
+                       z < 0.0f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
+  Camera camera;
+  camera.fov_y_rad = 0.7;
+  scene.cameras = {camera};
+  return scene;
+}
+
+bool red(glm::vec3 colour) {
+  return colour.x > colour.y;
+}
+
+TEST(WholePicture, IsOfOnePoseWhileTheCameraTurns) {
+  RenderSettings settings;
+  settings.threads = 1;
+  Previewer previewer{{two_walls, {}}, settings};
+  double now = 0.0;
+  previewer.viewpoint().set_picture_size(480, 300, now);
+  previewer.scene().open("walls");
+  const auto update = [&] {
+    previewer.update(now += 0.001);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  const PreviewRender& render = previewer.render();
+  for (int i = 0; i < 20000 && (render.restarts() == 0 || render.first_picture_pending()); ++i)
+    update();
+  int torn = 0, turns = 0;
+  bool was_red = red(previewer.render().film().radiance.front());
+  for (int turn = 0; turn < 20; ++turn) {
+    previewer.viewpoint().camera().look_around(std::numbers::pi, 0.0);
+    for (int i = 0; i < 60; ++i) {
+      update();
+      const Film& film = previewer.render().film();
+      const bool first = red(film.radiance.front());
+      bool same = true;
+      for (const glm::vec3& pixel : film.radiance) same &= red(pixel) == first;
+      torn += !same;
+      turns += first != was_red;
+      was_red = first;
+    }
+  }
+  EXPECT_EQ(torn, 0);
+  EXPECT_GT(turns, 5) << "or nothing was shown at all";
+}
+
+}  // namespace
+}  // namespace asos
