@@ -63,6 +63,14 @@ TEST_F(FolderListingTest, PagesThroughTheModelsOfTheFolder) {
   EXPECT_FALSE(next_model("builtin:office", 1).has_value());
 }
 
+TEST(FileBrowser, SaysThatEnterOpensABuiltInScene) {
+  FileBrowser browser;
+  browser.typed = "builtin:office";
+  EXPECT_EQ(browser.no_match_words(), "Enter opens the built-in scene");
+  browser.typed = "no such file";
+  EXPECT_EQ(browser.no_match_words(), "No match");
+}
+
 TEST_F(FolderListingTest, TabCompletes) {
   FileBrowser browser;
   browser.begin(folder.path());

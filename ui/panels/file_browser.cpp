@@ -134,6 +134,10 @@ void FileBrowser::move_choice(int by) {
   scroll_to_chosen = true;
 }
 
+std::string FileBrowser::no_match_words() const {
+  return typed.starts_with("builtin:") ? "Enter opens the built-in scene" : "No match";
+}
+
 std::string FileBrowser::take_entered() {
   follow();
   if (typed.starts_with("builtin:")) return typed;
@@ -207,7 +211,11 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
   if (!browser.listing.error.empty()) ImGui::TextDisabled("%s", browser.listing.error.c_str());
   if (browser.listing.error.empty() && browser.listing.entries.empty())
     ImGui::TextDisabled("No scenes in this folder");
-  if (matching.empty() && !browser.listing.entries.empty()) ImGui::TextDisabled("No match");
+  if (matching.empty() && !browser.listing.entries.empty()) {
+    const std::string words = browser.no_match_words();
+    ImGui::TextDisabled("%s", words.c_str());
+    controls.placed_words("No match", words, nullptr);
+  }
   ImGui::EndChild();
   if (!into.empty()) browser.enter(into);
   ImGui::Dummy({0.0f, 0.2f * em});

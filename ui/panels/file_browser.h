@@ -29,6 +29,8 @@ struct FileBrowser {
   void enter(const std::filesystem::path& into);
   void complete();
   void move_choice(int by);
+  /// Says what Enter does where no entry matches.
+  [[nodiscard]] std::string no_match_words() const;
   /// What Enter opens: a file, or text that may be one; a folder is entered instead, and nothing is
   /// returned.
   [[nodiscard]] std::string take_entered();
