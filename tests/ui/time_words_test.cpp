@@ -55,6 +55,8 @@ TEST(TimeWords, AProgressTellsWhatIsWaitedFor) {
   EXPECT_EQ(pass_words(reached), "12 % of pixels final");
   EXPECT_EQ(pass_words({}), "");
   EXPECT_EQ(progress_words(progress, Rest::paused, true), "Paused at 40 %   2.0 s   4 s left");
+  progress.fraction = 0.0042;
+  EXPECT_EQ(progress_words(progress, Rest::none, false), "Rendering 0.4 %   2.0 s   4 s left");
   progress.finished = true;
   EXPECT_EQ(progress_words(progress, Rest::none, false), "Finished in 2.0 s");
 }

@@ -64,7 +64,9 @@ std::string progress_words(const Progress& progress, Rest rest, bool without_bou
   if (without_boundaries && rest == Rest::none)
     return "Finding edges   " + duration_words(progress.seconds);
   if (progress.finished) return "Finished in " + duration_words(progress.seconds);
-  std::string text = fmt::format("{} {:.0f} %   ", doing(rest), 100.0 * progress.fraction);
+  // Slow renders move by less than a percent a second.
+  const double percent = 100.0 * progress.fraction;
+  std::string text = fmt::format("{} {:.{}f} %   ", doing(rest), percent, percent < 9.95 ? 1 : 0);
   if (const std::string pass = pass_words(reached); !pass.empty()) text += pass + "   ";
   text += duration_words(progress.seconds);
   if (progress.seconds_left >= 0.0) text += "   " + wait_words(progress.seconds_left);
