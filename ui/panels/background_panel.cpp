@@ -31,7 +31,7 @@ void background_controls(Controls& controls, RenderSettings& settings) {
   Background& background = settings.background;
   const Background usual;
   int kind = static_cast<int>(background.kind);
-  if (controls.options("Background", background_kinds, kind, {false, 0}))
+  if (controls.options("Background", background_kinds, kind, {true, 0}))
     background.kind = static_cast<BackgroundKind>(kind);
   if (background.kind != BackgroundKind::colours) return;
   controls.colour("Upper", "Colour at the upper border, red, green, blue, 0 to 255.",
