@@ -67,7 +67,7 @@ void PredictedMap::render_by(const RenderSettings& settings) {
   asked_ = settings;
 }
 
-// Shows the pixels that a function lists: it calls what it is given with each index.
+// `pixels` calls its argument with the index of each pixel to show.
 template <typename Pixels>
 void PredictedMap::show(const Pixels& pixels, Film& film) const {
   std::vector<LevelPrediction> predictions;

@@ -23,7 +23,7 @@ class PredictedMap {
   bool predict(const RenderSettings& asked, Film& film);
   /// Keeps what a final tile tells. Its pixels are in `film` already.
   void note_final(const FinishedTile& tile, Film& film);
-  /// Fills in what is known of a coarse tile's pixels, which tells less.
+  /// Adds the known level, cause and cost to a coarse tile, which has none.
   void complete(FinishedTile& coarse, const Film& film) const;
 
  private:
