@@ -127,7 +127,7 @@ TEST_F(PanelsTest, DisplayControlsRestartNothing) {
   slide("Dimming", 0.5f, 0.25f);
   EXPECT_LT(display().split_dimming, 0.5f);
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Scale"));
+  EXPECT_TRUE(rig.content().controls().all().contains("Level/exact"));
   rig.key(Key::m);
   EXPECT_FALSE(display().show_split_map);
   EXPECT_FALSE(restarted());

@@ -221,6 +221,7 @@ TEST(PixelReport, TheSmallestCellIsFound) {
     cell.side = std::ldexp(1.0f, -level);
     cell.fate = fate;
   };
+  report.trace.cause = SplitCause::outline;
   add(0, {0, 0}, CellFate::split);
   for (int i = 0; i < 4; ++i)
     add(1, {0.5f * static_cast<float>(i % 2), i < 2 ? 0.0f : 0.5f}, CellFate::uniform);
