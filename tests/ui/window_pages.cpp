@@ -2,6 +2,7 @@
 #include "tests/ui/ui_rig.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -33,13 +34,11 @@ class Pages {
     glm::ivec2 size{1283, 600};
     float scale = 1.0f;
     std::function<void(UiRig&)> use;
-    int pixel_size = 3;
     int max_level = 2;
   };
   void add(const Page& page) {
     UiRig rig(LoadFunction{}, page.size, page.scale, UiRig::Skies::usual);
     rig.set_blind(true);
-    rig.set_pixel_size(page.pixel_size);
     RenderSettings& settings = rig.previewer().edits().settings();
     settings = {};
     settings.threads = 2;
@@ -184,7 +183,6 @@ void write_manual_picture(const std::string& folder) {
                      state.message.clear();
                      state.said.clear();
                    }};
-  page.pixel_size = 1;
   page.max_level = 4;
   pages.add(page);
 }
@@ -219,7 +217,10 @@ int main(int argc, char** argv) {
       asos::test::write_manual_picture(argc > 2 ? argv[2] : ".");
       return 0;
     }
-    return asos::test::write_pages(argv[1], argc > 2 ? argv[2] : "");
+    const int code = asos::test::write_pages(argv[1], argc > 2 ? argv[2] : "");
+    // No test runs here: without this, failed expectations are printed only.
+    const bool failed = testing::UnitTest::GetInstance()->ad_hoc_test_result().Failed();
+    return failed ? 1 : code;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "window_pages: %s\n", error.what());
     return 1;
